@@ -1,0 +1,342 @@
+#include "config/table.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+#include <toml++/toml.h>
+
+namespace overturn::config {
+
+bool Range::holds(double value) const {
+    bool const above = low_open ? value > low : value >= low;
+    bool const below = high_open ? value < high : value <= high;
+    return above && below;
+}
+
+std::string Range::text() const {
+    bool const no_low = std::isinf(low);
+    bool const no_high = std::isinf(high);
+    if (no_low && no_high) {
+        return "any number";
+    }
+    if (no_high) {
+        return fmt::format("{} {}", low_open ? "above" : "at least", low);
+    }
+    if (no_low) {
+        return fmt::format("{} {}", high_open ? "below" : "at most", high);
+    }
+    return fmt::format("{}{}, {}{}", low_open ? "(" : "[", low, high, high_open ? ")" : "]");
+}
+
+// A view of one toml table. The root node owns the document; children keep their parent, hence the document, alive.
+struct Table::Node {
+    std::shared_ptr<toml::table> document;
+    toml::table const* table = nullptr;
+    std::string file;
+    std::string path;  // "waves.target", "bodies[1]"; empty at the root
+    std::set<std::string, std::less<>> used;
+    std::set<std::string, std::less<>> asked;  // also optional keys that are absent: what a misspelt key may have meant
+
+    [[nodiscard]] toml::node const* find(std::string_view key) {
+        asked.emplace(key);
+        auto const* found = table->get(key);
+        if (found != nullptr) {
+            used.emplace(key);
+        }
+        return found;
+    }
+    [[nodiscard]] Location locate(toml::node const* at) const {
+        auto const begin = (at != nullptr ? at : static_cast<toml::node const*>(table))->source().begin;
+        return {file, static_cast<int>(begin.line), static_cast<int>(begin.column)};
+    }
+    [[nodiscard]] std::string full(std::string_view key) const {
+        return path.empty() || key.empty() ? fmt::format("{}{}", path, key) : fmt::format("{}.{}", path, key);
+    }
+};
+
+namespace {
+
+std::string_view kind_name(toml::node const& node) {
+    if (node.is_number()) {
+        return "a number";
+    }
+    if (node.is_string()) {
+        return "a text";
+    }
+    if (node.is_boolean()) {
+        return "true or false";
+    }
+    return node.is_array() ? "a list" : node.is_table() ? "a table" : "a date";
+}
+
+double quantity_of(toml::node const& node, Dimension dimension) {
+    if (auto const text = node.value_exact<std::string>()) {
+        return parse_quantity(*text, dimension);
+    }
+    validate(
+        node.is_number(), "{} (must be a number{})", kind_name(node),
+        dimension == Dimension::none ? "" : " or a quantity such as \"1.5 " + std::string(si_symbol(dimension)) + "\"");
+    double const value = *node.value<double>();
+    validate(std::isfinite(value), "{} (must be finite). Give a finite number", value);
+    return value;
+}
+
+// Sets document[path] = the TOML value on the right of '='. Bare words count as text, so --set a.b=auto needs no
+// quotes.
+void apply_setting(toml::table& document, std::string const& setting) {
+    auto const equals = setting.find('=');
+    validate(equals != std::string::npos && equals > 0, "--set {} (no '='). Write key.sub=value", setting);
+    std::string const path{trimmed(std::string_view(setting).substr(0, equals))};
+    std::string const value{trimmed(std::string_view(setting).substr(equals + 1))};
+    toml::table parsed;
+    try {
+        parsed = toml::parse("value = " + value);
+    } catch (toml::parse_error const&) {
+        parsed.insert_or_assign("value", value);
+    }
+    toml::node* at = &document;
+    std::size_t begin = 0;
+    while (true) {
+        auto const dot = path.find('.', begin);
+        bool const last = dot == std::string::npos;
+        auto const part = path.substr(begin, last ? dot : dot - begin);
+        validate(!part.empty(), "--set {} (empty name in '{}'). Write key.sub=value", setting, path);
+        if (auto* array = at->as_array()) {
+            std::size_t index = 0;
+            auto const read = std::from_chars(part.data(), part.data() + part.size(), index);
+            validate(read.ec == std::errc{} && read.ptr == part.data() + part.size() && index < array->size(),
+                     "--set {} ('{}' is no place in a list of {}). Count from 0", setting, part, array->size());
+            validate(!last, "--set {} (replaces a list entry). Name a key inside it", setting);
+            at = array->get(index);
+        } else if (auto* table = at->as_table()) {
+            if (last) {
+                table->insert_or_assign(part, *parsed.get("value"));
+                return;
+            }
+            if (table->get(part) == nullptr) {
+                table->insert(part, toml::table{});
+            }
+            at = table->get(part);
+        } else {
+            throw InputError(
+                fmt::format("--set {} ('{}' lies inside a plain value). Name a key of a table", setting, part));
+        }
+        begin = dot + 1;
+    }
+}
+
+}  // namespace
+
+Table Table::parse(std::string_view text, std::string file) { return parse(text, std::move(file), {}); }
+
+Table Table::parse(std::string_view text, std::string file, std::span<std::string const> settings) {
+    auto node = std::make_shared<Node>();
+    node->file = std::move(file);
+    try {
+        node->document = std::make_shared<toml::table>(toml::parse(text, node->file));
+    } catch (toml::parse_error const& error) {
+        auto const begin = error.source().begin;
+        throw InputError({node->file, static_cast<int>(begin.line), static_cast<int>(begin.column)},
+                         fmt::format("{} (not valid TOML). Mend the line", error.description()));
+    }
+    for (auto const& setting : settings) {
+        apply_setting(*node->document, setting);
+    }
+    node->table = node->document.get();
+    return Table(std::move(node));
+}
+
+Kind Table::kind(std::string_view key) const {
+    node_->asked.emplace(key);
+    auto const* found = node_->table->get(key);
+    if (found == nullptr) {
+        return Kind::absent;
+    }
+    if (found->is_number()) {
+        return Kind::number;
+    }
+    if (found->is_string()) {
+        return Kind::text;
+    }
+    if (found->is_boolean()) {
+        return Kind::boolean;
+    }
+    return found->is_array() ? Kind::list : Kind::table;
+}
+
+Location Table::where(std::string_view key) const {
+    return node_->locate(key.empty() ? nullptr : node_->table->get(key));
+}
+
+void Table::fail(std::string_view key, std::string_view message) const {
+    auto const name = node_->full(key);
+    // A message that already names its file came from deeper down and says it better.
+    if (message.starts_with(node_->file + ":")) {
+        throw InputError(std::string(message));
+    }
+    throw InputError(where(key), name.empty() ? std::string(message) : fmt::format("{}: {}", name, message));
+}
+
+namespace {
+
+template <class Read> auto read_key(Table const& table, std::string_view key, toml::node const* node, Read&& read) {
+    if (node == nullptr) {
+        table.fail(key, "missing (there is no default). Add this key");
+    }
+    try {
+        return read(*node);
+    } catch (InputError const& error) {
+        table.fail(key, error.what());
+    }
+}
+
+void check_range(double value, Range const& range, Dimension dimension) {
+    auto const unit = si_symbol(dimension);
+    validate(range.holds(value), "{}{}{} (must be {}{}{})", value, unit.empty() ? "" : " ", unit, range.text(),
+             unit.empty() ? "" : " ", unit);
+}
+
+}  // namespace
+
+double Table::number(std::string_view key, Dimension dimension, Range range) const {
+    return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
+        double const value = quantity_of(node, dimension);
+        check_range(value, range, dimension);
+        return value;
+    });
+}
+
+double Table::number(std::string_view key, Dimension dimension, Range range, double otherwise) const {
+    return has(key) ? number(key, dimension, range) : otherwise;
+}
+
+std::optional<double> Table::maybe_number(std::string_view key, Dimension dimension, Range range) const {
+    return has(key) ? std::optional(number(key, dimension, range)) : std::nullopt;
+}
+
+std::vector<double> Table::numbers(std::string_view key, Dimension dimension, Range range) const {
+    return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
+        validate(node.is_array(), "{} (must be a list of numbers)", kind_name(node));
+        std::vector<double> values;
+        for (auto const& element : *node.as_array()) {
+            values.push_back(quantity_of(element, dimension));
+            check_range(values.back(), range, dimension);
+        }
+        return values;
+    });
+}
+
+std::vector<std::pair<double, double>> Table::pairs(std::string_view key, Dimension first, Dimension second) const {
+    return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
+        validate(node.is_array(), "{} (must be a list of [x, y] pairs)", kind_name(node));
+        std::vector<std::pair<double, double>> values;
+        for (auto const& element : *node.as_array()) {
+            auto const* pair = element.as_array();
+            validate(pair != nullptr && pair->size() == 2, "entry {} (must be a pair [x, y])", values.size() + 1);
+            values.emplace_back(quantity_of(*pair->get(0), first), quantity_of(*pair->get(1), second));
+        }
+        return values;
+    });
+}
+
+std::int64_t Table::integer(std::string_view key, std::int64_t low, std::int64_t high) const {
+    return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
+        auto const value = node.value_exact<std::int64_t>();
+        validate(value.has_value(), "{} (must be a whole number)", kind_name(node));
+        validate(*value >= low && *value <= high, "{} (must be {} to {})", *value, low, high);
+        return *value;
+    });
+}
+
+std::int64_t Table::integer(std::string_view key, std::int64_t low, std::int64_t high, std::int64_t otherwise) const {
+    return has(key) ? integer(key, low, high) : otherwise;
+}
+
+bool Table::boolean(std::string_view key, bool otherwise) const {
+    if (!has(key)) {
+        return otherwise;
+    }
+    return read_key(*this, key, node_->find(key), [](toml::node const& node) {
+        auto const value = node.value_exact<bool>();
+        validate(value.has_value(), "{} (must be true or false)", kind_name(node));
+        return *value;
+    });
+}
+
+std::string Table::text(std::string_view key) const {
+    return read_key(*this, key, node_->find(key), [](toml::node const& node) {
+        auto const value = node.value_exact<std::string>();
+        validate(value.has_value(), "{} (must be a text in quotes)", kind_name(node));
+        return *value;
+    });
+}
+
+std::string Table::text(std::string_view key, std::string_view otherwise) const {
+    return has(key) ? text(key) : std::string(otherwise);
+}
+
+std::vector<std::string> Table::texts(std::string_view key) const {
+    return read_key(*this, key, node_->find(key), [](toml::node const& node) {
+        validate(node.is_array(), "{} (must be a list of texts)", kind_name(node));
+        std::vector<std::string> values;
+        for (auto const& element : *node.as_array()) {
+            auto const value = element.value_exact<std::string>();
+            validate(value.has_value(), "entry {} is {} (must be a text in quotes)", values.size() + 1,
+                     kind_name(element));
+            values.push_back(*value);
+        }
+        return values;
+    });
+}
+
+Table Table::child(std::string_view key) const {
+    return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
+        validate(node.is_table(), "{} (must be a table)", kind_name(node));
+        auto inner = std::make_shared<Node>();
+        inner->document = node_->document;
+        inner->table = node.as_table();
+        inner->file = node_->file;
+        inner->path = node_->full(key);
+        return Table(std::move(inner));
+    });
+}
+
+Table Table::child_or_empty(std::string_view key) const {
+    return has(key) ? child(key) : Table::parse("", node_->file);
+}
+
+std::vector<Table> Table::children(std::string_view key) const {
+    return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
+        validate(node.is_array(), "{} (must be a list of tables, written [[{}]])", kind_name(node), key);
+        std::vector<Table> tables;
+        for (auto const& element : *node.as_array()) {
+            validate(element.is_table(), "entry {} is {} (must be a table, written [[{}]])", tables.size() + 1,
+                     kind_name(element), key);
+            auto inner = std::make_shared<Node>();
+            inner->document = node_->document;
+            inner->table = element.as_table();
+            inner->file = node_->file;
+            inner->path = fmt::format("{}[{}]", node_->full(key), tables.size());
+            tables.push_back(Table(std::move(inner)));
+        }
+        return tables;
+    });
+}
+
+void Table::finish() const {
+    for (auto const& [key, node] : *node_->table) {
+        if (node_->used.contains(key.str())) {
+            continue;
+        }
+        std::vector<std::string> const known(node_->asked.begin(), node_->asked.end());
+        auto const near = nearest_name(key.str(), known);
+        throw InputError(node_->locate(&node), fmt::format("unknown key '{}' (nothing reads it{}). {}",
+                                                           node_->full(key.str()), near.empty() ? " here" : "",
+                                                           near.empty() ? std::string("Remove it or check its spelling")
+                                                                        : fmt::format("Did you mean '{}'?", near)));
+    }
+}
+
+}  // namespace overturn::config

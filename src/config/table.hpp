@@ -1,0 +1,111 @@
+/// The door where TOML enters: typed, range-checked and audited. Every key is read by somebody or is an error.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "config/registry.hpp"
+#include "core/error.hpp"
+#include "core/units.hpp"
+
+namespace overturn::config {
+
+/// The allowed values of a number, in SI units.
+struct Range {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+    bool low_open = false;   ///< true: low itself is refused
+    bool high_open = false;  ///< true: high itself is refused
+
+    [[nodiscard]] static Range any() { return {}; }
+    [[nodiscard]] static Range positive() { return {.low = 0, .low_open = true}; }
+    [[nodiscard]] static Range not_negative() { return {.low = 0}; }
+    [[nodiscard]] static Range between(double low, double high) { return {.low = low, .high = high}; }
+
+    [[nodiscard]] bool holds(double value) const;
+    [[nodiscard]] std::string text() const;
+};
+
+/// What kind of value stands behind a key.
+enum class Kind { absent, number, text, boolean, list, table };
+
+/// One TOML table. Copies share the record of which keys were read; call finish() when all have been.
+/// All readers throw InputError with the key's place in the file; a quantity may be a bare SI number or "1.5 unit".
+class Table {
+  public:
+    /// \param file the name shown in messages. \throws InputError on a syntax error.
+    [[nodiscard]] static Table parse(std::string_view text, std::string file);
+
+    /// As parse, with "key.sub=value" settings applied on top (`bodies.0.friction=0.5` reaches into an array).
+    [[nodiscard]] static Table parse(std::string_view text, std::string file, std::span<std::string const> settings);
+
+    [[nodiscard]] bool has(std::string_view key) const { return kind(key) != Kind::absent; }
+    [[nodiscard]] Kind kind(std::string_view key) const;
+
+    [[nodiscard]] double number(std::string_view key, Dimension dimension, Range range) const;
+    [[nodiscard]] double number(std::string_view key, Dimension dimension, Range range, double otherwise) const;
+    [[nodiscard]] std::optional<double> maybe_number(std::string_view key, Dimension dimension, Range range) const;
+    [[nodiscard]] std::vector<double> numbers(std::string_view key, Dimension dimension, Range range) const;
+    /// A list of [x, y] pairs.
+    [[nodiscard]] std::vector<std::pair<double, double>> pairs(std::string_view key, Dimension first,
+                                                               Dimension second) const;
+
+    [[nodiscard]] std::int64_t integer(std::string_view key, std::int64_t low, std::int64_t high) const;
+    [[nodiscard]] std::int64_t integer(std::string_view key, std::int64_t low, std::int64_t high,
+                                       std::int64_t otherwise) const;
+    [[nodiscard]] bool boolean(std::string_view key, bool otherwise) const;
+    [[nodiscard]] std::string text(std::string_view key) const;
+    [[nodiscard]] std::string text(std::string_view key, std::string_view otherwise) const;
+    [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
+
+    /// The value registered under the text at `key`; an unknown name is refused with a suggestion.
+    template <class Value>
+    [[nodiscard]] Value choice(std::string_view key, std::span<Entry<Value> const> entries) const {
+        auto const name = text(key);
+        try {
+            return find_entry(entries, name, key).value;
+        } catch (InputError const& error) {
+            fail(key, error.what());
+        }
+    }
+    template <class Value>
+    [[nodiscard]] Value choice(std::string_view key, std::span<Entry<Value> const> entries, Value otherwise) const {
+        return has(key) ? choice(key, entries) : otherwise;
+    }
+
+    [[nodiscard]] Table child(std::string_view key) const;
+    /// An empty table where `key` is absent.
+    [[nodiscard]] Table child_or_empty(std::string_view key) const;
+    [[nodiscard]] std::vector<Table> children(std::string_view key) const;
+
+    /// Where `key` stands (or this table, if it is absent).
+    [[nodiscard]] Location where(std::string_view key = {}) const;
+    /// Throws InputError at `key`; the message is `key: <message>`.
+    [[noreturn]] void fail(std::string_view key, std::string_view message) const;
+
+    /// Runs `build`, putting the place of `key` in front of any InputError it throws that names no file itself.
+    template <class Build> auto located(std::string_view key, Build&& build) const {
+        try {
+            return build();
+        } catch (InputError const& error) {
+            fail(key, error.what());
+        }
+    }
+
+    /// \throws InputError at the first key of this table that nothing has read.
+    void finish() const;
+
+  private:
+    struct Node;
+    explicit Table(std::shared_ptr<Node> node) : node_(std::move(node)) {}
+    std::shared_ptr<Node> node_;
+};
+
+}  // namespace overturn::config

@@ -1,0 +1,161 @@
+#include "core/units.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace overturn {
+namespace {
+
+struct Unit {
+    Dimension dimension;
+    std::string_view symbol;
+    double si;
+};
+
+// The first symbol of each dimension is the SI one.
+constexpr std::array units{
+    Unit{Dimension::time, "s", 1},
+    Unit{Dimension::time, "ms", 1e-3},
+    Unit{Dimension::time, "min", 60},
+    Unit{Dimension::time, "h", 3600},
+    Unit{Dimension::length, "m", 1},
+    Unit{Dimension::length, "cm", 1e-2},
+    Unit{Dimension::length, "mm", 1e-3},
+    Unit{Dimension::mass, "kg", 1},
+    Unit{Dimension::mass, "t", 1e3},
+    Unit{Dimension::inertia, "kg m2", 1},
+    Unit{Dimension::inertia, "kg*m2", 1},
+    Unit{Dimension::inertia, "t m2", 1e3},
+    Unit{Dimension::inertia, "t*m2", 1e3},
+    Unit{Dimension::velocity, "m/s", 1},
+    Unit{Dimension::velocity, "cm/s", 1e-2},
+    Unit{Dimension::velocity, "mm/s", 1e-3},
+    Unit{Dimension::velocity, "kine", 1e-2},
+    Unit{Dimension::acceleration, "m/s2", 1},
+    Unit{Dimension::acceleration, "m/s^2", 1},
+    Unit{Dimension::acceleration, "cm/s2", 1e-2},
+    Unit{Dimension::acceleration, "cm/s^2", 1e-2},
+    Unit{Dimension::acceleration, "mm/s2", 1e-3},
+    Unit{Dimension::acceleration, "gal", 1e-2},
+    Unit{Dimension::acceleration, "g", g0},
+    Unit{Dimension::angle, "rad", 1},
+    Unit{Dimension::angle, "deg", pi / 180},
+    Unit{Dimension::frequency, "Hz", 1},
+};
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+bool same_ignoring_case(std::string_view a, std::string_view b) {
+    if (a.size() != b.size()) {
+        return false;
+    }
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (lower(a[i]) != lower(b[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+    auto const blank = std::string_view(" \t\r\n\v\f");
+    auto const first = text.find_first_not_of(blank);
+    if (first == std::string_view::npos) {
+        return {};
+    }
+    return text.substr(first, text.find_last_not_of(blank) - first + 1);
+}
+
+bool parse_number(std::string_view text, double& value) {
+    if (!text.empty() && text.front() == '+') {
+        text.remove_prefix(1);
+        if (!text.empty() && (text.front() == '-' || text.front() == '+')) {
+            return false;
+        }
+    }
+    std::string fortran;
+    if (auto const at = text.find_first_of("dD"); at != std::string_view::npos) {
+        fortran = text;
+        fortran[at] = 'e';
+        text = fortran;
+    }
+    auto const* const end = text.data() + text.size();
+    auto const result = std::from_chars(text.data(), end, value);
+    return result.ec == std::errc{} && result.ptr == end && std::isfinite(value);
+}
+
+std::string_view si_symbol(Dimension dimension) {
+    for (auto const& unit : units) {
+        if (unit.dimension == dimension) {
+            return unit.symbol;
+        }
+    }
+    return "";
+}
+
+std::string_view name_of(Dimension dimension) {
+    switch (dimension) {
+        case Dimension::none:
+            return "pure number";
+        case Dimension::time:
+            return "time";
+        case Dimension::length:
+            return "length";
+        case Dimension::mass:
+            return "mass";
+        case Dimension::inertia:
+            return "moment of inertia";
+        case Dimension::velocity:
+            return "velocity";
+        case Dimension::acceleration:
+            return "acceleration";
+        case Dimension::angle:
+            return "angle";
+        case Dimension::frequency:
+            return "frequency";
+    }
+    return "";
+}
+
+std::string accepted_units(Dimension dimension) {
+    std::string list;
+    for (auto const& unit : units) {
+        if (unit.dimension == dimension) {
+            list += list.empty() ? "" : ", ";
+            list += unit.symbol;
+        }
+    }
+    return list;
+}
+
+double unit_factor(std::string_view symbol, Dimension dimension) {
+    for (auto const& unit : units) {
+        if (unit.dimension == dimension && same_ignoring_case(unit.symbol, symbol)) {
+            return unit.si;
+        }
+    }
+    validate(dimension != Dimension::none, "unit '{}' on a pure number (it has no unit). Write the number alone",
+             symbol);
+    throw InputError(fmt::format("unit '{}' (not a unit of {}). Use one of: {}", symbol, name_of(dimension),
+                                 accepted_units(dimension)));
+}
+
+double parse_quantity(std::string_view text, Dimension dimension) {
+    text = trimmed(text);
+    auto const blank = text.find_first_of(" \t");
+    double value = 0;
+    validate(parse_number(text.substr(0, blank), value),
+             "'{}' (not a finite number followed by a blank and a unit). Write for example {}", text,
+             dimension == Dimension::none ? std::string("0.5") : fmt::format("\"1.5 {}\"", si_symbol(dimension)));
+    if (blank == std::string_view::npos) {
+        return value;
+    }
+    return value * unit_factor(trimmed(text.substr(blank)), dimension);
+}
+
+}  // namespace overturn
