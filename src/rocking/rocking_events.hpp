@@ -1,0 +1,76 @@
+/// Guards of the rocking block on one step's series: the fall through zero, and the turning points.
+#pragma once
+
+#include "core/polynomial.hpp"
+
+namespace overturn::rocking {
+
+/// How phi stands at the start of a step: a zero there is no event, however close rounding brings it.
+enum class StartRoot { none = 0, simple = 1, twofold = 2 };
+
+namespace detail {
+
+// c / t^Drop: the same polynomial without the roots at the start.
+template <std::size_t Drop, std::size_t N> std::array<double, N - Drop> deflated(std::array<double, N> const& c) {
+    std::array<double, N - Drop> d{};
+    for (std::size_t k = Drop; k < N; ++k) {
+        d[k - Drop] = c[k];
+    }
+    return d;
+}
+
+template <std::size_t N> double first_fall(std::array<double, N> const& c, double h) {
+    // Cheap ways out first: far from zero; or monotone or concave, where only the end's sign matters.
+    if (c[0] > tail_bound(c, 1, h)) {
+        return -1;
+    }
+    auto const slope = derivative(c);
+    bool const rising = slope[0] > tail_bound(slope, 1, h);
+    if (rising && c[0] >= 0) {
+        return -1;
+    }
+    auto const curvature = derivative(slope);
+    bool const falling = -slope[0] > tail_bound(slope, 1, h);
+    bool const concave = -curvature[0] > tail_bound(curvature, 1, h);
+    if (falling || concave) {
+        return evaluate(c, h) <= 0 ? root_between(c, 0.0, h) : -1;
+    }
+    for (double const root : roots_in(c, 0.0, h).all()) {
+        if (evaluate(slope, root) <= 0) {
+            return root;
+        }
+    }
+    return -1;
+}
+
+}  // namespace detail
+
+/// The first time in (0, h] at which c falls through zero, or -1. \pre c >= 0 just after the start
+template <std::size_t N>
+[[nodiscard]] double first_fall_through_zero(std::array<double, N> const& c, double h, StartRoot start) {
+    switch (start) {
+        case StartRoot::none:
+            return detail::first_fall(c, h);
+        case StartRoot::simple:
+            return detail::first_fall(detail::deflated<1>(c), h);
+        case StartRoot::twofold:
+            return detail::first_fall(detail::deflated<2>(c), h);
+    }
+    return -1;
+}
+
+/// Calls visit(t) for every t in (0, h] where c turns from rising to falling.
+template <std::size_t N, class Visit> void for_each_maximum(std::array<double, N> const& c, double h, Visit&& visit) {
+    auto const slope = derivative(c);
+    if (std::abs(slope[0]) > tail_bound(slope, 1, h)) {
+        return;
+    }
+    auto const curvature = derivative(slope);
+    for (double const root : roots_in(slope, 0.0, h).all()) {
+        if (evaluate(curvature, root) <= 0) {
+            visit(root);
+        }
+    }
+}
+
+}  // namespace overturn::rocking

@@ -1,0 +1,151 @@
+// Requirement: uplift, impact and rest are decided exactly: thresholds, symmetry, no event missed or found twice.
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "rocking/planar_rocking.hpp"
+#include "support/long_period_wave.hpp"
+
+namespace overturn {
+namespace {
+
+RockingBlock const block{.alpha_rad = 0.25, .p_radps = 1.5, .restitution = 0.9};
+
+Shaking shaking(std::vector<double> const& a, double dt, double scale = 1) {
+    return {.horizontal_mps2 = a, .vertical_mps2 = {}, .time_step_s = dt, .scale = scale};
+}
+
+TEST(Uplift, ExactlyTheThresholdIsRest) {
+    double const threshold = std::tan(block.alpha_rad);
+    RockingBlock unit = block;
+    unit.gravity_mps2 = 1;  // so that the threshold itself is a double
+    std::vector<double> const at(100, threshold);
+    std::vector<double> const above(100, std::nextafter(threshold, 1.0));
+    std::vector<double> const below(100, std::nextafter(threshold, 0.0));
+
+    EXPECT_EQ(simulate_rocking(unit, shaking(at, 0.01)).verdict, Verdict::at_rest);
+    EXPECT_EQ(simulate_rocking(unit, shaking(below, 0.01)).verdict, Verdict::at_rest);
+    EXPECT_EQ(simulate_rocking(unit, shaking(above, 0.01)).verdict, Verdict::rocked);
+    EXPECT_EQ(peak_tipping_ratio(shaking(at, 0.01), 1.0), threshold);
+}
+
+TEST(Uplift, IsAwayFromTheAcceleration) {
+    struct Last : RockingObserver {
+        void at(RockingInstant const& i) override { rotation = i.rotation_rad != 0 ? i.rotation_rad : rotation; }
+        double rotation = 0;
+    };
+    for (double const sign : {1.0, -1.0}) {
+        std::vector<double> const a(20, sign * 4.0);
+        Last last;
+        (void)simulate_rocking(block, shaking(a, 0.01), {}, {}, &last);
+        EXPECT_LT(sign * last.rotation, 0);
+    }
+}
+
+TEST(Uplift, InstantIsExactOnARamp) {
+    std::vector<double> a(101);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        a[i] = 0.05 * static_cast<double>(i);  // 5 m/s3
+    }
+    auto const out = simulate_rocking(block, shaking(a, 0.01));
+    EXPECT_NEAR(out.first_uplift_s, std::tan(0.25) * g0 / 5, 1e-15);
+}
+
+TEST(Mirror, MirroredWaveGivesTheBitEqualTrial) {
+    auto const wave = testing::filtered_wave(testing::set_b);
+    auto mirrored = wave;
+    for (double& a : mirrored) {
+        a = -a;
+    }
+    for (double const level : {3.2, 3.9, 4.8}) {
+        auto const one = simulate_rocking(block, shaking(wave, 0.01, level));
+        auto const two = simulate_rocking(block, shaking(mirrored, 0.01, level));
+        EXPECT_EQ(one.verdict, two.verdict);
+        EXPECT_EQ(one.peak_rotation_rad, two.peak_rotation_rad);
+        EXPECT_EQ(one.time_of_peak_s, two.time_of_peak_s);
+        EXPECT_EQ(one.impacts, two.impacts);
+        EXPECT_EQ(one.friction_demand, two.friction_demand);
+        EXPECT_EQ(one.peak_energy_ratio, two.peak_energy_ratio);
+    }
+}
+
+TEST(Vertical, ZeroVerticalMotionChangesNoBit) {
+    auto const wave = testing::filtered_wave(testing::set_a);
+    std::vector<double> const calm(wave.size(), 0.0);
+    for (double const level : {2.6, 3.2, 3.6}) {
+        auto const without = simulate_rocking(block, shaking(wave, 0.01, level));
+        auto const with = simulate_rocking(
+            block, {.horizontal_mps2 = wave, .vertical_mps2 = calm, .time_step_s = 0.01, .scale = level});
+        EXPECT_EQ(without.peak_rotation_rad, with.peak_rotation_rad);
+        EXPECT_EQ(without.impacts, with.impacts);
+    }
+}
+
+TEST(Vertical, ConstantVerticalMotionIsAnotherGravity) {
+    auto const wave = testing::filtered_wave(testing::set_a);
+    double const level = 3.2;
+    double const up = 1.5;
+    std::vector<double> const lift(wave.size(), up / level);
+    auto heavier = block;
+    heavier.gravity_mps2 = g0 + up;
+    heavier.p_radps *= std::sqrt((g0 + up) / g0);
+
+    auto const with =
+        simulate_rocking(block, {.horizontal_mps2 = wave, .vertical_mps2 = lift, .time_step_s = 0.01, .scale = level});
+    auto const reference = simulate_rocking(heavier, shaking(wave, 0.01, level));
+
+    EXPECT_EQ(with.verdict, reference.verdict);
+    EXPECT_NEAR(with.peak_rotation_rad, reference.peak_rotation_rad, 1e-9 * reference.peak_rotation_rad);
+}
+
+TEST(Scaling, LengthTimeAndGravityScaleTogether) {
+    auto const wave = testing::filtered_wave(testing::set_a);
+    auto small = block;
+    small.p_radps *= 2;  // a quarter of the size
+    for (double const level : {2.6, 3.0, 3.5}) {
+        auto const one = simulate_rocking(block, shaking(wave, 0.01, level));
+        auto const two = simulate_rocking(small, shaking(wave, 0.005, level));
+        EXPECT_EQ(one.impacts, two.impacts);
+        EXPECT_EQ(one.peak_rotation_rad, two.peak_rotation_rad);  // powers of two scale without rounding
+        EXPECT_EQ(one.time_of_peak_s, 2 * two.time_of_peak_s);
+    }
+}
+
+TEST(Wave, NoOneAndTwoSamplesAreTaken) {
+    std::vector<double> const none;
+    std::vector<double> const one{50.0};
+    std::vector<double> const two{0.0, 50.0};
+    EXPECT_EQ(simulate_rocking(block, shaking(none, 0.01)).verdict, Verdict::at_rest);
+    EXPECT_EQ(simulate_rocking(block, shaking(one, 0.01)).verdict, Verdict::at_rest);
+    EXPECT_EQ(simulate_rocking(block, shaking(two, 0.01)).verdict, Verdict::rocked);
+}
+
+TEST(EnergyVerdict, PeakAfterTheWaveIsStillFound) {
+    // A short push: the rotation grows long after the wave has ended, up to the height its energy allows.
+    std::vector<double> const push{6.0, 6.0};
+    auto const out = simulate_rocking(block, shaking(push, 0.15));
+    double const top = 1 - std::cos(block.alpha_rad);
+    double const expected = block.alpha_rad - std::acos(std::cos(block.alpha_rad) + out.peak_energy_ratio * top);
+
+    EXPECT_EQ(out.verdict, Verdict::rocked);
+    EXPECT_GT(out.time_of_peak_s, 0.3);
+    EXPECT_NEAR(out.peak_rotation_rad, expected, 1e-12);
+}
+
+TEST(EnergyVerdict, SlowOverturningAfterTheWaveIsFollowedToItsEnd) {
+    std::vector<double> const calm{0.0, 0.0};
+    auto const out = simulate_rocking(block, shaking(calm, 0.01), {}, {.rotation_rad = block.alpha_rad * (1 + 1e-9)});
+    EXPECT_EQ(out.verdict, Verdict::overturned);
+    EXPECT_GT(out.overturn_time_s, 10);
+}
+
+TEST(EnergyVerdict, ExactBalanceIsNotOverturning) {
+    std::vector<double> const calm{0.0, 0.0};
+    auto const out = simulate_rocking(block, shaking(calm, 0.01), {}, {.rotation_rad = block.alpha_rad});
+    EXPECT_EQ(out.verdict, Verdict::rocked);
+}
+
+}  // namespace
+}  // namespace overturn

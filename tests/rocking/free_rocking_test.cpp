@@ -1,0 +1,98 @@
+// Requirement: free rocking follows Housner (1963): period, amplitude decay, energy; and the nonlinear pendulum.
+#include <cmath>
+#include <vector>
+
+#include "rocking/closed_forms.hpp"
+#include "rocking/planar_rocking.hpp"
+#include "support/tolerance.hpp"
+
+namespace overturn {
+namespace {
+
+using testing::near;
+
+RockingBlock const block{.alpha_rad = 0.25, .p_radps = 1.5, .restitution = 0.9};
+
+/// Records the instants at which the block strikes, and the swings' peaks.
+class Impacts : public RockingObserver {
+  public:
+    void at(RockingInstant const& instant) override {
+        if (instant.rotation_rad == 0 && (times.empty() || instant.time_s > times.back())) {
+            times.push_back(instant.time_s);
+            speeds.push_back(std::abs(instant.velocity_radps));
+        }
+    }
+    std::vector<double> times, speeds;
+};
+
+struct Strikes {
+    std::vector<double> times, speeds;
+};
+
+Strikes release(double ratio, RockingAccuracy const& accuracy, double restitution = 0.9) {
+    std::vector<double> const calm(3000, 0.0);
+    auto b = block;
+    b.restitution = restitution;
+    Impacts impacts;
+    (void)simulate_rocking(b, {.horizontal_mps2 = calm, .vertical_mps2 = {}, .time_step_s = 0.01}, accuracy,
+                           {.rotation_rad = ratio * b.alpha_rad}, &impacts);
+    return {impacts.times, impacts.speeds};
+}
+
+class FreeRocking : public ::testing::TestWithParam<double> {};
+
+TEST_P(FreeRocking, LinearPeriodIsHousners) {
+    auto const impacts = release(GetParam(), {.restoring = Restoring::linear});
+
+    EXPECT_TRUE(near(impacts.times.at(0) * block.p_radps, free_rocking_period(GetParam()) / 4, testing::integrated));
+}
+
+TEST_P(FreeRocking, LinearAmplitudeDecaysAsHousners) {
+    auto const impacts = release(GetParam(), {.restoring = Restoring::linear});
+
+    // The time from one impact to the next is half the period that belongs to the amplitude between them.
+    ASSERT_GE(impacts.times.size(), 6U);
+    for (int n = 1; n <= 5; ++n) {
+        double const amplitude = free_rocking_amplitude(GetParam(), block.restitution, n);
+        double const half = (impacts.times[n] - impacts.times[n - 1]) * block.p_radps;
+        EXPECT_TRUE(near(half, free_rocking_period(amplitude) / 2, testing::integrated)) << n;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(StartRatios, FreeRocking, ::testing::Values(0.1, 0.5, 0.9, 0.99));
+
+// p T of a frictionless nonlinear block, alpha 0.25, by elliptic quadrature.
+TEST(FreeRockingNonlinear, PeriodIsThePendulums) {
+    EXPECT_TRUE(near(4 * block.p_radps * release(0.5, {}).times.at(0), 5.277503, testing::printed_digits));
+    EXPECT_TRUE(near(4 * block.p_radps * release(0.9, {}).times.at(0), 11.978545, testing::printed_digits));
+}
+
+TEST(FreeRockingNonlinear, ImpactsLoseExactlyTheirShareOfEnergy) {
+    auto const impacts = release(0.5, {});
+
+    for (std::size_t i = 1; i < 10; ++i) {
+        EXPECT_TRUE(near(impacts.speeds[i], 0.9 * impacts.speeds[i - 1], testing::integrated)) << i;
+    }
+}
+
+TEST(FreeRockingNonlinear, ElasticBlockKeepsItsEnergy) {
+    auto const impacts = release(0.5, {}, 1.0);
+
+    ASSERT_GE(impacts.speeds.size(), 15U);
+    EXPECT_TRUE(near(impacts.speeds.back(), impacts.speeds.front(), testing::Tolerance{1e-11, "conserved"}));
+}
+
+TEST(FreeRockingNonlinear, SettlesAtTheSumOfItsBounces) {
+    auto b = block;
+    b.restitution = 0.5;
+    std::vector<double> const calm(3000, 0.0);
+    Impacts impacts;
+    auto const out = simulate_rocking(b, {.horizontal_mps2 = calm, .vertical_mps2 = {}, .time_step_s = 0.01}, {},
+                                      {.rotation_rad = 0.1 * b.alpha_rad}, &impacts);
+
+    EXPECT_EQ(out.verdict, Verdict::rocked);
+    EXPECT_LT(out.impacts, 40);
+}
+
+}  // namespace
+}  // namespace overturn
