@@ -1,0 +1,202 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/units.hpp"
+#include "motion/record_readers.hpp"
+#include "motion/text_lines.hpp"
+
+namespace overturn {
+namespace {
+
+constexpr std::size_t columns_at_most = 3;
+constexpr double time_tolerance = 1e-3;  // of a step: what printing the times to a few digits costs
+
+/// The fields of one row; one more than allowed is kept, to be told from the allowed ones.
+struct Fields {
+    std::array<std::string_view, columns_at_most + 1> text;
+    std::size_t count = 0;
+};
+
+/// Fields are parted by blanks and tabs, by a comma, or by both.
+Fields split(std::string_view line) {
+    Fields fields;
+    line = trimmed(line);
+    while (fields.count < fields.text.size()) {
+        auto const end = line.find_first_of(", \t");
+        fields.text[fields.count++] = line.substr(0, end);
+        if (end == std::string_view::npos) {
+            break;
+        }
+        bool const comma = line[end] == ',';
+        line = trimmed(line.substr(end + (comma ? 1 : 0)));
+        if (!comma && line.starts_with(',')) {
+            line = trimmed(line.substr(1));
+        }
+    }
+    return fields;
+}
+
+bool is_skipped(std::string_view line) {
+    line = trimmed(line);
+    return line.empty() || line.front() == '#' || line.front() == '%' || line.front() == ';';
+}
+
+/// A line of names: its first field begins no number, and is no "nan" or "inf" either.
+bool is_names(Fields const& fields) {
+    auto const first = lowered(fields.text[0]);
+    auto const bare = first.substr(std::min(first.find_first_not_of("+-"), first.size()));
+    bool const numeric = !bare.empty() && (bare[0] == '.' || (bare[0] >= '0' && bare[0] <= '9'));
+    return !bare.empty() && !numeric && bare != "nan" && bare != "inf" && bare != "infinity";
+}
+
+struct Rows {
+    std::array<std::vector<double>, columns_at_most> column;
+    std::vector<int> line;
+    std::size_t columns = 0;
+};
+
+void append_row(Fields const& fields, Location const& where, Rows& rows) {
+    if (rows.columns == 0) {
+        rows.columns = fields.count;
+        if (fields.count > columns_at_most) {
+            throw InputError(where,
+                             "more than 3 columns (which is which cannot be told). Keep "
+                             "time,a_horizontal[,a_vertical]");
+        }
+    }
+    if (fields.count != rows.columns) {
+        throw InputError(where,
+                         fmt::format("a row of {}{} where the first has {} (columns must not change). Mend the "
+                                     "row",
+                                     fields.count, fields.count > columns_at_most ? " or more" : "", rows.columns));
+    }
+    for (std::size_t i = 0; i < fields.count; ++i) {
+        double value = 0;
+        if (!parse_number(fields.text[i], value)) {
+            throw InputError(where, fmt::format("{} in column {} (not a finite number). Mend the row",
+                                                quoted(fields.text[i]), i + 1));
+        }
+        rows.column[i].push_back(value);
+    }
+    rows.line.push_back(where.line);
+}
+
+Rows read_rows(std::string_view content, std::string const& file) {
+    TextLines lines(content);
+    Location where{file};
+    Rows rows;
+    bool names_seen = false;
+    while (auto const line = lines.next()) {
+        if (is_skipped(*line)) {
+            continue;
+        }
+        where.line = lines.number();
+        auto const fields = split(*line);
+        if (rows.line.empty() && is_names(fields)) {
+            if (names_seen) {
+                throw InputError(where,
+                                 "a second line of text before the numbers (columns have one line of names at "
+                                 "most). Begin further ones with #");
+            }
+            names_seen = true;
+            continue;
+        }
+        append_row(fields, where, rows);
+    }
+    if (rows.line.empty()) {
+        throw InputError({file}, "no row of numbers (nothing to shake with). Give columns time,a_horizontal");
+    }
+    return rows;
+}
+
+/// \throws InputError at the row whose gap to the one before differs most from the mean step.
+[[noreturn]] void refuse_times(Rows const& rows, double step, std::string const& file) {
+    auto const& time = rows.column[0];
+    std::size_t worst = 1;
+    for (std::size_t i = 2; i < time.size(); ++i) {
+        if (std::abs(time[i] - time[i - 1] - step) > std::abs(time[worst] - time[worst - 1] - step)) {
+            worst = i;
+        }
+    }
+    throw InputError(
+        {file, rows.line[worst]},
+        fmt::format("time goes from {} to {} s where the mean step is {:.6g} s (samples must be uniform in "
+                    "time). Resample the record, or put its time into the first column",
+                    time[worst - 1], time[worst], step));
+}
+
+double time_step_of(Rows const& rows, std::string const& file) {
+    auto const& time = rows.column[0];
+    if (time.size() < 2) {
+        throw InputError({file, rows.line[0]}, "one row only (a time step needs two). Give the whole record");
+    }
+    double const step = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+    if (!(step > 0)) {
+        refuse_times(rows, step, file);
+    }
+    for (std::size_t i = 0; i < time.size(); ++i) {
+        if (!(std::abs(time[i] - time[0] - static_cast<double>(i) * step) <= time_tolerance * step)) {
+            refuse_times(rows, step, file);
+        }
+    }
+    return step;
+}
+
+}  // namespace
+
+bool recognises_columns(std::string_view content) {
+    TextLines lines(content);
+    bool names_seen = false;
+    while (auto const line = lines.next()) {
+        if (is_skipped(*line)) {
+            continue;
+        }
+        auto const fields = split(*line);
+        if (!is_names(fields)) {
+            return fields.count <= columns_at_most;
+        }
+        if (names_seen) {
+            return false;
+        }
+        names_seen = true;
+    }
+    return false;
+}
+
+GroundMotion read_columns(std::string_view content, RecordRequest const& request) {
+    auto rows = read_rows(content, request.name);
+    Location const start{request.name, rows.line[0]};
+    if (!request.unit_mps2) {
+        throw InputError(start, "unit missing (columns of numbers do not say theirs). State --unit gal|g|m/s2");
+    }
+    bool const timed = rows.columns > 1;
+    if (!timed && !request.time_step_s) {
+        throw InputError(start,
+                         "time step missing (one column of numbers holds none). State the time step, or put a "
+                         "time column first");
+    }
+    GroundMotion motion;
+    if (timed) {
+        motion.time_step_s = time_step_of(rows, request.name);
+        check_stated_time_step(request, motion.time_step_s, start);
+    } else {
+        motion.time_step_s = *request.time_step_s;
+    }
+    for (auto& column : rows.column) {
+        if (timed && &column == &rows.column[0]) {
+            continue;
+        }
+        for (double& value : column) {
+            value *= *request.unit_mps2;
+        }
+    }
+    motion.horizontal_mps2 = std::move(rows.column[timed ? 1 : 0]);
+    motion.vertical_mps2 = std::move(rows.column[2]);
+    return motion;
+}
+
+}  // namespace overturn

@@ -1,0 +1,43 @@
+#include "motion/intensity.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/polynomial.hpp"
+#include "core/units.hpp"
+#include "motion/ground_motion.hpp"
+
+namespace overturn {
+
+Intensity intensity_of(std::span<double const> acceleration_mps2, double time_step_s) {
+    OVERTURN_EXPECT(time_step_s > 0);
+    double const dt = time_step_s;
+    Intensity peak{.pga_mps2 = peak_of(acceleration_mps2)};
+    double squares = 0;  // integral of a^2 over dt / 3
+    double velocity = 0;
+    double displacement = 0;
+    for (std::size_t i = 1; i < acceleration_mps2.size(); ++i) {
+        double const a0 = acceleration_mps2[i - 1];
+        double const a1 = acceleration_mps2[i];
+        std::array const v{velocity, a0, (a1 - a0) / (2 * dt)};
+        std::array const d{displacement, v[0], v[1] / 2, v[2] / 3};
+        if ((a0 < 0) != (a1 < 0)) {
+            peak.pgv_mps = std::max(peak.pgv_mps, std::abs(evaluate(v, dt * a0 / (a0 - a1))));
+        }
+        auto const turns = roots_in(v, 0.0, dt);
+        for (double const t : turns.all()) {
+            peak.pgd_m = std::max(peak.pgd_m, std::abs(evaluate(d, t)));
+        }
+        displacement += velocity * dt + dt * dt / 3 * a0 + dt * dt / 6 * a1;
+        velocity += 0.5 * dt * (a0 + a1);
+        peak.pgv_mps = std::max(peak.pgv_mps, std::abs(velocity));
+        peak.pgd_m = std::max(peak.pgd_m, std::abs(displacement));
+        squares += a0 * a0 + a0 * a1 + a1 * a1;
+    }
+    peak.arias_mps = pi / (2 * g0) * squares * dt / 3;
+    return peak;
+}
+
+}  // namespace overturn

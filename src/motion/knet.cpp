@@ -1,0 +1,140 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "core/units.hpp"
+#include "motion/record_readers.hpp"
+#include "motion/text_lines.hpp"
+
+namespace overturn {
+namespace {
+
+constexpr int header_lines = 17;
+constexpr std::size_t value_column = 18;  // the header's values begin after 18 characters of key
+constexpr double gal_mps2 = 0.01;
+
+/// The 17 header values, each checked to stand on its own line.
+class Header {
+  public:
+    Header(TextLines& lines, std::string const& file) : file_(file) {
+        for (auto& line : lines_) {
+            auto const next = lines.next();
+            if (!next) {
+                throw InputError({file, lines.number()},
+                                 fmt::format("{} header lines (a K-NET file has {}). Fetch the file anew",
+                                             lines.number(), header_lines));
+            }
+            line = *next;
+        }
+    }
+
+    [[nodiscard]] Location where(int number) const { return {file_, number}; }
+
+    /// The value on line `number`, which must begin with `key`.
+    [[nodiscard]] std::string_view value(int number, std::string_view key) const {
+        auto const line = lines_.at(static_cast<std::size_t>(number - 1));
+        if (!line.starts_with(key)) {
+            throw InputError(where(number),
+                             fmt::format("{} (a K-NET header has '{}' here). Fetch the file anew", quoted(line), key));
+        }
+        return trimmed(line.substr(std::min(value_column, line.size())));
+    }
+
+    /// A positive number on line `number`, with `ending` cut off.
+    [[nodiscard]] double positive(int number, std::string_view key, std::string_view ending = "") const {
+        auto text = value(number, key);
+        if (!ending.empty() && text.ends_with(ending)) {
+            text.remove_suffix(ending.size());
+        }
+        return positive_number(text, number, key);
+    }
+
+    [[nodiscard]] double positive_number(std::string_view text, int number, std::string_view key) const {
+        double read = 0;
+        if (!parse_number(trimmed(text), read) || !(read > 0)) {
+            throw InputError(where(number),
+                             fmt::format("{} {} (must be a number above 0). Mend the header", key, quoted(text)));
+        }
+        return read;
+    }
+
+  private:
+    std::string file_;
+    std::array<std::string_view, header_lines> lines_;
+};
+
+/// `3920(gal)/6182761` -> acceleration of one count [m/s2].
+double scale_factor(Header const& header) {
+    constexpr int line = 14;
+    constexpr std::string_view key = "Scale Factor";
+    constexpr std::string_view unit = "(gal)/";
+    auto const text = header.value(line, key);
+    auto const at = text.find(unit);
+    if (at == std::string_view::npos) {
+        throw InputError(header.where(line),
+                         fmt::format("{} {} (must read like 3920(gal)/6182761). Mend the header", key, quoted(text)));
+    }
+    return header.positive_number(text.substr(0, at), line, key) * gal_mps2
+           / header.positive_number(text.substr(at + unit.size()), line, key);
+}
+
+/// The peak must be the header's to its printed digits, or the file is damaged.
+void check_peak(Header const& header, double peak_mps2) {
+    constexpr int line = 15;
+    constexpr std::string_view key = "Max. Acc. (gal)";
+    auto const text = header.value(line, key);
+    double const stated = header.positive_number(text, line, key);
+    auto const point = text.find('.');
+    auto const decimals = point == std::string_view::npos ? 0 : text.size() - point - 1;
+    double const half_of_last_digit = 0.5 * std::pow(10.0, -static_cast<double>(decimals));
+    constexpr double rounding = 1e-9;
+    double const peak = peak_mps2 / gal_mps2;
+    if (std::abs(peak - stated) > half_of_last_digit + rounding * stated) {
+        throw InputError(header.where(line), fmt::format("peak of {:.7g} gal where the header says {} (the file is "
+                                                         "damaged or cut short). Fetch it anew",
+                                                         peak, text));
+    }
+}
+
+}  // namespace
+
+bool recognises_knet(std::string_view content) {
+    auto const first = TextLines(content).next();
+    return first && first->starts_with("Origin Time");
+}
+
+GroundMotion read_knet(std::string_view content, RecordRequest const& request) {
+    TextLines lines(content);
+    Header const header(lines, request.name);
+    double const frequency_hz = header.positive(11, "Sampling Freq(Hz)", "Hz");
+    double const duration_s = header.positive(12, "Duration Time(s)");
+    double const unit_mps2 = scale_factor(header);
+    check_stated_unit(request, gal_mps2, header.where(14));
+    check_stated_time_step(request, 1 / frequency_hz, header.where(11));
+
+    GroundMotion motion;
+    motion.time_step_s = 1 / frequency_hz;
+    auto& values = motion.horizontal_mps2;
+    while (auto const line = lines.next()) {
+        append_numbers(*line, request.name, lines.number(), values);
+    }
+    auto const count = static_cast<double>(values.size());
+    if (values.empty() || std::abs(count - frequency_hz * duration_s) >= frequency_hz) {  // printed in whole seconds
+        throw InputError({request.name, lines.number()},
+                         fmt::format("{} values where the header promises {} s at {} Hz (the file is cut short). Fetch "
+                                     "it anew",
+                                     values.size(), duration_s, frequency_hz));
+    }
+    double sum = 0;  // of whole numbers: exact
+    for (double const value : values) {
+        sum += value;
+    }
+    for (double& value : values) {
+        value = (value - sum / count) * unit_mps2;
+    }
+    check_peak(header, peak_of(values));
+    return motion;
+}
+
+}  // namespace overturn

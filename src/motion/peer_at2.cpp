@@ -1,0 +1,179 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/units.hpp"
+#include "motion/record_readers.hpp"
+#include "motion/text_lines.hpp"
+
+namespace overturn {
+namespace {
+
+constexpr int header_lines_at_most = 10;
+constexpr double absurd_peak_mps2 = 10 * g0;  // the strongest records known stay below 5 g
+
+struct Header {
+    std::size_t samples = 0;
+    double time_step_s = 0;
+    bool in_g = false;
+};
+
+/// The number that begins `text` after blanks and, if asked for, an equals sign; NaN if there is none.
+double leading_number(std::string_view text, bool after_equals) {
+    text = trimmed(text);
+    if (after_equals) {
+        if (!text.starts_with('=')) {
+            return NAN;
+        }
+        text = trimmed(text.substr(1));
+    }
+    double value = NAN;
+    auto const token = text.substr(0, text.find_first_not_of("0123456789.+-ed"));
+    return parse_number(token, value) ? value : NAN;
+}
+
+/// `NPTS = n , DT = dt [SEC]` in any spacing, or `n dt NPTS, DT`. \pre `line` is lower case and holds "npts".
+void read_size(std::string_view line, Location const& where, Header& header) {
+    auto const npts = line.find("npts");
+    auto const after = line.substr(npts + 4);
+    double count = NAN;
+    double step = NAN;
+    if (auto const dt = after.find("dt"); trimmed(after).starts_with('=') && dt != std::string_view::npos) {
+        count = leading_number(after, true);
+        step = leading_number(after.substr(dt + 2), true);
+    } else {
+        auto const before = trimmed(line.substr(0, npts));
+        count = leading_number(before, false);
+        step = leading_number(before.substr(std::min(before.find_first_of(" \t,"), before.size())), false);
+    }
+    constexpr double most = 1e9;
+    if (!(count >= 1 && count <= most && count == std::floor(count))) {
+        throw InputError(where, fmt::format("no count of values in {} (NPTS must be a whole number of at least 1). "
+                                            "Mend the header",
+                                            quoted(trimmed(line))));
+    }
+    if (!(step > 0)) {
+        throw InputError(where, fmt::format("no time step in {} (DT must be a number above 0 s). Mend the header",
+                                            quoted(trimmed(line))));
+    }
+    header.samples = static_cast<std::size_t>(count);
+    header.time_step_s = step;
+}
+
+/// What follows the word "units" ("of g. filter points ...", "are (g)"), without filling words; empty if it is not
+/// there. \pre `line` is lower case.
+std::string_view stated_unit(std::string_view line) {
+    auto const units = line.find("units");
+    if (units == std::string_view::npos) {
+        return {};
+    }
+    auto rest = line.substr(units + 5);
+    for (std::string_view const filling : {"of ", "are ", "in ", ":", "="}) {
+        rest = trimmed(rest);
+        rest.remove_prefix(rest.starts_with(filling) ? filling.size() : 0);
+    }
+    rest = rest.substr(std::min(rest.find_first_not_of(" \t(["), rest.size()));
+    return rest.substr(0, rest.find_first_of(" \t)].,;"));
+}
+
+void read_header_line(std::string_view lower, Location const& where, Header& header) {
+    for (std::string_view const quantity : {"velocity", "displacement"}) {
+        if (lower.find(quantity) != std::string_view::npos && lower.find("acceleration") == std::string_view::npos) {
+            throw InputError(where, fmt::format("a {} series (an acceleration is needed). Take the AT2 file of the "
+                                                "same record",
+                                                quantity));
+        }
+    }
+    auto const unit = stated_unit(lower);
+    if (!unit.empty() && unit != "g") {
+        throw InputError(where, fmt::format("unit {} (an AT2 file is in units of g). Convert it to columns and state "
+                                            "the unit",
+                                            quoted(unit)));
+    }
+    header.in_g = header.in_g || unit == "g";
+}
+
+/// Reads up to and including the line with NPTS and DT.
+Header read_header(TextLines& lines, RecordRequest const& request) {
+    Header header;
+    while (lines.number() < header_lines_at_most) {
+        auto const line = lines.next();
+        if (!line) {
+            break;
+        }
+        auto const lower = lowered(*line);
+        Location const where{request.name, lines.number()};
+        read_header_line(lower, where, header);
+        if (lower.find("npts") != std::string::npos) {
+            read_size(lower, where, header);
+            return header;
+        }
+    }
+    throw InputError({request.name}, fmt::format("no line with NPTS and DT among the first {} (an AT2 header has one). "
+                                                 "State another format",
+                                                 header_lines_at_most));
+}
+
+bool is_trailer(std::string_view line) {
+    return trimmed(line).starts_with('*') && lowered(line).find("end") != std::string::npos;
+}
+
+}  // namespace
+
+bool recognises_peer_at2(std::string_view content) {
+    TextLines lines(content);
+    while (lines.number() < header_lines_at_most) {
+        auto const line = lines.next();
+        if (!line) {
+            return false;
+        }
+        if (lowered(*line).find("npts") != std::string::npos) {
+            return true;
+        }
+    }
+    return false;
+}
+
+GroundMotion read_peer_at2(std::string_view content, RecordRequest const& request) {
+    TextLines lines(content);
+    auto const header = read_header(lines, request);
+    Location const header_end{request.name, lines.number()};
+    if (!header.in_g && !request.unit_mps2) {
+        throw InputError(header_end, "unit missing (the header does not say 'units of g'). State --unit gal|g|m/s2");
+    }
+    if (header.in_g) {
+        check_stated_unit(request, g0, header_end);
+    }
+    check_stated_time_step(request, header.time_step_s, header_end);
+
+    GroundMotion motion;
+    motion.time_step_s = header.time_step_s;
+    auto& values = motion.horizontal_mps2;
+    Location last = header_end;
+    while (auto const line = lines.next()) {
+        if (is_trailer(*line)) {
+            break;
+        }
+        auto const before = values.size();
+        append_numbers(*line, request.name, lines.number(), values);
+        last.line = values.size() > before ? lines.number() : last.line;
+    }
+    if (values.size() != header.samples) {
+        throw InputError(last, fmt::format("{} values where NPTS promises {} (the file is cut short, or the header "
+                                           "belongs to another record). Fetch the file anew",
+                                           values.size(), header.samples));
+    }
+    double const unit = request.unit_mps2.value_or(g0);
+    for (double& value : values) {
+        value *= unit;
+    }
+    if (double const peak = peak_of(values); peak > absurd_peak_mps2) {
+        throw InputError(header_end, fmt::format("peak of {:.4g} g (no ground has shaken so: the values are hardly in "
+                                                 "the unit that the header says). Convert the file to columns and "
+                                                 "state the unit",
+                                                 peak / g0));
+    }
+    return motion;
+}
+
+}  // namespace overturn

@@ -1,0 +1,125 @@
+#include "motion/text_lines.hpp"
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "core/units.hpp"
+
+namespace overturn {
+namespace {
+
+constexpr std::string_view digits = "0123456789";
+
+bool is_sign(char c) { return c == '+' || c == '-'; }
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+std::size_t past_digits(std::string_view text, std::size_t at) {
+    return std::min(text.find_first_not_of(digits, at), text.size());
+}
+
+/// Where a number's text ends and where its exponent's sign or letter stands; all zero if there is no number.
+struct NumberExtent {
+    std::size_t end = 0;
+    std::size_t exponent = 0;
+    bool exponent_lost_its_letter = false;
+};
+
+NumberExtent number_at_front(std::string_view text) {
+    std::size_t at = !text.empty() && is_sign(text[0]) ? 1 : 0;
+    auto const whole = at;
+    at = past_digits(text, at);
+    auto figures = at - whole;
+    bool const point = at < text.size() && text[at] == '.';
+    if (point) {
+        auto const fraction = at + 1;
+        at = past_digits(text, fraction);
+        figures += at - fraction;
+    }
+    if (figures == 0) {
+        return {};
+    }
+    auto const mantissa = at;
+    if (at < text.size() && std::string_view("eEdD").find(text[at]) != std::string_view::npos) {
+        at += at + 1 < text.size() && is_sign(text[at + 1]) ? 2 : 1;
+        auto const end = past_digits(text, at);
+        return end > at ? NumberExtent{end, mantissa} : NumberExtent{};
+    }
+    // Fortran drops the letter before three exponent digits; a glued next number would have a point of its own.
+    if (point && at < text.size() && is_sign(text[at])) {
+        auto const end = past_digits(text, at + 1);
+        if (end - at == 4 && (end == text.size() || text[end] != '.')) {
+            return {end, mantissa, true};
+        }
+    }
+    return {mantissa, mantissa};
+}
+
+}  // namespace
+
+TextLines::TextLines(std::string_view content) : rest_(content.substr(0, content.find('\x1a'))) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (rest_.starts_with(byte_order_mark)) {
+        rest_.remove_prefix(byte_order_mark.size());
+    }
+}
+
+std::optional<std::string_view> TextLines::next() {
+    if (rest_.empty()) {
+        return std::nullopt;
+    }
+    ++number_;
+    auto const end = rest_.find_first_of("\r\n");
+    auto const line = rest_.substr(0, end);
+    if (end == std::string_view::npos) {
+        rest_ = {};
+        return line;
+    }
+    auto const feed = std::min(rest_.find_first_not_of('\r', end), rest_.size());
+    rest_.remove_prefix(feed < rest_.size() && rest_[feed] == '\n' ? feed + 1 : end + 1);
+    return line;
+}
+
+void append_numbers(std::string_view line, std::string const& file, int line_number, std::vector<double>& values) {
+    while (true) {
+        line.remove_prefix(std::min(line.find_first_not_of(" \t\f\v"), line.size()));
+        if (line.empty()) {
+            return;
+        }
+        auto const extent = number_at_front(line);
+        auto const end = extent.end;
+        bool const parted = end > 0 && (end == line.size() || is_blank(line[end]) || is_sign(line[end]));
+        double value = 0;
+        bool read = false;
+        if (parted && extent.exponent_lost_its_letter) {
+            std::string text(line.substr(0, end));
+            read = parse_number(text.insert(extent.exponent, 1, 'e'), value);
+        } else if (parted) {
+            read = parse_number(line.substr(0, end), value);
+        }
+        if (!read) {
+            throw InputError({file, line_number},
+                             fmt::format("{} (not a finite number). Mend the value or fetch the file anew",
+                                         quoted(line.substr(0, line.find_first_of(" \t", end)))));
+        }
+        values.push_back(value);
+        line.remove_prefix(end);
+    }
+}
+
+std::string lowered(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower) {
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    return lower;
+}
+
+std::string quoted(std::string_view text) {
+    constexpr std::size_t most = 30;
+    std::string shown(text.substr(0, most));
+    std::replace_if(
+        shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    return fmt::format("'{}{}'", shown, text.size() > most ? "..." : "");
+}
+
+}  // namespace overturn

@@ -1,0 +1,119 @@
+// Requirement: columns of numbers are read with a stated unit only, and "auto" goes by content and never guesses.
+#include <cmath>
+#include <string>
+
+#include "motion/record.hpp"
+#include "support/expect_input_error.hpp"
+#include "support/tolerance.hpp"
+
+namespace overturn {
+namespace {
+
+using testing::exact_formula;
+using testing::expect_input_error;
+using testing::near;
+
+constexpr double gal = 0.01;
+
+GroundMotion read(std::string const& content, RecordRequest request = {.unit_mps2 = gal}) {
+    request.name = "a.csv";
+    return read_record(content, request);
+}
+
+std::vector<double> const three{100 * gal, -200 * gal, 300 * gal};
+
+TEST(Columns, TimeAndHorizontalInEveryDress) {
+    for (char const* text :
+         {"0,100\n0.5,-200\n1,300\n", "t,acc\n0,100\n0.5,-200\n1,300", "0 100\n0.5 -200\n1 300\n",
+          "0\t100\r\n0.5\t-200\r\n1\t300\r\n", "\xEF\xBB\xBFt,acc\n0,100\n0.5,-200\n1,300\n",
+          "# Time Series: A 1992 - B-345\n# Time (s),Acceleration (g's)\n0.0,1.0E2\n0.5,-2.D2\n1,+300\n",
+          "% 1 2 3\n; 4\n  0 ,  100 \n\n 0.5 , -200\n#between\n 1.0, 300  \n\n",
+          "Time \x89\xC1\x91\xAC\x93\x78\n0,100\r\r\n0.5,-200\r\r\n1,300\r\r\n", "5,100\n5.5,-200\n6,300\n",
+          "-1 100\n-.5 -200\n0 300\n"}) {
+        auto const motion = read(text);
+        EXPECT_EQ(motion.time_step_s, 0.5) << text;
+        EXPECT_EQ(motion.horizontal_mps2, three) << text;
+        EXPECT_TRUE(motion.vertical_mps2.empty());
+    }
+}
+
+TEST(Columns, ThirdColumnIsVertical) {
+    auto const motion = read("time,a_horizontal,a_vertical\n0,100,10\n0.5,-200,20\n1,300,30\n");
+
+    EXPECT_EQ(motion.horizontal_mps2, three);
+    EXPECT_EQ(motion.vertical_mps2, (std::vector{10 * gal, 20 * gal, 30 * gal}));
+    EXPECT_TRUE(motion.transverse_mps2.empty());
+}
+
+TEST(Columns, OneColumnNeedsATimeStep) {
+    auto const motion = read("acc\n100\n-200\n300\n", {.unit_mps2 = gal, .time_step_s = 0.25});
+
+    EXPECT_EQ(motion.horizontal_mps2, three);
+    EXPECT_EQ(motion.time_step_s, 0.25);
+    expect_input_error([] { (void)read("100\n-200\n300\n"); }, "a.csv:1: ", "time step missing");
+    for (double const step : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
+        expect_input_error([&] { (void)read("100\n-200\n", {.unit_mps2 = gal, .time_step_s = step}); },
+                           "a.csv: ", "positive and finite");
+    }
+}
+
+TEST(Columns, UnitIsNeverGuessed) {
+    expect_input_error([] { (void)read("Time (s),Acceleration (g)\n0,1\n0.5,2\n", {}); }, "a.csv:2: ", "unit missing",
+                       "State --unit gal|g|m/s2");
+}
+
+TEST(Columns, PrintedRoundingOfTimesIsForgiven) {
+    std::string text;
+    for (int i = 0; i < 3000; ++i) {
+        text += fmt::format("{:.5f},1\n", i / 60.0);
+    }
+    EXPECT_TRUE(near(read(text).time_step_s, 1 / 60.0, testing::printed_digits));
+}
+
+TEST(Columns, NonUniformTimeIsRefusedAtItsLine) {
+    expect_input_error([] { (void)read("t,a\n0,1\n1,1\n2,1\n4,1\n5,1\n6,1\n"); }, "a.csv:5: ", "from 2 to 4 s");
+    expect_input_error([] { (void)read("0,1\n1,1\n1,1\n2,1\n3,1\n"); }, "a.csv:3: ", "uniform");
+    expect_input_error([] { (void)read("3,1\n2,1\n1,1\n"); }, "a.csv:", "uniform");
+    expect_input_error([] { (void)read("0,1\n0,1\n0,1\n"); }, "a.csv:", "uniform");
+    expect_input_error([] { (void)read("NS,EW,UD\n-0.012,0.064,-0.010\n0.005,0.028,-0.011\n-0.1,2,3\n"); }, "uniform");
+    expect_input_error([] { (void)read("0,1\n"); }, "a.csv:1: ", "one row only");
+}
+
+TEST(Columns, BadRowsAreRefusedAtTheirLine) {
+    for (char const* bad : {"1,nan", "1,inf", "nan,1", "1,-Infinity", "1,x", "1,", "1,1,1", "1", "1,,1", "1;1",
+                            "1,1 # c", "1,1e999", "1,1.0E-06-2.0E-06", "1,\"1\"", "1,1,", "1,1,1,1", "text", "t,acc"}) {
+        expect_input_error([&] { (void)read("t,a\n0,1\n" + std::string(bad) + "\n2,1\n"); }, "a.csv:3: ");
+    }
+    expect_input_error([] { (void)read("nan,nan\n0,1\n1,1\n"); }, "a.csv:1: ", "not a finite number");
+    expect_input_error([] { (void)read("0,1,2,3\n", {.format = "columns", .unit_mps2 = gal}); },
+                       "a.csv:1: ", "more than 3 columns");
+    expect_input_error([] { (void)read("a\nb\n0,1\n", {.format = "columns", .unit_mps2 = gal}); },
+                       "a.csv:2: ", "second line of text");
+    expect_input_error([] { (void)read("# only\n", {.format = "columns", .unit_mps2 = gal}); }, "a.csv: ", "no row");
+}
+
+TEST(Columns, StatedStepMustNotContradictTheTimes) {
+    EXPECT_NO_THROW((void)read("0,1\n0.5,1\n", {.unit_mps2 = gal, .time_step_s = 0.5}));
+    expect_input_error([] { (void)read("0,1\n0.5,1\n", {.unit_mps2 = gal, .time_step_s = 0.25}); }, "contradict");
+}
+
+TEST(RecordFormats, AreRecognisedByContentOnly) {
+    // Seven lines of text before three columns without a time (as in JMA csv): not columns.
+    expect_input_error([] { (void)read("SITE CODE= X,1,2\n LAT.= 35\n UNIT = gal\n NS,EW,UD\n1,2,3\n2,2,3\n"); },
+                       "a.csv: ", "format not recognised", "peer-at2, knet, columns");
+    expect_input_error([] { (void)read("<!DOCTYPE html>\n<html>\n"); }, "format not recognised");
+    expect_input_error([] { (void)read(""); }, "empty");
+    expect_input_error([] { (void)read("\xEF\xBB\xBF \r\n\n"); }, "a.csv: ");
+    expect_input_error([] { (void)read(std::string("0\0,\0", 4)); }, "UTF-16");
+    expect_input_error([] { (void)read("0,1\n1,1\n", {.format = "colums"}); }, "Did you mean 'columns'?");
+}
+
+TEST(RecordFormats, AreListedWithASummary) {
+    ASSERT_EQ(record_formats().size(), 3U);
+    for (auto const& format : record_formats()) {
+        EXPECT_FALSE(format.summary.empty());
+    }
+}
+
+}  // namespace
+}  // namespace overturn
