@@ -1,0 +1,31 @@
+/// The band of periods that matters to a rocking body, and the quadrature over it.
+#pragma once
+
+#include <vector>
+
+namespace overturn {
+
+/// The periods a rocking body runs through [s].
+struct PeriodBand {
+    double t0_s = 0;  ///< the shortest, T0
+    double t1_s = 0;  ///< the longest, T1; also the length of the window
+};
+
+/// What the length `a` in T0 = 0.05 sqrt(a), T1 = 0.5 sqrt(a) is measured in. The sources do not print it; only with
+/// centimetres does the band span the rocking amplitudes 0.055 to 0.93 of the critical angle by Housner's period.
+enum class RadiusUnit { centimetre, metre };
+
+/// Band of a body whose centre of gravity lies `radius_m` from its edge [m].
+[[nodiscard]] PeriodBand rocking_period_band(double radius_m, RadiusUnit unit = RadiusUnit::centimetre);
+
+/// Nodes for int f(T) g(T) dT over the band, f = 2 (T1-T)/(T1-T0)^2, in whole groups of 16: sum weight g(2 pi/w).
+struct BandRule {
+    std::vector<double> frequency_radps;
+    std::vector<double> weight;
+};
+
+/// Gauss panels of 16 nodes, equal in frequency, none spanning more than `panel_phase_rad` of w `length_s`.
+/// \throws InputError unless 0 < T0 < T1 and the panel phase is positive.
+[[nodiscard]] BandRule band_rule(PeriodBand const& band, double length_s, double panel_phase_rad);
+
+}  // namespace overturn

@@ -1,0 +1,16 @@
+/// How a campaign states a target spectrum.
+#pragma once
+
+#include "config/table.hpp"
+#include "core/input_files.hpp"
+#include "spectra/target_spectrum.hpp"
+
+namespace overturn {
+
+/// Reads one of: `spectrum` (a named target, with `pga` where it is printed for 1 g); `kind` with `points`; `kind` with
+/// `file`. Also `damping` (default 0.05), `scale` and `time_scale` (default 1). `points` and `file` hold periods in s
+/// and values in m/s2 or m/s; `points` may carry units. Reads nothing else and does not call finish().
+/// \throws InputError at the key concerned.
+[[nodiscard]] TargetSpectrum read_target(config::Table const& table, InputFiles& files);
+
+}  // namespace overturn

@@ -1,0 +1,133 @@
+#include "spectra/target_spectrum.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/units.hpp"
+
+namespace overturn {
+namespace {
+
+double value_of(TargetBranch const& b, double period_s) {
+    double value = b.constant + b.slope * period_s + b.inverse / period_s;
+    if (b.power != 0) {
+        value += b.power * std::pow(period_s, b.exponent);
+    }
+    return value;
+}
+
+void check_point(std::pair<double, double> const& point, std::pair<double, double> const* before) {
+    auto const [period, value] = point;
+    validate(period > 0 && std::isfinite(period), "period {} s (must be positive and finite). Mend it", period);
+    validate(value > 0 && std::isfinite(value), "ordinate {} at period {} s (must be positive and finite). Mend it",
+             value, period);
+    validate(before == nullptr || period > before->first, "period {} s after {} s (periods must rise). Sort the table",
+             period, before == nullptr ? 0.0 : before->first);
+}
+
+std::pair<double, double> parse_row(std::string_view row) {
+    auto const split = row.find_first_of(" \t,;");
+    auto const second =
+        split == std::string_view::npos ? std::string_view{} : row.substr(row.find_first_not_of(" \t,;", split));
+    std::pair<double, double> point;
+    validate(parse_number(row.substr(0, split), point.first) && parse_number(second, point.second),
+             "'{}' (must be two numbers: period and value). Mend the line", row);
+    return point;
+}
+
+}  // namespace
+
+std::span<config::Entry<TargetKind> const> target_kinds() {
+    static constexpr std::array entries{
+        config::Entry<TargetKind>{"acceleration", "pseudo-acceleration [m/s2]", TargetKind::acceleration},
+        config::Entry<TargetKind>{"pseudo-velocity", "pseudo-velocity [m/s]", TargetKind::pseudo_velocity},
+    };
+    return entries;
+}
+
+TargetSpectrum::TargetSpectrum(std::string name, double damping, double first_period_s,
+                               std::vector<TargetBranch> branches)
+    : name_(std::move(name)), damping_(damping), first_period_s_(first_period_s), branches_(std::move(branches)) {
+    validate(damping_ > 0 && damping_ < 1, "damping {} of target '{}' (must be above 0 and below 1). Use 0.05",
+             damping_, name_);
+    OVERTURN_EXPECT(!branches_.empty() && first_period_s_ >= 0);
+}
+
+TargetSpectrum TargetSpectrum::from_points(std::string name, double damping, TargetKind kind,
+                                           std::span<std::pair<double, double> const> points) {
+    validate(points.size() >= 2, "target '{}' has {} points (needs at least two). Add some", name, points.size());
+    std::vector<TargetBranch> branches;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        check_point(points[i], i == 0 ? nullptr : &points[i - 1]);
+        if (i == 0) {
+            continue;
+        }
+        auto const [t0, v0] = points[i - 1];
+        auto const [t1, v1] = points[i];
+        double const exponent = std::log(v1 / v0) / std::log(t1 / t0);
+        double const power = v0 * std::pow(t0, -exponent);
+        bool const velocity = kind == TargetKind::pseudo_velocity;
+        branches.push_back(
+            {.to_s = t1, .power = velocity ? 2 * pi * power : power, .exponent = velocity ? exponent - 1 : exponent});
+    }
+    return {std::move(name), damping, points.front().first, std::move(branches)};
+}
+
+double TargetSpectrum::psa_mps2(double period_s) const {
+    validate(period_s > 0, "period {} s (must be positive). Mend it", period_s);
+    double const asked = period_s / time_scale_;
+    double const last = branches_.back().to_s;
+    double const period = std::clamp(asked, first_period_s_, last);
+    auto const branch =
+        std::find_if(branches_.begin(), branches_.end() - 1, [&](TargetBranch const& b) { return period <= b.to_s; });
+    double const value = factor_ * value_of(*branch, period);
+    return asked > last ? value * (last / asked) * (last / asked) : value;
+}
+
+double TargetSpectrum::psv_mps(double period_s) const { return psa_mps2(period_s) * period_s / (2 * pi); }
+
+bool TargetSpectrum::defined_at(double period_s) const {
+    return period_s >= first_period_s() && period_s <= last_period_s();
+}
+
+TargetSpectrum TargetSpectrum::scaled(double factor) const {
+    validate(factor > 0 && std::isfinite(factor), "scale {} of target '{}' (must be positive). Mend it", factor, name_);
+    auto copy = *this;
+    copy.factor_ *= factor;
+    return copy;
+}
+
+TargetSpectrum TargetSpectrum::at_time_scale(double time_scale) const {
+    validate(time_scale > 0 && std::isfinite(time_scale), "time scale {} of target '{}' (must be positive). Mend it",
+             time_scale, name_);
+    auto copy = *this;
+    copy.time_scale_ *= time_scale;
+    return copy;
+}
+
+TargetSpectrum parse_target_table(std::string_view content, std::string const& name, TargetKind kind, double damping) {
+    std::vector<std::pair<double, double>> points;
+    int line = 0;
+    while (!content.empty()) {
+        ++line;
+        auto const end = std::min(content.find('\n'), content.size());
+        auto row = content.substr(0, end);
+        content.remove_prefix(std::min(end + 1, content.size()));
+        row = trimmed(row.substr(0, row.find_first_of("#!")));
+        if (row.empty()) {
+            continue;
+        }
+        try {
+            auto const point = parse_row(row);
+            check_point(point, points.empty() ? nullptr : &points.back());
+            points.push_back(point);
+        } catch (InputError const& error) {
+            throw InputError({name, line, 0}, error.what());
+        }
+    }
+    return TargetSpectrum::from_points(name, damping, kind, points);
+}
+
+}  // namespace overturn

@@ -1,0 +1,67 @@
+/// Target spectra: what artificial waves are matched to, from a table or a formula, at model scale if wanted.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "config/registry.hpp"
+
+namespace overturn {
+
+/// What the ordinates of a table are.
+enum class TargetKind { acceleration, pseudo_velocity };
+
+/// The two kinds under the names users write.
+[[nodiscard]] std::span<config::Entry<TargetKind> const> target_kinds();
+
+/// One branch of a target, psa [m/s2] for periods up to `to_s`: constant + slope T + inverse/T + power T^exponent.
+struct TargetBranch {
+    double to_s = 0;
+    double constant = 0, slope = 0, inverse = 0;
+    double power = 0, exponent = 0;
+};
+
+/// A pseudo-acceleration target for one damping ratio. Immutable. It is defined from first_period_s to last_period_s;
+/// outside, psa goes on as constant acceleration below and as constant displacement above: see defined_at.
+class TargetSpectrum {
+  public:
+    /// \param branches in order of rising period, the first beginning at `first_period_s`.
+    TargetSpectrum(std::string name, double damping, double first_period_s, std::vector<TargetBranch> branches);
+
+    /// Straight lines in log-log through (period [s], value [m/s2 or m/s]).
+    /// \throws InputError if there are fewer than two, a period does not rise or a value is not positive.
+    [[nodiscard]] static TargetSpectrum from_points(std::string name, double damping, TargetKind kind,
+                                                    std::span<std::pair<double, double> const> points);
+
+    [[nodiscard]] double psa_mps2(double period_s) const;
+    [[nodiscard]] double psv_mps(double period_s) const;
+    [[nodiscard]] bool defined_at(double period_s) const;
+
+    [[nodiscard]] std::string const& name() const { return name_; }
+    [[nodiscard]] double damping() const { return damping_; }
+    [[nodiscard]] double first_period_s() const { return first_period_s_ * time_scale_; }
+    [[nodiscard]] double last_period_s() const { return branches_.back().to_s * time_scale_; }
+
+    /// All ordinates times `factor`.
+    [[nodiscard]] TargetSpectrum scaled(double factor) const;
+    /// For a model whose time runs `time_scale` (s^1/2) times the prototype's: psa_model(T) = psa(T / time_scale).
+    [[nodiscard]] TargetSpectrum at_time_scale(double time_scale) const;
+
+  private:
+    std::string name_;
+    double damping_;
+    double first_period_s_;
+    std::vector<TargetBranch> branches_;
+    double factor_ = 1;
+    double time_scale_ = 1;
+};
+
+/// Two columns, period [s] and value, parted by blanks or a comma; `#` and `!` begin a comment.
+/// \throws InputError with `name:line` at what is not two finite numbers, a period that does not rise, a value <= 0.
+[[nodiscard]] TargetSpectrum parse_target_table(std::string_view content, std::string const& name, TargetKind kind,
+                                                double damping);
+
+}  // namespace overturn

@@ -1,0 +1,53 @@
+/// Runs one loop over 16 independent lanes with the widest registers of this machine. Lanes never mix and nothing is
+/// contracted, so every machine gives the same bits.
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+
+namespace overturn::wide {
+
+/// Lanes a kernel sweeps at once; spectra are padded to a multiple of it.
+inline constexpr std::size_t lanes = 16;
+
+/// Inlined into each machine's own version of a kernel.
+#define OVERTURN_INLINE [[gnu::always_inline]] inline
+
+/// 16 doubles as an array of registers of `Bytes` bytes each.
+template <int Bytes> struct Registers {
+    using Vector [[gnu::vector_size(Bytes)]] = double;
+    static constexpr int count = static_cast<int>(lanes * sizeof(double)) / Bytes;
+
+    Vector at[count];  // NOLINT(modernize-avoid-c-arrays): an array of registers
+
+    OVERTURN_INLINE static void load(Registers& to, double const* from) { std::memcpy(&to.at, from, sizeof to.at); }
+    OVERTURN_INLINE static void store(double* to, Registers const& from) { std::memcpy(to, &from.at, sizeof from.at); }
+    OVERTURN_INLINE static void clear(Registers& to) {
+#pragma GCC unroll 8
+        for (int i = 0; i < count; ++i) {
+            to.at[i] = Vector{};
+        }
+    }
+};
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+template <class Kernel> [[gnu::target("avx512f")]] void run_avx512(Kernel const& kernel) { kernel.template run<64>(); }
+template <class Kernel> [[gnu::target("avx2")]] void run_avx2(Kernel const& kernel) { kernel.template run<32>(); }
+#endif
+
+/// Calls kernel.run<Bytes>(), an OVERTURN_INLINE member, with the register width of this machine.
+template <class Kernel> void dispatch(Kernel const& kernel) {
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+    if (__builtin_cpu_supports("avx512f") != 0) {
+        run_avx512(kernel);
+        return;
+    }
+    if (__builtin_cpu_supports("avx2") != 0) {
+        run_avx2(kernel);
+        return;
+    }
+#endif
+    kernel.template run<16>();
+}
+
+}  // namespace overturn::wide

@@ -1,0 +1,135 @@
+// Requirement: targets have the values their standards print, and say where they end.
+#include "spectra/target_spectrum.hpp"
+
+#include "core/units.hpp"
+#include "spectra/named_targets.hpp"
+#include "spectra/target_input.hpp"
+#include "support/expect_input_error.hpp"
+#include "support/tolerance.hpp"
+
+namespace overturn {
+namespace {
+
+using testing::exact_formula;
+using testing::expect_input_error;
+using testing::near;
+
+TargetSpectrum named(std::string_view name, NamedTargetInput const& input = {}) {
+    return config::find_entry(named_targets(), name, "spectrum").value(input);
+}
+
+TEST(TargetSpectrum, MlitValuesAreThePrintedOnes) {
+    struct Printed {
+        char const* name;
+        double period_s, gal;
+    };
+    for (auto const& [name, period, gal] :
+         {Printed{"mlit-ch1", 0.02, 380}, Printed{"mlit-ch1", 0.16, 800}, Printed{"mlit-ch1", 0.7, 800},
+          Printed{"mlit-ch1", 1.28, 800}, Printed{"mlit-ch1", 2, 512},    Printed{"mlit-ch1", 4, 256},
+          Printed{"mlit-ch1", 6, 128},    Printed{"mlit-ch1", 8, 64},     Printed{"mlit-ch1", 10, 51.2},
+          Printed{"mlit-sz1", 0.1, 620},  Printed{"mlit-sz1", 5, 128},    Printed{"mlit-sz1", 10, 51.2},
+          Printed{"mlit-ka1", 0.1, 99.2}, Printed{"mlit-ka1", 1, 128},    Printed{"mlit-ka1", 4, 64},
+          Printed{"mlit-ka1", 5, 76.8},   Printed{"mlit-ka1", 8, 64},     Printed{"mlit-ka1", 10, 38.4},
+          Printed{"mlit-os1", 0.1, 496},  Printed{"mlit-os1", 1, 640},    Printed{"mlit-os1", 2, 352},
+          Printed{"mlit-os1", 4, 216},    Printed{"mlit-os1", 5, 204.8},  Printed{"mlit-os1", 10, 51.2}}) {
+        EXPECT_TRUE(near(named(name).psa_mps2(period), gal / 100, exact_formula)) << name << " at " << period;
+    }
+}
+
+TEST(TargetSpectrum, NamedTargetsAreContinuous) {
+    for (auto const& entry : named_targets()) {
+        auto const target = entry.value({});
+        for (double period = 0.011; period < 12; period *= 1.0005) {
+            double const before = target.psa_mps2(period * (1 - 1e-9));
+            EXPECT_NEAR(target.psa_mps2(period * (1 + 1e-9)) / before, 1, 1e-7) << entry.name << " at " << period;
+        }
+        for (double const period : {0.16, 1.1, 1.28, 2.0, 3.0, 3.5, 4.0, 5.0, 5.5, 6.0, 7.5, 8.0, 10.0}) {
+            EXPECT_NEAR(target.psa_mps2(period * (1 + 1e-12)) / target.psa_mps2(period), 1, 1e-9) << entry.name;
+        }
+    }
+}
+
+// Table I of the guide, and its ground displacement of 36 inches for 1 g.
+TEST(TargetSpectrum, RegulatoryGuideControlPoints) {
+    struct Row {
+        double damping, at_9, at_2_5, at_0_25;
+    };
+    for (auto const& row : {Row{0.005, 4.96, 5.95, 3.20}, Row{0.02, 3.54, 4.25, 2.50}, Row{0.05, 2.61, 3.13, 2.05},
+                            Row{0.07, 2.27, 2.72, 1.88}, Row{0.10, 1.90, 2.28, 1.70}}) {
+        auto const target = named("rg-1.60", {.damping = row.damping, .pga_mps2 = 3.0});
+        EXPECT_TRUE(near(target.psa_mps2(1 / 33.0), 3.0, exact_formula));
+        EXPECT_TRUE(near(target.psa_mps2(0.011), 3.0, exact_formula));
+        EXPECT_TRUE(near(target.psa_mps2(1 / 9.0), 3.0 * row.at_9, exact_formula));
+        EXPECT_TRUE(near(target.psa_mps2(0.4), 3.0 * row.at_2_5, exact_formula));
+        double const displacement = row.at_0_25 * 0.9144 * 3.0 / g0;
+        for (double const period : {4.0, 7.0, 10.0}) {
+            double const w = 2 * pi / period;
+            EXPECT_TRUE(near(target.psa_mps2(period) / (w * w), displacement, exact_formula));
+        }
+    }
+    EXPECT_TRUE(near(named("rg-1.60").psa_mps2(4.0) / g0, 0.4716, testing::Tolerance{1e-3, "printed"}));
+}
+
+TEST(TargetSpectrum, UntabulatedDampingIsRefused) {
+    expect_input_error([] { (void)named("rg-1.60", {.damping = 0.03, .pga_mps2 = {}}); }, "damping 0.03", "tabulated");
+    expect_input_error([] { (void)named("mlit-ka1", {.damping = 0.02, .pga_mps2 = {}}); }, "damping 0.02", "0.05 only");
+    expect_input_error([] { (void)named("mlit-ka1", {.pga_mps2 = 1}); }, "Use scale");
+    expect_input_error([] { (void)named("mlit-ch2"); }, "Did you mean 'mlit-ch1'?");
+}
+
+TEST(TargetSpectrum, GoesOnBeyondItsEndsAndSaysSo) {
+    auto const target = named("mlit-ch1");
+
+    EXPECT_FALSE(target.defined_at(10.001));
+    EXPECT_TRUE(target.defined_at(10));
+    EXPECT_TRUE(near(target.psa_mps2(20), 0.512 / 4, exact_formula));  // constant displacement
+}
+
+TEST(TargetSpectrum, SimilarityShortensPeriodsOnly) {
+    auto const model = named("mlit-ch1").at_time_scale(0.632);
+
+    EXPECT_TRUE(near(model.psa_mps2(6 * 0.632), 1.28, exact_formula));
+    EXPECT_TRUE(near(model.last_period_s(), 6.32, exact_formula));
+    EXPECT_TRUE(near(model.scaled(2).psa_mps2(0.5 * 0.632), 16, exact_formula));
+}
+
+TEST(TargetSpectrum, TableIsStraightInLogLog) {
+    auto const target = parse_target_table("# T  Sv\n0.1, 0.2\r\n1.0  2.0   ! knee\n\n10 2.0\n", "t.csv",
+                                           TargetKind::pseudo_velocity, 0.02);
+
+    EXPECT_TRUE(near(target.psv_mps(0.1), 0.2, exact_formula));
+    EXPECT_TRUE(near(target.psv_mps(0.3), 0.6, exact_formula));
+    EXPECT_TRUE(near(target.psv_mps(3), 2.0, exact_formula));
+    EXPECT_TRUE(near(target.psa_mps2(0.01), target.psa_mps2(0.1), exact_formula));
+    EXPECT_EQ(target.damping(), 0.02);
+}
+
+TEST(TargetSpectrum, BadTablesNameTheLine) {
+    auto const parse = [](char const* text) {
+        (void)parse_target_table(text, "t.csv", TargetKind::acceleration, 0.05);
+    };
+    expect_input_error([&] { parse("0.1 1\n0.2 0\n"); }, "t.csv:2: ", "ordinate 0");
+    expect_input_error([&] { parse("0.1 1\n#\n0.1 2\n"); }, "t.csv:3: ", "periods must rise");
+    expect_input_error([&] { parse("0.1 1\n0.2 x\n"); }, "t.csv:2: ", "two numbers");
+    expect_input_error([&] { parse("0.1 1 2\n"); }, "t.csv:1: ", "two numbers");
+    expect_input_error([&] { parse("0.1\n"); }, "t.csv:1: ", "two numbers");
+    expect_input_error([&] { parse("0.1 nan\n"); }, "t.csv:1: ", "two numbers");
+    expect_input_error([&] { parse("1 1\n"); }, "at least two");
+}
+
+TEST(TargetSpectrum, CampaignStatesItInThreeWays) {
+    InputFiles files(std::map<std::string, std::string>{{"sv.csv", "0.1 1\n1 1\n"}});
+    auto const read = [&](char const* text) { return read_target(config::Table::parse(text, "c.toml"), files); };
+
+    EXPECT_TRUE(near(read("spectrum='rg-1.60'\npga='0.3 g'").psa_mps2(0.02), 0.3 * g0, exact_formula));
+    EXPECT_TRUE(near(read("kind='pseudo-velocity'\npoints=[[0.1,'20 kine'],[1,0.2]]\nscale=2").psv_mps(0.5), 0.4,
+                     exact_formula));
+    EXPECT_TRUE(near(read("kind='acceleration'\nfile='sv.csv'\ntime_scale=0.5").last_period_s(), 0.5, exact_formula));
+    expect_input_error([&] { (void)read("damping=0.05"); }, "c.toml:", "exactly one of");
+    expect_input_error([&] { (void)read("kind='acceleration'\nfile='no.csv'"); }, "c.toml:2:", "no.csv");
+    expect_input_error([&] { (void)read("kind='acceleration'\npoints=[[0.1,1],[1,-1]]"); }, "c.toml:2:", "ordinate -1");
+    expect_input_error([&] { (void)read("spectrum='mlit-ch1'\ndamping=0.1"); }, "c.toml:1:", "0.05 only");
+}
+
+}  // namespace
+}  // namespace overturn

@@ -1,0 +1,143 @@
+// Requirement: ouV_E and V_WES are the integrals their definitions name, on waves of any length.
+#include "spectra/window_energy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/units.hpp"
+#include "spectra/fourier.hpp"
+#include "support/expect_input_error.hpp"
+#include "support/tolerance.hpp"
+#include "support/waves.hpp"
+
+namespace overturn {
+namespace {
+
+using testing::exact_formula;
+using testing::near;
+
+constexpr PeriodBand band{0.5, 5.0};
+
+TEST(WindowEnergy, VelocityStepGivesItself) {
+    std::vector<double> pulse(2000, 0.0);
+    pulse[700] = 1;  // a triangle of 2 x 1e-5 s: 1e-5 m/s
+    WindowOptions const plain{.smoothed = false};
+
+    auto const energy = window_energy(pulse, 1e-5, band, plain);
+
+    EXPECT_TRUE(near(energy.ou_v_e_mps, 1e-5, testing::Tolerance{1e-8, "(w dt)^2"}));
+    EXPECT_TRUE(near(energy.v_wes_max_mps, 1e-5, testing::Tolerance{1e-8, "(w dt)^2"}));
+}
+
+TEST(WindowEnergy, QuadratureResolvesTheLengthOfTheWave) {
+    auto const wave = testing::broad_wave(12001, 0.01);
+    auto const reference = overturning_energy_velocity(wave, 0.01, band, 4);
+
+    EXPECT_TRUE(near(overturning_energy_velocity(wave, 0.01, band), reference, exact_formula));
+    EXPECT_TRUE(near(overturning_energy_velocity(wave, 0.01, band, 30), reference, testing::Tolerance{1e-7, "coarse"}));
+}
+
+// The reference integrates over T on its own: the midpoint rule in T with very many points.
+TEST(WindowEnergy, WholeWaveEqualsTheDefinition) {
+    auto const wave = testing::broad_wave(1501, 0.01);
+    constexpr int n = 20000;
+    std::vector<double> frequencies;
+    std::vector<double> weights;
+    for (int i = 0; i < n; ++i) {
+        double const period = 0.5 + 4.5 * (i + 0.5) / n;
+        frequencies.push_back(2 * pi / period);
+        weights.push_back(2 * (5.0 - period) / (4.5 * 4.5) * 4.5 / n);
+    }
+    auto const amplitudes = fourier_amplitudes(wave, 0.01, frequencies);
+    double sum = 0;
+    for (std::size_t i = 0; i < amplitudes.size(); ++i) {
+        sum += weights[i] * std::norm(amplitudes[i]);
+    }
+
+    EXPECT_TRUE(
+        near(overturning_energy_velocity(wave, 0.01, band), std::sqrt(sum), testing::Tolerance{1e-6, "midpoint"}));
+    EXPECT_TRUE(near(std::accumulate(weights.begin(), weights.end(), 0.0), 1.0, exact_formula));
+}
+
+class Readings : public ::testing::TestWithParam<WindowReading> {};
+INSTANTIATE_TEST_SUITE_P(Both, Readings, ::testing::Values(WindowReading::restarted, WindowReading::running),
+                         [](auto const& one) { return one.param == WindowReading::running ? "running" : "restarted"; });
+
+TEST_P(Readings, WindowAsLongAsTheWaveEndsAtTheWholeMeasure) {
+    auto const wave = testing::broad_wave(480, 0.01);
+
+    auto const energy =
+        window_energy(wave, 0.01, band, {.reading = GetParam(), .smoothed = false, .keep_history = true});
+
+    EXPECT_TRUE(near(energy.v_wes_mps.back(), energy.ou_v_e_mps, exact_formula));
+}
+
+TEST_P(Readings, LongWaveEqualsDirectlySummedWindows) {
+    auto wave = testing::broad_wave(120001, 0.01);
+    for (std::size_t n = 3000; n < 6000; ++n) {
+        wave[n] *= 1e3;  // running totals would carry this burst's rounding to the end
+    }
+
+    auto const energy =
+        window_energy(wave, 0.01, band, {.reading = GetParam(), .smoothed = false, .keep_history = true});
+
+    for (std::size_t const end : {1U, 250U, 500U, 501U, 999U, 1000U, 7123U, 60499U, 120000U}) {
+        std::size_t const begin = end > 500 ? end - 500 : 0;
+        auto const window = std::span(wave).subspan(begin, end - begin + 1);
+        double const whole = overturning_energy_velocity(window, 0.01, band);
+        double expected = whole * whole;
+        double scale = expected;
+        if (GetParam() == WindowReading::running) {
+            double const now = overturning_energy_velocity(std::span(wave).first(end + 1), 0.01, band);
+            double const then = overturning_energy_velocity(std::span(wave).first(begin + 1), 0.01, band);
+            expected = std::max(0.0, now * now - then * then);
+            scale = now * now;
+        }
+        double const computed = energy.v_wes_mps[end] * energy.v_wes_mps[end];
+        EXPECT_TRUE(near(computed, expected, exact_formula, scale)) << end;
+    }
+}
+
+TEST(WindowEnergy, IsLinearInAmplitude) {
+    auto const wave = testing::broad_wave(4000, 0.01);
+    auto tripled = wave;
+    for (double& a : tripled) {
+        a *= 3;
+    }
+
+    auto const one = window_energy(wave, 0.01, band);
+    auto const three = window_energy(tripled, 0.01, band);
+
+    EXPECT_TRUE(near(three.v_wes_max_mps, 3 * one.v_wes_max_mps, exact_formula));
+    EXPECT_TRUE(near(three.ou_v_e_mps, 3 * one.ou_v_e_mps, exact_formula));
+    EXPECT_EQ(three.v_wes_time_s, one.v_wes_time_s);
+    EXPECT_GT(one.v_wes_time_s, 0);
+}
+
+TEST(WindowEnergy, SmoothingIsATrailingMean) {
+    std::vector<double> values(103);
+    std::iota(values.begin(), values.end(), 1.0);
+
+    auto const means = trailing_mean(values, 10);
+
+    EXPECT_DOUBLE_EQ(means[0], 0.1);
+    EXPECT_DOUBLE_EQ(means[9], 5.5);
+    for (std::size_t n = 10; n < values.size(); ++n) {
+        EXPECT_DOUBLE_EQ(means[n], values[n] - 4.5);
+    }
+}
+
+TEST(WindowEnergy, BandOfTypeABody) {
+    auto const cm = rocking_period_band(1.2468);
+    EXPECT_TRUE(near(cm.t1_s, 5 * std::sqrt(1.2468), exact_formula));
+    EXPECT_TRUE(near(cm.t1_s, 10 * cm.t0_s, exact_formula));
+    EXPECT_TRUE(near(rocking_period_band(4, RadiusUnit::metre).t1_s, 1.0, exact_formula));
+}
+
+TEST(WindowEnergy, RefusesAnEmptyBand) {
+    testing::expect_input_error([] { (void)window_energy(std::vector{1.0}, 0.01, {2, 1}); }, "0 < T0 < T1");
+}
+
+}  // namespace
+}  // namespace overturn
