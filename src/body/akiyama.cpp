@@ -1,0 +1,25 @@
+#include "body/akiyama.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace overturn {
+
+PeriodBand period_band(RigidBody const& body, RadiusUnit unit) {
+    constexpr double centimetres_per_metre = 100;
+    double const root = std::sqrt(body.radius_m() * (unit == RadiusUnit::centimetre ? centimetres_per_metre : 1.0));
+    return {.shortest_s = 0.05 * root, .longest_s = 0.5 * root};
+}
+
+double response_velocity(RigidBody const& body, double peak_rotation_rad) {
+    double const theta = std::abs(peak_rotation_rad);
+    double const alpha = body.alpha_rad();
+    if (theta >= alpha) {
+        return body.limit_velocity_mps();
+    }
+    // cos(alpha - theta) - cos alpha as a product: the difference would lose a tiny theta's digits.
+    double const lift = 2 * std::sin(alpha - theta / 2) * std::sin(theta / 2);
+    return std::min(std::sqrt(2 * body.gravity_mps2() * body.radius_m() * lift), body.limit_velocity_mps());
+}
+
+}  // namespace overturn
