@@ -1,8 +1,9 @@
 // Requirement: the energy criterion's figures of a body are exact from the tiniest rotation to overturning.
-#include "body/akiyama.hpp"
+#include "body/response_velocity.hpp"
 
 #include <cmath>
 
+#include "spectra/band_rule.hpp"
 #include "support/tolerance.hpp"
 
 namespace overturn {
@@ -19,13 +20,13 @@ TEST(PeriodBand, IsInRootsOfTheStatedUnit) {
     auto const body = type_a();
     double const root = std::sqrt(body.radius_m());
 
-    auto const usual = period_band(body);
-    EXPECT_TRUE(near(usual.shortest_s, 0.5 * root, exact_formula));
-    EXPECT_TRUE(near(usual.longest_s, 5 * root, exact_formula));
+    auto const usual = rocking_period_band(body.radius_m());
+    EXPECT_TRUE(near(usual.t0_s, 0.5 * root, exact_formula));
+    EXPECT_TRUE(near(usual.t1_s, 5 * root, exact_formula));
 
-    auto const metres = period_band(body, RadiusUnit::metre);
-    EXPECT_TRUE(near(metres.shortest_s, 0.05 * root, exact_formula));
-    EXPECT_TRUE(near(metres.longest_s, 0.5 * root, exact_formula));
+    auto const metres = rocking_period_band(body.radius_m(), RadiusUnit::metre);
+    EXPECT_TRUE(near(metres.t0_s, 0.05 * root, exact_formula));
+    EXPECT_TRUE(near(metres.t1_s, 0.5 * root, exact_formula));
 }
 
 TEST(PeriodBand, SpansHousnersPeriodsOfAWholeRangeOfAmplitudes) {
@@ -35,10 +36,10 @@ TEST(PeriodBand, SpansHousnersPeriodsOfAWholeRangeOfAmplitudes) {
         {.mass_kg = mass, .half_width_m = 0.3, .centre_height_m = 1.0, .inertia_kgm2 = mass * 1.09 / 3});
     auto const amplitude = [&](double period) { return 1 - 1 / std::cosh(period * body.p_radps() / 4); };
 
-    auto const band = period_band(body);
+    auto const band = rocking_period_band(body.radius_m());
 
-    EXPECT_NEAR(amplitude(band.shortest_s), 0.055, 0.001);
-    EXPECT_NEAR(amplitude(band.longest_s), 0.93, 0.005);
+    EXPECT_NEAR(amplitude(band.t0_s), 0.055, 0.001);
+    EXPECT_NEAR(amplitude(band.t1_s), 0.93, 0.005);
 }
 
 TEST(ResponseVelocity, IsTheLimitVelocityFromAlphaOn) {

@@ -1,15 +1,9 @@
-#include "body/akiyama.hpp"
+#include "body/response_velocity.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace overturn {
-
-PeriodBand period_band(RigidBody const& body, RadiusUnit unit) {
-    constexpr double centimetres_per_metre = 100;
-    double const root = std::sqrt(body.radius_m() * (unit == RadiusUnit::centimetre ? centimetres_per_metre : 1.0));
-    return {.shortest_s = 0.05 * root, .longest_s = 0.5 * root};
-}
 
 double response_velocity(RigidBody const& body, double peak_rotation_rad) {
     double const theta = std::abs(peak_rotation_rad);

@@ -1,0 +1,178 @@
+#include "parallel/communicator.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+#include <fmt/format.h>
+#include <mpi.h>
+
+#include "core/error.hpp"
+
+namespace overturn::parallel {
+namespace {
+
+constexpr int result_tag = 1;
+
+void check(int code, char const* what) {
+    if (code != MPI_SUCCESS) {
+        throw SystemError(fmt::format("MPI: {} failed with code {} (see the lines above)", what, code));
+    }
+}
+
+Message receive_matched(MPI_Message& handle, MPI_Status const& status) {
+    int bytes = 0;
+    check(MPI_Get_count(&status, MPI_BYTE, &bytes), "counting a message");
+    Message message{status.MPI_SOURCE, std::vector<std::byte>(static_cast<std::size_t>(bytes))};
+    check(MPI_Mrecv(message.bytes.data(), bytes, MPI_BYTE, &handle, MPI_STATUS_IGNORE), "receiving a message");
+    return message;
+}
+
+}  // namespace
+
+Environment::Environment() {
+    int provided = 0;
+    check(MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided), "starting up");
+}
+
+Environment::~Environment() { MPI_Finalize(); }
+
+Communicator::Communicator() {
+    check(MPI_Comm_rank(MPI_COMM_WORLD, &rank_), "asking for the rank");
+    check(MPI_Comm_size(MPI_COMM_WORLD, &size_), "asking for the size");
+}
+
+std::string Communicator::host() const {
+    std::array<char, MPI_MAX_PROCESSOR_NAME> name{};
+    int length = 0;
+    check(MPI_Get_processor_name(name.data(), &length), "asking for the host");
+    return {name.data(), static_cast<std::size_t>(length)};
+}
+
+void Communicator::broadcast(std::string& text) const {
+    auto size = static_cast<std::int64_t>(text.size());
+    check(MPI_Bcast(&size, 1, MPI_INT64_T, 0, MPI_COMM_WORLD), "broadcasting");
+    text.resize(static_cast<std::size_t>(size));
+    constexpr std::int64_t most = 1 << 30;  // a count is an int
+    for (std::int64_t at = 0; at < size; at += most) {
+        auto const part = static_cast<int>(std::min(most, size - at));
+        check(MPI_Bcast(text.data() + at, part, MPI_CHAR, 0, MPI_COMM_WORLD), "broadcasting");
+    }
+}
+
+std::vector<std::string> Communicator::gather(std::string const& text) const {
+    int const length = static_cast<int>(text.size());
+    std::vector<int> lengths(is_root() ? static_cast<std::size_t>(size_) : 0);
+    check(MPI_Gather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, 0, MPI_COMM_WORLD), "gathering");
+    std::vector<int> places;
+    std::string all;
+    int total = 0;
+    for (int const l : lengths) {
+        places.push_back(total);
+        total += l;
+    }
+    all.resize(static_cast<std::size_t>(total));
+    check(MPI_Gatherv(text.data(), length, MPI_CHAR, all.data(), lengths.data(), places.data(), MPI_CHAR, 0,
+                      MPI_COMM_WORLD),
+          "gathering");
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < lengths.size(); ++i) {
+        texts.push_back(all.substr(static_cast<std::size_t>(places[i]), static_cast<std::size_t>(lengths[i])));
+    }
+    return texts;
+}
+
+int Communicator::largest(int value) const {
+    int result = value;
+    check(MPI_Allreduce(MPI_IN_PLACE, &result, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD), "comparing");
+    return result;
+}
+
+std::optional<Message> Communicator::poll() const {
+    int found = 0;
+    MPI_Message handle = MPI_MESSAGE_NULL;
+    MPI_Status status;
+    check(MPI_Improbe(MPI_ANY_SOURCE, result_tag, MPI_COMM_WORLD, &found, &handle, &status), "looking for a message");
+    if (found == 0) {
+        return std::nullopt;
+    }
+    return receive_matched(handle, status);
+}
+
+Message Communicator::receive() const {
+    MPI_Message handle = MPI_MESSAGE_NULL;
+    MPI_Status status;
+    check(MPI_Mprobe(MPI_ANY_SOURCE, result_tag, MPI_COMM_WORLD, &handle, &status), "waiting for a message");
+    return receive_matched(handle, status);
+}
+
+void Communicator::abort(int code) const {
+    MPI_Abort(MPI_COMM_WORLD, code);
+    std::abort();
+}
+
+struct Outbox::Letter {
+    std::vector<std::byte> bytes;
+    MPI_Request request = MPI_REQUEST_NULL;
+};
+
+Outbox::Outbox() = default;
+Outbox::~Outbox() {
+    for (auto& letter : letters_) {
+        MPI_Wait(&letter.request, MPI_STATUS_IGNORE);
+    }
+}
+
+void Outbox::post(std::vector<std::byte> bytes) {
+    constexpr std::size_t most_under_way = 4;
+    deliver(most_under_way - 1);
+    auto& letter = letters_.emplace_back(Letter{std::move(bytes), MPI_REQUEST_NULL});
+    check(MPI_Isend(letter.bytes.data(), static_cast<int>(letter.bytes.size()), MPI_BYTE, 0, result_tag, MPI_COMM_WORLD,
+                    &letter.request),
+          "sending");
+}
+
+void Outbox::deliver(std::size_t most_left) {
+    while (!letters_.empty()) {
+        int done = 0;
+        check(MPI_Test(&letters_.front().request, &done, MPI_STATUS_IGNORE), "sending");
+        if (done == 0 && letters_.size() <= most_left) {
+            return;
+        }
+        if (done == 0) {
+            check(MPI_Wait(&letters_.front().request, MPI_STATUS_IGNORE), "sending");
+        }
+        letters_.pop_front();
+    }
+}
+
+// One-sided, so that a rank takes its next block without waiting for rank 0 to look up from its own.
+struct SharedCounter::Window {
+    MPI_Win handle = MPI_WIN_NULL;
+    std::int64_t* value = nullptr;
+};
+
+SharedCounter::SharedCounter(Communicator const& comm) : window_(std::make_unique<Window>()) {
+    MPI_Aint const bytes = comm.is_root() ? sizeof(std::int64_t) : 0;
+    check(MPI_Win_allocate(bytes, sizeof(std::int64_t), MPI_INFO_NULL, MPI_COMM_WORLD,
+                           static_cast<void*>(&window_->value), &window_->handle),
+          "making the shared counter");
+    if (comm.is_root()) {
+        check(MPI_Win_lock(MPI_LOCK_EXCLUSIVE, 0, 0, window_->handle), "locking the shared counter");
+        *window_->value = 0;
+        check(MPI_Win_unlock(0, window_->handle), "unlocking the shared counter");
+    }
+    check(MPI_Barrier(MPI_COMM_WORLD), "waiting for the shared counter");
+}
+
+SharedCounter::~SharedCounter() { MPI_Win_free(&window_->handle); }
+
+std::int64_t SharedCounter::take(std::int64_t step) {
+    std::int64_t before = 0;
+    check(MPI_Win_lock(MPI_LOCK_SHARED, 0, 0, window_->handle), "locking the shared counter");
+    check(MPI_Fetch_and_op(&step, &before, MPI_INT64_T, 0, 0, MPI_SUM, window_->handle), "taking from the counter");
+    check(MPI_Win_unlock(0, window_->handle), "unlocking the shared counter");
+    return before;
+}
+
+}  // namespace overturn::parallel

@@ -1,0 +1,43 @@
+/// Which effects a scene calls for, and what the body does: body + motion + effects -> Response.
+#pragma once
+
+#include <optional>
+
+#include "body/rigid_body.hpp"
+#include "motion/ground_motion.hpp"
+#include "response/effects.hpp"
+#include "rocking/planar_rocking.hpp"
+
+namespace overturn {
+
+/// Coulomb friction between base and ground.
+struct Friction {
+    double static_coefficient = 0;
+    double kinetic_coefficient = 0;
+};
+
+/// One trial's answer.
+struct Response {
+    RockingOutcome rocking;
+    EffectMask effects = 0;            ///< that ran
+    EffectMask called = 0;             ///< that the monitors say would act, whether they ran or not
+    double response_velocity_mps = 0;  ///< V_resp of the peak rotation
+};
+
+/// A body at a level: what does not change from wave to wave.
+struct Scene {
+    RigidBody const& body;
+    std::optional<Friction> friction;  ///< empty: no slip
+    EffectRequest effects;
+    RockingAccuracy accuracy;
+};
+
+/// The rocking equation's view of a body.
+[[nodiscard]] RockingBlock block_of(RigidBody const& body);
+
+/// \param scale multiplies every component of the motion
+/// \param observer sees the history if given
+[[nodiscard]] Response respond(Scene const& scene, GroundMotion const& motion, double scale,
+                               RockingStart const& start = {}, RockingObserver* observer = nullptr);
+
+}  // namespace overturn

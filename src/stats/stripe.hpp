@@ -1,0 +1,35 @@
+/// Stripes: all trials of one body at one level, counted. Counts are integers, so their order cannot matter.
+#pragma once
+
+#include <cstdint>
+
+#include "stats/proportion.hpp"
+
+namespace overturn {
+
+/// Failed trials have no verdict: they are left out of the proportion and reported beside it.
+struct Stripe {
+    double amplitude = 0;  ///< SI value of the level's measure
+    std::int64_t trials = 0;
+    std::int64_t overturned = 0;
+    std::int64_t failed = 0;
+
+    [[nodiscard]] std::int64_t decided() const { return trials - failed; }
+    /// Overturned over decided; 0 where nothing is decided.
+    [[nodiscard]] double probability() const;
+    [[nodiscard]] Interval interval(double confidence) const {
+        return clopper_pearson(overturned, decided(), confidence);
+    }
+};
+
+/// How a criterion "measure < limit means it does not overturn" did against time histories.
+struct Confusion {
+    std::int64_t false_safe = 0;     ///< said safe, overturned: the count that matters
+    std::int64_t false_alarm = 0;    ///< said unsafe, stood
+    std::int64_t true_safe = 0;      ///< said safe, stood
+    std::int64_t true_overturn = 0;  ///< said unsafe, overturned
+
+    void add(bool said_safe, bool overturned);
+};
+
+}  // namespace overturn

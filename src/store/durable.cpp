@@ -1,0 +1,106 @@
+#include "store/durable.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "core/error.hpp"
+
+namespace overturn::store {
+namespace {
+
+[[noreturn]] void fail(char const* what, std::filesystem::path const& path) {
+    int const reason = errno;
+    throw SystemError(fmt::format("cannot {} {} ({}). Free space or choose another place, then go on with --resume",
+                                  what, path.string(), std::strerror(reason)));
+}
+
+class Descriptor {
+  public:
+    Descriptor(std::filesystem::path const& path, int flags) : path_(path), fd_(::open(path.c_str(), flags, 0644)) {
+        if (fd_ < 0) {
+            fail("open", path_);
+        }
+    }
+    ~Descriptor() { ::close(fd_); }
+    Descriptor(Descriptor const&) = delete;
+    Descriptor& operator=(Descriptor const&) = delete;
+    Descriptor(Descriptor&&) = delete;
+    Descriptor& operator=(Descriptor&&) = delete;
+
+    void write(std::span<std::byte const> content) const {
+        while (!content.empty()) {
+            auto const written = ::write(fd_, content.data(), content.size());
+            if (written < 0 && errno == EINTR) {
+                continue;
+            }
+            if (written < 0) {
+                fail("write", path_);
+            }
+            content = content.subspan(static_cast<std::size_t>(written));
+        }
+    }
+    void sync() const {
+        // Some file systems cannot sync a folder and say EINVAL; the rename itself is still atomic there.
+        if (::fsync(fd_) != 0 && errno != EINVAL) {
+            fail("sync", path_);
+        }
+    }
+
+  private:
+    std::filesystem::path path_;
+    int fd_;
+};
+
+std::filesystem::path folder_of(std::filesystem::path const& path) {
+    return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+}
+
+}  // namespace
+
+void make_durable(std::filesystem::path const& path) { Descriptor(path, O_RDONLY).sync(); }
+
+void rename_durably(std::filesystem::path const& from, std::filesystem::path const& to) {
+    if (std::rename(from.c_str(), to.c_str()) != 0) {
+        fail("rename to", to);
+    }
+    make_durable(folder_of(to));
+}
+
+void write_durably(std::filesystem::path const& path, std::span<std::byte const> content) {
+    auto beside = path;
+    beside += ".tmp";
+    {
+        Descriptor const file(beside, O_WRONLY | O_CREAT | O_TRUNC);
+        file.write(content);
+        file.sync();
+    }
+    rename_durably(beside, path);
+}
+
+std::string read_file(std::filesystem::path const& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) {
+        fail("open", path);
+    }
+    std::string content((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    return content;
+}
+
+void require_writable(std::filesystem::path const& path) {
+    auto probe = path;
+    probe += ".probe";
+    int const fd = ::open(probe.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    if (fd < 0) {
+        throw InputError(fmt::format("output {} (cannot write there: {}). Choose another place with -o", path.string(),
+                                     std::strerror(errno)));
+    }
+    ::close(fd);
+    ::unlink(probe.c_str());
+}
+
+}  // namespace overturn::store

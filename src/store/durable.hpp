@@ -1,0 +1,26 @@
+/// Files that are there after a crash: written whole beside their place, synced, then renamed into it.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+namespace overturn::store {
+
+/// Forces a written file to disk. \throws SystemError
+void make_durable(std::filesystem::path const& path);
+
+/// Renames within one folder and forces the folder to disk. \throws SystemError
+void rename_durably(std::filesystem::path const& from, std::filesystem::path const& to);
+
+/// Writes `content` under `path`, whole or not at all. \throws SystemError saying what failed (full disk, no right,
+/// ...)
+void write_durably(std::filesystem::path const& path, std::span<std::byte const> content);
+
+/// The bytes of a file. \throws SystemError
+[[nodiscard]] std::string read_file(std::filesystem::path const& path);
+
+/// \throws InputError unless a file can be created in the folder of `path`; leaves nothing behind.
+void require_writable(std::filesystem::path const& path);
+
+}  // namespace overturn::store

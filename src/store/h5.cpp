@@ -1,0 +1,79 @@
+#include "store/h5.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+
+namespace overturn::store {
+namespace {
+
+herr_t innermost(unsigned depth, H5E_error2_t const* error, void* reason) {
+    if (depth == 0 && error->desc != nullptr) {
+        *static_cast<std::string*>(reason) = error->desc;
+    }
+    return 0;
+}
+
+Datatype fixed_text(std::size_t length) {
+    Datatype type(checked(H5Tcopy(H5T_C_S1), "make a text type"));
+    checked(H5Tset_size(type.id(), length == 0 ? 1 : length), "size a text type");
+    checked(H5Tset_strpad(type.id(), H5T_STR_NULLPAD), "pad a text type");
+    checked(H5Tset_cset(type.id(), H5T_CSET_UTF8), "set a text type's characters");
+    return type;
+}
+
+void write_scalar(hid_t where, std::string const& name, hid_t stored, hid_t memory, void const* value) {
+    Dataspace const scalar(checked(H5Screate(H5S_SCALAR), "make a scalar"));
+    Attribute const attribute(checked(H5Acreate2(where, name.c_str(), stored, scalar.id(), H5P_DEFAULT, H5P_DEFAULT),
+                                      "make attribute " + name));
+    checked(H5Awrite(attribute.id(), memory, value), "write attribute " + name);
+}
+
+}  // namespace
+
+template <class Result> Result checked(Result result, std::string const& what) {
+    if (result < 0) {
+        std::string reason = "no reason given";
+        H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, &innermost, &reason);
+        throw SystemError(fmt::format("HDF5: cannot {} ({})", what, reason));
+    }
+    return result;
+}
+template hid_t checked(hid_t, std::string const&);
+template herr_t checked(herr_t, std::string const&);
+
+Quiet::Quiet() {
+    H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+Quiet::~Quiet() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
+
+void write_attribute(hid_t where, std::string const& name, std::string const& text) {
+    auto const type = fixed_text(text.size());
+    write_scalar(where, name, type.id(), type.id(), text.empty() ? "" : text.data());
+}
+void write_attribute(hid_t where, std::string const& name, std::int64_t value) {
+    write_scalar(where, name, H5T_STD_I64LE, H5T_NATIVE_INT64, &value);
+}
+void write_attribute(hid_t where, std::string const& name, double value) {
+    write_scalar(where, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, &value);
+}
+
+std::string read_text_attribute(hid_t where, std::string const& name) {
+    Attribute const attribute(checked(H5Aopen(where, name.c_str(), H5P_DEFAULT), "open attribute " + name));
+    Datatype const type(checked(H5Aget_type(attribute.id()), "read the type of attribute " + name));
+    std::string text(H5Tget_size(type.id()), '\0');
+    auto const memory = fixed_text(text.size());
+    checked(H5Aread(attribute.id(), memory.id(), text.data()), "read attribute " + name);
+    text.resize(text.find_last_not_of('\0') + 1);
+    return text;
+}
+
+std::int64_t read_integer_attribute(hid_t where, std::string const& name) {
+    Attribute const attribute(checked(H5Aopen(where, name.c_str(), H5P_DEFAULT), "open attribute " + name));
+    std::int64_t value = 0;
+    checked(H5Aread(attribute.id(), H5T_NATIVE_INT64, &value), "read attribute " + name);
+    return value;
+}
+
+}  // namespace overturn::store

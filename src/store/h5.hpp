@@ -1,0 +1,69 @@
+/// The door to HDF5's C interface: owned handles and checked calls, nothing else.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+
+#include <hdf5.h>
+
+namespace overturn::store {
+
+/// Owns one HDF5 identifier and closes it.
+template <auto Close> class Handle {
+  public:
+    Handle() = default;
+    explicit Handle(hid_t id) : id_(id) {}
+    Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)) {}
+    Handle& operator=(Handle&& other) noexcept {
+        std::swap(id_, other.id_);
+        return *this;
+    }
+    Handle(Handle const&) = delete;
+    Handle& operator=(Handle const&) = delete;
+    ~Handle() {
+        if (id_ >= 0) {
+            Close(id_);
+        }
+    }
+    [[nodiscard]] hid_t id() const { return id_; }
+
+  private:
+    hid_t id_ = H5I_INVALID_HID;
+};
+
+using File = Handle<H5Fclose>;
+using Group = Handle<H5Gclose>;
+using Dataset = Handle<H5Dclose>;
+using Dataspace = Handle<H5Sclose>;
+using Datatype = Handle<H5Tclose>;
+using Attribute = Handle<H5Aclose>;
+using PropertyList = Handle<H5Pclose>;
+
+/// The result of an HDF5 call, or SystemError saying what was tried and HDF5's own innermost reason.
+template <class Result> Result checked(Result result, std::string const& what);
+
+/// Silences HDF5's own error printing for as long as it lives; `checked` reports instead.
+class Quiet {
+  public:
+    Quiet();
+    ~Quiet();
+    Quiet(Quiet const&) = delete;
+    Quiet& operator=(Quiet const&) = delete;
+    Quiet(Quiet&&) = delete;
+    Quiet& operator=(Quiet&&) = delete;
+
+  private:
+    H5E_auto2_t function_ = nullptr;
+    void* data_ = nullptr;
+};
+
+void write_attribute(hid_t where, std::string const& name, std::string const& text);
+void write_attribute(hid_t where, std::string const& name, std::int64_t value);
+void write_attribute(hid_t where, std::string const& name, double value);
+
+[[nodiscard]] std::string read_text_attribute(hid_t where, std::string const& name);
+[[nodiscard]] std::int64_t read_integer_attribute(hid_t where, std::string const& name);
+
+}  // namespace overturn::store

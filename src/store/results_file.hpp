@@ -1,0 +1,115 @@
+/// Writing and reading the results file: columns with units and descriptions, byte-identical for identical content.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "store/h5.hpp"
+
+namespace overturn::store {
+
+/// How a column of 8-byte row fields is stored.
+enum class ColumnType { real, integer, category };
+
+/// One column of a table of rows. Every field of a row is 8 bytes: double for real, int64 for the others.
+struct ColumnSpec {
+    std::string name;
+    std::string units;  ///< "1" for a pure number
+    std::string description;
+    ColumnType type = ColumnType::real;
+    std::size_t offset = 0;               ///< of the field in the row [bytes]
+    std::vector<std::string> categories;  ///< names of 0, 1, ... where type is category
+};
+
+/// A group of columns that are appended row by row.
+struct TableSpec {
+    std::string group;  ///< "trials", "waves/type-a"
+    std::size_t row_bytes = 0;
+    std::vector<ColumnSpec> columns;
+};
+
+/// A results file being written. It becomes `path` only in finish(), whole and durable; until then a file beside it
+/// grows.
+class ResultsWriter {
+  public:
+    /// \throws SystemError if the file cannot be made
+    explicit ResultsWriter(std::filesystem::path path);
+    ~ResultsWriter();
+    ResultsWriter(ResultsWriter const&) = delete;
+    ResultsWriter& operator=(ResultsWriter const&) = delete;
+    ResultsWriter(ResultsWriter&&) = delete;
+    ResultsWriter& operator=(ResultsWriter&&) = delete;
+
+    void attribute(std::string const& name, std::string const& text);
+    void attribute(std::string const& name, std::int64_t value);
+    void attribute(std::string const& group, std::string const& name, std::string const& text);
+    void attribute(std::string const& group, std::string const& name, double value);
+
+    /// Declares a table of exactly `rows` rows. \return its number for append
+    std::size_t table(TableSpec spec, std::int64_t rows);
+    /// Appends rows, given as the bytes of consecutive row structs.
+    void append(std::size_t table, std::span<std::byte const> rows);
+
+    /// A small array at once. Where `scale` names an earlier one of the group, it becomes this one's axis.
+    void array(std::string const& group, ColumnSpec const& spec, std::vector<double> const& values,
+               std::string const& scale = {});
+    void array(std::string const& group, ColumnSpec const& spec, std::vector<std::int64_t> const& values,
+               std::string const& scale = {});
+    /// The bytes of an input file, compressed.
+    void bytes(std::string const& group, std::string const& name, std::string const& description,
+               std::string const& content);
+
+    /// Closes the file, makes it durable and gives it its name.
+    void finish();
+
+  private:
+    struct Table;
+    Group& group(std::string const& path);
+    Dataset create(std::string const& group, ColumnSpec const& spec, std::int64_t rows);
+
+    std::filesystem::path path_;
+    std::filesystem::path growing_;
+    Quiet quiet_;
+    File file_;
+    std::map<std::string, Group> groups_;
+    std::vector<Table> tables_;
+    bool finished_ = false;
+};
+
+/// A finished results file, read only. Names in messages are those of the file.
+class ResultsReader {
+  public:
+    /// \throws InputError if it is missing, no results file, or of a newer format
+    explicit ResultsReader(std::filesystem::path const& path);
+
+    [[nodiscard]] std::string text(std::string const& name) const;
+    [[nodiscard]] std::int64_t integer(std::string const& name) const;
+    [[nodiscard]] bool has(std::string const& dataset) const;
+    [[nodiscard]] std::vector<std::string> members(std::string const& group) const;
+    [[nodiscard]] std::vector<double> reals(std::string const& dataset) const;
+    [[nodiscard]] std::vector<std::int64_t> integers(std::string const& dataset) const;
+    /// One element.
+    [[nodiscard]] double real_at(std::string const& dataset, std::int64_t row) const;
+    [[nodiscard]] std::int64_t integer_at(std::string const& dataset, std::int64_t row) const;
+    [[nodiscard]] std::string content(std::string const& dataset) const;
+    /// A text attribute of a dataset or group.
+    [[nodiscard]] std::string note(std::string const& object, std::string const& name) const;
+
+  private:
+    std::filesystem::path path_;
+    Quiet quiet_;
+    File file_;
+};
+
+/// "1.10.8"
+[[nodiscard]] std::string hdf5_version();
+
+inline constexpr char const* format_name = "overturn-results";
+inline constexpr std::int64_t format_version = 1;
+
+}  // namespace overturn::store

@@ -1,0 +1,130 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "store/results_file.hpp"
+
+namespace overturn::store {
+namespace {
+
+Dataset open_dataset(File const& file, std::string const& name) {
+    return Dataset(checked(H5Dopen2(file.id(), name.c_str(), H5P_DEFAULT), "open " + name));
+}
+
+template <class Value> std::vector<Value> read_all(File const& file, std::string const& name, hid_t memory_type) {
+    auto const dataset = open_dataset(file, name);
+    Dataspace const space(checked(H5Dget_space(dataset.id()), "read a dataspace"));
+    auto const size = H5Sget_simple_extent_npoints(space.id());
+    std::vector<Value> values(static_cast<std::size_t>(std::max<hssize_t>(0, size)));
+    if (!values.empty()) {
+        checked(H5Dread(dataset.id(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "read " + name);
+    }
+    return values;
+}
+
+// Enumerations are stored as one byte; HDF5 converts them only to their own kind.
+bool is_category(Dataset const& dataset) {
+    Datatype const type(checked(H5Dget_type(dataset.id()), "read a type"));
+    return H5Tget_class(type.id()) == H5T_ENUM;
+}
+
+template <class Value>
+Value read_one(Dataset const& dataset, std::string const& name, hid_t memory_type, std::int64_t row) {
+    Dataspace const file(checked(H5Dget_space(dataset.id()), "read a dataspace"));
+    hsize_t const start = static_cast<hsize_t>(row);
+    hsize_t const one = 1;
+    Dataspace const memory(checked(H5Screate_simple(1, &one, nullptr), "make a dataspace"));
+    checked(H5Sselect_hyperslab(file.id(), H5S_SELECT_SET, &start, nullptr, &one, nullptr), "select a row");
+    Value value{};
+    checked(H5Dread(dataset.id(), memory_type, memory.id(), file.id(), H5P_DEFAULT, &value), "read " + name);
+    return value;
+}
+
+}  // namespace
+
+ResultsReader::ResultsReader(std::filesystem::path const& path) : path_(path) {
+    validate(std::filesystem::exists(path), "{}: no such file (nothing to read). Check the name", path.string());
+    auto const id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+    validate(id >= 0, "{}: not an HDF5 file (or damaged). Give a results file of overturn run", path.string());
+    file_ = File(id);
+    bool const ours = H5Aexists(file_.id(), "format") > 0 && read_text_attribute(file_.id(), "format") == format_name;
+    validate(ours, "{}: not a results file (its format is not '{}'). Give a file of overturn run", path.string(),
+             format_name);
+    auto const version = read_integer_attribute(file_.id(), "format_version");
+    validate(version <= format_version, "{}: format version {} (this program knows up to {}). Use a newer overturn",
+             path.string(), version, format_version);
+}
+
+std::string ResultsReader::text(std::string const& name) const { return read_text_attribute(file_.id(), name); }
+std::int64_t ResultsReader::integer(std::string const& name) const { return read_integer_attribute(file_.id(), name); }
+
+bool ResultsReader::has(std::string const& dataset) const {
+    for (std::size_t slash = dataset.find('/'); slash != std::string::npos; slash = dataset.find('/', slash + 1)) {
+        if (H5Lexists(file_.id(), dataset.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) {
+            return false;
+        }
+    }
+    return H5Lexists(file_.id(), dataset.c_str(), H5P_DEFAULT) > 0;
+}
+
+std::vector<std::string> ResultsReader::members(std::string const& group) const {
+    std::vector<std::string> names;
+    if (!has(group)) {
+        return names;
+    }
+    auto const add = [](hid_t, char const* name, H5L_info_t const*, void* list) -> herr_t {
+        static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+        return 0;
+    };
+    Group const handle(checked(H5Gopen2(file_.id(), group.c_str(), H5P_DEFAULT), "open group " + group));
+    checked(H5Literate(handle.id(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names), "list " + group);
+    return names;
+}
+
+std::vector<double> ResultsReader::reals(std::string const& dataset) const {
+    return read_all<double>(file_, dataset, H5T_NATIVE_DOUBLE);
+}
+
+std::vector<std::int64_t> ResultsReader::integers(std::string const& dataset) const {
+    auto const handle = open_dataset(file_, dataset);
+    if (is_category(handle)) {
+        Datatype const type(checked(H5Dget_type(handle.id()), "read a type"));
+        auto const small = read_all<std::uint8_t>(file_, dataset, type.id());
+        return {small.begin(), small.end()};
+    }
+    return read_all<std::int64_t>(file_, dataset, H5T_NATIVE_INT64);
+}
+
+double ResultsReader::real_at(std::string const& dataset, std::int64_t row) const {
+    return read_one<double>(open_dataset(file_, dataset), dataset, H5T_NATIVE_DOUBLE, row);
+}
+
+std::int64_t ResultsReader::integer_at(std::string const& dataset, std::int64_t row) const {
+    auto const handle = open_dataset(file_, dataset);
+    if (is_category(handle)) {
+        Datatype const type(checked(H5Dget_type(handle.id()), "read a type"));
+        return read_one<std::uint8_t>(handle, dataset, type.id(), row);
+    }
+    return read_one<std::int64_t>(handle, dataset, H5T_NATIVE_INT64, row);
+}
+
+std::string ResultsReader::content(std::string const& dataset) const {
+    auto const bytes = read_all<std::uint8_t>(file_, dataset, H5T_NATIVE_UINT8);
+    return {bytes.begin(), bytes.end()};
+}
+
+std::string ResultsReader::note(std::string const& object, std::string const& name) const {
+    Handle<H5Oclose> const handle(checked(H5Oopen(file_.id(), object.c_str(), H5P_DEFAULT), "open " + object));
+    return read_text_attribute(handle.id(), name);
+}
+
+std::string hdf5_version() {
+    unsigned major = 0;
+    unsigned minor = 0;
+    unsigned release = 0;
+    checked(H5get_libversion(&major, &minor, &release), "read its version");
+    return fmt::format("{}.{}.{}", major, minor, release);
+}
+
+}  // namespace overturn::store

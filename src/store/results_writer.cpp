@@ -1,0 +1,223 @@
+#include <array>
+#include <cstring>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <hdf5_hl.h>
+#include <unistd.h>
+
+#include "core/error.hpp"
+#include "store/durable.hpp"
+#include "store/results_file.hpp"
+
+namespace overturn::store {
+
+struct ResultsWriter::Table {
+    TableSpec spec;
+    std::vector<Dataset> datasets;
+    std::int64_t rows = 0;
+    std::int64_t written = 0;
+};
+
+namespace {
+
+// Identical content gives identical bytes: no object times, default library version, storage allocated when created.
+PropertyList dataset_properties() {
+    PropertyList properties(checked(H5Pcreate(H5P_DATASET_CREATE), "make dataset properties"));
+    checked(H5Pset_obj_track_times(properties.id(), false), "leave times out");
+    return properties;
+}
+
+Datatype stored_type(ColumnSpec const& spec) {
+    switch (spec.type) {
+        case ColumnType::real:
+            return Datatype(checked(H5Tcopy(H5T_IEEE_F64LE), "make a type"));
+        case ColumnType::integer:
+            return Datatype(checked(H5Tcopy(H5T_STD_I64LE), "make a type"));
+        case ColumnType::category:
+            break;
+    }
+    Datatype type(checked(H5Tenum_create(H5T_STD_U8LE), "make an enumeration"));
+    for (std::size_t i = 0; i < spec.categories.size(); ++i) {
+        auto const value = static_cast<std::uint8_t>(i);
+        checked(H5Tenum_insert(type.id(), spec.categories[i].c_str(), &value), "name " + spec.categories[i]);
+    }
+    return type;
+}
+
+void write_rows(Dataset const& dataset, hid_t memory_type, void const* values, std::int64_t first, std::int64_t count,
+                std::string const& name) {
+    auto const start = static_cast<hsize_t>(first);
+    auto const size = static_cast<hsize_t>(count);
+    Dataspace const memory(checked(H5Screate_simple(1, &size, nullptr), "make a dataspace"));
+    Dataspace const file(checked(H5Dget_space(dataset.id()), "read a dataspace"));
+    checked(H5Sselect_hyperslab(file.id(), H5S_SELECT_SET, &start, nullptr, &size, nullptr), "select rows");
+    checked(H5Dwrite(dataset.id(), memory_type, memory.id(), file.id(), H5P_DEFAULT, values), "write " + name);
+}
+
+}  // namespace
+
+ResultsWriter::ResultsWriter(std::filesystem::path path) : path_(std::move(path)), growing_(path_) {
+    growing_ += ".merging";
+    file_ = File(
+        checked(H5Fcreate(growing_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), "create " + growing_.string()));
+}
+
+ResultsWriter::~ResultsWriter() {
+    if (!finished_) {
+        tables_.clear();
+        groups_.clear();
+        file_ = File();
+        std::error_code ignored;
+        std::filesystem::remove(growing_, ignored);
+    }
+}
+
+Group& ResultsWriter::group(std::string const& path) {
+    auto const found = groups_.find(path);
+    if (found != groups_.end()) {
+        return found->second;
+    }
+    hid_t parent = file_.id();
+    auto const slash = path.rfind('/');
+    if (slash != std::string::npos) {
+        parent = group(path.substr(0, slash)).id();
+    }
+    auto const name = slash == std::string::npos ? path : path.substr(slash + 1);
+    return groups_
+        .emplace(path, Group(checked(H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                                     "create group " + path)))
+        .first->second;
+}
+
+void ResultsWriter::attribute(std::string const& name, std::string const& text) {
+    write_attribute(file_.id(), name, text);
+}
+void ResultsWriter::attribute(std::string const& name, std::int64_t value) { write_attribute(file_.id(), name, value); }
+void ResultsWriter::attribute(std::string const& where, std::string const& name, std::string const& text) {
+    write_attribute(group(where).id(), name, text);
+}
+void ResultsWriter::attribute(std::string const& where, std::string const& name, double value) {
+    write_attribute(group(where).id(), name, value);
+}
+
+Dataset ResultsWriter::create(std::string const& where, ColumnSpec const& spec, std::int64_t rows) {
+    auto const size = static_cast<hsize_t>(rows);
+    Dataspace const space(checked(H5Screate_simple(1, &size, nullptr), "make a dataspace"));
+    auto const type = stored_type(spec);
+    auto const properties = dataset_properties();
+    Dataset dataset(checked(H5Dcreate2(group(where).id(), spec.name.c_str(), type.id(), space.id(), H5P_DEFAULT,
+                                       properties.id(), H5P_DEFAULT),
+                            "create " + where + "/" + spec.name));
+    write_attribute(dataset.id(), "units", spec.units);
+    write_attribute(dataset.id(), "description", spec.description);
+    return dataset;
+}
+
+std::size_t ResultsWriter::table(TableSpec spec, std::int64_t rows) {
+    Table table;
+    for (auto const& column : spec.columns) {
+        table.datasets.push_back(create(spec.group, column, rows));
+    }
+    table.spec = std::move(spec);
+    table.rows = rows;
+    tables_.push_back(std::move(table));
+    return tables_.size() - 1;
+}
+
+void ResultsWriter::append(std::size_t number, std::span<std::byte const> rows) {
+    auto& table = tables_.at(number);
+    auto const count = rows.size() / table.spec.row_bytes;
+    OVERTURN_EXPECT(rows.size() % table.spec.row_bytes == 0);
+    OVERTURN_EXPECT(table.written + static_cast<std::int64_t>(count) <= table.rows);
+    std::vector<std::int64_t> gathered(count);
+    std::vector<std::uint8_t> categories;
+    for (std::size_t c = 0; c < table.spec.columns.size(); ++c) {
+        auto const& column = table.spec.columns[c];
+        for (std::size_t i = 0; i < count; ++i) {
+            std::memcpy(&gathered[i], rows.data() + i * table.spec.row_bytes + column.offset, sizeof(std::int64_t));
+        }
+        auto const name = table.spec.group + "/" + column.name;
+        auto const size = static_cast<std::int64_t>(count);
+        if (column.type == ColumnType::category) {
+            categories.assign(gathered.begin(), gathered.end());
+            auto const type = stored_type(column);
+            write_rows(table.datasets[c], type.id(), categories.data(), table.written, size, name);
+        } else {
+            write_rows(table.datasets[c], column.type == ColumnType::real ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT64,
+                       gathered.data(), table.written, size, name);
+        }
+    }
+    table.written += static_cast<std::int64_t>(count);
+}
+
+namespace {
+
+template <class Value>
+void write_array(Dataset const& dataset, hid_t memory_type, std::vector<Value> const& values, Group& group,
+                 std::string const& name, std::string const& scale) {
+    write_rows(dataset, memory_type, values.data(), 0, static_cast<std::int64_t>(values.size()), name);
+    if (!scale.empty()) {
+        Dataset const axis(checked(H5Dopen2(group.id(), scale.c_str(), H5P_DEFAULT), "open axis " + scale));
+        if (H5DSis_scale(axis.id()) <= 0) {
+            checked(H5DSset_scale(axis.id(), scale.c_str()), "make an axis of " + scale);
+        }
+        checked(H5DSattach_scale(dataset.id(), axis.id(), 0), "attach axis " + scale);
+    }
+}
+
+}  // namespace
+
+void ResultsWriter::array(std::string const& where, ColumnSpec const& spec, std::vector<double> const& values,
+                          std::string const& scale) {
+    auto const dataset = create(where, spec, static_cast<std::int64_t>(values.size()));
+    write_array(dataset, H5T_NATIVE_DOUBLE, values, group(where), spec.name, scale);
+}
+
+void ResultsWriter::array(std::string const& where, ColumnSpec const& spec, std::vector<std::int64_t> const& values,
+                          std::string const& scale) {
+    auto integer = spec;
+    integer.type = ColumnType::integer;
+    auto const dataset = create(where, integer, static_cast<std::int64_t>(values.size()));
+    write_array(dataset, H5T_NATIVE_INT64, values, group(where), spec.name, scale);
+}
+
+void ResultsWriter::bytes(std::string const& where, std::string const& name, std::string const& description,
+                          std::string const& content) {
+    auto const size = static_cast<hsize_t>(content.size());
+    Dataspace const space(checked(H5Screate_simple(1, &size, nullptr), "make a dataspace"));
+    auto const properties = dataset_properties();
+    if (size > 0) {
+        constexpr hsize_t largest_chunk = 1 << 20;
+        hsize_t const chunk = std::min(size, largest_chunk);
+        constexpr unsigned level = 6;
+        checked(H5Pset_chunk(properties.id(), 1, &chunk), "set chunks");
+        checked(H5Pset_deflate(properties.id(), level), "set compression");
+    }
+    Dataset const dataset(checked(H5Dcreate2(group(where).id(), name.c_str(), H5T_STD_U8LE, space.id(), H5P_DEFAULT,
+                                             properties.id(), H5P_DEFAULT),
+                                  "create " + where + "/" + name));
+    write_attribute(dataset.id(), "units", "1");
+    write_attribute(dataset.id(), "description", description);
+    if (size > 0) {
+        checked(H5Dwrite(dataset.id(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, content.data()),
+                "write " + name);
+    }
+}
+
+void ResultsWriter::finish() {
+    for (auto const& table : tables_) {
+        if (table.written != table.rows) {
+            throw ContractError(fmt::format("table {} got {} of {} rows", table.spec.group, table.written, table.rows));
+        }
+    }
+    tables_.clear();
+    groups_.clear();
+    checked(H5Fflush(file_.id(), H5F_SCOPE_GLOBAL), "flush " + growing_.string());
+    file_ = File();
+    make_durable(growing_);
+    rename_durably(growing_, path_);
+    finished_ = true;
+}
+
+}  // namespace overturn::store

@@ -1,0 +1,137 @@
+#include "store/shards.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstring>
+
+#include <fmt/format.h>
+#include <openssl/evp.h>
+
+#include "core/error.hpp"
+#include "store/durable.hpp"
+
+namespace overturn::store {
+namespace {
+
+constexpr std::string_view magic = "overturn-block 1\n";
+constexpr std::string_view ending = ".block";
+constexpr std::string_view record_name = "campaign.record";
+constexpr std::size_t hash_length = 64;
+
+std::span<std::byte const> bytes_of(std::string const& text) { return std::as_bytes(std::span(text)); }
+
+// A shard: one line of magic, the campaign's hash, the block's number, then the rows; last, the hash of all before it.
+std::string shard_text(std::string const& campaign, std::int64_t block, std::span<std::byte const> rows) {
+    std::string text = fmt::format("{}{}\n{}\n", magic, campaign, block);
+    text.append(reinterpret_cast<char const*>(rows.data()), rows.size());
+    text += sha256(text);
+    return text;
+}
+
+}  // namespace
+
+std::string sha256(std::string_view content) {
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+    unsigned length = 0;
+    if (EVP_Digest(content.data(), content.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1) {
+        throw SystemError("OpenSSL cannot compute SHA-256 (a restricted build?). Install libssl");
+    }
+    std::string text;
+    for (unsigned i = 0; i < length; ++i) {
+        text += fmt::format("{:02x}", digest.at(i));
+    }
+    return text;
+}
+
+ShardFolder::ShardFolder(std::filesystem::path const& output, std::string campaign)
+    : folder_(output), campaign_(std::move(campaign)) {
+    folder_ += ".parts";
+}
+
+bool ShardFolder::exists() const { return std::filesystem::is_directory(folder_); }
+
+std::string ShardFolder::begun_with() const {
+    auto const record = folder_ / record_name;
+    return std::filesystem::exists(record) ? read_file(record) : std::string();
+}
+
+void ShardFolder::begin(std::string const& campaign_record) const {
+    std::error_code error;
+    std::filesystem::create_directories(folder_, error);
+    if (error) {
+        throw SystemError(
+            fmt::format("cannot make {} ({}). Choose another place with -o", folder_.string(), error.message()));
+    }
+    write_durably(folder_ / record_name, bytes_of(campaign_record));
+}
+
+std::filesystem::path ShardFolder::file_of(std::int64_t block) const {
+    return folder_ / fmt::format("{:010}{}", block, ending);
+}
+
+void ShardFolder::commit(std::int64_t block, std::span<std::byte const> rows) const {
+    auto const text = shard_text(campaign_, block, rows);
+    write_durably(file_of(block), bytes_of(text));
+}
+
+std::vector<std::byte> ShardFolder::read(std::int64_t block) const {
+    auto const path = file_of(block);
+    auto const text = read_file(path);
+    auto const head = fmt::format("{}{}\n{}\n", magic, campaign_, block);
+    auto const refuse = [&](char const* why) {
+        throw SystemError(fmt::format("{}: {}. Remove the file and go on with --resume", path.string(), why));
+    };
+    if (text.size() < head.size() + hash_length || !text.starts_with(magic)) {
+        refuse("not a whole block (truncated or foreign)");
+    }
+    auto const body = std::string_view(text).substr(0, text.size() - hash_length);
+    if (sha256(body) != std::string_view(text).substr(body.size())) {
+        refuse("damaged (its checksum does not match)");
+    }
+    if (!text.starts_with(head)) {
+        refuse("a block of another campaign or place");
+    }
+    std::vector<std::byte> rows(body.size() - head.size());
+    std::memcpy(rows.data(), body.data() + head.size(), rows.size());
+    return rows;
+}
+
+std::vector<std::int64_t> ShardFolder::committed(std::vector<std::string>& notes) const {
+    std::vector<std::int64_t> blocks;
+    for (auto const& entry : std::filesystem::directory_iterator(folder_)) {
+        auto const name = entry.path().filename().string();
+        if (!name.ends_with(ending)) {
+            continue;
+        }
+        std::int64_t block = -1;
+        auto const digits = name.size() - ending.size();
+        auto const parsed = std::from_chars(name.data(), name.data() + digits, block);
+        if (parsed.ec != std::errc{} || parsed.ptr != name.data() + digits) {
+            notes.push_back(fmt::format("{}: not a block of ours (left alone)", entry.path().string()));
+            continue;
+        }
+        try {
+            (void)read(block);
+            blocks.push_back(block);
+        } catch (SystemError const& error) {
+            notes.emplace_back(error.what());
+        }
+    }
+    std::sort(blocks.begin(), blocks.end());
+    std::sort(notes.begin(), notes.end());
+    return blocks;
+}
+
+void ShardFolder::remove() const {
+    std::error_code ignored;
+    for (auto const& entry : std::filesystem::directory_iterator(folder_, ignored)) {
+        auto const name = entry.path().filename().string();
+        if (name.ends_with(ending) || name == record_name || name.ends_with(".tmp")) {
+            std::filesystem::remove(entry.path(), ignored);
+        }
+    }
+    std::filesystem::remove(folder_, ignored);  // stays if anything foreign lies in it
+}
+
+}  // namespace overturn::store

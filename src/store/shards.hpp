@@ -1,0 +1,47 @@
+/// Finished blocks beside the output: each one durable as soon as it is there, so that a killed run loses only what was
+/// under way.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace overturn::store {
+
+/// SHA-256 of some bytes, as 64 hexadecimal digits.
+[[nodiscard]] std::string sha256(std::string_view content);
+
+/// The folder `OUTPUT.parts` with one checked file per finished block.
+class ShardFolder {
+  public:
+    /// \param campaign what the blocks belong to: a hash of everything that decides their content
+    ShardFolder(std::filesystem::path const& output, std::string campaign);
+
+    [[nodiscard]] bool exists() const;
+    /// The whole campaign as the run began it, kept so that a resume can say what changed; empty if there is none.
+    [[nodiscard]] std::string begun_with() const;
+    /// Makes the folder. \throws SystemError
+    void begin(std::string const& campaign_record) const;
+
+    /// Writes one block, whole and durable. \throws SystemError
+    void commit(std::int64_t block, std::span<std::byte const> rows) const;
+    /// The blocks that are there and sound, in rising order. Damaged or foreign files are named in `notes` and left
+    /// out.
+    [[nodiscard]] std::vector<std::int64_t> committed(std::vector<std::string>& notes) const;
+    /// The rows of a committed block. \throws SystemError if it is missing or damaged
+    [[nodiscard]] std::vector<std::byte> read(std::int64_t block) const;
+    /// Removes the folder and everything this class put into it.
+    void remove() const;
+
+    [[nodiscard]] std::filesystem::path const& folder() const { return folder_; }
+
+  private:
+    [[nodiscard]] std::filesystem::path file_of(std::int64_t block) const;
+
+    std::filesystem::path folder_;
+    std::string campaign_;
+};
+
+}  // namespace overturn::store
