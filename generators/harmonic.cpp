@@ -1,0 +1,111 @@
+#include "generators/harmonic.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace overturn {
+namespace {
+
+struct HarmonicInput {
+    double amplitude_mps2 = 0;
+    std::vector<double> periods_s;
+    std::optional<double> cycles;
+    double duration_s = 0;
+    double time_step_s = 0;
+    double ramp_s = 0;
+};
+
+class Harmonic : public WaveSource {
+  public:
+    explicit Harmonic(HarmonicInput input) : input_(std::move(input)) {}
+
+    GeneratedWave make(std::uint64_t /*seed*/, std::uint64_t wave) const override {
+        validate_wave(wave, input_.periods_s.size());
+        double const period = input_.periods_s[wave];
+        double const duration = duration_of(period);
+        auto const steps = static_cast<std::size_t>(std::round(duration / input_.time_step_s));
+        GeneratedWave made;
+        made.motion.time_step_s = input_.time_step_s;
+        made.motion.horizontal_mps2.resize(steps + 1);
+        for (std::size_t i = 0; i <= steps; ++i) {
+            double const t = input_.time_step_s * static_cast<double>(i);
+            double const near_end = std::min(t, input_.time_step_s * static_cast<double>(steps - i));
+            double const ramp = input_.ramp_s > 0 ? std::min(1.0, near_end / input_.ramp_s) : 1.0;
+            made.motion.horizontal_mps2[i] = ramp * input_.amplitude_mps2 * std::sin(2 * pi * t / period);
+        }
+        made.label = fmt::format("sinusoid of {:g} Hz", 1 / period);
+        return made;
+    }
+
+    std::optional<std::uint64_t> available() const override { return input_.periods_s.size(); }
+
+    std::string describe() const override {
+        return fmt::format("{} sinusoids of {} m/s2", input_.periods_s.size(), input_.amplitude_mps2);
+    }
+
+  private:
+    [[nodiscard]] double duration_of(double period_s) const {
+        return input_.cycles ? *input_.cycles * period_s : input_.duration_s;
+    }
+
+    HarmonicInput input_;
+};
+
+}  // namespace
+
+std::vector<double> read_periods(config::Table const& waves, bool frequencies_too) {
+    auto const positive = config::Range::positive();
+    std::vector<double> periods;
+    int stated = 0;
+    if (waves.has("period")) {
+        periods = {waves.number("period", Dimension::time, positive)};
+        ++stated;
+    }
+    if (waves.has("periods")) {
+        periods = waves.numbers("periods", Dimension::time, positive);
+        ++stated;
+    }
+    for (auto const* key : {"frequency", "frequencies"}) {
+        if (frequencies_too && waves.has(key)) {
+            periods = waves.kind(key) == config::Kind::list
+                          ? waves.numbers(key, Dimension::frequency, positive)
+                          : std::vector{waves.number(key, Dimension::frequency, positive)};
+            std::transform(periods.begin(), periods.end(), periods.begin(), [](double f) { return 1 / f; });
+            ++stated;
+        }
+    }
+    if (stated != 1 || periods.empty()) {
+        waves.fail({}, frequencies_too ? "no single frequency (state one of frequency, frequencies, period, periods)"
+                                       : "no single period (state one of period, periods)");
+    }
+    return periods;
+}
+
+std::unique_ptr<WaveSource> make_harmonic(config::Table const& waves, InputFiles& /*files*/) {
+    auto const positive = config::Range::positive();
+    HarmonicInput input;
+    input.amplitude_mps2 = waves.number("amplitude", Dimension::acceleration, positive);
+    input.periods_s = read_periods(waves, true);
+    input.time_step_s = waves.number("time_step", Dimension::time, {.low = 1e-5, .high = 1}, 0.01);
+    input.ramp_s = waves.number("ramp", Dimension::time, config::Range::not_negative(), 0.0);
+    if (waves.has("cycles") == waves.has("duration")) {
+        waves.fail({}, "no single length (state either cycles or duration)");
+    }
+    input.cycles = waves.maybe_number("cycles", Dimension::none, positive);
+    input.duration_s = waves.maybe_number("duration", Dimension::time, positive).value_or(0);
+    for (double const period : input.periods_s) {
+        constexpr double fewest = 4;
+        if (period < fewest * input.time_step_s) {
+            waves.fail("time_step", fmt::format("{} s (a period of {} s needs at least {} steps). Lower it",
+                                                input.time_step_s, period, fewest));
+        }
+        double const duration = input.cycles ? *input.cycles * period : input.duration_s;
+        if (duration < 2 * input.time_step_s || duration < 2 * input.ramp_s || duration > 1e6 * input.time_step_s) {
+            waves.fail({}, fmt::format("a wave of {} s (must hold both ramps and 2 to 1e6 time steps). Mend its length",
+                                       duration));
+        }
+    }
+    return std::make_unique<Harmonic>(std::move(input));
+}
+
+}  // namespace overturn

@@ -1,0 +1,109 @@
+#include "generators/pulse.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "generators/harmonic.hpp"
+
+namespace overturn {
+namespace {
+
+double sine(double u) { return std::sin(2 * pi * u); }
+
+double ricker(double u) {
+    double const v = pi * (u - 2) * pi * (u - 2);
+    return (1 - 2 * v) * std::exp(-v);
+}
+
+double flat(double /*u*/) { return 1; }
+
+struct PulseInput {
+    PulseShape shape{};
+    bool jumps = false;  // at both ends
+    std::string name;
+    double amplitude_mps2 = 0;
+    std::vector<double> periods_s;
+    double time_step_s = 0;
+    double quiet_before_s = 0, quiet_after_s = 0;
+};
+
+std::size_t steps_in(double time_s, double step_s) { return static_cast<std::size_t>(std::round(time_s / step_s)); }
+
+class Pulse : public WaveSource {
+  public:
+    explicit Pulse(PulseInput input) : input_(std::move(input)) {}
+
+    GeneratedWave make(std::uint64_t /*seed*/, std::uint64_t wave) const override {
+        validate_wave(wave, input_.periods_s.size());
+        double const period = input_.periods_s[wave];
+        double const piece = input_.shape.quarter * period;
+        constexpr double slack = 1e-9;
+        double const per_piece = std::max(1.0, std::ceil(piece / input_.time_step_s - slack));
+        double const step = piece / per_piece;
+        auto const length = steps_in(input_.shape.length * period, step);
+        std::size_t const margin = input_.jumps ? 1 : 0;
+        auto const before = std::max(margin, steps_in(input_.quiet_before_s, step));
+        auto const after = std::max(margin, steps_in(input_.quiet_after_s, step));
+        GeneratedWave made;
+        made.motion.time_step_s = step;
+        auto& samples = made.motion.horizontal_mps2;
+        samples.assign(before + length + 1 + after, 0.0);
+        for (std::size_t i = 0; i <= length; ++i) {
+            double const u = static_cast<double>(i) * input_.shape.quarter / per_piece;
+            samples[before + i] = input_.amplitude_mps2 * input_.shape.at(u);
+        }
+        if (input_.jumps) {
+            samples[before] *= 0.5;
+            samples[before + length] *= 0.5;
+        } else {
+            samples[before] = 0;  // without the rounding of sin(2 pi), or the ricker's last 1e-15
+            samples[before + length] = 0;
+        }
+        made.label = fmt::format("{} of {:g} s", input_.name, period);
+        return made;
+    }
+
+    std::optional<std::uint64_t> available() const override { return input_.periods_s.size(); }
+
+    std::string describe() const override {
+        return fmt::format("{} {} pulses of {} m/s2", input_.periods_s.size(), input_.name, input_.amplitude_mps2);
+    }
+
+  private:
+    PulseInput input_;
+};
+
+}  // namespace
+
+std::span<config::Entry<PulseShape> const> pulse_shapes() {
+    static constexpr std::array entries{
+        config::Entry<PulseShape>{"one-sine", "one full cycle of a sine", {1, 0.25, &sine}},
+        config::Entry<PulseShape>{"half-sine", "the first half cycle of a sine of that period", {0.5, 0.25, &sine}},
+        config::Entry<PulseShape>{"ricker", "symmetric Ricker wavelet, four periods long", {4, 0.5, &ricker}},
+        config::Entry<PulseShape>{"rectangle", "constant for one period", {1, 1, &flat}},
+    };
+    return entries;
+}
+
+std::unique_ptr<WaveSource> make_pulse(config::Table const& waves, InputFiles& /*files*/) {
+    auto const quiet = config::Range{.low = 0, .high = 1000};
+    PulseInput input;
+    input.shape = waves.choice("shape", pulse_shapes());
+    input.name = waves.text("shape");
+    input.jumps = input.shape.at == &flat;
+    input.amplitude_mps2 = waves.number("amplitude", Dimension::acceleration, config::Range::positive());
+    input.periods_s = read_periods(waves, false);
+    input.time_step_s = waves.number("time_step", Dimension::time, {.low = 1e-6, .high = 1}, 0.005);
+    input.quiet_before_s = waves.number("quiet_before", Dimension::time, quiet, 0.0);
+    input.quiet_after_s = waves.number("quiet_after", Dimension::time, quiet, 0.0);
+    for (double const period : input.periods_s) {
+        constexpr double most = 1e6;
+        if ((input.shape.length * period + input.quiet_before_s + input.quiet_after_s) / input.time_step_s > most) {
+            waves.fail("time_step", fmt::format("{} s (more than {} samples for a period of {} s). Raise it",
+                                                input.time_step_s, most, period));
+        }
+    }
+    return std::make_unique<Pulse>(std::move(input));
+}
+
+}  // namespace overturn

@@ -1,0 +1,59 @@
+// Requirement: a sweep of sinusoids is one source, one wave for each frequency.
+#include "generators/harmonic.hpp"
+
+#include <cmath>
+
+#include "support/expect_input_error.hpp"
+#include "support/sources.hpp"
+#include "support/tolerance.hpp"
+
+namespace overturn {
+namespace {
+
+using testing::near;
+using testing::source_of;
+
+TEST(Harmonic, IsTheFormula) {
+    auto const wave = source_of("source='harmonic'\namplitude='0.3 g'\nfrequency='2 Hz'\ncycles=4\n")->make(1, 0);
+
+    ASSERT_EQ(wave.motion.samples(), 201U);
+    for (std::size_t i = 0; i < 201; ++i) {
+        double const exact = 0.3 * g0 * std::sin(2 * pi * 2 * 0.01 * static_cast<double>(i));
+        EXPECT_NEAR(wave.motion.horizontal_mps2[i], exact, 1e-13);
+    }
+    EXPECT_FALSE(wave.match.matched);
+}
+
+TEST(Harmonic, SweepTakesTheNthEntry) {
+    auto const source = source_of("source='harmonic'\namplitude=1\nfrequencies=[0.5,1,2]\nduration='10 s'\n");
+
+    EXPECT_EQ(source->available(), 3U);
+    EXPECT_EQ(source->make(1, 2).label, "sinusoid of 2 Hz");
+    EXPECT_TRUE(near(source->make(9, 0).motion.horizontal_mps2[50], 1, testing::exact_formula));
+    testing::expect_input_error([&] { (void)source->make(1, 3); }, "wave 3 of 3");
+}
+
+TEST(Harmonic, RampGrowsAndFades) {
+    auto const plain = source_of("source='harmonic'\namplitude=1\nperiod=1\nduration=10\n")->make(1, 0).motion;
+    auto const ramped = source_of("source='harmonic'\namplitude=1\nperiod=1\nduration=10\nramp=2\n")->make(1, 0).motion;
+
+    EXPECT_NEAR(ramped.horizontal_mps2[125], plain.horizontal_mps2[125] * 1.25 / 2, 1e-15);
+    EXPECT_EQ(ramped.horizontal_mps2[525], plain.horizontal_mps2[525]);
+    EXPECT_NEAR(ramped.horizontal_mps2[975], plain.horizontal_mps2[975] * 0.25 / 2, 1e-15);
+}
+
+TEST(Harmonic, RefusesNonsense) {
+    auto const refuse = [](std::string const& keys, char const* part) {
+        testing::expect_input_error([&] { (void)source_of("source='harmonic'\namplitude=1\n" + keys); }, part);
+    };
+    refuse("cycles=3\n", "no single frequency");
+    refuse("period=1\nfrequency=1\ncycles=3\n", "no single frequency");
+    refuse("period=1\n", "no single length");
+    refuse("period=1\ncycles=3\nduration=1\n", "no single length");
+    refuse("period=0\ncycles=3\n", "period: 0 s");
+    refuse("period=0.03\ncycles=3\n", "needs at least 4 steps");
+    refuse("period=1\nduration=1\nramp=0.6\n", "both ramps");
+}
+
+}  // namespace
+}  // namespace overturn

@@ -1,0 +1,97 @@
+// Requirement: pulses have exactly the peaks, areas and lengths their formulas name.
+#include "generators/pulse.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/expect_input_error.hpp"
+#include "support/sources.hpp"
+#include "support/tolerance.hpp"
+
+namespace overturn {
+namespace {
+
+using testing::near;
+using testing::rounding;
+using testing::source_of;
+
+GroundMotion pulse(std::string const& shape, std::string const& more = "") {
+    return source_of("source='pulse'\namplitude=2.5\nperiod=0.73\nshape='" + shape + "'\n" + more)->make(1, 0).motion;
+}
+
+double end_velocity(GroundMotion const& motion) {
+    return velocity_of(motion.horizontal_mps2, motion.time_step_s).back();
+}
+
+TEST(Pulse, OneSineHitsItsPeaksAndEndsAtRest) {
+    auto const motion = pulse("one-sine");
+
+    EXPECT_TRUE(near(motion.duration_s(), 0.73, rounding));
+    EXPECT_LE(motion.time_step_s, 0.005);
+    auto const& a = motion.horizontal_mps2;
+    EXPECT_TRUE(near(*std::max_element(a.begin(), a.end()), 2.5, rounding));
+    EXPECT_TRUE(near(*std::min_element(a.begin(), a.end()), -2.5, rounding));
+    EXPECT_NEAR(end_velocity(motion), 0, 1e-14);
+}
+
+TEST(Pulse, HalfSineHasItsArea) {
+    auto const motion = pulse("half-sine", "time_step=1e-4");
+
+    EXPECT_TRUE(near(motion.duration_s(), 0.365, rounding));
+    EXPECT_TRUE(near(peak_of(motion.horizontal_mps2), 2.5, rounding));
+    // 2 A / w, less the area that chords cut off: (w dt)^2 / 12 of it.
+    EXPECT_TRUE(near(end_velocity(motion), 2 * 2.5 * 0.73 / (2 * pi), testing::Tolerance{1e-7, "chords"}));
+}
+
+TEST(Pulse, RickerIsSymmetricAndEndsAtRest) {
+    auto const motion = pulse("ricker");
+    auto const& a = motion.horizontal_mps2;
+
+    EXPECT_TRUE(near(peak_of(a), 2.5, rounding));
+    EXPECT_NEAR(end_velocity(motion), 0, 1e-13);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        EXPECT_NEAR(a[i], a[a.size() - 1 - i], 1e-14);
+    }
+}
+
+TEST(Pulse, RectangleHasExactlyItsArea) {
+    for (auto const* quiet : {"", "quiet_before=0.3\nquiet_after=1\n"}) {
+        auto const motion = pulse("rectangle", quiet);
+
+        EXPECT_TRUE(near(end_velocity(motion), 2.5 * 0.73, testing::exact_formula));
+        EXPECT_EQ(peak_of(motion.horizontal_mps2), 2.5);
+        EXPECT_EQ(motion.horizontal_mps2.front(), 0);
+        EXPECT_EQ(motion.horizontal_mps2.back(), 0);
+    }
+}
+
+TEST(Pulse, QuietTimeSurroundsIt) {
+    auto const motion = pulse("one-sine", "quiet_before=1\nquiet_after=2\ntime_step=0.01\n");
+
+    auto const& a = motion.horizontal_mps2;
+    auto const moving = [](double x) { return x != 0; };
+    auto const first = std::find_if(a.begin(), a.end(), moving) - a.begin();
+    EXPECT_NEAR(static_cast<double>(first) * motion.time_step_s, 1, 0.02);
+    EXPECT_NEAR(motion.duration_s(), 3.73, 0.01);
+}
+
+TEST(Pulse, ListOfPeriodsIsASweep) {
+    auto const source = source_of("source='pulse'\nshape='one-sine'\namplitude='300 gal'\nperiods=[0.5,'1 s',2]\n");
+
+    EXPECT_EQ(source->available(), 3U);
+    EXPECT_TRUE(near(source->make(1, 2).motion.duration_s(), 2, rounding));
+    EXPECT_EQ(source->make(1, 1).label, "one-sine of 1 s");
+    testing::expect_input_error([&] { (void)source->make(1, 3); }, "wave 3 of 3");
+}
+
+TEST(Pulse, RefusesNonsense) {
+    testing::expect_input_error([] { (void)pulse("one_sine"); }, "c.toml:4:", "'one-sine'?");
+    testing::expect_input_error([] { (void)source_of("source='pulse'\nshape='ricker'\namplitude=1\n"); },
+                                "period, periods");
+    testing::expect_input_error([] { (void)source_of("source='pulse'\nshape='ricker'\namplitude=-1\nperiod=1"); },
+                                "c.toml:3:", "amplitude");
+    testing::expect_input_error([] { (void)pulse("ricker", "time_step=1e-6"); }, "c.toml:5:", "Raise it");
+}
+
+}  // namespace
+}  // namespace overturn
