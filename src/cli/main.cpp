@@ -1,0 +1,62 @@
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "campaign/version.hpp"
+#include "cli/verbs.hpp"
+#include "core/error.hpp"
+
+namespace {
+
+using namespace overturn;
+
+// Exactly one line, whatever the message holds.
+void say(std::string message) {
+    for (char& c : message) {
+        c = c == '\n' ? ' ' : c;
+    }
+    fmt::print(stderr, "overturn: {}\n", message);
+}
+
+int perform(cli::Action const& action) {
+    try {
+        return action();
+    } catch (InputError const& error) {
+        say(error.what());
+        return cli::bad_input;
+    } catch (std::exception const& error) {
+        say(error.what());
+        return cli::other_failure;
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app("Overturning of free-standing bodies in earthquakes: fragility campaigns and single trials.",
+                 "overturn");
+    app.set_version_flag("--version",
+                         fmt::format("overturn {} ({}); {}", program_version(), git_revision(), library_versions()));
+    app.require_subcommand(1);
+    cli::Action action;
+    cli::add_run(app, action);
+    cli::add_plan(app, action);
+    cli::add_status(app, action);
+    cli::add_replay(app, action);
+    cli::add_fit(app, action);
+    cli::add_rock(app, action);
+    cli::add_spectrum(app, action);
+    cli::add_wave(app, action);
+    cli::add_list(app, action);
+    try {
+        app.parse(argc, argv);
+    } catch (CLI::Success const& help) {
+        return app.exit(help);
+    } catch (CLI::ParseError const& error) {
+        say(fmt::format("{} (the command line is not understood). See overturn --help", error.what()));
+        return cli::bad_input;
+    }
+    return perform(action);
+}
