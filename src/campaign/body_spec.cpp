@@ -127,6 +127,16 @@ std::optional<RestitutionScatter> read_restitution(Table const& table, BodyInput
     return scatter;
 }
 
+void require_no_jamming(Table const& table, Friction const& friction, RigidBody const& body) {
+    double const bound = painleve_bound(body.inertia_ratio());
+    if (friction.static_coefficient >= bound) {
+        table.fail("friction",
+                   fmt::format("{} (from {:.4f} up a slipping corner may jam, Painleve's paradox, and rigid "
+                               "sliding has no answer). Lower it, or leave it out: no slip",
+                               friction.static_coefficient, bound));
+    }
+}
+
 BodySpec build(Table const& table, std::string name) {
     auto input = read_similarity(table, read_shape(table));
     input.gravity_mps2 = table.number("gravity", Dimension::acceleration, Range::positive(), g0);
@@ -134,6 +144,9 @@ BodySpec build(Table const& table, std::string name) {
     auto const friction = read_friction(table);
     table.finish();
     auto body = table.located("", [&] { return RigidBody(input); });
+    if (friction) {
+        require_no_jamming(table, *friction, body);
+    }
     return {std::move(name), input, std::move(body), friction, scatter};
 }
 
@@ -158,6 +171,7 @@ BodySpec read_body(Table const& table, InputFiles& files) {
         spec.body = table.located("restitution", [&] { return RigidBody(spec.input); });
     }
     if (auto const friction = read_friction(table)) {
+        require_no_jamming(table, *friction, spec.body);
         spec.friction = friction;
     }
     table.finish();

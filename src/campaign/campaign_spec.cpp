@@ -33,10 +33,10 @@ EffectRequest read_effects(Table const& table) {
 
 RockingAccuracy read_accuracy(Table const& table) {
     RockingAccuracy a;
-    static constexpr std::array orders{4, 6, 8, 10, 12, 16};
+    static constexpr std::array orders{4, 6, 8, 12};
     auto const order = table.integer("taylor_order", 1, 99, a.taylor_order);
     if (std::find(orders.begin(), orders.end(), order) == orders.end()) {
-        table.fail("taylor_order", fmt::format("{} (not offered). Use 4, 6, 8, 10, 12 or 16", order));
+        table.fail("taylor_order", fmt::format("{} (not offered). Use 4, 6, 8 or 12", order));
     }
     a.taylor_order = static_cast<int>(order);
     constexpr int most_substeps = 1000;
@@ -110,6 +110,14 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
     auto const effects = root.child_or_empty("effects");
     spec.effects = read_effects(effects);
     effects.finish();
+    for (auto const& body : spec.bodies) {
+        if (has(spec.effects.include, Effect::sliding) && !body.friction) {
+            effects.fail("include",
+                         fmt::format("sliding forced on '{}', which states no friction (nothing says when it "
+                                     "slips). Add friction to the body",
+                                     body.name));
+        }
+    }
     auto const accuracy = root.child_or_empty("accuracy");
     spec.rocking = read_accuracy(accuracy);
     constexpr double largest_phase = 40;

@@ -69,6 +69,10 @@ void write_stripes(store::ResultsWriter& file, CampaignSpec const& spec, BodySta
     count("trials", "trials at the level", [](Stripe const& x) { return x.trials; });
     count("overturned", "trials that overturned", [](Stripe const& x) { return x.overturned; });
     count("failed", "trials without a verdict, left out of the probability", [](Stripe const& x) { return x.failed; });
+    count("contact_lost", "trials that lost contact, left out of the probability",
+          [](Stripe const& x) { return x.contact_lost; });
+    count("at_rest", "trials that never moved", [](Stripe const& x) { return x.at_rest; });
+    count("slid", "trials that slid and never uplifted", [](Stripe const& x) { return x.slid; });
     auto const real = [&](char const* name, char const* description, auto get) {
         file.array(group, spec_of(name, "1", description), column<double>(s, get), "amplitude");
     };
@@ -128,11 +132,15 @@ void Statistics::add(TrialRow const& row) {
     auto const level = static_cast<std::size_t>(row.level);
     auto& stripe = body.stripes.at(level);
     ++stripe.trials;
-    if (row.verdict == static_cast<std::int64_t>(Verdict::failed)) {
-        ++stripe.failed;
+    auto const verdict = static_cast<Verdict>(row.verdict);
+    stripe.failed += verdict == Verdict::failed ? 1 : 0;
+    stripe.contact_lost += verdict == Verdict::contact_lost ? 1 : 0;
+    stripe.at_rest += verdict == Verdict::at_rest ? 1 : 0;
+    stripe.slid += verdict == Verdict::slid ? 1 : 0;
+    if (verdict == Verdict::failed || verdict == Verdict::contact_lost) {
         return;
     }
-    bool const overturned = row.verdict == static_cast<std::int64_t>(Verdict::overturned);
+    bool const overturned = verdict == Verdict::overturned;
     stripe.overturned += overturned ? 1 : 0;
     body.v_wes[level].add(row.v_wes_safe != 0, overturned);
     body.ou_v_e[level].add(row.ou_v_e_safe != 0, overturned);

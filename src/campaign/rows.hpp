@@ -38,6 +38,8 @@ struct TrialRow {
     double overturn_time_s = -1, first_uplift_s = -1;
     std::int64_t impacts = 0;
     double friction_demand = 0, min_contact_force_ratio = 1;
+    double contact_lost_s = -1;
+    double peak_slip_m = 0, residual_slip_m = 0, friction_work_jpkg = 0;
     double v_wes_mps = 0, ou_v_e_mps = 0, v_ereq_mps = 0, v_resp_mps = 0;
     std::int64_t v_wes_safe = 0, ou_v_e_safe = 0;
     std::int64_t effects = 0, effects_called = 0;

@@ -115,7 +115,7 @@ TrialRow run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int6
     }
     row.scale = *scale;
     Scene const scene{rigid, stated.friction, spec.effects, spec.rocking};
-    auto const response = respond(scene, wave.motion, *scale, {}, observer);
+    auto const response = respond(scene, wave.motion, *scale, {}, observer, wave.intensity.pga_mps2);
     auto const& rocking = response.rocking;
     row.verdict = static_cast<std::int64_t>(rocking.verdict);
     row.failure = static_cast<std::int64_t>(rocking.verdict == Verdict::failed ? FailureReason::no_convergence
@@ -129,6 +129,10 @@ TrialRow run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int6
     row.impacts = rocking.impacts;
     row.friction_demand = rocking.friction_demand;
     row.min_contact_force_ratio = rocking.min_contact_force_ratio;
+    row.contact_lost_s = rocking.contact_lost_s;
+    row.peak_slip_m = rocking.peak_slip_m;
+    row.residual_slip_m = rocking.residual_slip_m;
+    row.friction_work_jpkg = rocking.energy.friction_work;
     row.v_wes_mps = *scale * measures.v_wes_max_mps;
     row.ou_v_e_mps = *scale * measures.ou_v_e_mps;
     row.v_resp_mps = response.response_velocity_mps;

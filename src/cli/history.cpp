@@ -18,12 +18,13 @@ fmt::ostream open(std::string const& path) {
 }  // namespace
 
 HistoryFile::HistoryFile(std::string const& path) : file_(open(path)) {
-    file_.print("time_s,rotation_rad,velocity_radps,friction_over_weight,contact_force_over_weight\n");
+    file_.print(
+        "time_s,rotation_rad,velocity_radps,friction_over_weight,contact_force_over_weight,slip_m,slip_velocity_mps\n");
 }
 
 void HistoryFile::at(RockingInstant const& i) {
-    file_.print("{},{},{},{},{}\n", i.time_s, i.rotation_rad, i.velocity_radps, i.friction_ratio,
-                i.contact_force_ratio);
+    file_.print("{},{},{},{},{},{},{}\n", i.time_s, i.rotation_rad, i.velocity_radps, i.friction_ratio,
+                i.contact_force_ratio, i.slip_m, i.slip_velocity_mps);
 }
 
 }  // namespace overturn::cli
