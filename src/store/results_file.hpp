@@ -22,8 +22,8 @@ struct ColumnSpec {
     std::string units;  ///< "1" for a pure number
     std::string description;
     ColumnType type = ColumnType::real;
-    std::size_t offset = 0;               ///< of the field in the row [bytes]
-    std::vector<std::string> categories;  ///< names of 0, 1, ... where type is category
+    std::size_t offset = 0;                    ///< of the field in the row [bytes]
+    std::vector<std::string> categories = {};  ///< names of 0, 1, ... where type is category
 };
 
 /// A group of columns that are appended row by row.
