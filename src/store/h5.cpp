@@ -49,6 +49,7 @@ template hid_t checked(hid_t, std::string const&);
 template herr_t checked(herr_t, std::string const&);
 
 Quiet::Quiet() {
+    [[maybe_unused]] static herr_t const once = H5dont_atexit();
     H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
