@@ -1,8 +1,8 @@
 #include "store/durable.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -44,6 +44,22 @@ class Descriptor {
             content = content.subspan(static_cast<std::size_t>(written));
         }
     }
+    [[nodiscard]] std::string read() const {
+        constexpr std::size_t part = 1 << 16;
+        std::string content;
+        while (true) {
+            auto const size = content.size();
+            content.resize(size + part);
+            auto const got = ::read(fd_, content.data() + size, part);
+            content.resize(size + static_cast<std::size_t>(std::max<ssize_t>(0, got)));
+            if (got == 0) {
+                return content;
+            }
+            if (got < 0 && errno != EINTR) {
+                fail("read", path_);
+            }
+        }
+    }
     void sync() const {
         // Some file systems cannot sync a folder and say EINVAL; the rename itself is still atomic there.
         if (::fsync(fd_) != 0 && errno != EINVAL) {
@@ -74,21 +90,20 @@ void rename_durably(std::filesystem::path const& from, std::filesystem::path con
 void write_durably(std::filesystem::path const& path, std::span<std::byte const> content) {
     auto beside = path;
     beside += ".tmp";
-    {
+    try {
         Descriptor const file(beside, O_WRONLY | O_CREAT | O_TRUNC);
         file.write(content);
         file.sync();
+    } catch (SystemError const&) {
+        ::unlink(beside.c_str());  // half a file would only keep a full disk full
+        throw;
     }
     rename_durably(beside, path);
 }
 
 std::string read_file(std::filesystem::path const& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) {
-        fail("open", path);
-    }
-    std::string content((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-    return content;
+    Descriptor const file(path, O_RDONLY);
+    return file.read();
 }
 
 void require_writable(std::filesystem::path const& path) {

@@ -1,5 +1,7 @@
 #include "store/h5.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "core/error.hpp"
@@ -22,6 +24,9 @@ Datatype fixed_text(std::size_t length) {
     return type;
 }
 
+// Of any length, for a C string without zeros in it.
+Datatype text_on_the_heap() { return fixed_text(H5T_VARIABLE); }
+
 void write_scalar(hid_t where, std::string const& name, hid_t stored, hid_t memory, void const* value) {
     Dataspace const scalar(checked(H5Screate(H5S_SCALAR), "make a scalar"));
     Attribute const attribute(checked(H5Acreate2(where, name.c_str(), stored, scalar.id(), H5P_DEFAULT, H5P_DEFAULT),
@@ -35,6 +40,7 @@ template <class Result> Result checked(Result result, std::string const& what) {
     if (result < 0) {
         std::string reason = "no reason given";
         H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, &innermost, &reason);
+        std::replace(reason.begin(), reason.end(), '\n', ' ');  // a message is one line
         throw SystemError(fmt::format("HDF5: cannot {} ({})", what, reason));
     }
     return result;
@@ -43,12 +49,20 @@ template hid_t checked(hid_t, std::string const&);
 template herr_t checked(herr_t, std::string const&);
 
 Quiet::Quiet() {
+    [[maybe_unused]] static herr_t const once = H5dont_atexit();
     H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 Quiet::~Quiet() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
 
 void write_attribute(hid_t where, std::string const& name, std::string const& text) {
+    constexpr std::size_t object_header_holds = 60000;  // of 64 KiB, with room for the rest
+    if (text.size() > object_header_holds) {
+        auto const type = text_on_the_heap();
+        char const* const start = text.c_str();
+        write_scalar(where, name, type.id(), type.id(), &start);
+        return;
+    }
     auto const type = fixed_text(text.size());
     write_scalar(where, name, type.id(), type.id(), text.empty() ? "" : text.data());
 }
@@ -62,6 +76,14 @@ void write_attribute(hid_t where, std::string const& name, double value) {
 std::string read_text_attribute(hid_t where, std::string const& name) {
     Attribute const attribute(checked(H5Aopen(where, name.c_str(), H5P_DEFAULT), "open attribute " + name));
     Datatype const type(checked(H5Aget_type(attribute.id()), "read the type of attribute " + name));
+    if (H5Tis_variable_str(type.id()) > 0) {
+        auto const memory = text_on_the_heap();
+        char* start = nullptr;
+        checked(H5Aread(attribute.id(), memory.id(), static_cast<void*>(&start)), "read attribute " + name);
+        std::string text = start == nullptr ? "" : start;
+        H5free_memory(start);
+        return text;
+    }
     std::string text(H5Tget_size(type.id()), '\0');
     auto const memory = fixed_text(text.size());
     checked(H5Aread(attribute.id(), memory.id(), text.data()), "read attribute " + name);

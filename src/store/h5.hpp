@@ -28,6 +28,8 @@ template <auto Close> class Handle {
         }
     }
     [[nodiscard]] hid_t id() const { return id_; }
+    /// Gives the identifier up unclosed.
+    hid_t release() { return std::exchange(id_, H5I_INVALID_HID); }
 
   private:
     hid_t id_ = H5I_INVALID_HID;
@@ -44,7 +46,8 @@ using PropertyList = Handle<H5Pclose>;
 /// The result of an HDF5 call, or SystemError saying what was tried and HDF5's own innermost reason.
 template <class Result> Result checked(Result result, std::string const& what);
 
-/// Silences HDF5's own error printing for as long as it lives; `checked` reports instead.
+/// Silences HDF5's own error printing for as long as it lives; `checked` reports instead. The first one also keeps HDF5
+/// from cleaning up at exit, where it crashes over a file that could not be written.
 class Quiet {
   public:
     Quiet();

@@ -22,8 +22,8 @@ struct ColumnSpec {
     std::string units;  ///< "1" for a pure number
     std::string description;
     ColumnType type = ColumnType::real;
-    std::size_t offset = 0;               ///< of the field in the row [bytes]
-    std::vector<std::string> categories;  ///< names of 0, 1, ... where type is category
+    std::size_t offset = 0;                    ///< of the field in the row [bytes]
+    std::vector<std::string> categories = {};  ///< names of 0, 1, ... where type is category
 };
 
 /// A group of columns that are appended row by row.
@@ -47,21 +47,21 @@ class ResultsWriter {
 
     void attribute(std::string const& name, std::string const& text);
     void attribute(std::string const& name, std::int64_t value);
-    void attribute(std::string const& group, std::string const& name, std::string const& text);
-    void attribute(std::string const& group, std::string const& name, double value);
+    void attribute(std::string const& where, std::string const& name, std::string const& text);
+    void attribute(std::string const& where, std::string const& name, double value);
 
     /// Declares a table of exactly `rows` rows. \return its number for append
     std::size_t table(TableSpec spec, std::int64_t rows);
     /// Appends rows, given as the bytes of consecutive row structs.
-    void append(std::size_t table, std::span<std::byte const> rows);
+    void append(std::size_t number, std::span<std::byte const> rows);
 
-    /// A small array at once. Where `scale` names an earlier one of the group, it becomes this one's axis.
-    void array(std::string const& group, ColumnSpec const& spec, std::vector<double> const& values,
+    /// A small array at once. Where `scale` names an earlier one of the group `where`, it becomes this one's axis.
+    void array(std::string const& where, ColumnSpec const& spec, std::vector<double> const& values,
                std::string const& scale = {});
-    void array(std::string const& group, ColumnSpec const& spec, std::vector<std::int64_t> const& values,
+    void array(std::string const& where, ColumnSpec const& spec, std::vector<std::int64_t> const& values,
                std::string const& scale = {});
     /// The bytes of an input file, compressed.
-    void bytes(std::string const& group, std::string const& name, std::string const& description,
+    void bytes(std::string const& where, std::string const& name, std::string const& description,
                std::string const& content);
 
     /// Closes the file, makes it durable and gives it its name.
@@ -69,8 +69,9 @@ class ResultsWriter {
 
   private:
     struct Table;
+    void abandon();
     Group& group(std::string const& path);
-    Dataset create(std::string const& group, ColumnSpec const& spec, std::int64_t rows);
+    Dataset create(std::string const& where, ColumnSpec const& spec, std::int64_t rows);
 
     std::filesystem::path path_;
     std::filesystem::path growing_;

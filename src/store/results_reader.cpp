@@ -41,6 +41,17 @@ Value read_one(Dataset const& dataset, std::string const& name, hid_t memory_typ
     return value;
 }
 
+bool is_ours(File const& file) {
+    if (H5Aexists(file.id(), "format") <= 0 || H5Aexists(file.id(), "format_version") <= 0) {
+        return false;
+    }
+    try {
+        return read_text_attribute(file.id(), "format") == format_name;
+    } catch (SystemError const&) {
+        return false;  // no text, so somebody else's
+    }
+}
+
 }  // namespace
 
 ResultsReader::ResultsReader(std::filesystem::path const& path) : path_(path) {
@@ -48,7 +59,7 @@ ResultsReader::ResultsReader(std::filesystem::path const& path) : path_(path) {
     auto const id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
     validate(id >= 0, "{}: not an HDF5 file (or damaged). Give a results file of overturn run", path.string());
     file_ = File(id);
-    bool const ours = H5Aexists(file_.id(), "format") > 0 && read_text_attribute(file_.id(), "format") == format_name;
+    bool const ours = is_ours(file_);
     validate(ours, "{}: not a results file (its format is not '{}'). Give a file of overturn run", path.string(),
              format_name);
     auto const version = read_integer_attribute(file_.id(), "format_version");

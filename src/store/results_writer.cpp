@@ -59,18 +59,32 @@ void write_rows(Dataset const& dataset, hid_t memory_type, void const* values, s
 
 ResultsWriter::ResultsWriter(std::filesystem::path path) : path_(std::move(path)), growing_(path_) {
     growing_ += ".merging";
-    file_ = File(
-        checked(H5Fcreate(growing_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), "create " + growing_.string()));
+    auto const id = H5Fcreate(growing_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    if (id < 0) {
+        ::unlink(growing_.c_str());  // a full disk still takes an empty file
+    }
+    file_ = File(checked(id, "create " + growing_.string()));
 }
 
 ResultsWriter::~ResultsWriter() {
     if (!finished_) {
-        tables_.clear();
-        groups_.clear();
-        file_ = File();
+        abandon();
         std::error_code ignored;
         std::filesystem::remove(growing_, ignored);
     }
+}
+
+// HDF5 cannot close a file that it could not write (it crashes), so everything open in it is let go instead.
+void ResultsWriter::abandon() {
+    for (auto& table : tables_) {
+        for (auto& dataset : table.datasets) {
+            dataset.release();
+        }
+    }
+    for (auto& [path, group] : groups_) {
+        group.release();
+    }
+    file_.release();
 }
 
 Group& ResultsWriter::group(std::string const& path) {
@@ -157,6 +171,7 @@ template <class Value>
 void write_array(Dataset const& dataset, hid_t memory_type, std::vector<Value> const& values, Group& group,
                  std::string const& name, std::string const& scale) {
     write_rows(dataset, memory_type, values.data(), 0, static_cast<std::int64_t>(values.size()), name);
+    checked(H5Dflush(dataset.id()), "write " + name);
     if (!scale.empty()) {
         Dataset const axis(checked(H5Dopen2(group.id(), scale.c_str(), H5P_DEFAULT), "open axis " + scale));
         if (H5DSis_scale(axis.id()) <= 0) {
@@ -202,6 +217,7 @@ void ResultsWriter::bytes(std::string const& where, std::string const& name, std
     if (size > 0) {
         checked(H5Dwrite(dataset.id(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, content.data()),
                 "write " + name);
+        checked(H5Dflush(dataset.id()), "write " + name);
     }
 }
 
@@ -211,10 +227,11 @@ void ResultsWriter::finish() {
             throw ContractError(fmt::format("table {} got {} of {} rows", table.spec.group, table.written, table.rows));
         }
     }
+    // First everything goes to disk, where a failure is heard of; then closing has nothing left to write.
+    checked(H5Fflush(file_.id(), H5F_SCOPE_GLOBAL), "write " + growing_.string());
     tables_.clear();
     groups_.clear();
-    checked(H5Fflush(file_.id(), H5F_SCOPE_GLOBAL), "flush " + growing_.string());
-    file_ = File();
+    checked(H5Fclose(file_.release()), "close " + growing_.string());
     make_durable(growing_);
     rename_durably(growing_, path_);
     finished_ = true;

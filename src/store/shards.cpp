@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstring>
+#include <optional>
 
 #include <fmt/format.h>
 #include <openssl/evp.h>
@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::string_view magic = "overturn-block 1\n";
 constexpr std::string_view ending = ".block";
+constexpr std::string_view unfinished = ".tmp";  // as write_durably names it
 constexpr std::string_view record_name = "campaign.record";
 constexpr std::size_t hash_length = 64;
 
@@ -27,6 +28,15 @@ std::string shard_text(std::string const& campaign, std::int64_t block, std::spa
     text.append(reinterpret_cast<char const*>(rows.data()), rows.size());
     text += sha256(text);
     return text;
+}
+
+std::string name_of(std::int64_t block) { return fmt::format("{:010}{}", block, ending); }
+
+// The number of the block a file of this name holds; nothing if we never give out such a name.
+std::optional<std::int64_t> block_of(std::string_view name) {
+    std::int64_t block = -1;
+    std::from_chars(name.data(), name.data() + name.size(), block);
+    return block >= 0 && name == name_of(block) ? std::optional(block) : std::nullopt;
 }
 
 }  // namespace
@@ -66,9 +76,7 @@ void ShardFolder::begin(std::string const& campaign_record) const {
     write_durably(folder_ / record_name, bytes_of(campaign_record));
 }
 
-std::filesystem::path ShardFolder::file_of(std::int64_t block) const {
-    return folder_ / fmt::format("{:010}{}", block, ending);
-}
+std::filesystem::path ShardFolder::file_of(std::int64_t block) const { return folder_ / name_of(block); }
 
 void ShardFolder::commit(std::int64_t block, std::span<std::byte const> rows) const {
     auto const text = shard_text(campaign_, block, rows);
@@ -92,28 +100,28 @@ std::vector<std::byte> ShardFolder::read(std::int64_t block) const {
     if (!text.starts_with(head)) {
         refuse("a block of another campaign or place");
     }
-    std::vector<std::byte> rows(body.size() - head.size());
-    std::memcpy(rows.data(), body.data() + head.size(), rows.size());
-    return rows;
+    auto const rows = std::as_bytes(std::span(body.substr(head.size())));
+    return {rows.begin(), rows.end()};
 }
 
 std::vector<std::int64_t> ShardFolder::committed(std::vector<std::string>& notes) const {
     std::vector<std::int64_t> blocks;
+    if (!exists()) {
+        return blocks;
+    }
     for (auto const& entry : std::filesystem::directory_iterator(folder_)) {
         auto const name = entry.path().filename().string();
         if (!name.ends_with(ending)) {
             continue;
         }
-        std::int64_t block = -1;
-        auto const digits = name.size() - ending.size();
-        auto const parsed = std::from_chars(name.data(), name.data() + digits, block);
-        if (parsed.ec != std::errc{} || parsed.ptr != name.data() + digits) {
+        auto const block = block_of(name);
+        if (!block) {
             notes.push_back(fmt::format("{}: not a block of ours (left alone)", entry.path().string()));
             continue;
         }
         try {
-            (void)read(block);
-            blocks.push_back(block);
+            (void)read(*block);
+            blocks.push_back(*block);
         } catch (SystemError const& error) {
             notes.emplace_back(error.what());
         }
@@ -126,8 +134,10 @@ std::vector<std::int64_t> ShardFolder::committed(std::vector<std::string>& notes
 void ShardFolder::remove() const {
     std::error_code ignored;
     for (auto const& entry : std::filesystem::directory_iterator(folder_, ignored)) {
-        auto const name = entry.path().filename().string();
-        if (name.ends_with(ending) || name == record_name || name.ends_with(".tmp")) {
+        auto const file = entry.path().filename().string();
+        auto const name =
+            std::string_view(file).substr(0, file.size() - (file.ends_with(unfinished) ? unfinished.size() : 0));
+        if (name == record_name || block_of(name)) {
             std::filesystem::remove(entry.path(), ignored);
         }
     }

@@ -1,0 +1,78 @@
+// Requirement: a file is there whole or not at all, and what stands in the way is said in one line.
+#include "store/durable.hpp"
+
+#include "support/expect_input_error.hpp"
+#include "support/expect_system_error.hpp"
+#include "support/full_disk.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace overturn::store {
+namespace {
+
+using testing::expect_input_error;
+using testing::expect_system_error;
+using testing::FullDisk;
+using testing::slurp;
+using testing::TemporaryFolder;
+
+void write(std::filesystem::path const& path, std::string const& content) {
+    write_durably(path, std::as_bytes(std::span(content)));
+}
+
+std::size_t files_in(TemporaryFolder const& folder) {
+    std::filesystem::directory_iterator const files(folder.path());
+    return static_cast<std::size_t>(std::distance(begin(files), end(files)));
+}
+
+TEST(Durable, WritesAndReadsBytes) {
+    TemporaryFolder const folder;
+    std::string const content("a\0\r\nb", 5);
+    write(folder / "file", "something longer before");
+    write(folder / "file", content);
+
+    EXPECT_EQ(read_file(folder / "file"), content);
+    EXPECT_EQ(files_in(folder), 1U);
+}
+
+TEST(Durable, EmptyFileIsAFile) {
+    TemporaryFolder const folder;
+    write(folder / "file", "");
+
+    EXPECT_EQ(read_file(folder / "file"), "");
+}
+
+TEST(Durable, MissingFolderIsNamed) {
+    TemporaryFolder const folder;
+
+    expect_system_error([&] { write(folder / "nowhere" / "file", "x"); }, "nowhere/file", "No such file or directory");
+    expect_input_error([&] { require_writable(folder / "nowhere" / "file"); }, "nowhere/file",
+                       "No such file or directory", "-o");
+}
+
+TEST(Durable, FullDiskLeavesTheOldContent) {
+    TemporaryFolder const folder;
+    write(folder / "file", "old");
+    {
+        FullDisk const disk(4096);
+        expect_system_error([&] { write(folder / "file", std::string(100000, 'x')); }, "cannot write", "file",
+                            "File too large", "Free space");
+    }
+    EXPECT_EQ(slurp(folder / "file"), "old");
+    EXPECT_EQ(files_in(folder), 1U);
+}
+
+TEST(Durable, ProbeLeavesNothingBehind) {
+    TemporaryFolder const folder;
+    require_writable(folder / "file");
+
+    EXPECT_EQ(files_in(folder), 0U);
+}
+
+TEST(Durable, FolderIsNoFile) {
+    TemporaryFolder const folder;
+
+    expect_system_error([&] { (void)read_file(folder.path()); }, folder.path().string(), "directory");
+}
+
+}  // namespace
+}  // namespace overturn::store

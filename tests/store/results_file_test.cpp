@@ -1,0 +1,314 @@
+// Requirement: the results file holds what was put in, explains itself, and is the same bytes for the same content.
+#include "store/results_file.hpp"
+
+#include <chrono>
+#include <thread>
+
+#include <hdf5_hl.h>
+
+#include "support/expect_input_error.hpp"
+#include "support/expect_system_error.hpp"
+#include "support/full_disk.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace overturn::store {
+namespace {
+
+using testing::expect_input_error;
+using testing::expect_system_error;
+using testing::FullDisk;
+using testing::slurp;
+using testing::spill;
+using testing::TemporaryFolder;
+
+struct Row {
+    double amplitude;
+    std::int64_t wave;
+    std::int64_t verdict;
+};
+
+TableSpec trials() {
+    return {.group = "trials",
+            .row_bytes = sizeof(Row),
+            .columns = {{.name = "amplitude",
+                         .units = "m/s2",
+                         .description = "what the wave is scaled to",
+                         .offset = offsetof(Row, amplitude)},
+                        {.name = "wave",
+                         .units = "1",
+                         .description = "the wave's number",
+                         .type = ColumnType::integer,
+                         .offset = offsetof(Row, wave)},
+                        {.name = "verdict",
+                         .units = "1",
+                         .description = "how it ended",
+                         .type = ColumnType::category,
+                         .offset = offsetof(Row, verdict),
+                         .categories = {"at-rest", "slid", "rocked"}}}};
+}
+
+std::vector<Row> some_rows(std::size_t count) {
+    std::vector<Row> rows;
+    for (std::size_t i = 0; i < count; ++i) {
+        auto const number = static_cast<std::int64_t>(i);
+        rows.push_back({0.1 * static_cast<double>(i), (std::int64_t{1} << 60) + number, number % 3});
+    }
+    return rows;
+}
+
+std::span<std::byte const> bytes_of(std::span<Row const> rows) { return std::as_bytes(rows); }
+
+constexpr std::size_t row_count = 1000;
+
+ColumnSpec const amplitude_axis{.name = "amplitude", .units = "m/s2", .description = "of the stripe"};
+ColumnSpec const probability{.name = "probability", .units = "1", .description = "overturned over decided"};
+
+/// A file with everything in it, its rows appended in parts of `part` rows.
+void write_example(std::filesystem::path const& path, std::size_t part = row_count) {
+    ResultsWriter writer(path);
+    writer.attribute("format", std::string(format_name));
+    writer.attribute("format_version", format_version);
+    writer.attribute("campaign", "title = \"Überschlag\"\n");
+    writer.attribute("nothing", "");
+    auto const rows = some_rows(row_count);
+    auto const table = writer.table(trials(), row_count);
+    auto const empty =
+        writer.table({.group = "waves/type-a", .row_bytes = sizeof(Row), .columns = trials().columns}, 0);
+    for (std::size_t at = 0; at < row_count; at += part) {
+        writer.append(table, bytes_of(std::span(rows).subspan(at, std::min(part, row_count - at))));
+    }
+    writer.append(empty, {});
+    writer.array("stripes/type-a", amplitude_axis, std::vector{2.0, 4.0});
+    writer.array("stripes/type-a", probability, std::vector{0.25, 0.5}, "amplitude");
+    writer.array("stripes/type-a", {.name = "failed", .units = "1", .description = "no verdict"},
+                 std::vector<std::int64_t>{0, 1}, "amplitude");
+    writer.attribute("stripes/type-a", "confidence", 0.95);
+    writer.attribute("stripes/type-a", "measure", "pga");
+    writer.bytes("inputs", "wave.csv", "an input file", std::string("0,1\0\r\n", 6));
+    writer.bytes("inputs", "empty.csv", "an input file", "");
+    writer.finish();
+}
+
+class Results : public ::testing::Test {
+  protected:
+    std::filesystem::path const path() const { return folder / "out.h5"; }
+    TemporaryFolder folder;
+};
+
+TEST_F(Results, HoldWhatWasPutIn) {
+    write_example(path());
+    ResultsReader const reader(path());
+    auto const rows = some_rows(row_count);
+
+    auto const amplitudes = reader.reals("trials/amplitude");
+    auto const waves = reader.integers("trials/wave");
+    auto const verdicts = reader.integers("trials/verdict");
+    ASSERT_EQ(amplitudes.size(), row_count);
+    ASSERT_EQ(waves.size(), row_count);
+    ASSERT_EQ(verdicts.size(), row_count);
+    for (std::size_t i = 0; i < row_count; ++i) {
+        EXPECT_EQ(amplitudes[i], rows[i].amplitude);
+        EXPECT_EQ(waves[i], rows[i].wave);
+        EXPECT_EQ(verdicts[i], rows[i].verdict);
+    }
+    EXPECT_EQ(reader.real_at("trials/amplitude", 999), rows[999].amplitude);
+    EXPECT_EQ(reader.integer_at("trials/wave", 0), rows[0].wave);
+    EXPECT_EQ(reader.integer_at("trials/verdict", 998), rows[998].verdict);
+    EXPECT_TRUE(reader.reals("waves/type-a/amplitude").empty());
+    EXPECT_EQ(reader.integers("stripes/type-a/failed"), (std::vector<std::int64_t>{0, 1}));
+}
+
+TEST_F(Results, KeepTextsAndInputFilesByteForByte) {
+    write_example(path());
+    ResultsReader const reader(path());
+
+    EXPECT_EQ(reader.text("campaign"), "title = \"Überschlag\"\n");
+    EXPECT_EQ(reader.text("nothing"), "");
+    EXPECT_EQ(reader.integer("format_version"), format_version);
+    EXPECT_EQ(reader.note("stripes/type-a", "measure"), "pga");
+    EXPECT_EQ(reader.content("inputs/wave.csv"), std::string("0,1\0\r\n", 6));
+    EXPECT_EQ(reader.content("inputs/empty.csv"), "");
+}
+
+TEST_F(Results, KeepACampaignOfAnyLength) {
+    std::string const campaign(300000, '#');  // HDF5 keeps at most 64 KiB in an object header
+    {
+        ResultsWriter writer(path());
+        writer.attribute("format", std::string(format_name));
+        writer.attribute("format_version", format_version);
+        writer.attribute("campaign", campaign);
+        writer.finish();
+    }
+    EXPECT_EQ(ResultsReader(path()).text("campaign"), campaign);
+}
+
+TEST_F(Results, EveryColumnStatesUnitsAndMeaning) {
+    write_example(path());
+    ResultsReader const reader(path());
+
+    for (auto const& column : trials().columns) {
+        EXPECT_EQ(reader.note("trials/" + column.name, "units"), column.units);
+        EXPECT_EQ(reader.note("trials/" + column.name, "description"), column.description);
+    }
+    EXPECT_EQ(reader.note("stripes/type-a/failed", "units"), "1");
+    EXPECT_EQ(reader.note("inputs/wave.csv", "description"), "an input file");
+}
+
+TEST_F(Results, ListTheirMembers) {
+    write_example(path());
+    ResultsReader const reader(path());
+
+    EXPECT_EQ(reader.members("stripes"), (std::vector<std::string>{"type-a"}));
+    EXPECT_EQ(reader.members("trials"), (std::vector<std::string>{"amplitude", "verdict", "wave"}));
+    EXPECT_TRUE(reader.members("no/such/group").empty());
+    EXPECT_TRUE(reader.has("waves/type-a/verdict"));
+    EXPECT_FALSE(reader.has("waves/type-b/verdict"));
+    expect_system_error([&] { (void)reader.reals("trials/nothing"); }, "trials/nothing");
+    expect_system_error([&] { (void)reader.real_at("trials/amplitude", row_count); }, "trials/amplitude");
+}
+
+TEST_F(Results, CategoriesAreNamedInTheFile) {
+    write_example(path());
+    File const file(H5Fopen(path().c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
+    Dataset const dataset(H5Dopen2(file.id(), "trials/verdict", H5P_DEFAULT));
+    Datatype const type(H5Dget_type(dataset.id()));
+
+    ASSERT_EQ(H5Tget_class(type.id()), H5T_ENUM);
+    ASSERT_EQ(H5Tget_nmembers(type.id()), 3);
+    EXPECT_EQ(H5Tget_size(type.id()), 1U);
+    char const* const names[] = {"at-rest", "slid", "rocked"};
+    for (unsigned i = 0; i < 3; ++i) {
+        char* const name = H5Tget_member_name(type.id(), i);
+        EXPECT_STREQ(name, names[i]);
+        H5free_memory(name);
+    }
+}
+
+TEST_F(Results, AmplitudeIsTheAxisOfItsStripes) {
+    write_example(path());
+    File const file(H5Fopen(path().c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
+    Dataset const axis(H5Dopen2(file.id(), "stripes/type-a/amplitude", H5P_DEFAULT));
+
+    EXPECT_GT(H5DSis_scale(axis.id()), 0);
+    for (char const* const name : {"stripes/type-a/probability", "stripes/type-a/failed"}) {
+        Dataset const dataset(H5Dopen2(file.id(), name, H5P_DEFAULT));
+        EXPECT_GT(H5DSis_attached(dataset.id(), axis.id(), 0), 0) << name;
+    }
+}
+
+TEST_F(Results, SameContentIsTheSameBytes) {
+    write_example(path());
+    write_example(folder / "again.h5");
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // HDF5 stamps whole seconds, where it does
+    write_example(folder / "later.h5");
+
+    EXPECT_TRUE(slurp(path()) == slurp(folder / "again.h5"));
+    EXPECT_TRUE(slurp(path()) == slurp(folder / "later.h5"));
+}
+
+TEST_F(Results, PartsOfAnySizeGiveTheSameBytes) {
+    write_example(path());
+    for (std::size_t const part : {1, 7, 500, 999}) {
+        write_example(folder / "parts.h5", part);
+
+        EXPECT_TRUE(slurp(path()) == slurp(folder / "parts.h5")) << part;
+    }
+}
+
+TEST_F(Results, UnfinishedFileNeverBearsTheName) {
+    spill(path(), "an earlier result");
+    {
+        ResultsWriter writer(path());
+        writer.attribute("format", std::string(format_name));
+        (void)writer.table(trials(), 10);
+
+        EXPECT_EQ(slurp(path()), "an earlier result");
+    }
+    EXPECT_EQ(slurp(path()), "an earlier result");
+    EXPECT_FALSE(std::filesystem::exists(folder / "out.h5.merging"));
+}
+
+TEST_F(Results, MissingRowsAreOurMistake) {
+    ResultsWriter writer(path());
+    auto const table = writer.table(trials(), 10);
+    writer.append(table, bytes_of(some_rows(9)));
+
+    EXPECT_THROW(writer.finish(), ContractError);
+    EXPECT_FALSE(std::filesystem::exists(path()));
+#if OVERTURN_CHECKED
+    EXPECT_THROW(writer.append(table, bytes_of(some_rows(2))), ContractError);
+#endif
+}
+
+TEST_F(Results, UnwritablePlaceIsNamed) {
+    expect_system_error([&] { ResultsWriter const writer(folder / "nowhere" / "out.h5"); }, "nowhere/out.h5",
+                        "No such file or directory");
+}
+
+/// Wherever in the file the disk runs full. (HDF5 itself crashes at exit over a file it could not write.)
+TEST_F(Results, FullDiskIsReportedAndNothingIsLeft) {
+    write_example(folder / "whole.h5");
+    auto const whole = std::filesystem::file_size(folder / "whole.h5");
+    std::filesystem::remove(folder / "whole.h5");
+    constexpr std::size_t steps = 50;
+    for (std::size_t i = 0; i < steps; ++i) {
+        {
+            FullDisk const disk(whole * i / steps);
+            expect_system_error([&] { write_example(path()); }, "HDF5: cannot", "File too large");
+        }
+        EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << whole * i / steps;
+    }
+    write_example(path());  // the next attempt is not hurt by it
+    EXPECT_EQ(ResultsReader(path()).reals("trials/amplitude").size(), row_count);
+}
+
+TEST_F(Results, ReaderRefusesWhatIsNoResultsFile) {
+    expect_input_error([&] { (void)ResultsReader(path()); }, "out.h5", "no such file");
+    expect_input_error([&] { (void)ResultsReader(folder.path()); }, "not an HDF5 file");
+
+    spill(path(), "time,a_horizontal\n0,0\n");
+    expect_input_error([&] { (void)ResultsReader(path()); }, "out.h5", "not an HDF5 file");
+
+    write_example(path());
+    auto const whole = slurp(path());
+    spill(path(), whole.substr(0, whole.size() / 2));
+    expect_input_error([&] { (void)ResultsReader(path()); }, "out.h5", "damaged");
+}
+
+struct Claim {
+    char const* format;
+    std::int64_t version;
+};
+
+void write_claim(std::filesystem::path const& path, Claim const& claim) {
+    ResultsWriter writer(path);
+    writer.attribute("format", std::string(claim.format));
+    if (claim.version > 0) {
+        writer.attribute("format_version", claim.version);
+    }
+    writer.finish();
+}
+
+TEST_F(Results, ReaderRefusesOtherFormats) {
+    write_claim(path(), {"somebody-elses-results", 1});
+    expect_input_error([&] { (void)ResultsReader(path()); }, "not a results file", format_name);
+
+    write_claim(path(), {format_name, format_version + 1});
+    expect_input_error([&] { (void)ResultsReader(path()); }, "format version 2", "newer overturn");
+
+    write_claim(path(), {format_name, 0});
+    expect_input_error([&] { (void)ResultsReader(path()); }, "not a results file");
+
+    { File const bare(H5Fcreate(path().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)); }
+    expect_input_error([&] { (void)ResultsReader(path()); }, "not a results file");
+    {
+        File const file(H5Fcreate(path().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
+        write_attribute(file.id(), "format", std::int64_t{1});
+    }
+    expect_input_error([&] { (void)ResultsReader(path()); }, "not a results file");
+}
+
+TEST(Hdf5, SaysItsVersion) { EXPECT_EQ(hdf5_version().rfind("1.", 0), 0U) << hdf5_version(); }
+
+}  // namespace
+}  // namespace overturn::store

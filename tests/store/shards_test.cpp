@@ -1,0 +1,205 @@
+// Requirement: a finished block comes back bit for bit or is named as unsound; nothing foreign is taken or removed.
+#include "store/shards.hpp"
+
+#include <algorithm>
+
+#include "support/expect_system_error.hpp"
+#include "support/full_disk.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace overturn::store {
+namespace {
+
+using testing::expect_system_error;
+using testing::FullDisk;
+using testing::slurp;
+using testing::spill;
+using testing::TemporaryFolder;
+
+std::string const ours = sha256("this campaign");
+
+std::vector<std::byte> rows_of(std::size_t count, int salt) {
+    std::vector<std::byte> rows(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        rows[i] = static_cast<std::byte>(i * 7 + static_cast<std::size_t>(salt));
+    }
+    return rows;
+}
+
+/// A campaign with blocks 0 to 3 committed.
+class Shards : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        shards.begin("the campaign\n");
+        for (int block = 0; block < 4; ++block) {
+            shards.commit(block, rows_of(1000, block));
+        }
+    }
+
+    std::filesystem::path file(std::string const& name) const { return shards.folder() / name; }
+
+    /// The sound blocks; everything else must be named in one note that holds `note`.
+    std::vector<std::int64_t> sound(std::string const& named, std::string const& note) const {
+        std::vector<std::string> notes;
+        auto const blocks = shards.committed(notes);
+        EXPECT_EQ(notes.size(), 1U);
+        for (auto const& text : notes) {
+            EXPECT_NE(text.find(named), std::string::npos) << text;
+            EXPECT_NE(text.find(note), std::string::npos) << text;
+        }
+        return blocks;
+    }
+
+    TemporaryFolder folder;
+    ShardFolder shards{folder / "out.h5", ours};
+};
+
+using Blocks = std::vector<std::int64_t>;
+
+TEST(Sha256, IsTheStandardOne) {
+    // FIPS 180-4: the examples for "" and "abc".
+    EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+TEST_F(Shards, ComeBackBitForBit) {
+    std::vector<std::string> notes;
+
+    EXPECT_EQ(shards.committed(notes), (Blocks{0, 1, 2, 3}));
+    EXPECT_TRUE(notes.empty());
+    for (int block = 0; block < 4; ++block) {
+        EXPECT_EQ(shards.read(block), rows_of(1000, block));
+    }
+    EXPECT_EQ(shards.begun_with(), "the campaign\n");
+    EXPECT_EQ(shards.folder(), folder / "out.h5.parts");
+}
+
+TEST_F(Shards, BlockWithoutRowsIsABlock) {
+    shards.commit(7, {});
+
+    EXPECT_TRUE(shards.read(7).empty());
+}
+
+TEST_F(Shards, CommittingAgainReplaces) {
+    shards.commit(2, rows_of(30, 99));
+
+    EXPECT_EQ(shards.read(2), rows_of(30, 99));
+}
+
+TEST_F(Shards, TruncatedBlockIsNamedAtEveryLength) {
+    auto const whole = slurp(file("0000000002.block"));
+    for (std::size_t const left :
+         {std::size_t{0}, std::size_t{5}, std::size_t{100}, whole.size() / 2, whole.size() - 1}) {
+        spill(file("0000000002.block"), whole.substr(0, left));
+
+        EXPECT_EQ(sound("0000000002.block", "Remove the file"), (Blocks{0, 1, 3})) << left << " bytes left";
+    }
+}
+
+TEST_F(Shards, EveryFlippedBitIsSeen) {
+    auto const whole = slurp(file("0000000001.block"));
+    std::size_t const stride = 97;  // of bytes; all eight bits are met
+    for (std::size_t i = 0; i < whole.size(); i += stride) {
+        auto damaged = whole;
+        damaged[i] = static_cast<char>(damaged[i] ^ (1 << (i % 8)));
+        spill(file("0000000001.block"), damaged);
+
+        expect_system_error([&] { (void)shards.read(1); }, "0000000001.block");
+    }
+    EXPECT_EQ(sound("0000000001.block", "checksum"), (Blocks{0, 2, 3}));
+}
+
+TEST_F(Shards, BlockOfAnotherCampaignIsRefused) {
+    ShardFolder const other(folder / "out.h5", sha256("another campaign"));
+    other.commit(3, rows_of(1000, 3));
+
+    EXPECT_EQ(sound("0000000003.block", "another campaign"), (Blocks{0, 1, 2}));
+}
+
+TEST_F(Shards, BlockUnderAnotherNumberIsRefused) {
+    std::filesystem::copy_file(file("0000000003.block"), file("0000000009.block"));
+
+    EXPECT_EQ(sound("0000000009.block", "another campaign or place"), (Blocks{0, 1, 2, 3}));
+}
+
+TEST_F(Shards, BlockUnderAnotherSpellingIsNotCountedTwice) {
+    std::filesystem::copy_file(file("0000000003.block"), file("3.block"));
+
+    EXPECT_EQ(sound("/3.block", "left alone"), (Blocks{0, 1, 2, 3}));
+}
+
+TEST_F(Shards, ForeignNamesAreLeftAlone) {
+    spill(file("notes.block"), "shopping list");
+
+    EXPECT_EQ(sound("notes.block", "left alone"), (Blocks{0, 1, 2, 3}));
+    EXPECT_EQ(slurp(file("notes.block")), "shopping list");
+}
+
+TEST_F(Shards, FolderInPlaceOfABlockIsNamed) {
+    std::filesystem::create_directory(file("0000000005.block"));
+
+    EXPECT_EQ(sound("0000000005.block", "directory"), (Blocks{0, 1, 2, 3}));
+}
+
+TEST_F(Shards, UnfinishedWriteIsIgnored) {
+    spill(file("0000000004.block.tmp"), "half a blo");
+    std::vector<std::string> notes;
+
+    EXPECT_EQ(shards.committed(notes), (Blocks{0, 1, 2, 3}));
+    EXPECT_TRUE(notes.empty());
+}
+
+TEST_F(Shards, RemoveTakesEverythingOfOurs) {
+    spill(file("0000000004.block.tmp"), "half a blo");
+    shards.remove();
+
+    EXPECT_FALSE(shards.exists());
+    EXPECT_TRUE(shards.begun_with().empty());
+    shards.remove();  // nothing there is no error
+}
+
+TEST_F(Shards, RemoveLeavesForeignFiles) {
+    spill(file("notes.txt"), "shopping list");
+    spill(file("notes.block"), "shopping list");
+    spill(file("notes.tmp"), "shopping list");
+    shards.remove();
+
+    EXPECT_FALSE(std::filesystem::exists(file("0000000000.block")));
+    EXPECT_EQ(slurp(file("notes.txt")), "shopping list");
+    EXPECT_EQ(slurp(file("notes.block")), "shopping list");
+    EXPECT_EQ(slurp(file("notes.tmp")), "shopping list");
+}
+
+TEST_F(Shards, MissingBlockIsNamed) {
+    expect_system_error([&] { (void)shards.read(8); }, "0000000008.block", "No such file");
+}
+
+TEST_F(Shards, FullDiskIsReportedAndTheOldBlockStays) {
+    {
+        FullDisk const disk(4096);
+        expect_system_error([&] { shards.commit(1, rows_of(100000, 1)); }, "0000000001.block", "File too large",
+                            "--resume");
+    }
+    EXPECT_EQ(shards.read(1), rows_of(1000, 1));
+}
+
+TEST(ShardFolderPlace, MissingFolderHasNoBlocks) {
+    TemporaryFolder const folder;
+    ShardFolder const shards(folder / "out.h5", ours);
+    std::vector<std::string> notes;
+
+    EXPECT_FALSE(shards.exists());
+    EXPECT_TRUE(shards.committed(notes).empty());
+    EXPECT_TRUE(notes.empty());
+}
+
+TEST(ShardFolderPlace, PlaceThatIsAFileIsNamed) {
+    TemporaryFolder const folder;
+    spill(folder / "taken", "");
+    ShardFolder const shards(folder / "taken" / "out.h5", ours);
+
+    expect_system_error([&] { shards.begin(""); }, "taken/out.h5.parts", "Choose another place with -o");
+}
+
+}  // namespace
+}  // namespace overturn::store
