@@ -88,6 +88,8 @@ void write_stripes(store::ResultsWriter& file, CampaignSpec const& spec, BodySta
                "amplitude");
     file.array(group, spec_of("sliding_called", "1", "trials whose friction demand exceeds the static coefficient"),
                body.sliding_called, "amplitude");
+    file.array(group, spec_of("rung_trials", "1", "trials per rung: at rest, rocking, sliding"),
+               std::vector<std::int64_t>(body.rungs.begin(), body.rungs.end()));
     file.attribute(group, "confidence", c);
     file.attribute(group, "level_measure", spec.levels.measure_name());
 }
@@ -133,6 +135,7 @@ void Statistics::add(TrialRow const& row) {
     auto& stripe = body.stripes.at(level);
     ++stripe.trials;
     auto const verdict = static_cast<Verdict>(row.verdict);
+    ++body.rungs.at(static_cast<std::size_t>(row.rung));
     stripe.failed += verdict == Verdict::failed ? 1 : 0;
     stripe.contact_lost += verdict == Verdict::contact_lost ? 1 : 0;
     stripe.at_rest += verdict == Verdict::at_rest ? 1 : 0;
@@ -200,6 +203,7 @@ Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec) {
     auto const v_wes_safe = file.integers("trials/v_wes_safe");
     auto const ou_v_e_safe = file.integers("trials/ou_v_e_safe");
     auto const called = file.integers("trials/effects_called");
+    auto const rung = file.integers("trials/rung");
     for (std::size_t i = 0; i < body.size(); ++i) {
         TrialRow row;
         row.body = body[i];
@@ -208,6 +212,7 @@ Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec) {
         row.v_wes_safe = v_wes_safe[i];
         row.ou_v_e_safe = ou_v_e_safe[i];
         row.effects_called = called[i];
+        row.rung = rung[i];
         statistics.add(row);
     }
     return statistics;

@@ -1,6 +1,7 @@
 /// From rows to the results file: the columns with their meaning, and the statistics counted over them.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -22,13 +23,15 @@ namespace overturn {
 /// Verdict names in the order of their values, for files and tables.
 [[nodiscard]] std::vector<std::string> verdict_names();
 [[nodiscard]] std::vector<std::string> failure_names();
+[[nodiscard]] std::vector<std::string> rung_names();
 
 /// One body's stripes, and how each criterion did per level.
 struct BodyStatistics {
     std::string body;
     std::vector<Stripe> stripes;
     std::vector<Confusion> v_wes, ou_v_e;
-    std::vector<std::int64_t> sliding_called;  ///< trials per level in which friction would have been exceeded
+    std::vector<std::int64_t> sliding_called;      ///< trials per level in which friction would have been exceeded
+    std::array<std::int64_t, rung_count> rungs{};  ///< trials per rung
 };
 
 /// Counts trials as they come; integers only, so that no order can matter.
@@ -49,6 +52,9 @@ void write_results(std::filesystem::path const& path, CampaignInput const& input
 
 /// The stripe table for the terminal.
 [[nodiscard]] std::string stripe_table(CampaignSpec const& spec, Statistics const& statistics);
+
+/// "at-rest 512 trials, 0.1 us each; ..." of what was measured.
+[[nodiscard]] std::string rung_costs(PhaseSeconds const& seconds);
 
 /// The campaign a results file was made from.
 [[nodiscard]] CampaignInput input_of(store::ResultsReader const& file);

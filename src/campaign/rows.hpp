@@ -42,7 +42,7 @@ struct TrialRow {
     double peak_slip_m = 0, residual_slip_m = 0, friction_work_jpkg = 0;
     double v_wes_mps = 0, ou_v_e_mps = 0, v_ereq_mps = 0, v_resp_mps = 0;
     std::int64_t v_wes_safe = 0, ou_v_e_safe = 0;
-    std::int64_t effects = 0, effects_called = 0;
+    std::int64_t effects = 0, effects_called = 0, rung = 0;
     std::int64_t steps = 0;
 };
 

@@ -149,9 +149,12 @@ void write_runtime(std::filesystem::path const& output, std::vector<std::string>
 }
 
 std::string seconds_json(parallel::Communicator const& comm, PhaseSeconds const& s) {
-    return nlohmann::ordered_json{{"rank", comm.rank()},      {"host", comm.host()},      {"waves_s", s.waves},
-                                  {"measures_s", s.measures}, {"response_s", s.response}, {"store_s", s.store}}
-        .dump();
+    nlohmann::ordered_json json{{"rank", comm.rank()},      {"host", comm.host()},      {"waves_s", s.waves},
+                                {"measures_s", s.measures}, {"response_s", s.response}, {"store_s", s.store}};
+    for (std::size_t r = 0; r < s.rungs.size(); ++r) {
+        json["rungs"][rung_names()[r]] = {{"trials", s.rungs[r].trials}, {"seconds", s.rungs[r].seconds}};
+    }
+    return json.dump();
 }
 
 std::vector<std::int64_t> blocks_left(Plan const& plan, std::vector<std::int64_t> const& committed) {

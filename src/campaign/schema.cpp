@@ -17,6 +17,8 @@ std::vector<std::string> verdict_names() {
 
 std::vector<std::string> failure_names() { return {"none", "wave-failed", "wave-cannot-be-scaled", "no-convergence"}; }
 
+std::vector<std::string> rung_names() { return {"at-rest", "rocking", "sliding"}; }
+
 store::TableSpec trial_table() {
     using Row = TrialRow;
     store::TableSpec spec{
@@ -57,12 +59,15 @@ store::TableSpec trial_table() {
          OVERTURN_COLUMN(Row, effects, "effects", "1", integer, "bit mask of effects that ran: 1 vertical, 2 sliding"),
          OVERTURN_COLUMN(Row, effects_called, "effects_called", "1", integer,
                          "bit mask of effects that the monitors say would act"),
+         OVERTURN_COLUMN(Row, rung, "rung", "1", category, "the highest model that ran for this trial"),
          OVERTURN_COLUMN(Row, steps, "steps", "1", integer, "series evaluated")}};
     for (auto& column : spec.columns) {
         if (column.name == "verdict") {
             column.categories = verdict_names();
         } else if (column.name == "failure") {
             column.categories = failure_names();
+        } else if (column.name == "rung") {
+            column.categories = rung_names();
         }
     }
     return spec;

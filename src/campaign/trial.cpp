@@ -140,8 +140,27 @@ TrialRow run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int6
     row.ou_v_e_safe = row.ou_v_e_mps < row.v_ereq_mps ? 1 : 0;
     row.effects = response.effects;
     row.effects_called = response.called;
+    row.rung = static_cast<std::int64_t>(response.rung);
     row.steps = rocking.steps;
     return row;
+}
+
+void append_trials(CampaignSpec const& spec, Plan const& plan, PreparedWave const& wave, std::vector<TrialRow>& rows,
+                   PhaseSeconds& seconds) {
+    auto const first_level = plan.first_level(wave.number);
+    for (std::int64_t body = 0; body < plan.bodies(); ++body) {
+        for (auto level = first_level; level < first_level + plan.level_count(); ++level) {
+            double taken = 0;
+            {
+                Stopwatch const watch(taken);
+                rows.push_back(run_trial(spec, wave, body, level));
+            }
+            auto& rung = seconds.rungs.at(static_cast<std::size_t>(rows.back().rung));
+            ++rung.trials;
+            rung.seconds += taken;
+            seconds.response += taken;
+        }
+    }
 }
 
 BlockRows run_block(CampaignSpec const& spec, Plan const& plan, std::int64_t block, PhaseSeconds& seconds) {
@@ -151,13 +170,7 @@ BlockRows run_block(CampaignSpec const& spec, Plan const& plan, std::int64_t blo
         auto const prepared = prepare_wave(spec, plan, wave, seconds);
         rows.waves.push_back(prepared.row);
         rows.measures.insert(rows.measures.end(), prepared.measures.begin(), prepared.measures.end());
-        Stopwatch const watch(seconds.response);
-        for (std::int64_t body = 0; body < plan.bodies(); ++body) {
-            auto const first_level = plan.first_level(wave);
-            for (auto level = first_level; level < first_level + plan.level_count(); ++level) {
-                rows.trials.push_back(run_trial(spec, prepared, body, level));
-            }
-        }
+        append_trials(spec, plan, prepared, rows.trials, seconds);
     }
     return rows;
 }

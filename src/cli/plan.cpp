@@ -55,15 +55,12 @@ int plan_campaign(std::string const& path, std::vector<std::string> const& setti
     constexpr std::int64_t most_probes = 4;
     auto const probes = std::min(most_probes, plan.waves());
     PhaseSeconds seconds;
+    std::vector<TrialRow> rows;
     auto const begin = std::chrono::steady_clock::now();
     for (std::int64_t i = 0; i < probes; ++i) {
         auto const wave = i * plan.waves() / probes;
         auto const prepared = prepare_wave(spec, plan, wave, seconds);
-        for (std::int64_t body = 0; body < plan.bodies(); ++body) {
-            for (std::int64_t l = 0; l < plan.level_count(); ++l) {
-                (void)run_trial(spec, prepared, body, plan.first_level(wave) + l);
-            }
-        }
+        append_trials(spec, plan, prepared, rows, seconds);
     }
     double const each =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() / static_cast<double>(probes);
@@ -73,6 +70,7 @@ int plan_campaign(std::string const& path, std::vector<std::string> const& setti
     fmt::print("probe     {:.1f} ms a wave: {:.1f} to make it, {:.1f} to measure it, {:.1f} for its {} trials\n",
                1e3 * each, 1e3 * seconds.waves / n, 1e3 * seconds.measures / n,
                1e3 * (each - (seconds.waves + seconds.measures) / n), plan.trials_per_wave());
+    fmt::print("rungs     {}\n", rung_costs(seconds));
     fmt::print("time      about {} on one rank, {} on the {} cores here\n", duration_text(all),
                duration_text(all / cores), cores);
     fmt::print("file      about {:.2f} MB\n", static_cast<double>(file_bytes(input, spec, plan)) / 1e6);
