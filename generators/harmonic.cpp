@@ -19,7 +19,7 @@ class Harmonic : public WaveSource {
   public:
     explicit Harmonic(HarmonicInput input) : input_(std::move(input)) {}
 
-    GeneratedWave make(std::uint64_t /*seed*/, std::uint64_t wave) const override {
+    [[nodiscard]] GeneratedWave make(std::uint64_t /*seed*/, std::uint64_t wave) const override {
         validate_wave(wave, input_.periods_s.size());
         double const period = input_.periods_s[wave];
         double const duration = duration_of(period);
@@ -37,9 +37,9 @@ class Harmonic : public WaveSource {
         return made;
     }
 
-    std::optional<std::uint64_t> available() const override { return input_.periods_s.size(); }
+    [[nodiscard]] std::optional<std::uint64_t> available() const override { return input_.periods_s.size(); }
 
-    std::string describe() const override {
+    [[nodiscard]] std::string describe() const override {
         return fmt::format("{} sinusoids of {} m/s2", input_.periods_s.size(), input_.amplitude_mps2);
     }
 

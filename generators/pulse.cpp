@@ -33,7 +33,7 @@ class Pulse : public WaveSource {
   public:
     explicit Pulse(PulseInput input) : input_(std::move(input)) {}
 
-    GeneratedWave make(std::uint64_t /*seed*/, std::uint64_t wave) const override {
+    [[nodiscard]] GeneratedWave make(std::uint64_t /*seed*/, std::uint64_t wave) const override {
         validate_wave(wave, input_.periods_s.size());
         double const period = input_.periods_s[wave];
         double const piece = input_.shape.quarter * period;
@@ -63,9 +63,9 @@ class Pulse : public WaveSource {
         return made;
     }
 
-    std::optional<std::uint64_t> available() const override { return input_.periods_s.size(); }
+    [[nodiscard]] std::optional<std::uint64_t> available() const override { return input_.periods_s.size(); }
 
-    std::string describe() const override {
+    [[nodiscard]] std::string describe() const override {
         return fmt::format("{} {} pulses of {} m/s2", input_.periods_s.size(), input_.name, input_.amplitude_mps2);
     }
 

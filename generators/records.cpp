@@ -17,7 +17,7 @@ class Records : public WaveSource {
   public:
     explicit Records(std::vector<Record> records) : records_(std::move(records)) {}
 
-    GeneratedWave make(std::uint64_t /*seed*/, std::uint64_t wave) const override {
+    [[nodiscard]] GeneratedWave make(std::uint64_t /*seed*/, std::uint64_t wave) const override {
         validate_wave(wave, records_.size());
         GeneratedWave made;
         made.motion = records_[wave].motion;
@@ -25,9 +25,9 @@ class Records : public WaveSource {
         return made;
     }
 
-    std::optional<std::uint64_t> available() const override { return records_.size(); }
+    [[nodiscard]] std::optional<std::uint64_t> available() const override { return records_.size(); }
 
-    std::string describe() const override {
+    [[nodiscard]] std::string describe() const override {
         return fmt::format("{} record{}, the first {}", records_.size(), records_.size() == 1 ? "" : "s",
                            records_.front().label);
     }

@@ -36,7 +36,7 @@ class SpectrumCompatible : public WaveSource {
         }
     }
 
-    GeneratedWave make(std::uint64_t seed, std::uint64_t wave) const override {
+    [[nodiscard]] GeneratedWave make(std::uint64_t seed, std::uint64_t wave) const override {
         constexpr std::uint64_t horizontal_stream = 0;
         constexpr std::uint64_t vertical_stream = 1;
         GeneratedWave made;
@@ -53,7 +53,7 @@ class SpectrumCompatible : public WaveSource {
         return made;
     }
 
-    std::string describe() const override { return summary_; }
+    [[nodiscard]] std::string describe() const override { return summary_; }
 
   private:
     SpectrumMatcher horizontal_;

@@ -187,7 +187,7 @@ GroundMotion read_columns(std::string_view content, RecordRequest const& request
         motion.time_step_s = *request.time_step_s;
     }
     for (auto& column : rows.column) {
-        if (timed && &column == &rows.column[0]) {
+        if (timed && &column == &rows.column.front()) {
             continue;
         }
         for (double& value : column) {

@@ -72,8 +72,9 @@ constexpr std::array amplifications{Amplification{0.005, 4.96, 5.95, 3.20}, Ampl
                                     Amplification{0.10, 1.90, 2.28, 1.70}};
 
 TargetSpectrum rg_1_60(NamedTargetInput const& input) {
-    auto const row = std::find_if(amplifications.begin(), amplifications.end(),
-                                  [&](Amplification const& a) { return std::abs(a.damping - input.damping) < 1e-9; });
+    auto const* const row = std::find_if(amplifications.begin(), amplifications.end(), [&](Amplification const& a) {
+        return std::abs(a.damping - input.damping) < 1e-9;
+    });
     validate(row != amplifications.end(), "damping {} of 'rg-1.60' (tabulated: 0.005, 0.02, 0.05, 0.07, 0.1). Use one",
              input.damping);
     double const pga = input.pga_mps2.value_or(g0);

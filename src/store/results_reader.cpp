@@ -32,7 +32,7 @@ bool is_category(Dataset const& dataset) {
 template <class Value>
 Value read_one(Dataset const& dataset, std::string const& name, hid_t memory_type, std::int64_t row) {
     Dataspace const file(checked(H5Dget_space(dataset.id()), "read a dataspace"));
-    hsize_t const start = static_cast<hsize_t>(row);
+    auto const start = static_cast<hsize_t>(row);
     hsize_t const one = 1;
     Dataspace const memory(checked(H5Screate_simple(1, &one, nullptr), "make a dataspace"));
     checked(H5Sselect_hyperslab(file.id(), H5S_SELECT_SET, &start, nullptr, &one, nullptr), "select a row");

@@ -54,8 +54,8 @@ std::string sha256(std::string_view content) {
     return text;
 }
 
-ShardFolder::ShardFolder(std::filesystem::path const& output, std::string campaign)
-    : folder_(output), campaign_(std::move(campaign)) {
+ShardFolder::ShardFolder(std::filesystem::path output, std::string campaign)
+    : folder_(std::move(output)), campaign_(std::move(campaign)) {
     folder_ += ".parts";
 }
 

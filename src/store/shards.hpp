@@ -17,7 +17,7 @@ namespace overturn::store {
 class ShardFolder {
   public:
     /// \param campaign what the blocks belong to: a hash of everything that decides their content
-    ShardFolder(std::filesystem::path const& output, std::string campaign);
+    ShardFolder(std::filesystem::path output, std::string campaign);
 
     [[nodiscard]] bool exists() const;
     /// The whole campaign as the run began it, kept so that a resume can say what changed; empty if there is none.
