@@ -131,11 +131,15 @@ LevelSpec read_levels(config::Table const& table) {
     for (double const value : read_values(table, chosen.dimension)) {
         spec.levels.push_back({value, LevelClass::ordinary});
     }
-    if (auto const basis = table.maybe_number("design_basis", chosen.dimension, config::Range::positive())) {
+    auto const basis = table.maybe_number("design_basis", chosen.dimension, config::Range::positive());
+    if (basis) {
         name_level(spec.levels, *basis, LevelClass::design_basis);
     }
     if (table.has("beyond_design")) {
         for (double const value : table.numbers("beyond_design", chosen.dimension, config::Range::positive())) {
+            if (basis && value <= *basis) {
+                table.fail("beyond_design", fmt::format("{} (not above design_basis {}). Raise it", value, *basis));
+            }
             name_level(spec.levels, value, LevelClass::beyond_design);
         }
     }

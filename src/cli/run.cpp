@@ -3,8 +3,7 @@
 #include <filesystem>
 #include <memory>
 
-#include <fmt/format.h>
-
+#include "cli/say.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
@@ -37,11 +36,11 @@ int run(Options const& options) {
         return run_campaign(input, run_options, comm) == RunEnd::complete ? done : resumable;
     } catch (InputError const& error) {
         if (comm.is_root()) {
-            fmt::print(stderr, "overturn: {}\n", error.what());
+            say(error.what());
         }
         return bad_input;
     } catch (std::exception const& error) {
-        fmt::print(stderr, "overturn: {}\n", error.what());
+        say(error.what());
         if (comm.size() > 1) {
             comm.abort(other_failure);
         }
