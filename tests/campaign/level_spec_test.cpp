@@ -57,6 +57,8 @@ TEST(Levels, NamedOnesAreRecognisedOrAdded) {
     ASSERT_EQ(recognised.levels.size(), 7U);
     EXPECT_EQ(recognised.levels[3].purpose, LevelClass::design_basis);
     EXPECT_EQ(values_of(added), (std::vector{3.0, 6.0, 9.0, 12.0}));
+    EXPECT_EQ(values_of(levels_of("measure='pga'\ndesign_basis='600 gal'\n")), std::vector{6.0});
+    refuse("measure='pga'\n", "values: missing");
     EXPECT_EQ(added.levels[0].purpose, LevelClass::ordinary);
     EXPECT_EQ(added.levels[1].purpose, LevelClass::design_basis);
     EXPECT_EQ(added.levels[2].purpose, LevelClass::beyond_design);
