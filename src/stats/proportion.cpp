@@ -1,10 +1,41 @@
 #include "stats/proportion.hpp"
 
-#include <gsl/gsl_cdf.h>
+#include <cmath>
+
+#include <gsl/gsl_randist.h>
 
 #include "core/error.hpp"
 
 namespace overturn {
+namespace {
+
+// P(X >= k) of a binomial, for 0 < k and p <= k/n: from k on the terms only fall.
+double upper_tail(std::int64_t k, std::int64_t n, double p) {
+    double const odds = p / (1 - p);
+    double term = gsl_ran_binomial_pdf(static_cast<unsigned>(k), p, static_cast<unsigned>(n));
+    double sum = 0;
+    for (auto j = static_cast<double>(k); sum + term > sum; ++j) {
+        sum += term;
+        term *= odds * (static_cast<double>(n) - j) / (j + 1);
+    }
+    return sum;
+}
+
+// The p below k/n at which k or more successes have the probability `tail`. By bisection to the last bit: GSL's own
+// inverse (gsl_cdf_beta_Pinv) does not converge for some of the counts a campaign has.
+double lower_bound(std::int64_t k, std::int64_t n, double tail) {
+    if (k == 0) {
+        return 0;
+    }
+    double low = 0;
+    double high = static_cast<double>(k) / static_cast<double>(n);
+    for (double middle = 0.5 * high; low < middle && middle < high; middle = 0.5 * (low + high)) {
+        (upper_tail(k, n, middle) < tail ? low : high) = middle;
+    }
+    return high;
+}
+
+}  // namespace
 
 Interval clopper_pearson(std::int64_t successes, std::int64_t trials, double confidence) {
     OVERTURN_EXPECT(successes >= 0 && successes <= trials);
@@ -13,16 +44,7 @@ Interval clopper_pearson(std::int64_t successes, std::int64_t trials, double con
         return {};
     }
     double const tail = 0.5 * (1 - confidence);
-    auto const k = static_cast<double>(successes);
-    auto const misses = static_cast<double>(trials - successes);
-    Interval interval;
-    if (successes > 0) {
-        interval.lower = gsl_cdf_beta_Pinv(tail, k, misses + 1);
-    }
-    if (successes < trials) {
-        interval.upper = gsl_cdf_beta_Qinv(tail, k + 1, misses);
-    }
-    return interval;
+    return {.lower = lower_bound(successes, trials, tail), .upper = 1 - lower_bound(trials - successes, trials, tail)};
 }
 
 }  // namespace overturn
