@@ -83,7 +83,12 @@ std::vector<std::string> CampaignInput::differences(CampaignInput const& other) 
     for (auto const& [file, content] : files) {
         auto const there = other.files.find(file);
         if (there == other.files.end() || there->second != content) {
-            found.push_back(fmt::format("file {} changed", file));
+            found.push_back(fmt::format("file {} {}", file, there == other.files.end() ? "is gone" : "changed"));
+        }
+    }
+    for (auto const& [file, content] : other.files) {
+        if (!files.contains(file)) {
+            found.push_back(fmt::format("file {} is new", file));
         }
     }
     return found;
@@ -95,6 +100,11 @@ CampaignInput load_campaign(std::filesystem::path const& path, std::span<std::st
              "{}: cannot be read (no such file, or no right to). Check the name", path.string());
     CampaignInput input{
         path.string(), std::string(std::istreambuf_iterator<char>(file), {}), {settings.begin(), settings.end()}, {}};
+    // A results file carries the text as an attribute, which HDF5 holds to 64 KiB.
+    constexpr std::size_t longest = 60'000;
+    validate(input.text.size() <= longest,
+             "{}: {} bytes (a results file can carry {}). Move long tables into files that the campaign names",
+             path.string(), input.text.size(), longest);
     InputFiles files(path.has_parent_path() ? path.parent_path() : std::filesystem::path("."));
     (void)parse_campaign(input, files);
     input.files = files.contents();

@@ -128,14 +128,21 @@ LevelSpec read_levels(config::Table const& table) {
     auto const chosen = table.choice<Measure>("measure", measures);
     spec.measure = chosen.measure;
     spec.independent_waves = table.choice<bool>("waves", independence, false);
-    for (double const value : read_values(table, chosen.dimension)) {
-        spec.levels.push_back({value, LevelClass::ordinary});
+    // Named levels alone make a campaign too.
+    if (table.has("values") || !(table.has("design_basis") || table.has("beyond_design"))) {
+        for (double const value : read_values(table, chosen.dimension)) {
+            spec.levels.push_back({value, LevelClass::ordinary});
+        }
     }
-    if (auto const basis = table.maybe_number("design_basis", chosen.dimension, config::Range::positive())) {
+    auto const basis = table.maybe_number("design_basis", chosen.dimension, config::Range::positive());
+    if (basis) {
         name_level(spec.levels, *basis, LevelClass::design_basis);
     }
     if (table.has("beyond_design")) {
         for (double const value : table.numbers("beyond_design", chosen.dimension, config::Range::positive())) {
+            if (basis && value <= *basis) {
+                table.fail("beyond_design", fmt::format("{} (not above design_basis {}). Raise it", value, *basis));
+            }
             name_level(spec.levels, value, LevelClass::beyond_design);
         }
     }

@@ -41,7 +41,7 @@ struct LevelSpec {
 };
 
 /// Keys: measure, values (list or {from, to, count, spacing}), design_basis, beyond_design, waves. A named level that
-/// is not among the values is added to them. \throws InputError
+/// is not among the values is added to them; named levels need no values. \throws InputError
 [[nodiscard]] LevelSpec read_levels(config::Table const& table);
 
 /// "ordinary", "design-basis", "beyond-design".

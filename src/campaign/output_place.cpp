@@ -31,7 +31,7 @@ OutputState take_output(std::filesystem::path const& output, store::ShardFolder 
         refuse_other({file.text("campaign_name"), file.text("campaign"), {}, {}},
                      {file.text("campaign_name"), input.text, {}, {}}, output.string());
         validate(file.text("input_sha256") == input.sha256(),
-                 "output {}: made with other settings or input files. Name another with -o", output.string());
+                 "output {} (made with other settings or input files). Name another with -o", output.string());
         state.complete = true;
         return state;
     }

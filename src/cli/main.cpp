@@ -1,10 +1,10 @@
-#include <cstdio>
 #include <exception>
-#include <string>
 
 #include <fmt/format.h>
 
 #include "campaign/version.hpp"
+#include "cli/command_line.hpp"
+#include "cli/say.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
 
@@ -12,22 +12,14 @@ namespace {
 
 using namespace overturn;
 
-// Exactly one line, whatever the message holds.
-void say(std::string message) {
-    for (char& c : message) {
-        c = c == '\n' ? ' ' : c;
-    }
-    fmt::print(stderr, "overturn: {}\n", message);
-}
-
 int perform(cli::Action const& action) {
     try {
         return action();
     } catch (InputError const& error) {
-        say(error.what());
+        cli::say_once(error.what());
         return cli::bad_input;
     } catch (std::exception const& error) {
-        say(error.what());
+        cli::say_once(error.what());
         return cli::other_failure;
     }
 }
@@ -55,7 +47,7 @@ int main(int argc, char** argv) {
     } catch (CLI::Success const& help) {
         return app.exit(help);
     } catch (CLI::ParseError const& error) {
-        say(fmt::format("{} (the command line is not understood). See overturn --help", error.what()));
+        cli::say_once(cli::explain(app, error, argc, argv));
         return cli::bad_input;
     }
     return perform(action);

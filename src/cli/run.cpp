@@ -3,8 +3,7 @@
 #include <filesystem>
 #include <memory>
 
-#include <fmt/format.h>
-
+#include "cli/say.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
@@ -20,6 +19,16 @@ struct Options {
     bool resume = false;
 };
 
+double read_walltime(std::string const& text) {
+    try {
+        double const seconds = parse_quantity(text, Dimension::time);
+        validate(seconds > 0, "{} s (must be above 0). State the time this run may take", seconds);
+        return seconds;
+    } catch (InputError const& error) {
+        throw InputError(fmt::format("--max-walltime: {}", error.what()));
+    }
+}
+
 int run(Options const& options) {
     parallel::Environment const environment;
     parallel::Communicator const comm;
@@ -31,17 +40,17 @@ int run(Options const& options) {
             options.output.empty() ? default_output(options.campaign) : std::filesystem::path(options.output);
         run_options.resume = options.resume;
         if (!options.max_walltime.empty()) {
-            run_options.max_walltime_s = parse_quantity(options.max_walltime, Dimension::time);
+            run_options.max_walltime_s = read_walltime(options.max_walltime);
         }
         stop_on_signals();
         return run_campaign(input, run_options, comm) == RunEnd::complete ? done : resumable;
     } catch (InputError const& error) {
         if (comm.is_root()) {
-            fmt::print(stderr, "overturn: {}\n", error.what());
+            say(error.what());
         }
         return bad_input;
     } catch (std::exception const& error) {
-        fmt::print(stderr, "overturn: {}\n", error.what());
+        say(error.what());
         if (comm.size() > 1) {
             comm.abort(other_failure);
         }
