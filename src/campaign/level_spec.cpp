@@ -86,6 +86,11 @@ std::string name_of(LevelClass purpose) {
     return "";
 }
 
+std::int64_t Level::key() const {
+    constexpr double millionths = 1e6;
+    return std::llround(value * millionths);
+}
+
 std::string LevelSpec::measure_name() const {
     for (auto const& entry : measures) {
         if (entry.value.measure == measure) {
@@ -148,8 +153,14 @@ LevelSpec read_levels(config::Table const& table) {
     }
     table.finish();
     std::sort(spec.levels.begin(), spec.levels.end(), [](Level const& a, Level const& b) { return a.value < b.value; });
+    constexpr double largest = 9000;  // keys of waves are 64 bits wide
+    if (spec.independent_waves && spec.levels.back().value > largest) {
+        table.fail("values",
+                   fmt::format("{} (independent waves reach up to {}). Lower it", spec.levels.back().value, largest));
+    }
     for (std::size_t i = 1; i < spec.levels.size(); ++i) {
-        if (same_level(spec.levels[i - 1].value, spec.levels[i].value)) {
+        if (same_level(spec.levels[i - 1].value, spec.levels[i].value)
+            || (spec.independent_waves && spec.levels[i - 1].key() == spec.levels[i].key())) {
             table.fail("values", fmt::format("{} twice (a level is one stripe). Remove one", spec.levels[i].value));
         }
     }

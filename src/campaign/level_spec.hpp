@@ -27,6 +27,9 @@ struct LevelMeasureEntry {
 struct Level {
     double value = 0;  ///< SI
     LevelClass purpose = LevelClass::ordinary;
+
+    /// The value in millionths, rounded: what names a level's own waves, whatever other levels there are.
+    [[nodiscard]] std::int64_t key() const;
 };
 
 struct LevelSpec {

@@ -19,11 +19,18 @@ Plan::Plan(CampaignSpec const& spec)
       waves_(independent_ ? spec.wave_count * static_cast<std::int64_t>(spec.levels.levels.size()) : spec.wave_count),
       bodies_(static_cast<std::int64_t>(spec.bodies.size())),
       levels_per_wave_(independent_ ? 1 : static_cast<std::int64_t>(spec.levels.levels.size())),
-      block_size_(std::clamp(waves_ / blocks_wanted, std::int64_t{1}, largest_block)) {}
+      block_size_(std::clamp(waves_ / blocks_wanted, std::int64_t{1}, largest_block)) {
+    for (auto const& level : spec.levels.levels) {
+        level_keys_.push_back(level.key());
+    }
+}
 
 std::uint64_t Plan::wave_id(std::int64_t wave) const {
-    auto const id = independent_ ? wave / waves_per_level_ * ids_per_level + wave % waves_per_level_ : wave;
-    return static_cast<std::uint64_t>(id);
+    if (!independent_) {
+        return static_cast<std::uint64_t>(wave);
+    }
+    auto const key = level_keys_.at(static_cast<std::size_t>(wave / waves_per_level_));
+    return static_cast<std::uint64_t>(key * ids_per_level + wave % waves_per_level_);
 }
 
 std::int64_t Plan::first_level(std::int64_t wave) const { return independent_ ? wave / waves_per_level_ : 0; }

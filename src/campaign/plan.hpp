@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "campaign/campaign_spec.hpp"
 
@@ -19,8 +20,9 @@ class Plan {
     [[nodiscard]] std::int64_t blocks() const { return (waves_ + block_size_ - 1) / block_size_; }
     [[nodiscard]] std::int64_t block_size() const { return block_size_; }
 
-    /// The wave's identity in every random stream. With independent waves level l's are l 10^9 + 0, 1, 2, ..., so that
-    /// more waves or more levels change no earlier one.
+    /// The wave's identity in every random stream. With independent waves those of a level are Level::key 10^9 + 0, 1,
+    /// 2,
+    /// ..., so that more waves or more levels, wherever they lie, change no other's.
     [[nodiscard]] std::uint64_t wave_id(std::int64_t wave) const;
     /// The levels at which a wave is tried: [first, first + count).
     [[nodiscard]] std::int64_t first_level(std::int64_t wave) const;
@@ -39,6 +41,7 @@ class Plan {
 
   private:
     bool independent_;
+    std::vector<std::int64_t> level_keys_;
     std::int64_t waves_per_level_, waves_, bodies_, levels_per_wave_, block_size_;
 };
 

@@ -1,6 +1,7 @@
 #include <exception>
 
 #include <fmt/format.h>
+#include <gsl/gsl_errno.h>
 
 #include "campaign/version.hpp"
 #include "cli/command_line.hpp"
@@ -27,6 +28,7 @@ int perform(cli::Action const& action) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    gsl_set_error_handler_off();  // its own would abort; callers look at what came back
     CLI::App app("Overturning of free-standing bodies in earthquakes: fragility campaigns and single trials.",
                  "overturn");
     app.set_version_flag("--version",
