@@ -76,7 +76,7 @@ double quantity_of(toml::node const& node, Dimension dimension) {
         return parse_quantity(*text, dimension);
     }
     validate(
-        node.is_number(), "{} (must be a number{})", kind_name(node),
+        node.is_number(), "{} (must be a number{}). Mend the value", kind_name(node),
         dimension == Dimension::none ? "" : " or a quantity such as \"1.5 " + std::string(si_symbol(dimension)) + "\"");
     double const value = *node.value<double>();
     validate(std::isfinite(value), "{} (must be finite). Give a finite number", value);
@@ -179,11 +179,24 @@ void Table::fail(std::string_view key, std::string_view message) const {
     throw InputError(where(key), name.empty() ? std::string(message) : fmt::format("{}: {}", name, message));
 }
 
+void Table::fail_missing(std::string_view key) const {
+    std::vector<std::string> unread;
+    for (auto const& [there, node] : *node_->table) {
+        if (!node_->used.contains(there.str())) {
+            unread.emplace_back(there.str());
+        }
+    }
+    if (auto const near = nearest_name(key, unread); !near.empty()) {
+        fail(near, fmt::format("unknown key (nothing reads it, and '{0}' is missing). Did you mean '{0}'?", key));
+    }
+    fail(key, "missing (there is no default). Add this key");
+}
+
 namespace {
 
 template <class Read> auto read_key(Table const& table, std::string_view key, toml::node const* node, Read&& read) {
     if (node == nullptr) {
-        table.fail(key, "missing (there is no default). Add this key");
+        table.fail_missing(key);
     }
     try {
         return read(*node);
@@ -194,8 +207,8 @@ template <class Read> auto read_key(Table const& table, std::string_view key, to
 
 void check_range(double value, Range const& range, Dimension dimension) {
     auto const unit = si_symbol(dimension);
-    validate(range.holds(value), "{}{}{} (must be {}{}{})", value, unit.empty() ? "" : " ", unit, range.text(),
-             unit.empty() ? "" : " ", unit);
+    validate(range.holds(value), "{}{}{} (must be {}{}{}). Mend the value", value, unit.empty() ? "" : " ", unit,
+             range.text(), unit.empty() ? "" : " ", unit);
 }
 
 }  // namespace
@@ -218,7 +231,7 @@ std::optional<double> Table::maybe_number(std::string_view key, Dimension dimens
 
 std::vector<double> Table::numbers(std::string_view key, Dimension dimension, Range range) const {
     return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
-        validate(node.is_array(), "{} (must be a list of numbers)", kind_name(node));
+        validate(node.is_array(), "{} (must be a list of numbers). Write [1, 2]", kind_name(node));
         std::vector<double> values;
         for (auto const& element : *node.as_array()) {
             values.push_back(quantity_of(element, dimension));
@@ -230,11 +243,12 @@ std::vector<double> Table::numbers(std::string_view key, Dimension dimension, Ra
 
 std::vector<std::pair<double, double>> Table::pairs(std::string_view key, Dimension first, Dimension second) const {
     return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
-        validate(node.is_array(), "{} (must be a list of [x, y] pairs)", kind_name(node));
+        validate(node.is_array(), "{} (must be a list of [x, y] pairs). Write [[1, 2], [3, 4]]", kind_name(node));
         std::vector<std::pair<double, double>> values;
         for (auto const& element : *node.as_array()) {
             auto const* pair = element.as_array();
-            validate(pair != nullptr && pair->size() == 2, "entry {} (must be a pair [x, y])", values.size() + 1);
+            validate(pair != nullptr && pair->size() == 2, "entry {} (must be a pair [x, y]). Mend it",
+                     values.size() + 1);
             values.emplace_back(quantity_of(*pair->get(0), first), quantity_of(*pair->get(1), second));
         }
         return values;
@@ -244,8 +258,8 @@ std::vector<std::pair<double, double>> Table::pairs(std::string_view key, Dimens
 std::int64_t Table::integer(std::string_view key, std::int64_t low, std::int64_t high) const {
     return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
         auto const value = node.value_exact<std::int64_t>();
-        validate(value.has_value(), "{} (must be a whole number)", kind_name(node));
-        validate(*value >= low && *value <= high, "{} (must be {} to {})", *value, low, high);
+        validate(value.has_value(), "{} (must be a whole number). Write it without a point", kind_name(node));
+        validate(*value >= low && *value <= high, "{} (must be {} to {}). Mend the value", *value, low, high);
         return *value;
     });
 }
@@ -260,7 +274,7 @@ bool Table::boolean(std::string_view key, bool otherwise) const {
     }
     return read_key(*this, key, node_->find(key), [](toml::node const& node) {
         auto const value = node.value_exact<bool>();
-        validate(value.has_value(), "{} (must be true or false)", kind_name(node));
+        validate(value.has_value(), "{} (must be true or false). Write it without quotes", kind_name(node));
         return *value;
     });
 }
@@ -268,7 +282,7 @@ bool Table::boolean(std::string_view key, bool otherwise) const {
 std::string Table::text(std::string_view key) const {
     return read_key(*this, key, node_->find(key), [](toml::node const& node) {
         auto const value = node.value_exact<std::string>();
-        validate(value.has_value(), "{} (must be a text in quotes)", kind_name(node));
+        validate(value.has_value(), "{} (must be a text). Put it in quotes", kind_name(node));
         return *value;
     });
 }
@@ -279,11 +293,11 @@ std::string Table::text(std::string_view key, std::string_view otherwise) const 
 
 std::vector<std::string> Table::texts(std::string_view key) const {
     return read_key(*this, key, node_->find(key), [](toml::node const& node) {
-        validate(node.is_array(), "{} (must be a list of texts)", kind_name(node));
+        validate(node.is_array(), "{} (must be a list of texts). Write [\"one\", \"two\"]", kind_name(node));
         std::vector<std::string> values;
         for (auto const& element : *node.as_array()) {
             auto const value = element.value_exact<std::string>();
-            validate(value.has_value(), "entry {} is {} (must be a text in quotes)", values.size() + 1,
+            validate(value.has_value(), "entry {} is {} (must be a text). Put it in quotes", values.size() + 1,
                      kind_name(element));
             values.push_back(*value);
         }
@@ -293,7 +307,8 @@ std::vector<std::string> Table::texts(std::string_view key) const {
 
 Table Table::child(std::string_view key) const {
     return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
-        validate(node.is_table(), "{} (must be a table)", kind_name(node));
+        validate(node.is_table(), "{} (must be a table). Write its keys in braces or under its own heading",
+                 kind_name(node));
         auto inner = std::make_shared<Node>();
         inner->document = node_->document;
         inner->table = node.as_table();
@@ -309,10 +324,10 @@ Table Table::child_or_empty(std::string_view key) const {
 
 std::vector<Table> Table::children(std::string_view key) const {
     return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
-        validate(node.is_array(), "{} (must be a list of tables, written [[{}]])", kind_name(node), key);
+        validate(node.is_array(), "{} (must be a list of tables). Write [[{}]]", kind_name(node), key);
         std::vector<Table> tables;
         for (auto const& element : *node.as_array()) {
-            validate(element.is_table(), "entry {} is {} (must be a table, written [[{}]])", tables.size() + 1,
+            validate(element.is_table(), "entry {} is {} (must be a table). Write [[{}]]", tables.size() + 1,
                      kind_name(element), key);
             auto inner = std::make_shared<Node>();
             inner->document = node_->document;

@@ -89,6 +89,8 @@ class Table {
     [[nodiscard]] Location where(std::string_view key = {}) const;
     /// Throws InputError at `key`; the message is `key: <message>`.
     [[noreturn]] void fail(std::string_view key, std::string_view message) const;
+    /// Throws InputError for a key that must be there and is not, at the key that may have been meant for it.
+    [[noreturn]] void fail_missing(std::string_view key) const;
 
     /// Runs `build`, putting the place of `key` in front of any InputError it throws that names no file itself.
     template <class Build> auto located(std::string_view key, Build&& build) const {

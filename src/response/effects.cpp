@@ -11,6 +11,11 @@ constexpr std::array entries{
     config::Entry<Effect>{"vertical",
                           "vertical motion changes gravity; called for when the wave has a vertical component",
                           Effect::vertical},
+    config::Entry<Effect>{
+        "sliding",
+        "Coulomb stick-slip, slide-rocking, slip at impacts; called for when the no-slip motion would "
+        "need more friction than the static coefficient",
+        Effect::sliding},
 };
 
 struct Named {

@@ -1,6 +1,7 @@
 /// Which effects a scene calls for, and what the body does: body + motion + effects -> Response.
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "body/rigid_body.hpp"
@@ -16,12 +17,17 @@ struct Friction {
     double kinetic_coefficient = 0;
 };
 
+/// The ladder of models: a trial runs on the lowest rung that holds the effects it calls for.
+enum class Rung { at_rest, rocking, sliding };
+inline constexpr int rung_count = 3;
+
 /// One trial's answer.
 struct Response {
     RockingOutcome rocking;
     EffectMask effects = 0;            ///< that ran
     EffectMask called = 0;             ///< that the monitors say would act, whether they ran or not
     double response_velocity_mps = 0;  ///< V_resp of the peak rotation
+    Rung rung = Rung::at_rest;         ///< the highest that ran
 };
 
 /// A body at a level: what does not change from wave to wave.
@@ -35,9 +41,12 @@ struct Scene {
 /// The rocking equation's view of a body.
 [[nodiscard]] RockingBlock block_of(RigidBody const& body);
 
-/// \param scale multiplies every component of the motion
+/// With effects on call a trial with friction begins as plain rocking that is watched, and is run again with sliding
+/// only if it would slip; verdict and numbers are those of sliding forced on. \param scale multiplies every component
+/// of the motion \param peak_mps2 the largest |horizontal| of the motion, if known: spares trials at rest any work
 /// \param observer sees the history if given
 [[nodiscard]] Response respond(Scene const& scene, GroundMotion const& motion, double scale,
-                               RockingStart const& start = {}, RockingObserver* observer = nullptr);
+                               RockingStart const& start = {}, RockingObserver* observer = nullptr,
+                               double peak_mps2 = std::numeric_limits<double>::infinity());
 
 }  // namespace overturn

@@ -10,49 +10,77 @@
 namespace overturn {
 namespace {
 
-template <int Order, class Restoring>
-RockingOutcome run(RockingBlock const& block, Shaking const& shaking, RockingAccuracy const& accuracy,
-                   RockingStart const& start, RockingObserver* observer) {
-    if (shaking.vertical_mps2.empty()) {
-        return rocking::Integrator<Order, Restoring, false>(block, shaking, accuracy, observer).run(start);
-    }
-    return rocking::Integrator<Order, Restoring, true>(block, shaking, accuracy, observer).run(start);
-}
+struct Call {
+    RockingBlock const& block;
+    Shaking const& shaking;
+    RockingAccuracy const& accuracy;
+    RockingStart const& start;
+    RockingObserver* observer;
 
-template <class Restoring>
-RockingOutcome run(RockingBlock const& block, Shaking const& shaking, RockingAccuracy const& accuracy,
-                   RockingStart const& start, RockingObserver* observer) {
-    switch (accuracy.taylor_order) {
-        case 4:
-            return run<4, Restoring>(block, shaking, accuracy, start, observer);
-        case 6:
-            return run<6, Restoring>(block, shaking, accuracy, start, observer);
-        case 8:
-            return run<8, Restoring>(block, shaking, accuracy, start, observer);
-        case 10:
-            return run<10, Restoring>(block, shaking, accuracy, start, observer);
-        case 12:
-            return run<12, Restoring>(block, shaking, accuracy, start, observer);
-        case 16:
-            return run<16, Restoring>(block, shaking, accuracy, start, observer);
-        default:
-            break;
+    template <int Order, class Restoring, Slip Friction> [[nodiscard]] RockingOutcome run() const {
+        if (shaking.vertical_mps2.empty()) {
+            return rocking::Integrator<Order, Restoring, false, Friction>(block, shaking, accuracy, observer)
+                .run(start);
+        }
+        return rocking::Integrator<Order, Restoring, true, Friction>(block, shaking, accuracy, observer).run(start);
     }
-    throw InputError(fmt::format("taylor_order {} (not offered). Use 4, 6, 8, 10, 12 or 16", accuracy.taylor_order));
-}
+
+    template <class Restoring, Slip Friction> [[nodiscard]] RockingOutcome with_order() const {
+        switch (accuracy.taylor_order) {
+            case 4:
+                return run<4, Restoring, Friction>();
+            case 6:
+                return run<6, Restoring, Friction>();
+            case 8:
+                return run<8, Restoring, Friction>();
+            case 12:
+                return run<12, Restoring, Friction>();
+            default:
+                break;
+        }
+        throw InputError(fmt::format("taylor_order {} (not offered). Use 4, 6, 8 or 12", accuracy.taylor_order));
+    }
+};
 
 }  // namespace
 
 RockingOutcome simulate_rocking(RockingBlock const& block, Shaking const& shaking, RockingAccuracy const& accuracy,
-                                RockingStart const& start, RockingObserver* observer) {
+                                RockingStart const& start, RockingObserver* observer, Slip slip) {
     OVERTURN_EXPECT(block.alpha_rad > 0 && block.alpha_rad < 0.5 * pi && block.p_radps > 0);
     OVERTURN_EXPECT(block.restitution >= 0 && block.restitution <= 1);
     OVERTURN_EXPECT(shaking.vertical_mps2.empty() || shaking.vertical_mps2.size() == shaking.horizontal_mps2.size());
     OVERTURN_EXPECT(shaking.horizontal_mps2.size() < 2 || shaking.time_step_s > 0);
-    if (accuracy.restoring == Restoring::linear) {
-        return run<rocking::LinearRestoring>(block, shaking, accuracy, start, observer);
+    OVERTURN_EXPECT(slip == Slip::ignored || block.friction_kinetic <= block.friction_static);
+    if (observer == nullptr && shaking.vertical_mps2.empty() && start.rotation_rad == 0 && start.velocity_radps == 0) {
+        double const ratio = shaking.scale / block.gravity_mps2 * shaking.peak_mps2;
+        double const tips = accuracy.restoring == Restoring::linear ? block.alpha_rad : std::tan(block.alpha_rad);
+        if (ratio <= (slip == Slip::ignored ? tips : std::min(tips, block.friction_static))) {
+            RockingOutcome rest;
+            rest.friction_demand = ratio;
+            return rest;
+        }
     }
-    return run<rocking::NonlinearRestoring>(block, shaking, accuracy, start, observer);
+    Call const call{block, shaking, accuracy, start, observer};
+    if (accuracy.restoring == Restoring::linear) {
+        validate(slip == Slip::ignored,
+                 "slip of the linearised block (its contact forces mean nothing). Use restoring = "
+                 "\"nonlinear\"");
+        return call.with_order<rocking::LinearRestoring, Slip::ignored>();
+    }
+    switch (slip) {
+        case Slip::ignored:
+            return call.with_order<rocking::NonlinearRestoring, Slip::ignored>();
+        case Slip::watched:
+            return call.with_order<rocking::NonlinearRestoring, Slip::watched>();
+        case Slip::simulated:
+            break;
+    }
+    return call.with_order<rocking::NonlinearRestoring, Slip::simulated>();
+}
+
+double painleve_bound(double inertia_ratio) {
+    double const kappa = 1 / inertia_ratio - 1;
+    return 2 * std::sqrt(kappa * (1 + kappa));
 }
 
 double peak_tipping_ratio(Shaking const& shaking, double gravity_mps2) {

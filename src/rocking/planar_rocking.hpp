@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "core/units.hpp"
@@ -16,6 +17,17 @@ struct RockingBlock {
     double restitution = 1;       ///< angular velocity after / before a base impact
     double inertia_ratio = 0.75;  ///< m R^2 / I_O; 3/4 for a uniform rectangle
     double gravity_mps2 = g0;
+    double friction_static = std::numeric_limits<double>::infinity();   ///< mu_s; read unless slip is ignored
+    double friction_kinetic = std::numeric_limits<double>::infinity();  ///< mu_k <= mu_s
+
+    [[nodiscard]] double radius_m() const { return inertia_ratio * gravity_mps2 / (p_radps * p_radps); }
+};
+
+/// What becomes of friction that is not enough.
+enum class Slip {
+    ignored,    ///< the corner never slips; friction demand is monitored
+    watched,    ///< the same motion, ended at the instant the block would slip: RockingOutcome::slip_called
+    simulated,  ///< at rest, sliding, rocking, slide-rocking
 };
 
 /// A wave at one level: views only, linear between samples, zero after the last one.
@@ -24,6 +36,8 @@ struct Shaking {
     std::span<double const> vertical_mps2;  ///< upwards positive; empty where the effect is off
     double time_step_s = 0;
     double scale = 1;  ///< multiplies every component
+    /// Largest |horizontal| if it is known: rest is then seen by one comparison [m/s2]
+    double peak_mps2 = std::numeric_limits<double>::infinity();
 };
 
 /// How a trial ended. Values are stored in results files: never renumber them.
@@ -36,7 +50,7 @@ enum class Restoring { nonlinear, linear };
 /// median / largest): order 6 3e-12 / 3e-11 and 2e-10 / 6e-7, order 8 2e-15 / 4e-14 and 4e-14 / 2e-11 for a quarter
 /// more time; order 12 is no better, rounding is reached.
 struct RockingAccuracy {
-    int taylor_order = 8;           ///< terms of the series of theta per step: 4, 6, 8, 10, 12 or 16
+    int taylor_order = 8;           ///< terms of the series of theta per step: 4, 6, 8 or 12
     int substeps = 1;               ///< steps per wave sample, before any that step_tolerance adds
     double step_tolerance = 1e-11;  ///< a step is shortened until its last series term is below this fraction of alpha
     double settle = 1e-5;           ///< bouncing slower than this fraction of p is summed in closed form, not stepped
@@ -47,6 +61,15 @@ struct RockingAccuracy {
 struct RockingStart {
     double rotation_rad = 0;
     double velocity_radps = 0;
+};
+
+/// Energies per mass [J/kg] up to the end of the simulation, with Slip::simulated:
+/// input = mechanical + impact_loss + friction_work.
+struct EnergyBalance {
+    double input = 0;          ///< work of the shaking on the body, in the ground's frame
+    double mechanical = 0;     ///< kinetic + potential at the end
+    double impact_loss = 0;    ///< lost in impacts and in the bouncing that settles
+    double friction_work = 0;  ///< lost in slip, impacts apart
 };
 
 /// What a trial of planar rocking left behind. Times count from the first sample [s]; -1 means "never".
@@ -62,11 +85,17 @@ struct RockingOutcome {
     double friction_demand = 0;          ///< max |F| / N that no slip needs, impacts included
     double min_contact_force_ratio = 1;  ///< min N / (m g)
     std::int64_t steps = 0;              ///< series evaluated
+    double contact_lost_s = -1;          ///< first time of N <= 0, in whatever mode
+
+    bool slip_called = false;    ///< Slip::watched ended here: nothing else of this outcome counts
+    double peak_slip_m = 0;      ///< max |x| of the base
+    double residual_slip_m = 0;  ///< x at the end
+    EnergyBalance energy;        ///< with Slip::simulated only
 };
 
 /// One instant of a history.
 struct RockingInstant {
-    double time_s, rotation_rad, velocity_radps, friction_ratio, contact_force_ratio;
+    double time_s, rotation_rad, velocity_radps, friction_ratio, contact_force_ratio, slip_m, slip_velocity_mps;
 };
 
 /// Receives every step's start, and both sides of every impact.
@@ -84,15 +113,26 @@ class RockingObserver {
 
 /// Integrates I_O theta'' = -m R (s gv sin psi + a cos psi), psi = alpha - s theta, with uplift from rest when
 /// |a| > gv tan(alpha), impacts omega -> e omega over the other corner, and overturning at |theta| = pi/2 (Housner
-/// 1963).
+/// 1963). With Slip::simulated also sliding, slide-rocking and slip at impacts under Coulomb friction.
 ///
-/// A Taylor series per sample, on which impact, peak and overturning are located to rounding; uplift is located
-/// exactly. After the wave, energy decides. Mirrored motion gives the bit-equal mirrored trial. Allocates nothing. \pre
-/// block quantities are positive, alpha < pi/2, restitution in [0, 1]; components agree in length \throws InputError if
-/// the accuracy asks for an order that is not offered
+/// A Taylor series per sample, on which every event is located to rounding; uplift is located exactly. After the wave,
+/// energy decides. Mirrored motion gives the bit-equal mirrored trial; a trial in which nothing slips is bit-equal in
+/// all three slip modes. Allocates nothing.
+///
+/// Loss of contact (N <= 0) below the critical angle or while turning back ends the trial as contact_lost. Beyond it,
+/// on the way out, the fall is certain and free of torque: the trial is overturned, at the instant to which the
+/// rotation at the loss leads, and contact_lost_s tells.
+///
+/// \pre block quantities are positive, alpha < pi/2, restitution in [0, 1]; components agree in length; friction stays
+///      below painleve_bound
+/// \throws InputError if the accuracy asks for an order that is not offered, or for slip of the linearised block
 [[nodiscard]] RockingOutcome simulate_rocking(RockingBlock const& block, Shaking const& shaking,
                                               RockingAccuracy const& accuracy = {}, RockingStart const& start = {},
-                                              RockingObserver* observer = nullptr);
+                                              RockingObserver* observer = nullptr, Slip slip = Slip::ignored);
+
+/// Friction from which a slipping corner may jam (Painleve's paradox): 2 sqrt(kappa (1 + kappa)), kappa = I_G/(m R^2);
+/// 4/3 for a uniform rectangle.
+[[nodiscard]] double painleve_bound(double inertia_ratio);
 
 /// The largest horizontal acceleration over gv, max |a| / gv: at rest while it does not exceed tan(alpha) [-, in g];
 /// infinite where gv falls to zero or below.

@@ -29,13 +29,16 @@ template <std::size_t N> double first_fall(std::array<double, N> const& c, doubl
     if (rising && c[0] >= 0) {
         return -1;
     }
-    auto const curvature = derivative(slope);
-    bool const falling = -slope[0] > tail_bound(slope, 1, h);
-    bool const concave = -curvature[0] > tail_bound(curvature, 1, h);
-    if (falling || concave) {
+    bool bending_once = -slope[0] > tail_bound(slope, 1, h);  // falling all the way
+    if constexpr (N > 2) {
+        auto const curvature = derivative(slope);
+        bending_once = bending_once || -curvature[0] > tail_bound(curvature, 1, h);  // or concave
+    }
+    if (bending_once) {
         return evaluate(c, h) <= 0 ? root_between(c, 0.0, h) : -1;
     }
-    for (double const root : roots_in(c, 0.0, h).all()) {
+    auto const roots = roots_in(c, 0.0, h);
+    for (double const root : roots.all()) {
         if (evaluate(slope, root) <= 0) {
             return root;
         }
@@ -66,7 +69,8 @@ template <std::size_t N, class Visit> void for_each_maximum(std::array<double, N
         return;
     }
     auto const curvature = derivative(slope);
-    for (double const root : roots_in(slope, 0.0, h).all()) {
+    auto const roots = roots_in(slope, 0.0, h);
+    for (double const root : roots.all()) {
         if (evaluate(curvature, root) <= 0) {
             visit(root);
         }

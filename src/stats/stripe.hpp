@@ -7,14 +7,17 @@
 
 namespace overturn {
 
-/// Failed trials have no verdict: they are left out of the proportion and reported beside it.
+/// Failed trials have no verdict, and a body that lost contact has none of this model's: both are left out of the
+/// proportion and reported beside it.
 struct Stripe {
     double amplitude = 0;  ///< SI value of the level's measure
     std::int64_t trials = 0;
     std::int64_t overturned = 0;
     std::int64_t failed = 0;
+    std::int64_t contact_lost = 0;
+    std::int64_t at_rest = 0, slid = 0;  ///< the rest of the decided ones rocked
 
-    [[nodiscard]] std::int64_t decided() const { return trials - failed; }
+    [[nodiscard]] std::int64_t decided() const { return trials - failed - contact_lost; }
     /// Overturned over decided; 0 where nothing is decided.
     [[nodiscard]] double probability() const;
     [[nodiscard]] Interval interval(double confidence) const {

@@ -33,6 +33,14 @@ TEST(Table, OutOfRangeNamesPlaceValueAndRange) {
                        "x.toml:2:", "mass: -3000 kg (must be above 0 kg)");
 }
 
+TEST(Table, MisspeltKeyThatMustBeThereIsSuggested) {
+    auto const table = Table::parse("a = 1\nsede = 4", "x.toml");
+
+    (void)table.integer("a", 0, 9);
+    expect_input_error([&] { (void)table.integer("seed", 0, 9); }, "x.toml:2:", "sede: unknown key",
+                       "Did you mean 'seed'?");
+}
+
 TEST(Table, MissingKeyIsNamed) {
     auto const table = Table::parse("[waves]\n", "x.toml").child("waves");
 

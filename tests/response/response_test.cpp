@@ -128,14 +128,19 @@ TEST(Response, StaticFrictionDecidesNotKinetic) {
         0U);
 }
 
-/// A block at rest needs |a| / g of friction; below tan alpha it stands, yet a slippery floor would let it go.
-TEST(Response, BodyAtRestMaySlide) {
-    auto const resting =
-        trial(wave(false), {.friction = Friction{0.1, 0.1}, .effects = automatic}, peak_scaled_to(0.2 * g0));
+/// A block at rest needs |a| / g of friction; below tan alpha it stands, yet a slippery floor lets it go.
+TEST(Response, BodyAtRestSlidesOnASlipperyFloor) {
+    Friction const slippery{0.1, 0.1};
+    auto const asked = trial(wave(false), {.friction = slippery, .effects = automatic}, peak_scaled_to(0.2 * g0));
+    auto const plain = trial(wave(false), {.friction = slippery, .effects = none}, peak_scaled_to(0.2 * g0));
 
-    EXPECT_EQ(resting.rocking.verdict, Verdict::at_rest);
-    EXPECT_EQ(resting.called, mask_of(Effect::sliding));
-    EXPECT_TRUE(testing::near(resting.rocking.friction_demand, 0.2, testing::exact_formula));
+    EXPECT_EQ(asked.rocking.verdict, Verdict::slid);
+    EXPECT_EQ(asked.rung, Rung::sliding);
+    EXPECT_EQ(asked.effects, mask_of(Effect::sliding));
+    EXPECT_GT(asked.rocking.peak_slip_m, 0);
+    EXPECT_EQ(plain.rocking.verdict, Verdict::at_rest);
+    EXPECT_EQ(plain.called, mask_of(Effect::sliding)) << "left out, but said";
+    EXPECT_TRUE(testing::near(plain.rocking.friction_demand, 0.2, testing::exact_formula));
 }
 
 TEST(Response, VelocityIsThatOfThePeakRotation) {

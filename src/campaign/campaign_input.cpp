@@ -1,0 +1,114 @@
+#include "campaign/campaign_input.hpp"
+
+#include <fstream>
+#include <iterator>
+
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "campaign/campaign_spec.hpp"
+#include "store/shards.hpp"
+
+namespace overturn {
+namespace {
+
+using Json = nlohmann::json;
+
+Json json_of(CampaignInput const& input) {
+    Json files = Json::object();
+    for (auto const& [name, content] : input.files) {
+        files[name] = Json::binary({content.begin(), content.end()});
+    }
+    return {
+        {"text", Json::binary({input.text.begin(), input.text.end()})}, {"settings", input.settings}, {"files", files}};
+}
+
+std::string text_of(Json const& binary) {
+    auto const& bytes = binary.get_binary();
+    return {bytes.begin(), bytes.end()};
+}
+
+std::vector<std::string> lines_of(std::string const& text) {
+    std::vector<std::string> lines;
+    for (std::size_t begin = 0; begin < text.size();) {
+        auto const end = std::min(text.find('\n', begin), text.size());
+        lines.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return lines;
+}
+
+}  // namespace
+
+std::string CampaignInput::serialise() const {
+    auto json = json_of(*this);
+    json["name"] = name;
+    auto const bytes = Json::to_cbor(json);
+    return {bytes.begin(), bytes.end()};
+}
+
+CampaignInput CampaignInput::deserialise(std::string_view bytes) {
+    auto const json = Json::from_cbor(bytes.begin(), bytes.end());
+    CampaignInput input{json.at("name").get<std::string>(),
+                        text_of(json.at("text")),
+                        json.at("settings").get<std::vector<std::string>>(),
+                        {}};
+    for (auto const& [name, content] : json.at("files").items()) {
+        input.files.emplace(name, text_of(content));
+    }
+    return input;
+}
+
+std::string CampaignInput::sha256() const {
+    auto const bytes = Json::to_cbor(json_of(*this));
+    return store::sha256({reinterpret_cast<char const*>(bytes.data()), bytes.size()});
+}
+
+std::vector<std::string> CampaignInput::differences(CampaignInput const& other) const {
+    std::vector<std::string> found;
+    auto const ours = lines_of(text);
+    auto const theirs = lines_of(other.text);
+    for (std::size_t i = 0; i < std::max(ours.size(), theirs.size()); ++i) {
+        auto const a = i < ours.size() ? ours[i] : std::string("(no line)");
+        auto const b = i < theirs.size() ? theirs[i] : std::string("(no line)");
+        if (a != b) {
+            found.push_back(fmt::format("line {}: '{}' became '{}'", i + 1, a, b));
+            break;  // one line names the key; what follows may only have moved
+        }
+    }
+    if (settings != other.settings) {
+        found.push_back(
+            fmt::format("--set: '{}' became '{}'", fmt::join(settings, " "), fmt::join(other.settings, " ")));
+    }
+    for (auto const& [file, content] : files) {
+        auto const there = other.files.find(file);
+        if (there == other.files.end() || there->second != content) {
+            found.push_back(fmt::format("file {} {}", file, there == other.files.end() ? "is gone" : "changed"));
+        }
+    }
+    for (auto const& [file, content] : other.files) {
+        if (!files.contains(file)) {
+            found.push_back(fmt::format("file {} is new", file));
+        }
+    }
+    return found;
+}
+
+CampaignInput load_campaign(std::filesystem::path const& path, std::span<std::string const> settings) {
+    std::ifstream file(path, std::ios::binary);
+    validate(static_cast<bool>(file) && !std::filesystem::is_directory(path),
+             "{}: cannot be read (no such file, or no right to). Check the name", path.string());
+    CampaignInput input{
+        path.string(), std::string(std::istreambuf_iterator<char>(file), {}), {settings.begin(), settings.end()}, {}};
+    // A results file carries the text as an attribute, which HDF5 holds to 64 KiB.
+    constexpr std::size_t longest = 60'000;
+    validate(input.text.size() <= longest,
+             "{}: {} bytes (a results file can carry {}). Move long tables into files that the campaign names",
+             path.string(), input.text.size(), longest);
+    InputFiles files(path.has_parent_path() ? path.parent_path() : std::filesystem::path("."));
+    (void)parse_campaign(input, files);
+    input.files = files.contents();
+    return input;
+}
+
+}  // namespace overturn

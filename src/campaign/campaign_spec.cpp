@@ -1,0 +1,146 @@
+#include "campaign/campaign_spec.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <set>
+
+namespace overturn {
+namespace {
+
+using config::Range;
+using config::Table;
+
+constexpr std::int64_t most_waves = 1'000'000'000;
+constexpr std::int64_t most_trials = 1'000'000'000'000;
+
+EffectRequest read_effects(Table const& table) {
+    if (table.has("include")) {
+        if (table.has("mode")) {
+            table.fail("include", "stated beside mode (the list already forces its effects). Keep one of them");
+        }
+        EffectRequest request{EffectMode::forced, 0};
+        for (auto const& name : table.texts("include")) {
+            request.include |= table.located("include", [&] { return parse_effects(name).include; });
+        }
+        return request;
+    }
+    static constexpr std::array modes{
+        config::Entry<EffectMode>{"auto", "what each scene calls for", EffectMode::automatic},
+        config::Entry<EffectMode>{"none", "plain rocking", EffectMode::none}};
+    return {table.choice<EffectMode>("mode", modes, EffectMode::automatic), 0};
+}
+
+RockingAccuracy read_accuracy(Table const& table) {
+    RockingAccuracy a;
+    static constexpr std::array orders{4, 6, 8, 12};
+    auto const order = table.integer("taylor_order", 1, 99, a.taylor_order);
+    if (std::find(orders.begin(), orders.end(), order) == orders.end()) {
+        table.fail("taylor_order", fmt::format("{} (not offered). Use 4, 6, 8 or 12", order));
+    }
+    a.taylor_order = static_cast<int>(order);
+    constexpr int most_substeps = 1000;
+    a.substeps = static_cast<int>(table.integer("substeps", 1, most_substeps, a.substeps));
+    a.step_tolerance = table.number("step_tolerance", Dimension::none, {.low = 1e-16, .high = 1e-3}, a.step_tolerance);
+    a.settle = table.number("settle", Dimension::none, {.low = 0, .high = 1e-2, .low_open = true}, a.settle);
+    static constexpr std::array restorings{
+        config::Entry<Restoring>{"nonlinear", "the block as it is", Restoring::nonlinear},
+        config::Entry<Restoring>{"linear", "for the closed forms of the literature", Restoring::linear}};
+    a.restoring = table.choice<Restoring>("restoring", restorings, a.restoring);
+    return a;
+}
+
+MeasureSpec read_measures(Table const& table) {
+    MeasureSpec m;
+    static constexpr std::array units{
+        config::Entry<RadiusUnit>{"cm", "T0 = 0.05 sqrt(R in cm)", RadiusUnit::centimetre},
+        config::Entry<RadiusUnit>{"m", "T0 = 0.05 sqrt(R in m)", RadiusUnit::metre}};
+    static constexpr std::array readings{
+        config::Entry<WindowReading>{"restarted", "the oscillators start afresh with each window",
+                                     WindowReading::restarted},
+        config::Entry<WindowReading>{"running", "energy that running oscillators gain over the window",
+                                     WindowReading::running}};
+    m.radius_unit = table.choice<RadiusUnit>("radius_unit", units, m.radius_unit);
+    m.window = table.choice<WindowReading>("window", readings, m.window);
+    table.finish();
+    return m;
+}
+
+std::vector<BodySpec> read_bodies(Table const& root, InputFiles& files) {
+    std::vector<BodySpec> bodies;
+    std::set<std::string> names;
+    for (auto const& entry : root.children("bodies")) {
+        bodies.push_back(read_body(entry, files));
+        auto const& name = bodies.back().name;
+        if (name.empty() || name.find('/') != std::string::npos) {
+            entry.fail("name", fmt::format("'{}' (names a group of the results file). Use a name without '/'", name));
+        }
+        if (!names.insert(name).second) {
+            entry.fail("name", fmt::format("'{}' twice (names tell bodies apart). Rename one", name));
+        }
+    }
+    if (bodies.empty()) {
+        root.fail("bodies", "empty (nothing to shake). Add [[bodies]]");
+    }
+    return bodies;
+}
+
+}  // namespace
+
+CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
+    auto const root = Table::parse(input.text, input.name, input.settings);
+    CampaignSpec spec;
+    spec.title = root.text("title", "");
+    spec.seed = static_cast<std::uint64_t>(root.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
+    spec.bodies = read_bodies(root, files);
+    spec.levels = read_levels(root.child("levels"));
+    auto const waves = root.child("waves");
+    spec.source = make_wave_source(waves, files);
+    auto const available = spec.source->available();
+    spec.wave_count = available ? waves.integer("count", 1, most_waves, static_cast<std::int64_t>(*available))
+                                : waves.integer("count", 1, most_waves);
+    if (available && spec.wave_count > static_cast<std::int64_t>(*available)) {
+        waves.fail("count",
+                   fmt::format("{} (the source has {} waves). Lower it or leave it out", spec.wave_count, *available));
+    }
+    if (available && spec.levels.independent_waves) {
+        root.child("levels").fail("waves", "independent (this source has the same waves for every level). Use shared");
+    }
+    waves.finish();
+    auto const effects = root.child_or_empty("effects");
+    spec.effects = read_effects(effects);
+    effects.finish();
+    for (auto const& body : spec.bodies) {
+        if (has(spec.effects.include, Effect::sliding) && !body.friction) {
+            effects.fail("include",
+                         fmt::format("sliding forced on '{}', which states no friction (nothing says when it "
+                                     "slips). Add friction to the body",
+                                     body.name));
+        }
+    }
+    auto const accuracy = root.child_or_empty("accuracy");
+    spec.rocking = read_accuracy(accuracy);
+    constexpr double largest_phase = 40;
+    spec.measures = read_measures(root.child_or_empty("measures"));
+    spec.measures.panel_phase_rad = accuracy.number("panel_phase", Dimension::angle, {.low = 1, .high = largest_phase},
+                                                    spec.measures.panel_phase_rad);
+    accuracy.finish();
+    auto const statistics = root.child_or_empty("statistics");
+    spec.confidence = statistics.number("confidence", Dimension::none,
+                                        {.low = 0, .high = 1, .low_open = true, .high_open = true}, spec.confidence);
+    statistics.finish();
+    root.finish();
+    double const trials = static_cast<double>(spec.wave_count) * static_cast<double>(spec.bodies.size())
+                          * static_cast<double>(spec.levels.levels.size());
+    if (trials > static_cast<double>(most_trials)) {
+        waves.fail("count", fmt::format("{:.3g} trials in all (more than {}). Lower it", trials, most_trials));
+    }
+    return spec;
+}
+
+CampaignSpec parse_campaign(CampaignInput const& input) {
+    InputFiles files(input.files);
+    return parse_campaign(input, files);
+}
+
+}  // namespace overturn

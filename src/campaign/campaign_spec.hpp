@@ -1,0 +1,45 @@
+/// A campaign as the program understands it: validated, immutable, the same on every rank.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "campaign/body_spec.hpp"
+#include "campaign/campaign_input.hpp"
+#include "campaign/level_spec.hpp"
+#include "core/input_files.hpp"
+#include "generators/wave_source.hpp"
+#include "response/response.hpp"
+#include "spectra/window_energy.hpp"
+
+namespace overturn {
+
+/// How the energy measures are read; an option because the original's unit of R is not printed.
+struct MeasureSpec {
+    RadiusUnit radius_unit = RadiusUnit::centimetre;
+    WindowReading window = WindowReading::restarted;
+    double panel_phase_rad = WindowOptions{}.panel_phase_rad;
+};
+
+struct CampaignSpec {
+    std::string title;
+    std::uint64_t seed = 0;
+    std::int64_t wave_count = 0;  ///< shared, or per level
+    std::unique_ptr<WaveSource> source;
+    std::vector<BodySpec> bodies;
+    LevelSpec levels;
+    EffectRequest effects;
+    RockingAccuracy rocking;
+    MeasureSpec measures;
+    double confidence = 0.95;
+};
+
+/// \throws InputError naming file, line and column for anything wrong
+[[nodiscard]] CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files);
+/// From the input's own files alone.
+[[nodiscard]] CampaignSpec parse_campaign(CampaignInput const& input);
+
+}  // namespace overturn

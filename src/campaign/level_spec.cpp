@@ -1,0 +1,159 @@
+#include "campaign/level_spec.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace overturn {
+namespace {
+
+using Measure = LevelMeasureEntry;
+
+constexpr std::array measures{
+    config::Entry<Measure>{"pga", "peak horizontal acceleration", {LevelMeasure::pga, Dimension::acceleration}},
+    config::Entry<Measure>{"pgv", "peak horizontal velocity", {LevelMeasure::pgv, Dimension::velocity}},
+    config::Entry<Measure>{"pgd", "peak horizontal displacement", {LevelMeasure::pgd, Dimension::length}},
+    config::Entry<Measure>{"factor", "a plain factor on the wave as it is", {LevelMeasure::factor, Dimension::none}},
+};
+
+constexpr std::array independence{
+    config::Entry<bool>{"shared", "every level scales the same waves", false},
+    config::Entry<bool>{"independent", "every level has waves of its own", true},
+};
+
+constexpr std::array spacings{
+    config::Entry<bool>{"linear", "equal steps", false},
+    config::Entry<bool>{"log", "equal ratios", true},
+};
+
+constexpr std::int64_t most_levels = 100000;
+
+std::vector<double> read_values(config::Table const& table, Dimension dimension) {
+    if (table.kind("values") != config::Kind::table) {
+        auto values = table.numbers("values", dimension, config::Range::positive());
+        if (values.empty()) {
+            table.fail("values", "empty (no level to test at). List at least one");
+        }
+        return values;
+    }
+    auto const range = table.child("values");
+    double const from = range.number("from", dimension, config::Range::positive());
+    double const to = range.number("to", dimension, config::Range::positive());
+    auto const count = range.integer("count", 1, most_levels);
+    bool const log = range.choice<bool>("spacing", spacings, false);
+    range.finish();
+    if (count > 1 && !(to > from)) {
+        range.fail("to", "not above 'from' (levels must rise). Swap them");
+    }
+    std::vector<double> values;
+    for (std::int64_t i = 0; i < count; ++i) {
+        double const part = count == 1 ? 0 : static_cast<double>(i) / static_cast<double>(count - 1);
+        values.push_back(i + 1 == count && count > 1 ? to
+                         : log                       ? from * std::pow(to / from, part)
+                                                     : from + (to - from) * part);
+    }
+    return values;
+}
+
+bool same_level(double a, double b) {
+    constexpr double tolerance = 1e-9;
+    return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
+}
+
+void name_level(std::vector<Level>& levels, double value, LevelClass purpose) {
+    auto const found =
+        std::find_if(levels.begin(), levels.end(), [&](Level const& l) { return same_level(l.value, value); });
+    if (found != levels.end()) {
+        found->purpose = purpose;
+    } else {
+        levels.push_back({value, purpose});
+    }
+}
+
+}  // namespace
+
+std::span<config::Entry<LevelMeasureEntry> const> level_measures() { return measures; }
+
+std::string name_of(LevelClass purpose) {
+    switch (purpose) {
+        case LevelClass::ordinary:
+            return "ordinary";
+        case LevelClass::design_basis:
+            return "design-basis";
+        case LevelClass::beyond_design:
+            return "beyond-design";
+    }
+    return "";
+}
+
+std::string LevelSpec::measure_name() const {
+    for (auto const& entry : measures) {
+        if (entry.value.measure == measure) {
+            return std::string(entry.name);
+        }
+    }
+    return "";
+}
+
+std::string LevelSpec::units() const {
+    for (auto const& entry : measures) {
+        if (entry.value.measure == measure) {
+            auto const symbol = si_symbol(entry.value.dimension);
+            return symbol.empty() ? "1" : std::string(symbol);
+        }
+    }
+    return "";
+}
+
+std::optional<double> LevelSpec::scale(Level const& level, Intensity const& wave) const {
+    double base = 1;
+    switch (measure) {
+        case LevelMeasure::pga:
+            base = wave.pga_mps2;
+            break;
+        case LevelMeasure::pgv:
+            base = wave.pgv_mps;
+            break;
+        case LevelMeasure::pgd:
+            base = wave.pgd_m;
+            break;
+        case LevelMeasure::factor:
+            break;
+    }
+    return base > 0 ? std::optional(level.value / base) : std::nullopt;
+}
+
+LevelSpec read_levels(config::Table const& table) {
+    LevelSpec spec;
+    auto const chosen = table.choice<Measure>("measure", measures);
+    spec.measure = chosen.measure;
+    spec.independent_waves = table.choice<bool>("waves", independence, false);
+    // Named levels alone make a campaign too.
+    if (table.has("values") || !(table.has("design_basis") || table.has("beyond_design"))) {
+        for (double const value : read_values(table, chosen.dimension)) {
+            spec.levels.push_back({value, LevelClass::ordinary});
+        }
+    }
+    auto const basis = table.maybe_number("design_basis", chosen.dimension, config::Range::positive());
+    if (basis) {
+        name_level(spec.levels, *basis, LevelClass::design_basis);
+    }
+    if (table.has("beyond_design")) {
+        for (double const value : table.numbers("beyond_design", chosen.dimension, config::Range::positive())) {
+            if (basis && value <= *basis) {
+                table.fail("beyond_design", fmt::format("{} (not above design_basis {}). Raise it", value, *basis));
+            }
+            name_level(spec.levels, value, LevelClass::beyond_design);
+        }
+    }
+    table.finish();
+    std::sort(spec.levels.begin(), spec.levels.end(), [](Level const& a, Level const& b) { return a.value < b.value; });
+    for (std::size_t i = 1; i < spec.levels.size(); ++i) {
+        if (same_level(spec.levels[i - 1].value, spec.levels[i].value)) {
+            table.fail("values", fmt::format("{} twice (a level is one stripe). Remove one", spec.levels[i].value));
+        }
+    }
+    return spec;
+}
+
+}  // namespace overturn

@@ -1,0 +1,50 @@
+/// The amplitudes of a scan: the intensity measure that defines them, their values, and which of them are special.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/table.hpp"
+#include "motion/intensity.hpp"
+
+namespace overturn {
+
+/// What a level's value measures on the scaled wave; `factor` multiplies the wave as it is.
+enum class LevelMeasure { pga, pgv, pgd, factor };
+
+/// What a level is for.
+enum class LevelClass : std::uint8_t { ordinary = 0, design_basis = 1, beyond_design = 2 };
+
+/// A level measure and the dimension of its values.
+struct LevelMeasureEntry {
+    LevelMeasure measure;
+    Dimension dimension;
+};
+[[nodiscard]] std::span<config::Entry<LevelMeasureEntry> const> level_measures();
+
+struct Level {
+    double value = 0;  ///< SI
+    LevelClass purpose = LevelClass::ordinary;
+};
+
+struct LevelSpec {
+    LevelMeasure measure = LevelMeasure::pga;
+    std::vector<Level> levels;       ///< rising
+    bool independent_waves = false;  ///< every level has waves of its own
+
+    [[nodiscard]] std::string measure_name() const;
+    [[nodiscard]] std::string units() const;
+    /// The factor that brings a wave of this intensity to `level`; empty if the wave's measure is zero.
+    [[nodiscard]] std::optional<double> scale(Level const& level, Intensity const& wave) const;
+};
+
+/// Keys: measure, values (list or {from, to, count, spacing}), design_basis, beyond_design, waves. A named level that
+/// is not among the values is added to them; named levels need no values. \throws InputError
+[[nodiscard]] LevelSpec read_levels(config::Table const& table);
+
+/// "ordinary", "design-basis", "beyond-design".
+[[nodiscard]] std::string name_of(LevelClass purpose);
+
+}  // namespace overturn

@@ -1,0 +1,45 @@
+/// A campaign numbered: waves, trials and blocks. Nothing here knows of ranks.
+#pragma once
+
+#include <cstdint>
+
+#include "campaign/campaign_spec.hpp"
+
+namespace overturn {
+
+/// Waves are counted from 0 over the whole campaign; trials likewise, wave by wave, then body, then level.
+class Plan {
+  public:
+    explicit Plan(CampaignSpec const& spec);
+
+    [[nodiscard]] std::int64_t waves() const { return waves_; }
+    [[nodiscard]] std::int64_t bodies() const { return bodies_; }
+    [[nodiscard]] std::int64_t trials_per_wave() const { return bodies_ * levels_per_wave_; }
+    [[nodiscard]] std::int64_t trials() const { return waves_ * trials_per_wave(); }
+    [[nodiscard]] std::int64_t blocks() const { return (waves_ + block_size_ - 1) / block_size_; }
+    [[nodiscard]] std::int64_t block_size() const { return block_size_; }
+
+    /// The wave's identity in every random stream. With independent waves level l's are l 10^9 + 0, 1, 2, ..., so that
+    /// more waves or more levels change no earlier one.
+    [[nodiscard]] std::uint64_t wave_id(std::int64_t wave) const;
+    /// The levels at which a wave is tried: [first, first + count).
+    [[nodiscard]] std::int64_t first_level(std::int64_t wave) const;
+    [[nodiscard]] std::int64_t level_count() const { return levels_per_wave_; }
+
+    struct Waves {
+        std::int64_t first, count;
+    };
+    [[nodiscard]] Waves waves_of_block(std::int64_t block) const;
+
+    struct Trial {
+        std::int64_t wave, body, level;
+    };
+    /// \pre 0 <= number < trials()
+    [[nodiscard]] Trial trial(std::int64_t number) const;
+
+  private:
+    bool independent_;
+    std::int64_t waves_per_level_, waves_, bodies_, levels_per_wave_, block_size_;
+};
+
+}  // namespace overturn

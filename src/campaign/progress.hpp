@@ -1,0 +1,34 @@
+/// Progress of long work on stderr: one line that rewrites itself on a terminal, plain lines elsewhere.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace overturn {
+
+class Progress {
+  public:
+    /// \param total blocks in all; \param done blocks that an earlier run left behind; \param trials per block, on
+    /// average
+    Progress(std::int64_t total, std::int64_t done, double trials_per_block);
+
+    void block_done();
+    /// Ends the rewriting line.
+    void finish() const;
+    [[nodiscard]] double elapsed_s() const;
+
+  private:
+    void show(bool last) const;
+
+    bool terminal_;
+    std::int64_t total_, before_, done_;
+    double trials_per_block_;
+    std::chrono::steady_clock::time_point begin_;
+    double shown_s_ = -1;
+};
+
+/// "12 s", "3 min 20 s", "2 h 05 min".
+[[nodiscard]] std::string duration_text(double seconds);
+
+}  // namespace overturn

@@ -1,0 +1,221 @@
+#include "campaign/results.hpp"
+
+#include <fmt/ranges.h>
+
+#include "campaign/version.hpp"
+
+namespace overturn {
+namespace {
+
+void write_provenance(store::ResultsWriter& file, CampaignInput const& input, CampaignSpec const& spec) {
+    file.attribute("format", store::format_name);
+    file.attribute("format_version", store::format_version);
+    file.attribute("program_version", program_version());
+    file.attribute("git_revision", git_revision());
+    file.attribute("library_versions", library_versions());
+    file.attribute("title", spec.title);
+    file.attribute("campaign", input.text);
+    file.attribute("campaign_name", std::filesystem::path(input.name).filename().string());
+    file.attribute("settings", fmt::format("{}", fmt::join(input.settings, "\n")));
+    file.attribute("input_sha256", input.sha256());
+    file.attribute("seed", static_cast<std::int64_t>(spec.seed));
+    file.attribute("level_measure", spec.levels.measure_name());
+    file.attribute("level_units", spec.levels.units());
+    file.attribute("wave_source", spec.source->describe());
+    for (auto const& [name, content] : input.files) {
+        // Names hold '/', which HDF5 reads as a path; the number is the place, the attribute the name.
+        auto const place = fmt::format("{:04}", std::distance(input.files.begin(), input.files.find(name)));
+        file.bytes("inputs", place, name, content);
+    }
+}
+
+void write_body(store::ResultsWriter& file, BodySpec const& spec) {
+    auto const group = "bodies/" + spec.name;
+    auto const& body = spec.body;
+    auto const put = [&](char const* name, char const* units, char const* description, double value) {
+        file.array(group, {name, units, description, store::ColumnType::real, 0, {}}, std::vector<double>{value});
+    };
+    put("mass", "kg", "mass", body.mass_kg());
+    put("half_width", "m", "b, half of the base", body.half_width_m());
+    put("centre_height", "m", "h, height of the centre of gravity", body.centre_height_m());
+    put("inertia", "kg m2", "moment of inertia about the centre of gravity", body.inertia_kgm2());
+    put("radius", "m", "R = sqrt(b^2 + h^2)", body.radius_m());
+    put("alpha", "rad", "critical angle atan(b/h)", body.alpha_rad());
+    put("p", "rad/s", "frequency parameter sqrt(m g R / I_O)", body.p_radps());
+    put("restitution", "1", "median restitution", body.restitution());
+    put("housner_restitution", "1", "1 - 2 m b^2 / I_O", body.housner_restitution());
+    put("v_ereq", "m/s", "limit velocity sqrt(2 g (R - h))", body.limit_velocity_mps());
+}
+
+template <class Value, class Get> std::vector<Value> column(std::vector<Stripe> const& stripes, Get get) {
+    std::vector<Value> values;
+    for (auto const& stripe : stripes) {
+        values.push_back(get(stripe));
+    }
+    return values;
+}
+
+void write_stripes(store::ResultsWriter& file, CampaignSpec const& spec, BodyStatistics const& body) {
+    auto const group = "stripes/" + body.body;
+    auto const spec_of = [](char const* name, std::string const& units, char const* description) {
+        return store::ColumnSpec{name, units, description, store::ColumnType::real, 0, {}};
+    };
+    auto const& s = body.stripes;
+    file.array(group, spec_of("amplitude", spec.levels.units(), "value of the level"),
+               column<double>(s, [](Stripe const& x) { return x.amplitude; }));
+    auto const count = [&](char const* name, char const* description, auto get) {
+        file.array(group, spec_of(name, "1", description), column<std::int64_t>(s, get), "amplitude");
+    };
+    count("trials", "trials at the level", [](Stripe const& x) { return x.trials; });
+    count("overturned", "trials that overturned", [](Stripe const& x) { return x.overturned; });
+    count("failed", "trials without a verdict, left out of the probability", [](Stripe const& x) { return x.failed; });
+    count("contact_lost", "trials that lost contact, left out of the probability",
+          [](Stripe const& x) { return x.contact_lost; });
+    count("at_rest", "trials that never moved", [](Stripe const& x) { return x.at_rest; });
+    count("slid", "trials that slid and never uplifted", [](Stripe const& x) { return x.slid; });
+    auto const real = [&](char const* name, char const* description, auto get) {
+        file.array(group, spec_of(name, "1", description), column<double>(s, get), "amplitude");
+    };
+    double const c = spec.confidence;
+    real("probability", "overturned over decided trials", [](Stripe const& x) { return x.probability(); });
+    real("lower", "lower bound, Clopper-Pearson", [c](Stripe const& x) { return x.interval(c).lower; });
+    real("upper", "upper bound, Clopper-Pearson", [c](Stripe const& x) { return x.interval(c).upper; });
+    std::vector<std::int64_t> purposes;
+    for (auto const& level : spec.levels.levels) {
+        purposes.push_back(static_cast<std::int64_t>(level.purpose));
+    }
+    file.array(group, spec_of("purpose", "1", "0 ordinary, 1 design-basis, 2 beyond-design level"), purposes,
+               "amplitude");
+    file.array(group, spec_of("sliding_called", "1", "trials whose friction demand exceeds the static coefficient"),
+               body.sliding_called, "amplitude");
+    file.array(group, spec_of("rung_trials", "1", "trials per rung: at rest, rocking, sliding"),
+               std::vector<std::int64_t>(body.rungs.begin(), body.rungs.end()));
+    file.attribute(group, "confidence", c);
+    file.attribute(group, "level_measure", spec.levels.measure_name());
+}
+
+void write_criterion(store::ResultsWriter& file, CampaignSpec const& spec, BodyStatistics const& body) {
+    for (auto const& [name, cells] : {std::pair{"v_wes", &body.v_wes}, std::pair{"ou_v_e", &body.ou_v_e}}) {
+        auto const group = fmt::format("criterion/{}/{}", body.body, name);
+        file.array(group, {"amplitude", spec.levels.units(), "value of the level", store::ColumnType::real, 0, {}},
+                   column<double>(body.stripes, [](Stripe const& x) { return x.amplitude; }));
+        auto const put = [&](char const* cell, char const* description, auto get) {
+            std::vector<std::int64_t> counts;
+            for (auto const& confusion : *cells) {
+                counts.push_back(get(confusion));
+            }
+            file.array(group, {cell, "1", description, store::ColumnType::integer, 0, {}}, counts, "amplitude");
+        };
+        put("false_safe", "said safe, overturned", [](Confusion const& x) { return x.false_safe; });
+        put("false_alarm", "said unsafe, stood", [](Confusion const& x) { return x.false_alarm; });
+        put("true_safe", "said safe, stood", [](Confusion const& x) { return x.true_safe; });
+        put("true_overturn", "said unsafe, overturned", [](Confusion const& x) { return x.true_overturn; });
+    }
+}
+
+}  // namespace
+
+Statistics::Statistics(CampaignSpec const& spec) {
+    for (auto const& body : spec.bodies) {
+        BodyStatistics statistics;
+        statistics.body = body.name;
+        for (auto const& level : spec.levels.levels) {
+            statistics.stripes.push_back({.amplitude = level.value});
+        }
+        statistics.v_wes.resize(statistics.stripes.size());
+        statistics.ou_v_e.resize(statistics.stripes.size());
+        statistics.sliding_called.resize(statistics.stripes.size());
+        bodies_.push_back(std::move(statistics));
+    }
+}
+
+void Statistics::add(TrialRow const& row) {
+    auto& body = bodies_.at(static_cast<std::size_t>(row.body));
+    auto const level = static_cast<std::size_t>(row.level);
+    auto& stripe = body.stripes.at(level);
+    ++stripe.trials;
+    auto const verdict = static_cast<Verdict>(row.verdict);
+    ++body.rungs.at(static_cast<std::size_t>(row.rung));
+    stripe.failed += verdict == Verdict::failed ? 1 : 0;
+    stripe.contact_lost += verdict == Verdict::contact_lost ? 1 : 0;
+    stripe.at_rest += verdict == Verdict::at_rest ? 1 : 0;
+    stripe.slid += verdict == Verdict::slid ? 1 : 0;
+    if (verdict == Verdict::failed || verdict == Verdict::contact_lost) {
+        return;
+    }
+    bool const overturned = verdict == Verdict::overturned;
+    stripe.overturned += overturned ? 1 : 0;
+    body.v_wes[level].add(row.v_wes_safe != 0, overturned);
+    body.ou_v_e[level].add(row.ou_v_e_safe != 0, overturned);
+    body.sliding_called[level] += has(static_cast<EffectMask>(row.effects_called), Effect::sliding) ? 1 : 0;
+}
+
+void write_results(std::filesystem::path const& path, CampaignInput const& input, CampaignSpec const& spec,
+                   Plan const& plan, std::function<std::vector<std::byte>(std::int64_t)> const& block,
+                   Statistics& statistics) {
+    store::ResultsWriter file(path);
+    write_provenance(file, input, spec);
+    auto const waves = file.table(wave_table(), plan.waves());
+    std::vector<std::size_t> measures;
+    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+        measures.push_back(file.table(measure_table(spec.bodies[b].name, b, spec.bodies.size()), plan.waves()));
+    }
+    auto const trials = file.table(trial_table(), plan.trials());
+    for (std::int64_t b = 0; b < plan.blocks(); ++b) {
+        auto const rows = BlockRows::unpack(block(b), plan, plan.waves_of_block(b).count);
+        file.append(waves, std::as_bytes(std::span(rows.waves)));
+        for (auto const table : measures) {
+            file.append(table, std::as_bytes(std::span(rows.measures)));
+        }
+        file.append(trials, std::as_bytes(std::span(rows.trials)));
+        for (auto const& row : rows.trials) {
+            statistics.add(row);
+        }
+    }
+    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+        write_body(file, spec.bodies[b]);
+        write_stripes(file, spec, statistics.bodies()[b]);
+        write_criterion(file, spec, statistics.bodies()[b]);
+    }
+    file.attribute("complete", std::int64_t{1});
+    file.finish();
+}
+
+CampaignInput input_of(store::ResultsReader const& file) {
+    CampaignInput input{file.text("campaign_name"), file.text("campaign"), {}, {}};
+    auto const settings = file.text("settings");
+    for (std::size_t begin = 0; begin < settings.size();) {
+        auto const end = std::min(settings.find('\n', begin), settings.size());
+        input.settings.push_back(settings.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    for (auto const& place : file.members("inputs")) {
+        input.files.emplace(file.note("inputs/" + place, "description"), file.content("inputs/" + place));
+    }
+    return input;
+}
+
+Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec) {
+    Statistics statistics(spec);
+    auto const body = file.integers("trials/body");
+    auto const level = file.integers("trials/level");
+    auto const verdict = file.integers("trials/verdict");
+    auto const v_wes_safe = file.integers("trials/v_wes_safe");
+    auto const ou_v_e_safe = file.integers("trials/ou_v_e_safe");
+    auto const called = file.integers("trials/effects_called");
+    auto const rung = file.integers("trials/rung");
+    for (std::size_t i = 0; i < body.size(); ++i) {
+        TrialRow row;
+        row.body = body[i];
+        row.level = level[i];
+        row.verdict = verdict[i];
+        row.v_wes_safe = v_wes_safe[i];
+        row.ou_v_e_safe = ou_v_e_safe[i];
+        row.effects_called = called[i];
+        row.rung = rung[i];
+        statistics.add(row);
+    }
+    return statistics;
+}
+
+}  // namespace overturn

@@ -1,0 +1,71 @@
+/// From rows to the results file: the columns with their meaning, and the statistics counted over them.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "campaign/campaign_spec.hpp"
+#include "campaign/plan.hpp"
+#include "campaign/trial.hpp"
+#include "stats/stripe.hpp"
+#include "store/results_file.hpp"
+
+namespace overturn {
+
+[[nodiscard]] store::TableSpec trial_table();
+[[nodiscard]] store::TableSpec wave_table();
+/// /waves/<body>: the energy measures for one body of `bodies`.
+[[nodiscard]] store::TableSpec measure_table(std::string const& body, std::size_t index, std::size_t bodies);
+
+/// Verdict names in the order of their values, for files and tables.
+[[nodiscard]] std::vector<std::string> verdict_names();
+[[nodiscard]] std::vector<std::string> failure_names();
+[[nodiscard]] std::vector<std::string> rung_names();
+
+/// One body's stripes, and how each criterion did per level.
+struct BodyStatistics {
+    std::string body;
+    std::vector<Stripe> stripes;
+    std::vector<Confusion> v_wes, ou_v_e;
+    std::vector<std::int64_t> sliding_called;      ///< trials per level in which friction would have been exceeded
+    std::array<std::int64_t, rung_count> rungs{};  ///< trials per rung
+};
+
+/// Counts trials as they come; integers only, so that no order can matter.
+class Statistics {
+  public:
+    explicit Statistics(CampaignSpec const& spec);
+    void add(TrialRow const& row);
+    [[nodiscard]] std::vector<BodyStatistics> const& bodies() const { return bodies_; }
+
+  private:
+    std::vector<BodyStatistics> bodies_;
+};
+
+/// Writes the finished file from the blocks, given in order by `block`.
+void write_results(std::filesystem::path const& path, CampaignInput const& input, CampaignSpec const& spec,
+                   Plan const& plan, std::function<std::vector<std::byte>(std::int64_t)> const& block,
+                   Statistics& statistics);
+
+/// The stripe table for the terminal.
+[[nodiscard]] std::string stripe_table(CampaignSpec const& spec, Statistics const& statistics);
+
+/// "at-rest 512 trials, 0.1 us each; ..." of what was measured.
+[[nodiscard]] std::string rung_costs(PhaseSeconds const& seconds);
+
+/// The campaign a results file was made from.
+[[nodiscard]] CampaignInput input_of(store::ResultsReader const& file);
+
+/// The row of one trial as stored.
+[[nodiscard]] TrialRow read_trial(store::ResultsReader const& file, std::int64_t number);
+
+/// All statistics recomputed from the stored trials.
+[[nodiscard]] Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec);
+
+/// The columns in which two rows differ in any bit.
+[[nodiscard]] std::vector<std::string> differing_columns(TrialRow const& a, TrialRow const& b);
+
+}  // namespace overturn

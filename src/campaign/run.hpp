@@ -1,0 +1,36 @@
+/// Running a campaign on all ranks: blocks from a shared counter, every rank computes, rank 0 writes.
+#pragma once
+
+#include <filesystem>
+#include <limits>
+
+#include "campaign/campaign_input.hpp"
+#include "parallel/communicator.hpp"
+
+namespace overturn {
+
+struct RunOptions {
+    std::filesystem::path output;
+    bool resume = false;
+    double max_walltime_s = std::numeric_limits<double>::infinity();
+};
+
+enum class RunEnd { complete, stopped };
+
+/// Collective. Prints progress on stderr and the stripe table on stdout, both from rank 0.
+/// \throws InputError on every rank if the output is taken, not writable, or belongs to another campaign.
+[[nodiscard]] RunEnd run_campaign(CampaignInput const& input, RunOptions const& options,
+                                  parallel::Communicator const& comm);
+
+/// Rank 0 loads, every rank gets. Collective. \throws InputError on every rank
+[[nodiscard]] CampaignInput load_campaign_everywhere(std::filesystem::path const& path,
+                                                     std::span<std::string const> settings,
+                                                     parallel::Communicator const& comm);
+
+/// Makes SIGUSR1, SIGTERM and SIGINT ask the run to stop after the current block instead of killing it.
+void stop_on_signals();
+
+/// Where a campaign's results go unless stated: its own name with .h5, in the current folder.
+[[nodiscard]] std::filesystem::path default_output(std::filesystem::path const& campaign);
+
+}  // namespace overturn

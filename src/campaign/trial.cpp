@@ -1,0 +1,197 @@
+#include "campaign/trial.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <cstring>
+
+#include "core/error.hpp"
+
+namespace overturn {
+namespace {
+
+class Stopwatch {
+  public:
+    explicit Stopwatch(double& seconds) : seconds_(seconds), begin_(std::chrono::steady_clock::now()) {}
+    ~Stopwatch() { seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+    Stopwatch(Stopwatch const&) = delete;
+    Stopwatch& operator=(Stopwatch const&) = delete;
+    Stopwatch(Stopwatch&&) = delete;
+    Stopwatch& operator=(Stopwatch&&) = delete;
+
+  private:
+    double& seconds_;
+    std::chrono::steady_clock::time_point begin_;
+};
+
+void describe(WaveRow& row, GroundMotion const& motion, Intensity const& intensity, MatchReport const& match) {
+    row.duration_s = motion.duration_s();
+    row.pga_mps2 = intensity.pga_mps2;
+    row.pgv_mps = intensity.pgv_mps;
+    row.pgd_m = intensity.pgd_m;
+    row.arias_mps = intensity.arias_mps;
+    row.vertical_pga_mps2 = peak_of(motion.vertical_mps2);
+    row.matched = match.matched ? 1 : 0;
+    row.match_iterations = match.iterations;
+    row.match_mean_misfit = match.all.mean_misfit;
+    row.match_max_misfit = match.all.max_misfit;
+    row.match_max_misfit_period_s = match.all.max_misfit_period_s;
+    row.match_mean_ratio = match.all.mean_ratio;
+    row.match_ratio_cov = match.all.cov;
+    row.match_long_mean_misfit = match.long_period.mean_misfit;
+    row.match_long_max_misfit = match.long_period.max_misfit;
+}
+
+template <class Row> void put(std::vector<std::byte>& bytes, std::vector<Row> const& rows) {
+    auto const part = std::as_bytes(std::span(rows));
+    bytes.insert(bytes.end(), part.begin(), part.end());
+}
+
+template <class Row> void take(std::span<std::byte const>& bytes, std::vector<Row>& rows, std::int64_t count) {
+    rows.resize(static_cast<std::size_t>(count));
+    auto const size = rows.size() * sizeof(Row);
+    if (bytes.size() < size) {
+        throw SystemError("a block of results is too short (written by another version?). Start anew without --resume");
+    }
+    std::memcpy(rows.data(), bytes.data(), size);
+    bytes = bytes.subspan(size);
+}
+
+}  // namespace
+
+PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64_t wave, PhaseSeconds& seconds) {
+    PreparedWave prepared;
+    prepared.number = wave;
+    auto const id = plan.wave_id(wave);
+    prepared.row.id = static_cast<std::int64_t>(id);
+    prepared.measures.resize(spec.bodies.size());
+    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+        prepared.bodies.push_back(spec.bodies[b].for_wave(spec.seed, id, b));
+    }
+    MatchReport match;
+    try {
+        Stopwatch const watch(seconds.waves);
+        auto generated = spec.source->make(spec.seed, id);
+        validate_motion(generated.motion);
+        prepared.motion = std::move(generated.motion);
+        match = generated.match;
+    } catch (InputError const&) {
+        prepared.row.failed = 1;
+        return prepared;
+    }
+    Stopwatch const watch(seconds.measures);
+    prepared.intensity = intensity_of(prepared.motion.horizontal_mps2, prepared.motion.time_step_s);
+    describe(prepared.row, prepared.motion, prepared.intensity, match);
+    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+        auto const energy = window_energy(prepared.motion.horizontal_mps2, prepared.motion.time_step_s,
+                                          rocking_period_band(prepared.bodies[b].radius_m(), spec.measures.radius_unit),
+                                          {.reading = spec.measures.window,
+                                           .smoothed = true,
+                                           .keep_history = false,
+                                           .panel_phase_rad = spec.measures.panel_phase_rad});
+        prepared.measures[b] = {energy.ou_v_e_mps, energy.v_wes_max_mps, energy.v_wes_time_s};
+    }
+    return prepared;
+}
+
+TrialRow run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t body, std::int64_t level,
+                   RockingObserver* observer) {
+    auto const& rigid = wave.bodies.at(static_cast<std::size_t>(body));
+    auto const& stated = spec.bodies.at(static_cast<std::size_t>(body));
+    auto const& at = spec.levels.levels.at(static_cast<std::size_t>(level));
+    auto const& measures = wave.measures.at(static_cast<std::size_t>(body));
+    TrialRow row;
+    row.wave = wave.row.id;
+    row.body = body;
+    row.level = level;
+    row.amplitude = at.value;
+    row.restitution = rigid.restitution();
+    row.v_ereq_mps = rigid.limit_velocity_mps();
+    auto const scale = wave.row.failed != 0 ? std::nullopt : spec.levels.scale(at, wave.intensity);
+    if (!scale) {
+        row.verdict = static_cast<std::int64_t>(Verdict::failed);
+        row.failure = static_cast<std::int64_t>(wave.row.failed != 0 ? FailureReason::wave_failed
+                                                                     : FailureReason::wave_cannot_be_scaled);
+        return row;
+    }
+    row.scale = *scale;
+    Scene const scene{rigid, stated.friction, spec.effects, spec.rocking};
+    auto const response = respond(scene, wave.motion, *scale, {}, observer, wave.intensity.pga_mps2);
+    auto const& rocking = response.rocking;
+    row.verdict = static_cast<std::int64_t>(rocking.verdict);
+    row.failure = static_cast<std::int64_t>(rocking.verdict == Verdict::failed ? FailureReason::no_convergence
+                                                                               : FailureReason::none);
+    row.peak_rotation_rad = rocking.peak_rotation_rad;
+    row.peak_rotation_ratio = rocking.peak_rotation_rad / rigid.alpha_rad();
+    row.time_of_peak_s = rocking.time_of_peak_s;
+    row.peak_energy_ratio = rocking.peak_energy_ratio;
+    row.overturn_time_s = rocking.overturn_time_s;
+    row.first_uplift_s = rocking.first_uplift_s;
+    row.impacts = rocking.impacts;
+    row.friction_demand = rocking.friction_demand;
+    row.min_contact_force_ratio = rocking.min_contact_force_ratio;
+    row.contact_lost_s = rocking.contact_lost_s;
+    row.peak_slip_m = rocking.peak_slip_m;
+    row.residual_slip_m = rocking.residual_slip_m;
+    row.friction_work_jpkg = rocking.energy.friction_work;
+    row.v_wes_mps = *scale * measures.v_wes_max_mps;
+    row.ou_v_e_mps = *scale * measures.ou_v_e_mps;
+    row.v_resp_mps = response.response_velocity_mps;
+    row.v_wes_safe = row.v_wes_mps < row.v_ereq_mps ? 1 : 0;
+    row.ou_v_e_safe = row.ou_v_e_mps < row.v_ereq_mps ? 1 : 0;
+    row.effects = response.effects;
+    row.effects_called = response.called;
+    row.rung = static_cast<std::int64_t>(response.rung);
+    row.steps = rocking.steps;
+    return row;
+}
+
+void append_trials(CampaignSpec const& spec, Plan const& plan, PreparedWave const& wave, std::vector<TrialRow>& rows,
+                   PhaseSeconds& seconds) {
+    auto const first_level = plan.first_level(wave.number);
+    for (std::int64_t body = 0; body < plan.bodies(); ++body) {
+        for (auto level = first_level; level < first_level + plan.level_count(); ++level) {
+            double taken = 0;
+            {
+                Stopwatch const watch(taken);
+                rows.push_back(run_trial(spec, wave, body, level));
+            }
+            auto& rung = seconds.rungs.at(static_cast<std::size_t>(rows.back().rung));
+            ++rung.trials;
+            rung.seconds += taken;
+            seconds.response += taken;
+        }
+    }
+}
+
+BlockRows run_block(CampaignSpec const& spec, Plan const& plan, std::int64_t block, PhaseSeconds& seconds) {
+    BlockRows rows;
+    auto const [first, count] = plan.waves_of_block(block);
+    for (auto wave = first; wave < first + count; ++wave) {
+        auto const prepared = prepare_wave(spec, plan, wave, seconds);
+        rows.waves.push_back(prepared.row);
+        rows.measures.insert(rows.measures.end(), prepared.measures.begin(), prepared.measures.end());
+        append_trials(spec, plan, prepared, rows.trials, seconds);
+    }
+    return rows;
+}
+
+std::vector<std::byte> BlockRows::pack() const {
+    std::vector<std::byte> bytes;
+    put(bytes, waves);
+    put(bytes, measures);
+    put(bytes, trials);
+    return bytes;
+}
+
+BlockRows BlockRows::unpack(std::span<std::byte const> bytes, Plan const& plan, std::int64_t waves) {
+    BlockRows rows;
+    take(bytes, rows.waves, waves);
+    take(bytes, rows.measures, waves * plan.bodies());
+    take(bytes, rows.trials, waves * plan.trials_per_wave());
+    if (!bytes.empty()) {
+        throw SystemError("a block of results is too long (written by another version?). Start anew without --resume");
+    }
+    return rows;
+}
+
+}  // namespace overturn

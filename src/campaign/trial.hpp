@@ -1,0 +1,60 @@
+/// make the wave -> measure it -> respond -> one row. Everything here is a pure function of the campaign and a number.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "campaign/campaign_spec.hpp"
+#include "campaign/plan.hpp"
+#include "campaign/rows.hpp"
+
+namespace overturn {
+
+/// Seconds spent per phase; for the reader, never for the results.
+struct PhaseSeconds {
+    double waves = 0, measures = 0, response = 0, store = 0;
+    /// Trials that ran up to each rung, and the seconds they took, lower rungs included.
+    struct RungCost {
+        std::int64_t trials = 0;
+        double seconds = 0;
+    };
+    std::array<RungCost, rung_count> rungs{};
+};
+
+/// A wave with everything that is computed once for it.
+struct PreparedWave {
+    std::int64_t number = 0;
+    GroundMotion motion;
+    Intensity intensity;
+    WaveRow row;
+    std::vector<MeasureRow> measures;  ///< one per body
+    std::vector<RigidBody> bodies;     ///< as they are under this wave
+};
+
+/// Makes and measures a wave. A wave that cannot be made is a failed one, not an exception.
+[[nodiscard]] PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64_t wave,
+                                        PhaseSeconds& seconds);
+
+/// One trial on a prepared wave. \param observer sees the history if given
+[[nodiscard]] TrialRow run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t body,
+                                 std::int64_t level, RockingObserver* observer = nullptr);
+
+/// All trials of a prepared wave, appended in order.
+void append_trials(CampaignSpec const& spec, Plan const& plan, PreparedWave const& wave, std::vector<TrialRow>& rows,
+                   PhaseSeconds& seconds);
+
+/// Rows of a block of waves: all wave rows, then all measure rows, then all trial rows, each in order.
+struct BlockRows {
+    std::vector<WaveRow> waves;
+    std::vector<MeasureRow> measures;
+    std::vector<TrialRow> trials;
+
+    [[nodiscard]] std::vector<std::byte> pack() const;
+    /// \throws SystemError if the bytes are not those of `waves` waves of this plan
+    [[nodiscard]] static BlockRows unpack(std::span<std::byte const> bytes, Plan const& plan, std::int64_t waves);
+};
+
+[[nodiscard]] BlockRows run_block(CampaignSpec const& spec, Plan const& plan, std::int64_t block,
+                                  PhaseSeconds& seconds);
+
+}  // namespace overturn

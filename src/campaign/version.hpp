@@ -1,0 +1,13 @@
+/// What made a results file: this program and the libraries whose numbers go into it.
+#pragma once
+
+#include <string>
+
+namespace overturn {
+
+[[nodiscard]] std::string program_version();
+[[nodiscard]] std::string git_revision();
+/// "GSL 2.7.1, HDF5 1.10.8, ..."
+[[nodiscard]] std::string library_versions();
+
+}  // namespace overturn

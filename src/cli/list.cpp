@@ -1,0 +1,38 @@
+#include <fmt/format.h>
+
+#include "campaign/results.hpp"
+#include "cli/verbs.hpp"
+#include "motion/record.hpp"
+#include "spectra/named_targets.hpp"
+
+namespace overturn::cli {
+namespace {
+
+template <class Value> void print_entries(char const* heading, std::span<config::Entry<Value> const> entries) {
+    fmt::print("{}\n", heading);
+    for (auto const& entry : entries) {
+        fmt::print("  {:<22} {}\n", entry.name, entry.summary);
+    }
+}
+
+int list() {
+    print_entries("wave sources (waves.source)", wave_sources());
+    print_entries("target spectra (waves.target.spectrum)", named_targets());
+    print_entries("record formats", record_formats());
+    print_entries("effects (effects.include)", effects());
+    print_entries("level measures (levels.measure)", level_measures());
+    fmt::print("measures stored per trial\n");
+    for (auto const& column : trial_table().columns) {
+        fmt::print("  {:<22} {}\n", column.name, column.description);
+    }
+    return done;
+}
+
+}  // namespace
+
+void add_list(CLI::App& app, Action& action) {
+    app.add_subcommand("list", "what can be asked for: sources, targets, formats, effects, measures")
+        ->callback([&action] { action = [] { return list(); }; });
+}
+
+}  // namespace overturn::cli

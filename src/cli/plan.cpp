@@ -1,0 +1,95 @@
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "campaign/progress.hpp"
+#include "campaign/results.hpp"
+#include "cli/verbs.hpp"
+
+namespace overturn::cli {
+namespace {
+
+std::int64_t file_bytes(CampaignInput const& input, CampaignSpec const& spec, Plan const& plan) {
+    auto const width = [](store::TableSpec const& table) {
+        std::int64_t bytes = 0;
+        for (auto const& column : table.columns) {
+            bytes += column.type == store::ColumnType::category ? 1 : 8;
+        }
+        return bytes;
+    };
+    constexpr std::int64_t overhead = 400'000;  // groups, attributes and statistics of a small campaign
+    auto bytes = overhead + plan.trials() * width(trial_table()) + plan.waves() * width(wave_table());
+    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+        bytes += plan.waves() * width(measure_table(spec.bodies[b].name, b, spec.bodies.size()));
+    }
+    for (auto const& [name, content] : input.files) {
+        bytes += static_cast<std::int64_t>(content.size());
+    }
+    return bytes;
+}
+
+int plan_campaign(std::string const& path, std::vector<std::string> const& settings) {
+    auto const input = load_campaign(path, settings);
+    auto const spec = parse_campaign(input);
+    Plan const plan(spec);
+    fmt::print("{}\n", spec.title.empty() ? path : spec.title);
+    fmt::print("waves     {} ({})\n", plan.waves(), spec.source->describe());
+    for (auto const& body : spec.bodies) {
+        fmt::print(
+            "body      {}: {:.4g} kg, alpha {:.2f} deg, p {:.4f} rad/s, e {:.4f} (Housner {:.4f}), uplift {:.4g} m/s2, "
+            "V_Ereq {:.4f} m/s\n",
+            body.name, body.body.mass_kg(), body.body.alpha_rad() * 180 / pi, body.body.p_radps(),
+            body.body.restitution(), body.body.housner_restitution(), body.body.uplift_acceleration_mps2(),
+            body.body.limit_velocity_mps());
+    }
+    for (auto const& level : spec.levels.levels) {
+        fmt::print("level     {} {:.6g} {}{}\n", spec.levels.measure_name(), level.value, spec.levels.units(),
+                   level.purpose == LevelClass::ordinary ? "" : "  " + name_of(level.purpose));
+    }
+    fmt::print("trials    {} in {} blocks of {} waves\n", plan.trials(), plan.blocks(), plan.block_size());
+
+    // A timed probe: a few waves, spread over the campaign, whole.
+    constexpr std::int64_t most_probes = 4;
+    auto const probes = std::min(most_probes, plan.waves());
+    PhaseSeconds seconds;
+    std::vector<TrialRow> rows;
+    auto const begin = std::chrono::steady_clock::now();
+    for (std::int64_t i = 0; i < probes; ++i) {
+        auto const wave = i * plan.waves() / probes;
+        auto const prepared = prepare_wave(spec, plan, wave, seconds);
+        append_trials(spec, plan, prepared, rows, seconds);
+    }
+    double const each =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() / static_cast<double>(probes);
+    double const all = each * static_cast<double>(plan.waves());
+    auto const cores = std::max(1U, std::thread::hardware_concurrency());
+    auto const n = static_cast<double>(probes);
+    fmt::print("probe     {:.1f} ms a wave: {:.1f} to make it, {:.1f} to measure it, {:.1f} for its {} trials\n",
+               1e3 * each, 1e3 * seconds.waves / n, 1e3 * seconds.measures / n,
+               1e3 * (each - (seconds.waves + seconds.measures) / n), plan.trials_per_wave());
+    fmt::print("rungs     {}\n", rung_costs(seconds));
+    fmt::print("time      about {} on one rank, {} on the {} cores here\n", duration_text(all),
+               duration_text(all / cores), cores);
+    fmt::print("file      about {:.2f} MB\n", static_cast<double>(file_bytes(input, spec, plan)) / 1e6);
+    return done;
+}
+
+}  // namespace
+
+void add_plan(CLI::App& app, Action& action) {
+    struct Options {
+        std::string campaign;
+        std::vector<std::string> settings;
+    };
+    auto* verb = app.add_subcommand("plan", "check a campaign, count its trials, estimate time and file size");
+    auto options = std::make_shared<Options>();
+    verb->add_option("campaign", options->campaign, "campaign file (TOML)")->required();
+    verb->add_option("--set", options->settings, "override a key: waves.count=50")->allow_extra_args(false);
+    verb->callback(
+        [options, &action] { action = [options] { return plan_campaign(options->campaign, options->settings); }; });
+}
+
+}  // namespace overturn::cli

@@ -1,0 +1,69 @@
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "campaign/results.hpp"
+#include "cli/history.hpp"
+#include "cli/verbs.hpp"
+
+namespace overturn::cli {
+namespace {
+
+struct Options {
+    std::string file;
+    std::int64_t trial = 0;
+    std::string history;
+};
+
+int replay(Options const& options) {
+    store::ResultsReader const file(options.file);
+    auto const input = input_of(file);
+    auto const spec = parse_campaign(input);
+    Plan const plan(spec);
+    validate(options.trial >= 0 && options.trial < plan.trials(),
+             "--trial {} (the file has trials 0 to {}). Choose one of them", options.trial, plan.trials() - 1);
+    auto const stored = read_trial(file, options.trial);
+    auto const [wave, body, level] = plan.trial(options.trial);
+    PhaseSeconds seconds;
+    auto const prepared = prepare_wave(spec, plan, wave, seconds);
+    std::optional<HistoryFile> history;
+    if (!options.history.empty()) {
+        history.emplace(options.history);
+    }
+    auto const row = run_trial(spec, prepared, body, level);
+    if (history) {
+        (void)run_trial(spec, prepared, body, level, &*history);
+    }
+    fmt::print("trial {}: wave {}, body {}, {} {:.6g} {}\n", options.trial, row.wave,
+               spec.bodies[static_cast<std::size_t>(body)].name, spec.levels.measure_name(), row.amplitude,
+               spec.levels.units());
+    fmt::print("verdict {}, peak rotation {:.6g} rad ({:.4f} alpha) at {:.3f} s, {} impacts\n",
+               verdict_names()[static_cast<std::size_t>(row.verdict)], row.peak_rotation_rad, row.peak_rotation_ratio,
+               row.time_of_peak_s, row.impacts);
+    auto const different = differing_columns(stored, row);
+    if (different.empty()) {
+        fmt::print("bit-equal to the stored row\n");
+        return done;
+    }
+    fmt::print("NOT bit-equal to the stored row: {} differ\n", fmt::join(different, ", "));
+    fmt::print(stderr,
+               "overturn: {}: trial {} is not what this program computes (the file was made by {}, revision {}). "
+               "Replay it with that one\n",
+               options.file, options.trial, file.text("program_version"), file.text("git_revision"));
+    return other_failure;
+}
+
+}  // namespace
+
+void add_replay(CLI::App& app, Action& action) {
+    auto* verb = app.add_subcommand("replay", "rerun one trial from a results file alone and compare every bit");
+    auto options = std::make_shared<Options>();
+    verb->add_option("file", options->file, "results file")->required();
+    verb->add_option("--trial", options->trial, "number of the row in /trials, from 0")->required();
+    verb->add_option("--history", options->history, "write the trial's history to this csv file");
+    verb->callback([options, &action] { action = [options] { return replay(*options); }; });
+}
+
+}  // namespace overturn::cli

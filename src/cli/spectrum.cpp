@@ -1,0 +1,131 @@
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/scene_files.hpp"
+#include "cli/verbs.hpp"
+#include "motion/intensity.hpp"
+#include "spectra/input_energy.hpp"
+#include "spectra/response_spectrum.hpp"
+#include "spectra/window_energy.hpp"
+
+namespace overturn::cli {
+namespace {
+
+struct Options {
+    std::string wave, unit, time_step, body;
+    double damping = 0.05;
+    bool json = false;
+};
+
+struct Measures {
+    Intensity intensity;
+    ResponseSpectrum response;
+    std::vector<double> v_e_mps, v_e0_mps;
+};
+
+struct BodyEnergy {
+    PeriodBand band;
+    WindowEnergy restarted, running;
+    double v_ereq_mps;
+};
+
+Measures measure(GroundMotion const& motion, double damping) {
+    constexpr double shortest_s = 0.02;
+    constexpr double longest_s = 20;
+    constexpr std::size_t count = 200;
+    auto const periods = log_periods(shortest_s, longest_s, count);
+    auto const& a = motion.horizontal_mps2;
+    double const dt = motion.time_step_s;
+    return {intensity_of(a, dt), response_spectrum(a, dt, periods, damping),
+            input_energy_velocities(a, dt, periods, damping), undamped_energy_velocities(a, dt, periods)};
+}
+
+BodyEnergy energy_for(BodySpec const& spec, GroundMotion const& motion) {
+    auto const band = rocking_period_band(spec.body.radius_m());
+    return {band, window_energy(motion.horizontal_mps2, motion.time_step_s, band),
+            window_energy(motion.horizontal_mps2, motion.time_step_s, band, {.reading = WindowReading::running}),
+            spec.body.limit_velocity_mps()};
+}
+
+void print_json(Measures const& m, double damping, std::optional<BodyEnergy> const& energy) {
+    nlohmann::ordered_json json{{"pga", m.intensity.pga_mps2},
+                                {"pgv", m.intensity.pgv_mps},
+                                {"pgd", m.intensity.pgd_m},
+                                {"arias", m.intensity.arias_mps},
+                                {"units", {{"pga", "m/s2"}, {"pgv", "m/s"}, {"pgd", "m"}, {"arias", "m/s"}}},
+                                {"damping", damping},
+                                {"period_s", m.response.period_s},
+                                {"sa_mps2", m.response.sa_mps2},
+                                {"sv_mps", m.response.sv_mps},
+                                {"sd_m", m.response.sd_m},
+                                {"psa_mps2", m.response.psa_mps2},
+                                {"psv_mps", m.response.psv_mps},
+                                {"v_e_mps", m.v_e_mps},
+                                {"v_e0_mps", m.v_e0_mps}};
+    if (energy) {
+        json["energy"] = {{"T0_s", energy->band.t0_s},
+                          {"T1_s", energy->band.t1_s},
+                          {"ou_v_e_mps", energy->restarted.ou_v_e_mps},
+                          {"v_wes_max_mps", energy->restarted.v_wes_max_mps},
+                          {"v_wes_time_s", energy->restarted.v_wes_time_s},
+                          {"v_wes_running_max_mps", energy->running.v_wes_max_mps},
+                          {"v_wes_running_time_s", energy->running.v_wes_time_s},
+                          {"v_ereq_mps", energy->v_ereq_mps},
+                          {"v_wes_safe", energy->restarted.v_wes_max_mps < energy->v_ereq_mps},
+                          {"ou_v_e_safe", energy->restarted.ou_v_e_mps < energy->v_ereq_mps}};
+    }
+    fmt::print("{}\n", json.dump(2));
+}
+
+void print_text(Measures const& m, double damping, std::optional<BodyEnergy> const& energy) {
+    fmt::print("PGA {:.6g} m/s2 = {:.2f} gal, PGV {:.5g} m/s, PGD {:.5g} m, Arias {:.5g} m/s\n", m.intensity.pga_mps2,
+               100 * m.intensity.pga_mps2, m.intensity.pgv_mps, m.intensity.pgd_m, m.intensity.arias_mps);
+    if (energy) {
+        auto const verdict = [&](double v) { return v < energy->v_ereq_mps ? "does not overturn" : "may overturn"; };
+        fmt::print("T0 {:.4f} s, T1 {:.4f} s, V_Ereq {:.4f} m/s\n", energy->band.t0_s, energy->band.t1_s,
+                   energy->v_ereq_mps);
+        fmt::print("ouV_E {:.4f} m/s: {}\n", energy->restarted.ou_v_e_mps, verdict(energy->restarted.ou_v_e_mps));
+        fmt::print("V_WES {:.4f} m/s at {:.2f} s: {} (running window: {:.4f} m/s)\n", energy->restarted.v_wes_max_mps,
+                   energy->restarted.v_wes_time_s, verdict(energy->restarted.v_wes_max_mps),
+                   energy->running.v_wes_max_mps);
+    }
+    fmt::print("\n{:>9} {:>12} {:>12} {:>12} {:>12} {:>12}\n", "period s", "Sa m/s2", "pSv m/s", "Sd m", "V_E m/s",
+               "V_E0 m/s");
+    constexpr std::size_t every = 5;
+    for (std::size_t i = 0; i < m.response.period_s.size(); i += every) {
+        fmt::print("{:>9.4f} {:>12.5g} {:>12.5g} {:>12.5g} {:>12.5g} {:>12.5g}\n", m.response.period_s[i],
+                   m.response.sa_mps2[i], m.response.psv_mps[i], m.response.sd_m[i], m.v_e_mps[i], m.v_e0_mps[i]);
+    }
+    fmt::print("damping {:g}; all {} periods with --json\n", damping, m.response.period_s.size());
+}
+
+int spectrum(Options const& options) {
+    auto const motion = load_motion(options.wave, options.unit, options.time_step);
+    auto const measures = measure(motion, options.damping);
+    std::optional<BodyEnergy> energy;
+    if (!options.body.empty()) {
+        energy = energy_for(load_body(options.body), motion);
+    }
+    options.json ? print_json(measures, options.damping, energy) : print_text(measures, options.damping, energy);
+    return done;
+}
+
+}  // namespace
+
+void add_spectrum(CLI::App& app, Action& action) {
+    auto* verb = app.add_subcommand("spectrum", "response, energy and window energy spectra of one wave");
+    auto options = std::make_shared<Options>();
+    verb->add_option("--wave", options->wave, "record, or columns time,a_horizontal")->required();
+    verb->add_option("--unit", options->unit, "unit of the accelerations: g, gal, m/s2; required for columns");
+    verb->add_option("--time-step", options->time_step, "for files without a time column, e.g. \"0.01 s\"");
+    verb->add_option("--body", options->body, "body file (TOML): adds its energy measures");
+    verb->add_option("--damping", options->damping, "damping ratio")
+        ->capture_default_str()
+        ->check(CLI::NonNegativeNumber);
+    verb->add_flag("--json", options->json, "as JSON");
+    verb->callback([options, &action] { action = [options] { return spectrum(*options); }; });
+}
+
+}  // namespace overturn::cli

@@ -1,0 +1,58 @@
+/// The base impact: angular velocity by restitution, slip velocity by a friction-limited impulse.
+#pragma once
+
+#include <cmath>
+
+namespace overturn::rocking {
+
+/// Body and contact constants of the impact law; lengths in units of R.
+struct ImpactLaw {
+    double sine_alpha, cosine_alpha;  ///< b / R, h / R
+    double kappa;                     ///< I_G / (m R^2)
+    double restitution;
+    double friction_static, friction_kinetic;
+
+    /// Kinetic energy over m R^2 for rotation rate w and corner velocity v (over R).
+    [[nodiscard]] double energy(double w, double v) const {
+        double const across = v + cosine_alpha * w;
+        return 0.5 * (across * across + (sine_alpha * sine_alpha + kappa) * w * w);
+    }
+};
+
+struct AfterImpact {
+    double rotation_rate;  ///< theta' [rad/s]
+    double slip_rate;      ///< x' / R [1/s]
+};
+
+/// The corner sticks if |P_x| <= mu_s P_z, else it slips on with mu_k, never backwards.
+/// \param e the restitution in force
+[[nodiscard]] inline AfterImpact strike_with(ImpactLaw const& law, double w, double v, double e) {
+    double const vertical = law.sine_alpha * (1 + e) * std::abs(w);
+    double const wanted = v + law.cosine_alpha * w * (1 - e);  // minus the impulse that no slip needs
+    if (std::abs(wanted) <= law.friction_static * vertical) {
+        return {e * w, 0};
+    }
+    double const given = law.friction_kinetic * vertical;
+    return {e * w, std::abs(wanted) <= given ? 0 : wanted - std::copysign(given, wanted)};
+}
+
+/// Impact of a body that rotates at w while its corner slips at v (over R). A stated restitution can ask for more
+/// energy than a slipping body brings; then the rebound is lowered to what conserves it: an impact never adds energy.
+[[nodiscard]] inline AfterImpact strike(ImpactLaw const& law, double w, double v) {
+    auto after = strike_with(law, w, v, law.restitution);
+    double const before = law.energy(w, v);
+    if (v == 0 || law.energy(after.rotation_rate, after.slip_rate) <= before) {
+        return after;
+    }
+    double low = 0;
+    double high = law.restitution;
+    constexpr int halvings = 60;
+    for (int i = 0; i < halvings; ++i) {
+        double const middle = 0.5 * (low + high);
+        after = strike_with(law, w, v, middle);
+        (law.energy(after.rotation_rate, after.slip_rate) <= before ? low : high) = middle;
+    }
+    return strike_with(law, w, v, low);
+}
+
+}  // namespace overturn::rocking

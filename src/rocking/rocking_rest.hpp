@@ -1,0 +1,136 @@
+/// Full base contact: rest, the instant it ends, and sliding. Part of rocking_integrator.hpp.
+#pragma once
+
+#include "rocking/rocking_integrator.hpp"
+
+namespace overturn::rocking {
+
+// At rest |a| <= gv hold_ratio; both sides are linear in time, so the instant at which rest ends is exact.
+template <int Order, class Restoring, bool Vertical, Slip Friction>
+void Integrator<Order, Restoring, Vertical, Friction>::rest() {
+    double const tau = sample_.tau_s;
+    double const a = sample_.horizontal(tau);
+    double const gv = sample_.vertical(tau);
+    log_.lower_contact(gv);
+    show(a, gv);
+    if (!(gv > 0)) {
+        lose_contact(true);
+        return;
+    }
+    double const hold = gv * hold_ratio_;
+    if (std::abs(a) > hold) {
+        leave_rest(tau, a);
+        return;
+    }
+    log_.watch_forces(a, gv);
+    double const end = sample_.length_s;
+    double const a_end = sample_.horizontal(end);
+    double const gv_end = sample_.vertical(end);
+    double const hold_end = gv_end * hold_ratio_;
+    if (std::abs(a_end) > hold_end) {
+        double const sign = a_end < 0 ? -1.0 : 1.0;
+        double const below = hold - sign * a;
+        double const above = sign * a_end - hold_end;
+        leave_rest(std::min(end, tau + (end - tau) * (below / (below + above))), a_end);
+        return;
+    }
+    sample_.tau_s = end;
+    log_.watch_forces(a_end, gv_end);
+    if (!(gv_end > 0)) {
+        lose_contact(true);
+    }
+}
+
+template <int Order, class Restoring, bool Vertical, Slip Friction>
+void Integrator<Order, Restoring, Vertical, Friction>::leave_rest(double tau, double acceleration) {
+    sample_.tau_s = tau;
+    if constexpr (limited) {
+        if (block_.friction_static < uplift_ratio_) {
+            if constexpr (slipping) {
+                mode_ = Mode::slide;
+                sigma_ = acceleration > 0 ? -1.0 : 1.0;
+                v_mps_ = 0;
+                slipped_ = true;
+                log_.raise_demand(block_.friction_static);
+            } else {
+                log_.call_slip();
+            }
+            return;
+        }
+    }
+    lift(acceleration);
+}
+
+template <int Order, class Restoring, bool Vertical, Slip Friction>
+void Integrator<Order, Restoring, Vertical, Friction>::lift(double acceleration) {
+    mode_ = Mode::rock;
+    side_ = acceleration > 0 ? -1.0 : 1.0;
+    phi_ = 0;
+    omega_ = 0;
+    start_root_ = StartRoot::twofold;
+    log_.uplifted(sample_.now());
+}
+
+// x'' = -a - mu_k sigma gv: a cubic, exact. Friction below tan(alpha) cannot tip a sliding base.
+template <int Order, class Restoring, bool Vertical, Slip Friction>
+void Integrator<Order, Restoring, Vertical, Friction>::slide() {
+    if constexpr (slipping) {
+        double const g = block_.gravity_mps2;
+        double const drag = block_.friction_kinetic * sigma_;
+        double const tau = sample_.tau_s;
+        double const gv = sample_.vertical(tau);
+        log_.lower_contact(gv);
+        show(-drag * gv, gv);
+        if (!(gv > 0)) {
+            lose_contact(true);
+            return;
+        }
+        ++log_.outcome().steps;
+        double pull = -sample_.horizontal(tau) - drag * gv;
+        if (v_mps_ == 0 && sigma_ * pull < 0) {
+            pull = 0;  // sliding starts where this is zero or drives it, whatever rounding says
+        }
+        std::array<double, 3> velocity{v_mps_, g * pull, -0.5 * g * (sample_.a_slope + drag * sample_.g_slope)};
+        std::array<double, 3> forwards = velocity;
+        for (double& c : forwards) {
+            c *= sigma_;
+        }
+        auto const root = v_mps_ == 0 ? StartRoot::simple : StartRoot::none;
+        double end = sample_.left();
+        double const stop = first_fall_through_zero(forwards, end, root);
+        end = stop >= 0 ? stop : end;
+        if constexpr (Vertical) {
+            std::array<double, 2> const weight{gv, sample_.g_slope};
+            if (evaluate(weight, end) <= 0) {
+                end = root_between(weight, 0.0, end);
+                sample_.advance(end, true);
+                lose_contact(true);
+                return;
+            }
+        }
+        std::array<double, 3> const weight{gv, sample_.g_slope, 0};
+        std::array<double, 3> const push{-sample_.horizontal(tau), -sample_.a_slope, 0};
+        auto& energy = log_.outcome().energy;
+        std::array<double, 4> power{};
+        std::array<double, 4> loss{};
+        for (int k = 0; k < 4; ++k) {
+            for (int j = std::max(0, k - 2); j <= std::min(k, 2); ++j) {
+                power[k] += g * velocity[j] * push[k - j];
+                loss[k] += g * drag * velocity[j] * weight[k - j];
+            }
+        }
+        energy.input += integral(power, end);
+        energy.friction_work += integral(loss, end);
+        x_m_ += integral(velocity, end);
+        log_.raise_slip(x_m_);
+        sample_.advance(end, stop >= 0);
+        if (stop >= 0) {
+            v_mps_ = 0;
+            mode_ = Mode::rest;
+        } else {
+            v_mps_ = evaluate(velocity, end);
+        }
+    }
+}
+
+}  // namespace overturn::rocking

@@ -1,0 +1,252 @@
+/// Steps on one corner, stuck or slipping. Part of rocking_integrator.hpp.
+#pragma once
+
+#include "rocking/rocking_integrator.hpp"
+
+namespace overturn::rocking {
+
+// The rest of the sample, or less where substeps or the last series term ask for it.
+template <int Order, class Restoring, bool Vertical, Slip Friction>
+double Integrator<Order, Restoring, Vertical, Friction>::step_length(Series<Order> const& series) {
+    double const left = sample_.left();
+    double h = accuracy_.substeps > 1 ? std::min(left, sample_.length_s / accuracy_.substeps * (1 + 1e-12)) : left;
+    double power = 1;
+    for (int k = 0; k < Order; ++k) {
+        power *= h;
+    }
+    // The last but one term guards against a last one that vanishes by accident.
+    double const size = power * std::max(std::abs(series.phi[Order]), std::abs(series.phi[Order - 1]) * block_.p_radps);
+    if (double const allowed = accuracy_.step_tolerance * block_.alpha_rad; size > allowed) {
+        h *= 0.9 * std::pow(allowed / size, 1.0 / Order);
+    }
+    constexpr double hopeless = 1e-12;
+    if (!(h > sample_.length_s * hopeless) && left > sample_.length_s * hopeless) {
+        log_.end(Verdict::failed);
+    }
+    return h;
+}
+
+template <int Order, class Restoring, bool Vertical, Slip Friction>
+void Integrator<Order, Restoring, Vertical, Friction>::rock() {
+    Series<Order> series;
+    auto const forcing = sample_.forcing(side_);
+    expand<Order, Restoring, Vertical>(series, block_.alpha_rad, block_.p_radps, phi_, omega_, forcing,
+                                       start_root_ == StartRoot::twofold);
+    ++log_.outcome().steps;
+    double const acceleration = 2 * series.phi[2];
+    double const spin = omega_ * omega_;
+    double const friction = r_ * (series.cosine[0] * acceleration + series.sine[0] * spin) + forcing.horizontal;
+    double const normal = r_ * (series.sine[0] * acceleration - series.cosine[0] * spin) + forcing.vertical;
+    if constexpr (limited) {
+        if (std::abs(friction) > block_.friction_static * normal && normal > 0) {
+            start_slip(friction);
+            return;
+        }
+    }
+    log_.watch_forces(friction, normal);
+    show(side_ * friction, normal);
+    double const h = step_length(series);
+    if (log_.done()) {
+        return;
+    }
+    Ending ending{h, Event::none};
+    if constexpr (nonlinear) {
+        ending = limits_of_contact(series, forcing, friction, normal, h);
+    }
+    double const impact = first_fall_through_zero(series.phi, ending.at, start_root_);
+    if (impact >= 0) {
+        ending = {impact, Event::impact};
+    }
+    find_overturning(series, ending);
+    raise_energy_inside(series, forcing, ending.at);
+    if constexpr (slipping) {
+        log_.outcome().energy.input += block_.gravity_mps2 * radius_m_ * shaking_work(series, forcing, ending.at);
+    }
+    move(series, ending);
+    switch (ending.event) {
+        case Event::impact:
+            strike();
+            break;
+        case Event::overturned:
+            log_.overturn(sample_.now());
+            break;
+        case Event::contact_lost:
+            lose_contact(false);
+            break;
+        default:
+            break;  // a slip that starts here is seen at the start of the next step
+    }
+}
+
+template <int Order, class Restoring, bool Vertical, Slip Friction>
+void Integrator<Order, Restoring, Vertical, Friction>::slip_rock() {
+    if constexpr (slipping) {
+        Series<Order> series;
+        auto const forcing = sample_.forcing(side_);
+        double const g = block_.gravity_mps2;
+        double const forwards = side_ * sigma_;
+        auto slip = expand_slipping(series, block_.alpha_rad, r_, law_.kappa, block_.friction_kinetic * forwards, phi_,
+                                    omega_, forcing, start_root_ == StartRoot::twofold);
+        ++log_.outcome().steps;
+        if (v_mps_ == 0 && forwards * slip.acceleration[0] < 0) {
+            slip.acceleration[0] = 0;  // slip starts where this is zero or drives it, whatever rounding says
+        }
+        log_.lower_contact(slip.normal[0]);
+        show(-block_.friction_kinetic * sigma_ * slip.normal[0], slip.normal[0]);
+        double const h = step_length(series);
+        if (log_.done()) {
+            return;
+        }
+        // Speed along the slip, and its integral.
+        std::array<double, Order> speed{};
+        speed[0] = sigma_ * v_mps_;
+        for (int k = 1; k < Order; ++k) {
+            speed[k] = forwards * g * slip.acceleration[k - 1] / k;
+        }
+        Ending ending{h, Event::none};
+        ending.earlier(slip.normal[0] > 0 ? first_fall_through_zero(slip.normal, h, StartRoot::none) : 0.0,
+                       Event::contact_lost);
+        ending.earlier(first_fall_through_zero(speed, ending.at, v_mps_ == 0 ? StartRoot::simple : StartRoot::none),
+                       Event::slip_stops);
+        ending.earlier(first_fall_through_zero(series.phi, ending.at, start_root_), Event::impact);
+        find_overturning(series, ending);
+        auto& energy = log_.outcome().energy;
+        std::array<double, Order> push{forwards * forcing.horizontal, forwards * forcing.horizontal_slope};
+        std::array<double, Order> normal{};
+        std::copy(slip.normal.begin(), slip.normal.end(), normal.begin());
+        energy.input +=
+            g * radius_m_ * shaking_work(series, forcing, ending.at) - g * product_integral(speed, push, ending.at);
+        energy.friction_work += g * block_.friction_kinetic * product_integral(speed, normal, ending.at);
+        log_.raise_energy(rocking_energy());
+        x_m_ += sigma_ * integral(speed, ending.at);
+        v_mps_ = ending.event == Event::slip_stops ? 0 : sigma_ * evaluate(speed, ending.at);
+        log_.raise_slip(x_m_);
+        move(series, ending);
+        switch (ending.event) {
+            case Event::impact:
+                strike();
+                break;
+            case Event::overturned:
+                log_.overturn(sample_.now());
+                break;
+            case Event::slip_stops:
+                mode_ = Mode::rock;
+                break;  // whether it sticks is seen at once
+            case Event::contact_lost:
+                lose_contact(false);
+                break;
+            default:
+                break;
+        }
+    }
+}
+
+// Where within the step friction or contact would give out. The forces' series are worked out only near a limit:
+// what they could change within the step is bounded by the forcing's slope and the rotation.
+template <int Order, class Restoring, bool Vertical, Slip Friction>
+auto Integrator<Order, Restoring, Vertical, Friction>::limits_of_contact(Series<Order> const& series,
+                                                                         Forcing const& forcing, double friction,
+                                                                         double normal, double h) const -> Ending {
+    Ending ending{h, Event::none};
+    double const change =
+        h * (std::abs(forcing.horizontal_slope) + std::abs(forcing.vertical_slope) + 4 * std::abs(omega_));
+    constexpr double margin = 0.1;
+    bool const contact_near = normal - change < margin;
+    bool const slip_near =
+        limited && std::abs(friction) + change + margin > block_.friction_static * (normal - change - margin);
+    if (!contact_near && !slip_near) {
+        return ending;
+    }
+    auto const contact = contact_series(series, forcing, r_);
+    if (normal <= 0) {
+        return {0, Event::contact_lost};
+    }
+    ending.earlier(first_fall_through_zero(contact.normal, h, StartRoot::none), Event::contact_lost);
+    if constexpr (limited) {
+        for (double const sign : {1.0, -1.0}) {
+            auto spare = contact.normal;
+            for (std::size_t k = 0; k < spare.size(); ++k) {
+                spare[k] = block_.friction_static * spare[k] - sign * contact.friction[k];
+            }
+            ending.earlier(first_fall_through_zero(spare, ending.at, StartRoot::none), Event::slip_starts);
+        }
+    }
+    return ending;
+}
+
+template <int Order, class Restoring, bool Vertical, Slip Friction>
+void Integrator<Order, Restoring, Vertical, Friction>::find_overturning(Series<Order> const& series,
+                                                                        Ending& ending) const {
+    auto beyond = series.phi;
+    beyond[0] -= 0.5 * pi;
+    if (ending.event != Event::impact && evaluate(beyond, ending.at) >= 0) {
+        auto const roots = roots_in(beyond, 0.0, ending.at);
+        ending = {roots.count > 0 ? roots.at[0] : ending.at, Event::overturned};
+    }
+}
+
+// Advances the rotation to the ending, peaks included.
+template <int Order, class Restoring, bool Vertical, Slip Friction>
+void Integrator<Order, Restoring, Vertical, Friction>::move(Series<Order> const& series, Ending const& ending) {
+    double const now = sample_.now();
+    for_each_maximum(series.phi, ending.at, [&](double t) { log_.raise_peak(evaluate(series.phi, t), now + t); });
+    phi_ = ending.event == Event::impact ? 0 : evaluate(series.phi, ending.at);
+    omega_ = evaluate(derivative(series.phi), ending.at);
+    sample_.advance(ending.at, ending.event != Event::none);
+    start_root_ = StartRoot::none;
+    log_.raise_peak(phi_, sample_.now());
+}
+
+// The ground cannot give the friction that no slip needs (mirrored, over m g): the corner slips against it.
+template <int Order, class Restoring, bool Vertical, Slip Friction>
+void Integrator<Order, Restoring, Vertical, Friction>::start_slip(double friction) {
+    if constexpr (!slipping) {
+        log_.call_slip();
+    } else {
+        sigma_ = -side_ * std::copysign(1.0, friction);
+        v_mps_ = 0;
+        slipped_ = true;
+        log_.raise_demand(block_.friction_static);
+        // A base that has not left the ground yet and is too smooth to be tipped slides flat.
+        bool const flat = start_root_ == StartRoot::twofold && block_.friction_kinetic <= uplift_ratio_;
+        mode_ = flat ? Mode::slide : Mode::slip_rock;
+    }
+}
+
+// N <= 0. On the way out beyond the critical angle the fall is certain, and without contact no torque acts: the block
+// turns on as it is. Elsewhere the model ends here.
+template <int Order, class Restoring, bool Vertical, Slip Friction>
+void Integrator<Order, Restoring, Vertical, Friction>::lose_contact(bool at_rest) {
+    double const now = sample_.now();
+    log_.outcome().contact_lost_s = now;
+    log_.lower_contact(0);
+    if (!at_rest && phi_ >= block_.alpha_rad && omega_ > 0) {
+        log_.overturn(now + (0.5 * pi - phi_) / omega_);
+    } else {
+        log_.end(Verdict::contact_lost);
+    }
+}
+
+// Energy is stationary inside a step where the shaking's power -omega (A cos psi + (Gv - 1) sin psi) changes sign.
+template <int Order, class Restoring, bool Vertical, Slip Friction>
+void Integrator<Order, Restoring, Vertical, Friction>::raise_energy_inside(Series<Order> const& series,
+                                                                           Forcing const& forcing, double end) {
+    log_.raise_energy(rocking_energy());
+    double const power0 = -(forcing.horizontal * series.cosine[0] + (forcing.vertical - 1) * series.sine[0]) * omega_;
+    if (power0 <= 0) {
+        return;
+    }
+    auto const at = [&](double t) {
+        double const phi = evaluate(series.phi, t);
+        double const rate = evaluate(derivative(series.phi), t);
+        double const pull = (forcing.horizontal + forcing.horizontal_slope * t) * evaluate(series.cosine, t)
+                            + (forcing.vertical + forcing.vertical_slope * t - 1) * evaluate(series.sine, t);
+        double const speed = rate / block_.p_radps;
+        return std::pair{-pull * rate, 0.5 * speed * speed + Restoring::potential(block_.alpha_rad, phi)};
+    };
+    if (double const power1 = at(end).first; power1 < 0) {
+        log_.raise_energy(at(end * power0 / (power0 - power1)).second);
+    }
+}
+
+}  // namespace overturn::rocking

@@ -1,0 +1,158 @@
+// Requirement: a body is stated directly, from parts, at scale or by file, and scatters by wave and body alone.
+#include "campaign/body_spec.hpp"
+
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "support/expect_input_error.hpp"
+#include "support/tolerance.hpp"
+
+namespace overturn {
+namespace {
+
+using testing::near;
+
+BodySpec body_of(std::string const& keys, std::map<std::string, std::string> contents = {}) {
+    InputFiles files(std::move(contents));
+    return read_body(config::Table::parse(keys, "b.toml"), files);
+}
+
+void refuse(std::string const& keys, std::string const& part) {
+    testing::expect_input_error([&] { (void)body_of(keys); }, "b.toml:", part);
+}
+
+std::string const block = "mass='12.6 t'\nbase_width='1.36 m'\ncentre_height='1.045 m'\n";
+
+TEST(BodySpec, StatedDirectly) {
+    auto const spec = body_of(block + "name='a'\ninertia=6000\nrestitution=0.8\nfriction=0.5\n");
+
+    EXPECT_EQ(spec.name, "a");
+    EXPECT_EQ(spec.body.mass_kg(), 12600);
+    EXPECT_EQ(spec.body.half_width_m(), 0.68);
+    EXPECT_EQ(spec.body.inertia_kgm2(), 6000);
+    EXPECT_EQ(spec.body.restitution(), 0.8);
+    ASSERT_TRUE(spec.friction);
+    EXPECT_EQ(spec.friction->static_coefficient, 0.5);
+    EXPECT_EQ(spec.friction->kinetic_coefficient, 0.5);
+}
+
+TEST(BodySpec, UniformBlockAndHousner) {
+    auto const spec = body_of(block + "inertia='uniform-block'\nrestitution='housner'\n");
+
+    double const sine = std::sin(spec.body.alpha_rad());
+    EXPECT_TRUE(near(spec.body.inertia_kgm2(), 12600 * (0.68 * 0.68 + 1.045 * 1.045) / 3, testing::exact_formula));
+    EXPECT_TRUE(near(spec.body.restitution(), 1 - 1.5 * sine * sine, testing::exact_formula));
+    EXPECT_FALSE(spec.friction);
+}
+
+// Cask, pallet and counterweight by the parallel-axis theorem, by hand.
+TEST(BodySpec, FromParts) {
+    auto const spec = body_of(
+        "base_width=3.4\n"
+        "[[parts]]\nkind='cylinder'\nmass='117 t'\ndiameter=2.5\nheight=5.4\nbottom=0.35\n"
+        "[[parts]]\nkind='box'\nmass='21 t'\nwidth=3.4\nheight=0.35\n"
+        "[[parts]]\nkind='point'\nmass='2 t'\nheight=1\n");
+
+    double const m = 140e3;
+    double const h = (117e3 * 3.05 + 21e3 * 0.175 + 2e3 * 1) / m;
+    double const own = 117e3 * (3 * 1.25 * 1.25 + 5.4 * 5.4) / 12 + 21e3 * (3.4 * 3.4 + 0.35 * 0.35) / 12;
+    double const moved = 117e3 * (3.05 - h) * (3.05 - h) + 21e3 * (0.175 - h) * (0.175 - h) + 2e3 * (1 - h) * (1 - h);
+    EXPECT_TRUE(near(spec.body.mass_kg(), m, testing::exact_formula));
+    EXPECT_TRUE(near(spec.body.centre_height_m(), h, testing::exact_formula));
+    EXPECT_TRUE(near(spec.body.inertia_kgm2(), own + moved, testing::exact_formula));
+}
+
+TEST(BodySpec, SimilarityBothWays) {
+    auto const prototype = block + "inertia=6000\n";
+    auto const model = body_of(prototype + "[similarity]\ndirection='to-model'\nlength=0.4\n");
+
+    EXPECT_TRUE(near(model.body.half_width_m(), 0.4 * 0.68, testing::exact_formula));
+    EXPECT_TRUE(near(model.body.mass_kg(), 12600 * 1.43 * 0.064, testing::exact_formula));
+    EXPECT_TRUE(near(model.body.inertia_kgm2(), 6000 * 1.43 * 0.01024, testing::exact_formula));
+    EXPECT_TRUE(near(model.body.alpha_rad(), body_of(prototype).body.alpha_rad(), testing::exact_formula));
+
+    auto const back = body_of(fmt::format(
+        "mass={}\nbase_width={}\ncentre_height={}\ninertia={}\n"
+        "[similarity]\ndirection='to-prototype'\nlength=0.4\n",
+        model.body.mass_kg(), 2 * model.body.half_width_m(), model.body.centre_height_m(), model.body.inertia_kgm2()));
+    EXPECT_TRUE(near(back.body.mass_kg(), 12600, testing::exact_formula));
+    EXPECT_TRUE(near(back.body.half_width_m(), 0.68, testing::exact_formula));
+    EXPECT_TRUE(near(back.body.inertia_kgm2(), 6000, testing::exact_formula));
+}
+
+TEST(BodySpec, FileWithOverrides) {
+    std::map<std::string, std::string> const files{
+        {"a.toml", "name='a'\n" + block + "inertia=6000\nrestitution=0.9\nfriction=0.6\n"}};
+
+    auto const plain = body_of("file='a.toml'\n", files);
+    auto const changed =
+        body_of("file='a.toml'\nname='b'\nrestitution='housner'\nfriction={static=0.5,kinetic=0.4}\n", files);
+
+    EXPECT_EQ(plain.name, "a");
+    EXPECT_EQ(plain.body.restitution(), 0.9);
+    EXPECT_EQ(plain.friction->static_coefficient, 0.6);
+    EXPECT_EQ(changed.name, "b");
+    EXPECT_EQ(changed.body.restitution(), changed.body.housner_restitution());
+    EXPECT_EQ(changed.friction->kinetic_coefficient, 0.4);
+    testing::expect_input_error([&] { (void)body_of("file='a.toml'\nmass=3\n", files); }, "b.toml:2:", "mass");
+    testing::expect_input_error([&] { (void)body_of("file='none.toml'\n", files); }, "b.toml:1:", "none.toml");
+    testing::expect_input_error(
+        [&] {
+            (void)body_of("file='x.toml'\n", {{"x.toml", "mass=-1\nbase_width=1\n"}});
+        },
+        "x.toml:1:");
+}
+
+std::string const scattered = block + "inertia=6000\nrestitution={distribution='lognormal',median=0.8,beta=0.1}\n";
+
+TEST(RestitutionScatter, IsAPureFunctionOfSeedWaveAndBody) {
+    auto const spec = body_of(scattered);
+    auto const drawn = [&](std::uint64_t seed, std::uint64_t wave, std::uint64_t index) {
+        return spec.for_wave(seed, wave, index).restitution();
+    };
+
+    EXPECT_EQ(drawn(1, 17, 0), drawn(1, 17, 0));
+    EXPECT_NE(drawn(1, 17, 0), drawn(2, 17, 0));
+    EXPECT_NE(drawn(1, 17, 0), drawn(1, 18, 0));
+    EXPECT_NE(drawn(1, 17, 0), drawn(1, 17, 1));
+    EXPECT_EQ(spec.body.restitution(), 0.8);
+}
+
+TEST(RestitutionScatter, HasItsMedianAndBetaAndNeverGivesEnergy) {
+    auto const spec = body_of(scattered);
+    constexpr std::size_t count = 20001;
+    std::vector<double> drawn;
+    for (std::size_t wave = 0; wave < count; ++wave) {
+        drawn.push_back(spec.for_wave(2013, wave, 0).restitution());
+    }
+    std::sort(drawn.begin(), drawn.end());
+
+    // Redrawing above 1 cuts off P(z > 2.23) = 0.0129: quantile q of the rest is quantile 0.9871 q of the whole.
+    EXPECT_LE(drawn.back(), 1);
+    EXPECT_NEAR(drawn[count / 2], 0.8 * std::exp(0.1 * -0.01613), 0.003);
+    EXPECT_NEAR(drawn[count / 20], 0.8 * std::exp(0.1 * -1.6512), 0.004);
+}
+
+TEST(RestitutionScatter, OfZeroIsTheMedian) {
+    auto const spec = body_of(block + "inertia=6000\nrestitution={distribution='lognormal',median=1,beta=0}\n");
+
+    EXPECT_EQ(spec.for_wave(1, 2, 3).restitution(), 1);
+}
+
+TEST(BodySpec, RefusesNonsense) {
+    refuse("mass=-5\nbase_width=1\ncentre_height=1\ninertia=1\n", "mass: -5 kg");
+    refuse("mass='5 m'\nbase_width=1\ncentre_height=1\ninertia=1\n", "unit 'm'");
+    refuse(block + "inertia='uniform-blok'\n", "inertia");
+    refuse(block + "inertia=6000\nrestitution=1.2\n", "restitution: 1.2");
+    refuse(block + "inertia=6000\nrestitution='houzner'\n", "houzner");
+    refuse(block + "inertia=6000\nrestitution={distribution='normal',median=0.8,beta=0.1}\n", "normal");
+    refuse(block + "inertia=6000\nfriction={static=0.4,kinetic=0.5}\n", "Swap them");
+    refuse(block + "inertia=6000\nfricton=0.4\n", "Did you mean 'friction'?");
+    refuse("mass='12 t'\nbase_width=3\ncentre_height=0.5\ninertia='uniform-block'\n", "so squat");
+    refuse("base_width=1\n[[parts]]\nkind='sphere'\nmass=1\n", "sphere");
+    refuse("base_width=1\nmass=3\n[[parts]]\nkind='point'\nmass=1\nheight=1\n", "mass");
+}
+
+}  // namespace
+}  // namespace overturn

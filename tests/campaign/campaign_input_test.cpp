@@ -1,0 +1,87 @@
+// Requirement: a campaign travels and is stored whole, and a change is told by the key it is in.
+#include "campaign/campaign_input.hpp"
+
+#include <filesystem>
+#include <fstream>
+
+#include "campaign/campaign_spec.hpp"
+#include "support/campaigns.hpp"
+#include "support/expect_input_error.hpp"
+
+namespace overturn {
+namespace {
+
+CampaignInput example() {
+    return {"some/c.toml",
+            "seed = 1\n# \xe5\x9c\xb0\nx = 2\n",
+            {"seed=3", "a.b='=c'"},
+            {{"t.csv", std::string("1,2\n\0\xff", 6)}, {"u/empty", ""}}};
+}
+
+TEST(CampaignInput, RoundTrip) {
+    auto const before = example();
+    auto const after = CampaignInput::deserialise(before.serialise());
+
+    EXPECT_EQ(after.name, before.name);
+    EXPECT_EQ(after.text, before.text);
+    EXPECT_EQ(after.settings, before.settings);
+    EXPECT_EQ(after.files, before.files);
+    EXPECT_EQ(after.sha256(), before.sha256());
+    EXPECT_TRUE(before.differences(after).empty());
+}
+
+TEST(CampaignInput, HashSeesEverythingButTheName) {
+    auto const base = example();
+    auto renamed = base;
+    renamed.name = "elsewhere.toml";
+    EXPECT_EQ(renamed.sha256(), base.sha256());
+
+    auto text = base;
+    text.text += " ";
+    auto setting = base;
+    setting.settings.pop_back();
+    auto file = base;
+    file.files["t.csv"] += "3";
+    for (auto const& other : {text, setting, file}) {
+        EXPECT_NE(other.sha256(), base.sha256());
+        EXPECT_EQ(base.differences(other).size(), 1U);
+    }
+}
+
+TEST(CampaignInput, DifferencesNameTheKey) {
+    auto const base = example();
+    auto other = base;
+    other.text = "seed = 1\n# \xe5\x9c\xb0\nx = 5\n";
+    other.settings = {"seed=4"};
+    other.files["t.csv"] = "";
+
+    auto const told = base.differences(other);
+
+    ASSERT_EQ(told.size(), 3U);
+    EXPECT_EQ(told[0], "line 3: 'x = 2' became 'x = 5'");
+    EXPECT_EQ(told[1], "--set: 'seed=3 a.b='=c'' became 'seed=4'");
+    EXPECT_EQ(told[2], "file t.csv changed");
+}
+
+TEST(CampaignInput, AMissingAndAnAddedFileAreDifferences) {
+    auto const base = example();
+    auto fewer = base;
+    fewer.files.erase("u/empty");
+
+    EXPECT_EQ(base.differences(fewer).size(), 1U);
+    EXPECT_EQ(fewer.differences(base).size(), 1U);
+}
+
+// Beyond this a results file's header could not hold it, which a run must not find out at its end.
+TEST(CampaignInput, ACampaignTooLongForTheResultsFileIsRefusedAtOnce) {
+    auto const path = std::filesystem::temp_directory_path() / fmt::format("overturn-long-{}.toml", ::getpid());
+    std::ofstream(path) << "seed=7\n"
+                        << std::string(70'000, '#') << '\n'
+                        << testing::quick_waves << testing::type_a << testing::levels("values=[3]\n");
+
+    testing::expect_input_error([&] { (void)load_campaign(path, {}); }, "70", "file");
+    std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace overturn

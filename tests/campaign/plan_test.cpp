@@ -1,0 +1,109 @@
+// Requirement: waves, trials and blocks are numbered by the campaign alone, and growing it renumbers no earlier wave.
+#include "campaign/plan.hpp"
+
+#include <set>
+
+#include "support/campaigns.hpp"
+#include "support/expect_input_error.hpp"
+
+namespace overturn {
+namespace {
+
+using testing::campaign_from;
+
+CampaignSpec campaign(int waves, std::string const& levels, bool independent = false, bool two_bodies = true) {
+    auto text = testing::quick_waves + testing::type_a + (two_bodies ? testing::type_b : "")
+                + testing::levels("values=" + levels + (independent ? "\nwaves='independent'\n" : "\n"));
+    text.replace(text.find("count=3"), 7, "count=" + std::to_string(waves));
+    return campaign_from(text);
+}
+
+TEST(Plan, SharedWavesGoThroughAllLevels) {
+    auto const spec = campaign(5, "[3,6,9]");
+    Plan const plan(spec);
+
+    EXPECT_EQ(plan.waves(), 5);
+    EXPECT_EQ(plan.trials_per_wave(), 6);
+    EXPECT_EQ(plan.trials(), 30);
+    EXPECT_EQ(plan.wave_id(4), 4U);
+    auto const trial = plan.trial(2 * 6 + 1 * 3 + 2);
+    EXPECT_EQ(trial.wave, 2);
+    EXPECT_EQ(trial.body, 1);
+    EXPECT_EQ(trial.level, 2);
+}
+
+TEST(Plan, IndependentWavesBelongToOneLevel) {
+    auto const spec = campaign(5, "[3,6,9]", true);
+    Plan const plan(spec);
+
+    EXPECT_EQ(plan.waves(), 15);
+    EXPECT_EQ(plan.trials(), 30);
+    std::set<std::uint64_t> ids;
+    for (std::int64_t wave = 0; wave < plan.waves(); ++wave) {
+        EXPECT_EQ(plan.first_level(wave), wave / 5);
+        ids.insert(plan.wave_id(wave));
+    }
+    EXPECT_EQ(ids.size(), 15U);
+    EXPECT_EQ(plan.trial(11).wave, 5);
+    EXPECT_EQ(plan.trial(11).body, 1);
+    EXPECT_EQ(plan.trial(11).level, 1);
+}
+
+TEST(Plan, EveryTrialHasOneNumber) {
+    for (bool const independent : {false, true}) {
+        auto const spec = campaign(7, "[3,6,9]", independent);
+        Plan const plan(spec);
+        std::set<std::tuple<std::int64_t, std::int64_t, std::int64_t>> seen;
+        for (std::int64_t number = 0; number < plan.trials(); ++number) {
+            auto const [wave, body, level] = plan.trial(number);
+            EXPECT_GE(level, plan.first_level(wave));
+            EXPECT_LT(level, plan.first_level(wave) + plan.level_count());
+            seen.insert({wave, body, level});
+        }
+        EXPECT_EQ(seen.size(), static_cast<std::size_t>(plan.trials()));
+    }
+}
+
+TEST(Plan, GrowthRenumbersNoWave) {
+    auto const small = campaign(5, "[3,6]", true);
+    auto const more_waves = campaign(8, "[3,6]", true);
+    auto const more_levels = campaign(5, "[3,6,9]", true);
+    Plan const before(small);
+    Plan const waves(more_waves);
+    Plan const levels(more_levels);
+
+    for (std::int64_t level = 0; level < 2; ++level) {
+        for (std::int64_t n = 0; n < 5; ++n) {
+            EXPECT_EQ(before.wave_id(level * 5 + n), waves.wave_id(level * 8 + n));
+            EXPECT_EQ(before.wave_id(level * 5 + n), levels.wave_id(level * 5 + n));
+        }
+    }
+}
+
+TEST(Plan, BlocksCoverTheWavesOnce) {
+    for (int const count : {1, 3, 255, 256, 600, 70001}) {
+        auto const spec = campaign(count, "[3]");
+        Plan const plan(spec);
+        std::int64_t next = 0;
+        for (std::int64_t block = 0; block < plan.blocks(); ++block) {
+            auto const [first, size] = plan.waves_of_block(block);
+            EXPECT_EQ(first, next);
+            EXPECT_GT(size, 0);
+            EXPECT_LE(size, plan.block_size());
+            next = first + size;
+        }
+        EXPECT_EQ(next, count);
+    }
+}
+
+// Bodies, levels and seed do not enter the block size, and nothing from outside can: it is a function of the campaign.
+TEST(Plan, BlockSizeFollowsTheWavesOnly) {
+    auto const one = campaign(600, "[3]", false, false);
+    auto const many = campaign(600, "[1,2,3,4,5,6,7,8,9]", false, true);
+
+    EXPECT_EQ(Plan(one).block_size(), Plan(many).block_size());
+    EXPECT_EQ(Plan(one).blocks(), Plan(many).blocks());
+}
+
+}  // namespace
+}  // namespace overturn

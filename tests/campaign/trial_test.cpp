@@ -1,0 +1,135 @@
+// Requirement: a trial is a pure function of (campaign, wave, body, level): the same bits alone and in a crowd, and
+// when waves, levels or bodies are added.
+#include "campaign/trial.hpp"
+
+#include <cstring>
+
+#include "campaign/results.hpp"
+#include "support/campaigns.hpp"
+#include "support/expect_input_error.hpp"
+
+namespace overturn {
+namespace {
+
+using testing::campaign_from;
+
+std::string with_count(std::string text, int waves) {
+    return text.replace(text.find("count=3"), 7, "count=" + std::to_string(waves));
+}
+
+std::string const scatter = "restitution={distribution='lognormal',median=0.85,beta=0.1}\n";
+std::string const vertical = "[waves.vertical]\nratio=0.667\n";
+std::string const small_campaign =
+    testing::quick_waves + vertical + testing::type_b + scatter + testing::levels("values=[4,6]\n");
+
+template <class Row> bool same_bits(Row const& a, Row const& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+PreparedWave prepared(CampaignSpec const& spec, std::int64_t wave) {
+    PhaseSeconds seconds;
+    return prepare_wave(spec, Plan(spec), wave, seconds);
+}
+
+// Wave 2 of the small campaign, computed first and alone, against the same wave of `other`.
+void expect_same_trials(CampaignSpec const& other, std::int64_t body, std::vector<std::int64_t> const& levels) {
+    auto const spec = campaign_from(small_campaign);
+    auto const alone = prepared(spec, 2);
+    auto const crowd = prepared(other, 2);
+
+    EXPECT_TRUE(same_bits(alone.row, crowd.row));
+    EXPECT_TRUE(same_bits(alone.measures[0], crowd.measures[static_cast<std::size_t>(body)]));
+    for (std::int64_t level = 0; level < 2; ++level) {
+        auto const before = run_trial(spec, alone, 0, level);
+        auto after = run_trial(other, crowd, body, levels[static_cast<std::size_t>(level)]);
+        EXPECT_NE(before.verdict, static_cast<std::int64_t>(Verdict::failed));
+        after.level = before.level;  // the only thing that a new level below may change
+        EXPECT_TRUE(differing_columns(before, after).empty()) << differing_columns(before, after).front();
+    }
+}
+
+TEST(TrialPurity, AloneAndInACrowd) {
+    auto const spec = campaign_from(small_campaign);
+    Plan const plan(spec);
+    PhaseSeconds seconds;
+    auto const wave = prepared(spec, 1);
+
+    auto const block = run_block(spec, plan, 1, seconds);
+
+    ASSERT_EQ(plan.block_size(), 1);
+    ASSERT_EQ(block.trials.size(), 2U);
+    EXPECT_TRUE(same_bits(block.waves[0], wave.row));
+    EXPECT_TRUE(same_bits(block.trials[1], run_trial(spec, wave, 0, 1)));
+    EXPECT_GT(block.waves[0].vertical_pga_mps2, 0);
+}
+
+TEST(TrialPurity, MoreWaves) { expect_same_trials(campaign_from(with_count(small_campaign, 900)), 0, {0, 1}); }
+
+TEST(TrialPurity, MoreLevels) {
+    expect_same_trials(campaign_from(testing::quick_waves + vertical + testing::type_b + scatter
+                                     + testing::levels("values=[2,4,5,6,9]\ndesign_basis=3\n")),
+                       0, {2, 4});
+}
+
+TEST(TrialPurity, MoreBodies) {
+    expect_same_trials(campaign_from(testing::quick_waves + vertical + testing::type_b + scatter + testing::type_a
+                                     + scatter + testing::levels("values=[4,6]\n")),
+                       0, {0, 1});
+}
+
+TEST(TrialPurity, EffectsAndStatisticsDoNotTouchTheWave) {
+    auto const spec = campaign_from(small_campaign);
+    auto const other = campaign_from(small_campaign + "[effects]\nmode='none'\n[statistics]\nconfidence=0.9\n");
+
+    EXPECT_TRUE(same_bits(prepared(spec, 0).row, prepared(other, 0).row));
+}
+
+TEST(TrialPurity, AnotherSeedIsAnotherWave) {
+    auto input = testing::input_from(small_campaign);
+    input.settings = {"seed=8"};
+    auto const other = parse_campaign(input);
+    auto const spec = campaign_from(small_campaign);
+
+    EXPECT_NE(prepared(spec, 0).row.pga_mps2, prepared(other, 0).row.pga_mps2);
+    EXPECT_NE(prepared(spec, 0).bodies[0].restitution(), prepared(other, 0).bodies[0].restitution());
+}
+
+TEST(Trial, IsAtItsLevel) {
+    auto const spec = campaign_from(small_campaign);
+    auto const wave = prepared(spec, 0);
+
+    auto const row = run_trial(spec, wave, 0, 1);
+
+    EXPECT_EQ(row.amplitude, 6);
+    EXPECT_DOUBLE_EQ(row.scale * wave.intensity.pga_mps2, 6);
+    EXPECT_DOUBLE_EQ(row.v_wes_mps, row.scale * wave.measures[0].v_wes_max_mps);
+    EXPECT_EQ(row.v_wes_safe != 0, row.v_wes_mps < row.v_ereq_mps);
+}
+
+TEST(Trial, AWaveThatCannotBeScaledIsARowWithAReason) {
+    auto const spec =
+        campaign_from("[waves]\nsource='records'\nfiles=['z.csv']\nunit='gal'\ntime_step='0.01 s'\nformat='columns'\n"
+                          + testing::type_b + testing::levels("values=[4]\n"),
+                      {{"z.csv", "0\n0\n0\n0\n0\n"}});
+
+    auto const row = run_trial(spec, prepared(spec, 0), 0, 0);
+
+    EXPECT_EQ(row.verdict, static_cast<std::int64_t>(Verdict::failed));
+    EXPECT_EQ(row.failure, static_cast<std::int64_t>(FailureReason::wave_cannot_be_scaled));
+}
+
+TEST(BlockRows, TravelUnchanged) {
+    auto const spec = campaign_from(small_campaign);
+    Plan const plan(spec);
+    PhaseSeconds seconds;
+    auto const rows = run_block(spec, plan, 0, seconds);
+
+    auto const bytes = rows.pack();
+    auto const back = BlockRows::unpack(bytes, plan, 1);
+
+    EXPECT_EQ(back.pack(), bytes);
+    EXPECT_TRUE(same_bits(back.trials[1], rows.trials[1]));
+    EXPECT_THROW((void)BlockRows::unpack(std::span(bytes).first(bytes.size() - 8), plan, 1), SystemError);
+    EXPECT_THROW((void)BlockRows::unpack(bytes, plan, 0), SystemError);
+}
+
+}  // namespace
+}  // namespace overturn

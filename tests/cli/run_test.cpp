@@ -1,0 +1,97 @@
+// Requirement: two runs of one campaign give byte-identical files, on any number of ranks; a row can be rerun from the
+// file alone.
+#include "cli/campaign_files.hpp"
+#include "support/command.hpp"
+
+namespace overturn::testing {
+namespace {
+
+class Run : public ::testing::Test {
+  protected:
+    Run() { folder.write("target.csv", target_csv); }
+
+    std::string bytes(std::vector<std::string> const& command, std::string const& output) {
+        auto const ended = execute(folder, command);
+        EXPECT_EQ(ended.code, 0) << ended.err;
+        EXPECT_TRUE(folder.has(output)) << ended.err;
+        EXPECT_FALSE(folder.has(output + ".parts"));
+        return folder.read(output);
+    }
+
+    Folder folder;
+};
+
+void expect_same(std::string const& a, std::string const& b, char const* what) {
+    EXPECT_GT(a.size(), 10'000U) << what;
+    EXPECT_TRUE(a == b) << what << " differs";
+}
+
+// Requirement: nothing in the file depends on ranks.
+TEST_F(Run, RanksDoNotMatter) {
+    for (std::string const waves : {"shared", "independent"}) {
+        folder.write("c.toml", small_campaign(waves, 6));
+        auto const alone = bytes({OVERTURN_PROGRAM, "run", "c.toml", "-o", waves + "0.h5"}, waves + "0.h5");
+        for (int const ranks : {1, 2, 3}) {
+            auto const name = waves + std::to_string(ranks) + ".h5";
+            auto const many = bytes(mpirun(ranks, {"run", "c.toml", "-o", name}), name);
+            expect_same(alone, many, name.c_str());
+        }
+    }
+    EXPECT_TRUE(folder.has("shared3.runtime.json"));
+}
+
+TEST_F(Run, TheSeedMatters) {
+    folder.write("c.toml", small_campaign("shared", 2));
+    auto const one = bytes({OVERTURN_PROGRAM, "run", "c.toml"}, "c.h5");
+    auto const again = bytes({OVERTURN_PROGRAM, "run", "c.toml", "-o", "again.h5"}, "again.h5");
+    auto const other = bytes({OVERTURN_PROGRAM, "run", "c.toml", "-o", "o.h5", "--set", "seed=2014"}, "o.h5");
+
+    expect_same(one, again, "a second run");
+    EXPECT_FALSE(one == other);
+}
+
+// Requirement: replay needs the results file only and is bit-equal.
+TEST_F(Run, ReplayFromTheFileAlone) {
+    for (std::string const waves : {"shared", "independent"}) {
+        folder.write("target.csv", target_csv);
+        folder.write("c.toml", small_campaign(waves, 3));
+        (void)bytes({OVERTURN_PROGRAM, "run", "c.toml", "-o", waves + ".h5", "--set", "seed=5"}, waves + ".h5");
+        std::filesystem::remove(folder / "target.csv");
+        std::filesystem::remove(folder / "c.toml");
+        for (auto const* trial : {"0", "4", "11", "17"}) {
+            auto const ended = overturn(folder, {"replay", waves + ".h5", "--trial", trial});
+            EXPECT_EQ(ended.code, 0) << ended.err;
+            EXPECT_NE(ended.out.find("bit-equal to the stored row"), std::string::npos) << ended.out;
+        }
+    }
+    auto const beyond = overturn(folder, {"replay", "shared.h5", "--trial", "18"});
+    EXPECT_EQ(beyond.code, 2);
+    EXPECT_NE(beyond.err.find("0 to 17"), std::string::npos) << beyond.err;
+
+    auto const ended = overturn(folder, {"replay", "shared.h5", "--trial", "5", "--history", "h.csv"});
+    EXPECT_EQ(ended.code, 0);
+    EXPECT_TRUE(folder.read("h.csv").starts_with("time_s,rotation_rad,"));
+}
+
+// Requirement: a row that is not what the program computes is told, with exit code 1.
+TEST_F(Run, ATamperedRowIsFound) {
+    if (execute(folder, {OVERTURN_PYTHON, "-c", "import h5py"}).code != 0) {
+        GTEST_SKIP() << "no h5py to tamper with (install python3-h5py)";
+    }
+    folder.write("c.toml", small_campaign("shared", 2));
+    (void)bytes({OVERTURN_PROGRAM, "run", "c.toml"}, "c.h5");
+    auto const tampered = execute(
+        folder, {OVERTURN_PYTHON, "-c", "import h5py\nwith h5py.File('c.h5','r+') as f: f['trials/impacts'][4] += 1"});
+    ASSERT_EQ(tampered.code, 0) << tampered.err;
+
+    auto const bad = overturn(folder, {"replay", "c.h5", "--trial", "4"});
+    auto const good = overturn(folder, {"replay", "c.h5", "--trial", "5"});
+
+    EXPECT_EQ(bad.code, 1);
+    EXPECT_NE(bad.out.find("NOT bit-equal to the stored row: impacts"), std::string::npos) << bad.out;
+    EXPECT_TRUE(is_one_error_line(bad.err));
+    EXPECT_EQ(good.code, 0);
+}
+
+}  // namespace
+}  // namespace overturn::testing

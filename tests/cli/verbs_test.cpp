@@ -1,0 +1,159 @@
+// Requirement: what the verbs print keeps its keys and columns; scripts depend on them.
+#include <cmath>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/campaign_files.hpp"
+#include "support/command.hpp"
+
+namespace overturn::testing {
+namespace {
+
+using nlohmann::json;
+
+std::string const body = "mass='12.6 t'\nbase_width='0.9 m'\ncentre_height='1.045 m'\ninertia='uniform-block'\n";
+
+class Verbs : public ::testing::Test {
+  protected:
+    Verbs() {
+        folder.write("target.csv", target_csv);
+        folder.write("body.toml", body);
+        folder.write("c.toml", small_campaign("shared", 2));
+    }
+
+    Ended done(std::vector<std::string> const& arguments) {
+        auto ended = overturn(folder, arguments);
+        EXPECT_EQ(ended.code, 0) << ended.err;
+        return ended;
+    }
+
+    Folder folder;
+};
+
+std::vector<std::string> keys_of(json const& object) {
+    std::vector<std::string> keys;
+    for (auto const& [key, value] : object.items()) {
+        keys.push_back(key);
+    }
+    return keys;
+}
+
+void expect_keys(json const& object, std::vector<std::string> const& keys) {
+    for (auto const& key : keys) {
+        EXPECT_TRUE(object.contains(key)) << key;
+    }
+}
+
+// One full sine of 0.5 g and 1 s: the body of type B rocks and stands, by --scale 3 it falls.
+std::string sine_csv() {
+    std::ostringstream text;
+    text << "time_s,ax\n";
+    for (int i = 0; i <= 400; ++i) {
+        text << i * 0.01 << ',' << (i <= 100 ? 0.5 * std::sin(2 * 3.14159265358979 * i * 0.01) : 0.0) << '\n';
+    }
+    return text.str();
+}
+
+TEST_F(Verbs, RockJson) {
+    folder.write("sine.csv", sine_csv());
+    std::vector<std::string> const command{"rock",     "--body", "body.toml", "--wave",
+                                           "sine.csv", "--unit", "g",         "--json"};
+    auto const stands = json::parse(done(command).out);
+    auto const falls = json::parse(done(joined(command, {"--scale", "3", "--history", "h.csv"})).out);
+
+    EXPECT_EQ(keys_of(stands).size(), 17U);
+    expect_keys(stands, {"verdict", "overturned", "peak_rotation_rad", "peak_rotation_ratio", "peak_energy_ratio",
+                         "time_of_peak_s", "overturn_time_s", "first_uplift_s", "impacts", "peak_slip_m",
+                         "residual_slip_m", "friction_demand", "min_contact_force_ratio", "response_velocity_mps",
+                         "limit_velocity_mps", "effects", "restitution"});
+    EXPECT_EQ(stands["verdict"], "rocked");
+    EXPECT_EQ(stands["overturned"], false);
+    EXPECT_EQ(stands["overturn_time_s"], -1);
+    EXPECT_GT(stands["impacts"], 0);
+    EXPECT_EQ(stands["effects"], json::array());
+    EXPECT_EQ(falls["verdict"], "overturned");
+    EXPECT_NEAR(falls["peak_rotation_rad"].get<double>(), 1.5707963, 1e-7);
+    EXPECT_EQ(falls["response_velocity_mps"], falls["limit_velocity_mps"]);
+    EXPECT_TRUE(folder.read("h.csv").starts_with("time_s,"));
+}
+
+TEST_F(Verbs, SpectrumJson) {
+    folder.write("sine.csv", sine_csv());
+    auto const spectrum =
+        json::parse(done({"spectrum", "--wave", "sine.csv", "--unit", "g", "--body", "body.toml", "--json"}).out);
+    auto const without = json::parse(done({"spectrum", "--wave", "sine.csv", "--unit", "g", "--json"}).out);
+
+    expect_keys(spectrum, {"pga", "pgv", "pgd", "period_s", "sa_mps2", "psv_mps", "v_e_mps", "energy"});
+    expect_keys(spectrum["energy"], {"T0_s", "T1_s", "ou_v_e_mps", "v_wes_max_mps", "v_wes_time_s", "v_ereq_mps"});
+    EXPECT_EQ(spectrum["period_s"].size(), spectrum["sa_mps2"].size());
+    EXPECT_NEAR(spectrum["pga"].get<double>(), 0.5 * 9.80665, 1e-6);
+    // b sqrt(2 g / (R + h)) by hand
+    double const radius = std::hypot(0.45, 1.045);
+    EXPECT_NEAR(spectrum["energy"]["v_ereq_mps"].get<double>(), std::sqrt(2 * 9.80665 * (radius - 1.045)), 1e-9);
+    EXPECT_FALSE(without.contains("energy"));
+}
+
+// A wave that is written and read back is the same wave to the last bit.
+TEST_F(Verbs, WaveIsReadableByTheOtherVerbs) {
+    auto const ended = done({"wave", "c.toml", "--wave", "1", "-o", "w.csv"});
+    auto const text = folder.read("w.csv");
+    EXPECT_TRUE(text.starts_with("time_s,ax_mps2,az_mps2\n0,"));
+    EXPECT_EQ(done({"wave", "c.toml", "--wave", "1"}).out, text);
+    double peak = 0;
+    std::istringstream lines(text);
+    std::string line;
+    std::getline(lines, line);
+    int count = 0;
+    while (std::getline(lines, line)) {
+        peak = std::max(peak, std::abs(std::stod(line.substr(line.find(',') + 1))));
+        ++count;
+    }
+    EXPECT_EQ(count, 1025);
+
+    auto const spectrum = json::parse(done({"spectrum", "--wave", "w.csv", "--unit", "m/s2", "--json"}).out);
+    EXPECT_EQ(spectrum["pga"].get<double>(), peak);
+    auto const rock =
+        json::parse(done({"rock", "--body", "body.toml", "--wave", "w.csv", "--unit", "m/s2", "--json"}).out);
+    EXPECT_EQ(rock["effects"], json::array({"vertical"}));
+}
+
+TEST_F(Verbs, PlanCountsAndEstimates) {
+    auto const ended = done({"plan", "c.toml", "--set", "waves.count=40"});
+
+    EXPECT_NE(ended.out.find("trials    240 in 40 blocks of 1 waves"), std::string::npos) << ended.out;
+    EXPECT_NE(ended.out.find("design-basis"), std::string::npos);
+    for (auto const* heading : {"\nwaves ", "\nbody ", "\nlevel ", "\nprobe ", "\ntime ", "\nfile "}) {
+        EXPECT_NE(ended.out.find(heading), std::string::npos) << heading;
+    }
+}
+
+TEST_F(Verbs, ListNamesEverythingThatCanBeAskedFor) {
+    auto const ended = done({"list"});
+    for (auto const* name : {"spectrum-compatible", "harmonic", "pulse", "records", "mlit-ch1", "vertical", "pgv",
+                             "peak_rotation_ratio"}) {
+        EXPECT_NE(ended.out.find(std::string("  ") + name + " "), std::string::npos) << name;
+    }
+}
+
+TEST_F(Verbs, FitRecountsAndStatusKnowsTheEnd) {
+    auto const run = done({"run", "c.toml"});
+    auto const fit = json::parse(done({"fit", "c.h5", "--json"}).out);
+
+    EXPECT_EQ(fit["stripes"].size(), 6U);
+    expect_keys(fit["stripes"][0],
+                {"body", "amplitude", "trials", "overturned", "failed", "probability", "lower", "upper"});
+    EXPECT_EQ(fit["stripes"][5]["trials"], 2);
+    expect_keys(fit["criterion"][0], {"false_safe", "false_alarm", "true_safe", "true_overturn"});
+    // The run's own table, recomputed from the file.
+    EXPECT_TRUE(run.out.starts_with(done({"fit", "c.h5"}).out)) << run.out;
+    EXPECT_NE(done({"status", "c.h5"}).out.find("complete, 12 trials of 'small'"), std::string::npos);
+}
+
+TEST_F(Verbs, VersionAndHelp) {
+    EXPECT_TRUE(done({"--version"}).out.starts_with("overturn "));
+    EXPECT_NE(done({"run", "--help"}).out.find("--max-walltime"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace overturn::testing

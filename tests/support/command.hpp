@@ -1,0 +1,181 @@
+/// Runs the real program, alone or under mpirun, without a shell: what it printed and how it ended.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char** environ;
+
+namespace overturn::testing {
+
+inline std::string read_text(std::filesystem::path const& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// A folder of its own, gone with the object.
+class Folder {
+  public:
+    Folder() {
+        auto name = (std::filesystem::temp_directory_path() / "overturn-test-XXXXXX").string();
+        if (::mkdtemp(name.data()) == nullptr) {
+            throw std::runtime_error("cannot make a temporary folder");
+        }
+        path_ = name;
+    }
+    ~Folder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    Folder(Folder const&) = delete;
+    Folder& operator=(Folder const&) = delete;
+    Folder(Folder&&) = delete;
+    Folder& operator=(Folder&&) = delete;
+
+    [[nodiscard]] std::filesystem::path const& path() const { return path_; }
+    [[nodiscard]] std::filesystem::path operator/(std::string const& name) const { return path_ / name; }
+    void write(std::string const& name, std::string const& text) const {
+        std::ofstream(path_ / name, std::ios::binary) << text;
+    }
+    [[nodiscard]] std::string read(std::string const& name) const { return read_text(path_ / name); }
+    [[nodiscard]] bool has(std::string const& name) const { return std::filesystem::exists(path_ / name); }
+
+  private:
+    std::filesystem::path path_;
+};
+
+/// What ctest cannot pass on, a list of variables: lets mpirun start more ranks than there are cores, as any user.
+inline void use_mpi_environment() {
+    std::istringstream variables(OVERTURN_MPI_ENVIRONMENT);
+    for (std::string variable; variables >> variable;) {
+        auto const equals = variable.find('=');
+        ::setenv(variable.substr(0, equals).c_str(), variable.substr(equals + 1).c_str(), 1);
+    }
+}
+
+struct Ended {
+    int code = -1;  ///< exit code, or 128 + signal
+    std::string out, err;
+};
+
+/// A program under way in a folder.
+class Running {
+  public:
+    Running(Folder const& folder, std::vector<std::string> arguments) {
+        static int number = 0;
+        auto const name = ".output-" + std::to_string(++number);
+        out_ = folder / (name + ".out");
+        err_ = folder / (name + ".err");
+        use_mpi_environment();
+        posix_spawn_file_actions_t actions;
+        posix_spawn_file_actions_init(&actions);
+        posix_spawn_file_actions_addchdir_np(&actions, folder.path().c_str());
+        posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+        posix_spawn_file_actions_addopen(&actions, 1, out_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        posix_spawn_file_actions_addopen(&actions, 2, err_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        std::vector<char*> argv;
+        for (auto& argument : arguments) {
+            argv.push_back(argument.data());
+        }
+        argv.push_back(nullptr);
+        if (posix_spawnp(&pid_, argv[0], &actions, nullptr, argv.data(), environ) != 0) {
+            throw std::runtime_error("cannot start " + arguments[0]);
+        }
+        posix_spawn_file_actions_destroy(&actions);
+    }
+    ~Running() {
+        if (pid_ > 0) {
+            ::kill(pid_, SIGKILL);
+            (void)wait();
+        }
+    }
+    Running(Running const&) = delete;
+    Running& operator=(Running const&) = delete;
+    Running(Running&&) = delete;
+    Running& operator=(Running&&) = delete;
+
+    void signal(int number) const { ::kill(pid_, number); }
+    [[nodiscard]] pid_t pid() const { return pid_; }
+
+    Ended wait() {
+        int status = 0;
+        ::waitpid(pid_, &status, 0);
+        pid_ = -1;
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_text(out_), read_text(err_)};
+    }
+
+  private:
+    std::filesystem::path out_, err_;
+    pid_t pid_ = -1;
+};
+
+inline Ended execute(Folder const& folder, std::vector<std::string> arguments) {
+    return Running(folder, std::move(arguments)).wait();
+}
+
+inline std::vector<std::string> joined(std::vector<std::string> first, std::vector<std::string> const& more) {
+    first.insert(first.end(), more.begin(), more.end());
+    return first;
+}
+
+/// `overturn ...`
+inline Ended overturn(Folder const& folder, std::vector<std::string> const& arguments) {
+    return execute(folder, joined({OVERTURN_PROGRAM}, arguments));
+}
+
+/// The command line of `mpirun -n ranks overturn ...`; --quiet keeps mpirun from commenting on exit codes.
+inline std::vector<std::string> mpirun(int ranks, std::vector<std::string> const& arguments) {
+    return joined({OVERTURN_MPIRUN, "--quiet", "-n", std::to_string(ranks), OVERTURN_PROGRAM}, arguments);
+}
+
+/// Waits until `condition` holds; false after half a minute without.
+template <class Condition> bool comes_true(Condition&& condition) {
+    constexpr int most = 6000;
+    for (int i = 0; i < most; ++i) {
+        if (condition()) {
+            return true;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return false;
+}
+
+/// How many finished blocks lie beside the output.
+inline int blocks_done(Folder const& folder, std::string const& output) {
+    int count = 0;
+    std::error_code error;
+    for (auto const& file : std::filesystem::directory_iterator(folder / (output + ".parts"), error)) {
+        auto const name = file.path().filename().string();
+        count += name[0] >= '0' && name[0] <= '9' && file.path().extension() != ".tmp" ? 1 : 0;
+    }
+    return count;
+}
+
+/// Exactly one line, of the form `overturn: problem (why) what to do`.
+inline ::testing::AssertionResult is_one_error_line(std::string const& text) {
+    auto const end = text.find('\n');
+    if (!text.starts_with("overturn: ") || end != text.size() - 1) {
+        return ::testing::AssertionFailure() << "not one line of ours: <" << text << ">";
+    }
+    auto const open = text.find(" (");
+    auto const close = text.find(')', open);
+    if (open == std::string::npos || close == std::string::npos || end - close < 5) {
+        return ::testing::AssertionFailure() << "not 'problem (why) what to do': " << text;
+    }
+    return ::testing::AssertionSuccess();
+}
+
+}  // namespace overturn::testing
