@@ -124,7 +124,7 @@ TEST(SpectrumCompatible, RefusesWhatItCannotMake) {
                        "c.toml:5:", "ordinate 0");
     expect_input_error([] { (void)source_of(base + target + "longest=30\n"); }, "c.toml:5:", "longest: 30 s");
     expect_input_error([] { (void)source_of(base + target + "dampign=0.05\n"); }, "c.toml:5:", "'damping'?");
-    expect_input_error([] { (void)source_of(base + target + "[vertical]\nration=1\n"); }, "ratio: missing");
+    expect_input_error([] { (void)source_of(base + target + "[vertical]\nration=1\n"); }, "'ratio'?");
 }
 
 TEST(SpectrumCompatible, PriceListHasSummaries) {

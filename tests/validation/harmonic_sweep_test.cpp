@@ -56,7 +56,7 @@ class HarmonicSweep : public ::testing::TestWithParam<Published> {};
 
 TEST_P(HarmonicSweep, PeakRotationIsTheSteadyOne) {
     double const steady = steady_harmonic_rotation(GetParam().c);
-    EXPECT_TRUE(testing::near(steady_ratio(GetParam().c), steady, testing::Tolerance{0.03, "nonlinear"}));
+    EXPECT_TRUE(testing::near(steady_ratio(GetParam().c), steady, testing::Tolerance{0.006, "nonlinear"}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, HarmonicSweep,
