@@ -24,6 +24,6 @@ The result:    $result (statistics, every trial, the campaign itself)
 How it ran:    ${result%.h5}.runtime.json
 Try next, in that folder:
   $overturn fit $result
-  $overturn replay $result --trial 100 --history .build/trial.csv
+  $overturn replay $result --trial 118 --history .build/trial.csv
   $overturn wave campaigns/quickstart.toml --wave 7 -o .build/wave.csv
 END

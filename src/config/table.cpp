@@ -247,8 +247,9 @@ std::vector<std::pair<double, double>> Table::pairs(std::string_view key, Dimens
         std::vector<std::pair<double, double>> values;
         for (auto const& element : *node.as_array()) {
             auto const* pair = element.as_array();
-            validate(pair != nullptr && pair->size() == 2, "entry {} (must be a pair [x, y]). Mend it",
-                     values.size() + 1);
+            if (pair == nullptr || pair->size() != 2) {
+                throw InputError(fmt::format("entry {} (must be a pair [x, y]). Mend it", values.size() + 1));
+            }
             values.emplace_back(quantity_of(*pair->get(0), first), quantity_of(*pair->get(1), second));
         }
         return values;

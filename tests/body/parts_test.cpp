@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "body/similarity.hpp"
 #include "support/expect_input_error.hpp"
 #include "support/tolerance.hpp"
 
@@ -45,14 +46,29 @@ TEST(Parts, PointMassesHaveArmsOnly) {
     expect_input_error([] { (void)RigidBody(assembled({PointMass{1, 2.0}})); }, "moment of inertia");
 }
 
-TEST(Parts, CaskOnPalletHasTheKnownCentre) {
-    // Masses as published; the sizes of the cask and the height of the pallet are assumed.
-    auto const body = assembled({Cylinder{117e3, 1.25, 5.4, 0.35}, Box{21e3, 3.4, 0.35, 0.0}}, 3.4);
+/// campaigns/bodies/cask_prototype.toml. Masses and the pallet's plan as published; the cask's sizes and the pallet's
+/// thickness are assumed.
+BodyInput cask_on_pallet() { return assembled({Cylinder{117e3, 1.25, 5.4, 0.35}, Box{21e3, 3.4, 0.35, 0.0}}, 3.4); }
 
-    EXPECT_NEAR(body.centre_height_m, 2.61, 0.005);
-    RigidBody const prototype(body);
+TEST(Parts, CaskOnPalletHasTheKnownNumbers) {
+    RigidBody const prototype(cask_on_pallet());
+
+    EXPECT_NEAR(prototype.mass_kg(), 138e3, 1e-6);
+    EXPECT_NEAR(prototype.centre_height_m(), 2.61, 0.005);
     EXPECT_NEAR(prototype.alpha_rad() * 180 / pi, 33.1, 0.05);
     EXPECT_NEAR(prototype.limit_velocity_mps(), 3.15, 0.005);
+    EXPECT_NEAR(prototype.uplift_acceleration_mps2(), 6.38, 0.005);
+}
+
+/// campaigns/bodies/type_a_model.toml but for its inertia, which is a uniform block's there.
+TEST(Parts, ItsModelIsTypeA) {
+    RigidBody const model(model_of(cask_on_pallet(), SimilarityLaw{}));
+
+    EXPECT_NEAR(model.mass_kg(), 12.6e3, 50);
+    EXPECT_NEAR(2 * model.half_width_m(), 1.36, 1e-12);
+    EXPECT_NEAR(model.centre_height_m(), 1.045, 1e-4);
+    EXPECT_NEAR(model.limit_velocity_mps(), 1.99, 0.005);
+    EXPECT_NEAR(model.uplift_acceleration_mps2(), 6.38, 0.005);
 }
 
 TEST(Parts, WrongFiguresAreRefusedWithTheirPart) {
