@@ -78,8 +78,10 @@ void write_stripes(store::ResultsWriter& file, CampaignSpec const& spec, BodySta
     };
     double const c = spec.confidence;
     real("probability", "overturned over decided trials", [](Stripe const& x) { return x.probability(); });
-    real("lower", "lower bound, Clopper-Pearson", [c](Stripe const& x) { return x.interval(c).lower; });
-    real("upper", "upper bound, Clopper-Pearson", [c](Stripe const& x) { return x.interval(c).upper; });
+    real("lower", "lower bound, Clopper-Pearson, undecided trials counted as standing",
+         [c](Stripe const& x) { return x.interval(c).lower; });
+    real("upper", "upper bound, Clopper-Pearson, undecided trials counted as overturned",
+         [c](Stripe const& x) { return x.interval(c).upper; });
     std::vector<std::int64_t> purposes;
     for (auto const& level : spec.levels.levels) {
         purposes.push_back(static_cast<std::int64_t>(level.purpose));

@@ -6,6 +6,11 @@ double Stripe::probability() const {
     return decided() == 0 ? 0 : static_cast<double>(overturned) / static_cast<double>(decided());
 }
 
+Interval Stripe::interval(double confidence) const {
+    return {clopper_pearson(overturned, trials, confidence).lower,
+            clopper_pearson(overturned + trials - decided(), trials, confidence).upper};
+}
+
 void Confusion::add(bool said_safe, bool overturned) {
     auto& cell = said_safe ? (overturned ? false_safe : true_safe) : (overturned ? true_overturn : false_alarm);
     ++cell;

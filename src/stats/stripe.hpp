@@ -7,8 +7,8 @@
 
 namespace overturn {
 
-/// Failed trials have no verdict, and a body that lost contact has none of this model's: both are left out of the
-/// proportion and reported beside it.
+/// Failed trials have no verdict, and a body that lost contact has none of this model's: both are undecided. They are
+/// left out of the estimate and widen its interval, which holds whatever they would have done.
 struct Stripe {
     double amplitude = 0;  ///< SI value of the level's measure
     std::int64_t trials = 0;
@@ -20,9 +20,9 @@ struct Stripe {
     [[nodiscard]] std::int64_t decided() const { return trials - failed - contact_lost; }
     /// Overturned over decided; 0 where nothing is decided.
     [[nodiscard]] double probability() const;
-    [[nodiscard]] Interval interval(double confidence) const {
-        return clopper_pearson(overturned, decided(), confidence);
-    }
+    /// Clopper-Pearson bounds over all trials: the lower one as if every undecided body stood, the upper one as if it
+    /// fell.
+    [[nodiscard]] Interval interval(double confidence) const;
 };
 
 /// How a criterion "measure < limit means it does not overturn" did against time histories.

@@ -67,7 +67,7 @@ TEST(Plan, EveryTrialHasOneNumber) {
 TEST(Plan, GrowthRenumbersNoWave) {
     auto const small = campaign(5, "[3,6]", true);
     auto const more_waves = campaign(8, "[3,6]", true);
-    auto const more_levels = campaign(5, "[3,6,9]", true);
+    auto const more_levels = campaign(5, "[1,3,6,9]", true);
     Plan const before(small);
     Plan const waves(more_waves);
     Plan const levels(more_levels);
@@ -75,7 +75,7 @@ TEST(Plan, GrowthRenumbersNoWave) {
     for (std::int64_t level = 0; level < 2; ++level) {
         for (std::int64_t n = 0; n < 5; ++n) {
             EXPECT_EQ(before.wave_id(level * 5 + n), waves.wave_id(level * 8 + n));
-            EXPECT_EQ(before.wave_id(level * 5 + n), levels.wave_id(level * 5 + n));
+            EXPECT_EQ(before.wave_id(level * 5 + n), levels.wave_id((level + 1) * 5 + n));
         }
     }
 }
