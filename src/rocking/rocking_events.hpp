@@ -19,6 +19,29 @@ template <std::size_t Drop, std::size_t N> std::array<double, N - Drop> deflated
     return d;
 }
 
+// c starts at zero, or below it by rounding: it falls at once, or after having risen.
+template <std::size_t N> double fall_from_zero(std::array<double, N> const& c, double h) {
+    for (std::size_t k = 1; k < N; ++k) {
+        if (c[k] < 0) {
+            return 0;
+        }
+        if (c[k] > 0) {
+            break;
+        }
+    }
+    auto const slope = derivative(c);
+    auto const turning = roots_in(slope, 0.0, h);
+    double crest = 0;
+    for (std::size_t i = 0; i <= turning.count; ++i) {
+        double const next = i < turning.count ? turning.at[i] : h;
+        if (evaluate(c, crest) > 0 && evaluate(c, next) <= 0) {
+            return root_between(c, crest, next);
+        }
+        crest = next;
+    }
+    return -1;
+}
+
 template <std::size_t N> double first_fall(std::array<double, N> const& c, double h) {
     // Cheap ways out first: far from zero; or monotone or concave, where only the end's sign matters.
     if (c[0] > tail_bound(c, 1, h)) {
@@ -26,8 +49,11 @@ template <std::size_t N> double first_fall(std::array<double, N> const& c, doubl
     }
     auto const slope = derivative(c);
     bool const rising = slope[0] > tail_bound(slope, 1, h);
-    if (rising && c[0] >= 0) {
+    if (rising) {
         return -1;
+    }
+    if (c[0] <= 0) {
+        return fall_from_zero(c, h);
     }
     bool bending_once = -slope[0] > tail_bound(slope, 1, h);  // falling all the way
     if constexpr (N > 2) {
@@ -48,7 +74,7 @@ template <std::size_t N> double first_fall(std::array<double, N> const& c, doubl
 
 }  // namespace detail
 
-/// The first time in (0, h] at which c falls through zero, or -1. \pre c >= 0 just after the start
+/// The first time in [0, h] at which c falls through zero, or -1; 0 if it starts there, but for rounding, and falls.
 template <std::size_t N>
 [[nodiscard]] double first_fall_through_zero(std::array<double, N> const& c, double h, StartRoot start) {
     switch (start) {

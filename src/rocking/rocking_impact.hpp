@@ -43,18 +43,11 @@ void Integrator<Order, Restoring, Vertical, Friction>::strike() {
     show(0, 0);
     double const a = sample_.horizontal(sample_.tau_s);
     double const gv = sample_.vertical(sample_.tau_s);
+    double const hold = gv * uplift_ratio_;
     if (mode_ == Mode::slip_rock) {
-        bool const tips = block_.friction_kinetic > uplift_ratio_;
-        constexpr double invisible = 1e-3;
-        if (!tips && omega_ <= invisible * accuracy_.settle * block_.p_radps) {
-            out.energy.impact_loss += mechanical_energy();
-            omega_ = 0;
-            out.energy.impact_loss -= mechanical_energy();
-            mode_ = Mode::slide;
-        }
+        settle_slipping(a, hold);
         return;
     }
-    double const hold = gv * uplift_ratio_;
     if (std::abs(a) > hold) {  // driven: it rocks on, however slow
         if (omega_ == 0) {
             lift(a);
@@ -64,6 +57,41 @@ void Integrator<Order, Restoring, Vertical, Friction>::strike() {
     if (omega_ <= accuracy_.settle * block_.p_radps) {
         settle(a, hold);
     }
+}
+
+// Bounces that slip accumulate as well, each a fraction of the one before; only the slip may outlast them. What they
+// would still have done to it follows from momentum: the centre's h theta' goes over into the slip, and as the base
+// carries b omega less than the weight's impulse, friction brakes it that much less.
+template <int Order, class Restoring, bool Vertical, Slip Friction>
+void Integrator<Order, Restoring, Vertical, Friction>::settle_slipping(double a, double hold) {
+    double const slow = invisible * accuracy_.settle * block_.p_radps;
+    bool const sticks = std::abs(v_mps_) <= slow * radius_m_;
+    bool const tips = block_.friction_kinetic > uplift_ratio_;
+    if (omega_ > slow || (tips && !sticks && omega_ > 0)) {
+        return;
+    }
+    auto& energy = log_.outcome().energy;
+    energy.impact_loss += mechanical_energy();
+    double const saved = block_.friction_kinetic * radius_m_ * law_.sine_alpha * omega_;
+    double const slip = v_mps_ + radius_m_ * law_.cosine_alpha * side_ * omega_ + sigma_ * saved;
+    double const work = saved * std::abs(v_mps_);
+    omega_ = 0;
+    if (sticks || sigma_ * slip <= 0) {
+        v_mps_ = 0;
+        mode_ = Mode::rest;
+        if (std::abs(a) > hold) {
+            lift(a);
+        }
+    } else if (tips) {  // a sliding base tips towards its slip
+        side_ = sigma_;
+        start_root_ = StartRoot::twofold;
+    } else {
+        v_mps_ = slip;
+        mode_ = Mode::slide;
+        energy.friction_work -= work;
+        energy.impact_loss += work;
+    }
+    energy.impact_loss -= mechanical_energy();
 }
 
 // Impacts accumulate at a finite time: with the forcing as it is now the swings last 2 omega / decel, each e times
@@ -76,7 +104,6 @@ void Integrator<Order, Restoring, Vertical, Friction>::settle(double a, double h
     double const there = scale * (hold - side_ * a);
     double const duration = 2 * omega_ * (1 / here + e / there) / (1 - e * e);
     double const end = sample_.tau_s + duration;
-    constexpr double invisible = 1e-3;  // below settle: at rest whatever the forcing does next
     if (end <= sample_.length_s && std::abs(sample_.horizontal(end)) <= sample_.vertical(end) * uplift_ratio_
         && tail_sticks(a, hold / uplift_ratio_)) {
         sample_.tau_s = end;

@@ -23,16 +23,19 @@ template <int Order, class Restoring, bool Vertical, Slip Friction> class Integr
     static constexpr bool nonlinear = std::is_same_v<Restoring, NonlinearRestoring>;
     static constexpr bool slipping = Friction == Slip::simulated;
     static constexpr bool limited = Friction != Slip::ignored;  ///< friction has a limit that is looked at
+    /// Bouncing slower than this fraction of accuracy.settle is rest, whatever the forcing does next.
+    static constexpr double invisible = 1e-3;
 
     /// What ends a step before its length is up.
     enum class Event { none, impact, overturned, slip_starts, slip_stops, contact_lost };
     struct Ending {
         double at;
         Event event;
-        /// `t` in (0, at) becomes the earlier ending.
-        void earlier(double t, Event e) {
+        double friction = 0;  ///< its sign, mirrored, where slip starts
+        /// `t` in [0, at) becomes the earlier ending.
+        void earlier(double t, Event e, double f = 0) {
             if (t >= 0 && t < at) {
-                *this = {t, e};
+                *this = {t, e, f};
             }
         }
     };
@@ -63,6 +66,7 @@ template <int Order, class Restoring, bool Vertical, Slip Friction> class Integr
     // at phi = 0 (rocking_impact.hpp)
     void strike();
     void settle(double a, double hold);
+    void settle_slipping(double a, double hold);
     [[nodiscard]] bool tail_sticks(double a, double gv) const;
 
     /// Energy of rocking above rest over m g R.
@@ -189,7 +193,11 @@ std::size_t Integrator<Order, Restoring, Vertical, Friction>::skip_rest(std::siz
 
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 void Integrator<Order, Restoring, Vertical, Friction>::advance_sample() {
-    while (!log_.done() && sample_.tau_s < sample_.length_s) {
+    constexpr int hopeless = 1000000;  // steps within one sample: a trial must end
+    for (int steps = 0; !log_.done() && sample_.tau_s < sample_.length_s; ++steps) {
+        if (steps == hopeless) {
+            log_.end(Verdict::failed);
+        }
         switch (mode_) {
             case Mode::rest:
                 rest();

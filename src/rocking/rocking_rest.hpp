@@ -68,7 +68,6 @@ void Integrator<Order, Restoring, Vertical, Friction>::lift(double acceleration)
     phi_ = 0;
     omega_ = 0;
     start_root_ = StartRoot::twofold;
-    log_.uplifted(sample_.now());
 }
 
 // x'' = -a - mu_k sigma gv: a cubic, exact. Friction below tan(alpha) cannot tip a sliding base.
@@ -99,13 +98,12 @@ void Integrator<Order, Restoring, Vertical, Friction>::slide() {
         double end = sample_.left();
         double const stop = first_fall_through_zero(forwards, end, root);
         end = stop >= 0 ? stop : end;
+        bool lost = false;
         if constexpr (Vertical) {
             std::array<double, 2> const weight{gv, sample_.g_slope};
             if (evaluate(weight, end) <= 0) {
                 end = root_between(weight, 0.0, end);
-                sample_.advance(end, true);
-                lose_contact(true);
-                return;
+                lost = true;
             }
         }
         std::array<double, 3> const weight{gv, sample_.g_slope, 0};
@@ -123,8 +121,11 @@ void Integrator<Order, Restoring, Vertical, Friction>::slide() {
         energy.friction_work += integral(loss, end);
         x_m_ += integral(velocity, end);
         log_.raise_slip(x_m_);
-        sample_.advance(end, stop >= 0);
-        if (stop >= 0) {
+        sample_.advance(end, lost || stop >= 0);
+        if (lost) {
+            v_mps_ = evaluate(velocity, end);
+            lose_contact(true);
+        } else if (stop >= 0) {
             v_mps_ = 0;
             mode_ = Mode::rest;
         } else {

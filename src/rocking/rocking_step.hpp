@@ -43,6 +43,9 @@ void Integrator<Order, Restoring, Vertical, Friction>::rock() {
             return;
         }
     }
+    if (start_root_ == StartRoot::twofold) {
+        log_.uplifted(sample_.now());
+    }
     log_.watch_forces(friction, normal);
     show(side_ * friction, normal);
     double const h = step_length(series);
@@ -73,8 +76,11 @@ void Integrator<Order, Restoring, Vertical, Friction>::rock() {
         case Event::contact_lost:
             lose_contact(false);
             break;
+        case Event::slip_starts:
+            start_slip(ending.friction);
+            break;
         default:
-            break;  // a slip that starts here is seen at the start of the next step
+            break;
     }
 }
 
@@ -88,6 +94,9 @@ void Integrator<Order, Restoring, Vertical, Friction>::slip_rock() {
         auto slip = expand_slipping(series, block_.alpha_rad, r_, law_.kappa, block_.friction_kinetic * forwards, phi_,
                                     omega_, forcing, start_root_ == StartRoot::twofold);
         ++log_.outcome().steps;
+        if (start_root_ == StartRoot::twofold) {
+            log_.uplifted(sample_.now());
+        }
         if (v_mps_ == 0 && forwards * slip.acceleration[0] < 0) {
             slip.acceleration[0] = 0;  // slip starts where this is zero or drives it, whatever rounding says
         }
@@ -168,7 +177,7 @@ auto Integrator<Order, Restoring, Vertical, Friction>::limits_of_contact(Series<
             for (std::size_t k = 0; k < spare.size(); ++k) {
                 spare[k] = block_.friction_static * spare[k] - sign * contact.friction[k];
             }
-            ending.earlier(first_fall_through_zero(spare, ending.at, StartRoot::none), Event::slip_starts);
+            ending.earlier(first_fall_through_zero(spare, ending.at, StartRoot::none), Event::slip_starts, sign);
         }
     }
     return ending;
