@@ -294,7 +294,7 @@ std::string Table::text(std::string_view key, std::string_view otherwise) const 
 
 std::vector<std::string> Table::texts(std::string_view key) const {
     return read_key(*this, key, node_->find(key), [](toml::node const& node) {
-        validate(node.is_array(), "{} (must be a list of texts). Write [\"one\", \"two\"]", kind_name(node));
+        validate(node.is_array(), R"({} (must be a list of texts). Write ["one", "two"])", kind_name(node));
         std::vector<std::string> values;
         for (auto const& element : *node.as_array()) {
             auto const value = element.value_exact<std::string>();

@@ -53,7 +53,7 @@ template <std::size_t N> struct Roots {
     std::array<double, N> at{};
     std::size_t count = 0;
     [[nodiscard]] std::span<double const> all() const& { return {at.data(), count}; }
-    std::span<double const> all() const&& = delete;  // would outlive its roots
+    [[nodiscard]] std::span<double const> all() const&& = delete;  // would outlive its roots
 };
 
 template <std::size_t N> [[nodiscard]] Roots<N> roots_in(std::array<double, N> const& c, double lo, double hi) {

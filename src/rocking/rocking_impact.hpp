@@ -123,16 +123,14 @@ bool Integrator<Order, Restoring, Vertical, Friction>::tail_sticks(double a, dou
     if constexpr (!limited) {
         return true;
     }
-    for (double const side : {1.0, -1.0}) {
+    auto const sticks_on = [&](double side) {
         double const acceleration =
             -block_.p_radps * block_.p_radps * (law_.sine_alpha * gv + side * a * law_.cosine_alpha);
         double const friction = side * a + r_ * law_.cosine_alpha * acceleration;
         double const normal = gv + r_ * law_.sine_alpha * acceleration;
-        if (std::abs(friction) > block_.friction_static * normal) {
-            return false;
-        }
-    }
-    return true;
+        return std::abs(friction) <= block_.friction_static * normal;
+    };
+    return sticks_on(1.0) && sticks_on(-1.0);
 }
 
 }  // namespace overturn::rocking
