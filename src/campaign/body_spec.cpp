@@ -147,7 +147,7 @@ BodySpec build(Table const& table, std::string name) {
     if (friction) {
         require_no_jamming(table, *friction, body);
     }
-    return {std::move(name), input, std::move(body), friction, scatter};
+    return {std::move(name), input, body, friction, scatter};
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 namespace overturn {
 namespace {
 
-using config::Range;
 using config::Table;
 
 constexpr std::int64_t most_waves = 1'000'000'000;

@@ -96,23 +96,27 @@ void write_stripes(store::ResultsWriter& file, CampaignSpec const& spec, BodySta
     file.attribute(group, "level_measure", spec.levels.measure_name());
 }
 
+void write_confusion(store::ResultsWriter& file, std::string const& group, std::string const& units,
+                     std::vector<Stripe> const& stripes, std::vector<Confusion> const& cells) {
+    file.array(group, {"amplitude", units, "value of the level", store::ColumnType::real, 0, {}},
+               column<double>(stripes, [](Stripe const& x) { return x.amplitude; }));
+    auto const put = [&](char const* cell, char const* description, auto get) {
+        std::vector<std::int64_t> counts;
+        for (auto const& confusion : cells) {
+            counts.push_back(get(confusion));
+        }
+        file.array(group, {cell, "1", description, store::ColumnType::integer, 0, {}}, counts, "amplitude");
+    };
+    put("false_safe", "said safe, overturned", [](Confusion const& x) { return x.false_safe; });
+    put("false_alarm", "said unsafe, stood", [](Confusion const& x) { return x.false_alarm; });
+    put("true_safe", "said safe, stood", [](Confusion const& x) { return x.true_safe; });
+    put("true_overturn", "said unsafe, overturned", [](Confusion const& x) { return x.true_overturn; });
+}
+
 void write_criterion(store::ResultsWriter& file, CampaignSpec const& spec, BodyStatistics const& body) {
-    for (auto const& [name, cells] : {std::pair{"v_wes", &body.v_wes}, std::pair{"ou_v_e", &body.ou_v_e}}) {
-        auto const group = fmt::format("criterion/{}/{}", body.body, name);
-        file.array(group, {"amplitude", spec.levels.units(), "value of the level", store::ColumnType::real, 0, {}},
-                   column<double>(body.stripes, [](Stripe const& x) { return x.amplitude; }));
-        auto const put = [&](char const* cell, char const* description, auto get) {
-            std::vector<std::int64_t> counts;
-            for (auto const& confusion : *cells) {
-                counts.push_back(get(confusion));
-            }
-            file.array(group, {cell, "1", description, store::ColumnType::integer, 0, {}}, counts, "amplitude");
-        };
-        put("false_safe", "said safe, overturned", [](Confusion const& x) { return x.false_safe; });
-        put("false_alarm", "said unsafe, stood", [](Confusion const& x) { return x.false_alarm; });
-        put("true_safe", "said safe, stood", [](Confusion const& x) { return x.true_safe; });
-        put("true_overturn", "said unsafe, overturned", [](Confusion const& x) { return x.true_overturn; });
-    }
+    auto const group = "criterion/" + body.body;
+    write_confusion(file, group + "/v_wes", spec.levels.units(), body.stripes, body.v_wes);
+    write_confusion(file, group + "/ou_v_e", spec.levels.units(), body.stripes, body.ou_v_e);
 }
 
 }  // namespace

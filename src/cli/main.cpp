@@ -1,3 +1,4 @@
+#include <csignal>
 #include <exception>
 
 #include <fmt/format.h>
@@ -13,22 +14,9 @@ namespace {
 
 using namespace overturn;
 
-int perform(cli::Action const& action) {
-    try {
-        return action();
-    } catch (InputError const& error) {
-        cli::say_once(error.what());
-        return cli::bad_input;
-    } catch (std::exception const& error) {
-        cli::say_once(error.what());
-        return cli::other_failure;
-    }
-}
-
-}  // namespace
-
-int main(int argc, char** argv) {
-    gsl_set_error_handler_off();  // its own would abort; callers look at what came back
+int start(int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error like a full disk, not a death
+    gsl_set_error_handler_off();    // its own would abort; callers look at what came back
     CLI::App app("Overturning of free-standing bodies in earthquakes: fragility campaigns and single trials.",
                  "overturn");
     app.set_version_flag("--version",
@@ -52,5 +40,21 @@ int main(int argc, char** argv) {
         cli::say_once(cli::explain(app, error, argc, argv));
         return cli::bad_input;
     }
-    return perform(action);
+    return action();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return start(argc, argv);
+    } catch (InputError const& error) {
+        cli::say_once(error.what());
+        return cli::bad_input;
+    } catch (std::exception const& error) {
+        cli::say_once(error.what());
+    } catch (...) {
+        return cli::other_failure;
+    }
+    return cli::other_failure;
 }

@@ -1,11 +1,12 @@
 #include "config/table.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <set>
 
 #include <toml++/toml.h>
+
+#include "config/settings.hpp"
 
 namespace overturn::config {
 
@@ -81,50 +82,6 @@ double quantity_of(toml::node const& node, Dimension dimension) {
     double const value = *node.value<double>();
     validate(std::isfinite(value), "{} (must be finite). Give a finite number", value);
     return value;
-}
-
-// Sets document[path] = the TOML value on the right of '='. Bare words count as text, so --set a.b=auto needs no
-// quotes.
-void apply_setting(toml::table& document, std::string const& setting) {
-    auto const equals = setting.find('=');
-    validate(equals != std::string::npos && equals > 0, "--set {} (no '='). Write key.sub=value", setting);
-    std::string const path{trimmed(std::string_view(setting).substr(0, equals))};
-    std::string const value{trimmed(std::string_view(setting).substr(equals + 1))};
-    toml::table parsed;
-    try {
-        parsed = toml::parse("value = " + value);
-    } catch (toml::parse_error const&) {
-        parsed.insert_or_assign("value", value);
-    }
-    toml::node* at = &document;
-    std::size_t begin = 0;
-    while (true) {
-        auto const dot = path.find('.', begin);
-        bool const last = dot == std::string::npos;
-        auto const part = path.substr(begin, last ? dot : dot - begin);
-        validate(!part.empty(), "--set {} (empty name in '{}'). Write key.sub=value", setting, path);
-        if (auto* array = at->as_array()) {
-            std::size_t index = 0;
-            auto const read = std::from_chars(part.data(), part.data() + part.size(), index);
-            validate(read.ec == std::errc{} && read.ptr == part.data() + part.size() && index < array->size(),
-                     "--set {} ('{}' is no place in a list of {}). Count from 0", setting, part, array->size());
-            validate(!last, "--set {} (replaces a list entry). Name a key inside it", setting);
-            at = array->get(index);
-        } else if (auto* table = at->as_table()) {
-            if (last) {
-                table->insert_or_assign(part, *parsed.get("value"));
-                return;
-            }
-            if (table->get(part) == nullptr) {
-                table->insert(part, toml::table{});
-            }
-            at = table->get(part);
-        } else {
-            throw InputError(
-                fmt::format("--set {} ('{}' lies inside a plain value). Name a key of a table", setting, part));
-        }
-        begin = dot + 1;
-    }
 }
 
 }  // namespace
