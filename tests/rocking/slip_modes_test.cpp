@@ -1,0 +1,179 @@
+// Requirement: sliding is simulated only where it acts, and then changes nothing else: watched, simulated and ignored
+// slip agree bit for bit where nothing slips, and `auto` gives the numbers of sliding forced on.
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "response/response.hpp"
+#include "support/long_period_wave.hpp"
+#include "support/sliding_blocks.hpp"
+
+namespace overturn {
+namespace {
+
+using testing::shaking_of;
+using testing::type_a;
+using testing::type_a_tips;
+
+RockingOutcome simulate(RockingBlock const& block, Shaking const& shaking, Slip slip) {
+    return simulate_rocking(block, shaking, {}, {}, nullptr, slip);
+}
+
+void expect_same_motion(RockingOutcome const& one, RockingOutcome const& other) {
+    EXPECT_EQ(one.verdict, other.verdict);
+    EXPECT_EQ(one.peak_rotation_rad, other.peak_rotation_rad);
+    EXPECT_EQ(one.time_of_peak_s, other.time_of_peak_s);
+    EXPECT_EQ(one.peak_energy_ratio, other.peak_energy_ratio);
+    EXPECT_EQ(one.overturn_time_s, other.overturn_time_s);
+    EXPECT_EQ(one.first_uplift_s, other.first_uplift_s);
+    EXPECT_EQ(one.impacts, other.impacts);
+    EXPECT_EQ(one.friction_demand, other.friction_demand);
+    EXPECT_EQ(one.min_contact_force_ratio, other.min_contact_force_ratio);
+    EXPECT_EQ(one.steps, other.steps);
+    EXPECT_EQ(one.contact_lost_s, other.contact_lost_s);
+    EXPECT_EQ(one.peak_slip_m, other.peak_slip_m);
+    EXPECT_EQ(one.residual_slip_m, other.residual_slip_m);
+}
+
+TEST(SlipModes, AgreeBitForBitUnlessSomethingSlips) {
+    int still = 0;
+    int slipping = 0;
+    int at_impacts = 0;
+    for (int number = 0; number < 12; ++number) {
+        auto const horizontal = testing::short_wave(number);
+        auto vertical = testing::short_wave(number + 40);
+        for (double& a : vertical) {
+            a *= 0.3;
+        }
+        for (double const level : {4.0, 6.0, 6.6, 7.0, 8.0, 10.0, 14.0}) {
+            for (double const mu : {0.3, 0.5, 0.655, 0.68, 0.72, 0.8, 1.0, 1.2}) {
+                for (bool const lifted : {false, true}) {
+                    auto shaking = shaking_of(horizontal, 0.02, level);
+                    if (lifted) {
+                        shaking.vertical_mps2 = vertical;
+                    }
+                    auto const block = type_a(mu, 0.9 * mu);
+                    auto const watched = simulate(block, shaking, Slip::watched);
+                    auto const simulated = simulate(block, shaking, Slip::simulated);
+                    EXPECT_EQ(watched.slip_called, simulated.peak_slip_m > 0) << number << ' ' << level << ' ' << mu;
+                    if (watched.slip_called) {
+                        ++slipping;
+                        at_impacts += simulated.impacts > 0;
+                        continue;
+                    }
+                    ++still;
+                    expect_same_motion(watched, simulated);
+                    expect_same_motion(watched, simulate(block, shaking, Slip::ignored));
+                }
+            }
+        }
+    }
+    EXPECT_GT(still, 200);
+    EXPECT_GT(slipping, 200);
+    EXPECT_GT(at_impacts, 50);
+}
+
+// A block that returns fast enough to need more friction than there is, only in the impact itself.
+TEST(SlipModes, SlipInTheImpactAloneIsCalled) {
+    RockingBlock block{
+        .alpha_rad = 0.25, .p_radps = 1.5, .restitution = 0.5, .friction_static = 0.6, .friction_kinetic = 0.6};
+    double const demand = 0.5 / 1.5 / std::tan(block.alpha_rad);  // (1-e) h / [(1+e) b] = 1.31
+    std::vector<double> const calm(500, 0.0);
+    auto const run = [&](Slip slip) {
+        return simulate_rocking(block, shaking_of(calm, 0.01), {}, {.rotation_rad = 0.1}, nullptr, slip);
+    };
+    EXPECT_TRUE(run(Slip::watched).slip_called);
+    EXPECT_GT(run(Slip::simulated).peak_slip_m, 0);
+    EXPECT_NEAR(run(Slip::ignored).friction_demand, demand, 1e-12);
+    block.restitution = 0.8;  // 0.44 < 0.6
+    EXPECT_FALSE(run(Slip::watched).slip_called);
+    EXPECT_EQ(run(Slip::simulated).peak_slip_m, 0);
+    expect_same_motion(run(Slip::watched), run(Slip::simulated));
+    expect_same_motion(run(Slip::watched), run(Slip::ignored));
+}
+
+TEST(SlipModes, MirroredWaveGivesTheBitEqualMirroredTrial) {
+    int slid = 0;
+    for (int number = 0; number < 10; ++number) {
+        auto const wave = testing::short_wave(number);
+        auto const other = testing::mirrored(wave);
+        for (double const level : {6.0, 8.0, 12.0}) {
+            for (double const mu : {0.0, 0.3, 0.66, 0.75}) {
+                auto const one = testing::simulate_slipping(type_a(mu, 0.9 * mu), shaking_of(wave, 0.02, level));
+                auto two = testing::simulate_slipping(type_a(mu, 0.9 * mu), shaking_of(other, 0.02, level));
+                two.residual_slip_m = -two.residual_slip_m;
+                expect_same_motion(one, two);
+                EXPECT_EQ(one.energy.input, two.energy.input);
+                EXPECT_EQ(one.energy.friction_work, two.energy.friction_work);
+                EXPECT_EQ(one.energy.impact_loss, two.energy.impact_loss);
+                slid += one.peak_slip_m > 0;
+            }
+        }
+    }
+    EXPECT_GT(slid, 60);
+}
+
+TEST(SlipModes, WaveOfNoVerticalMotionChangesNoBit) {
+    auto const wave = testing::short_wave(3);
+    std::vector<double> const calm(wave.size(), 0.0);
+    for (double const mu : {0.3, 0.66, 0.8}) {
+        auto shaking = shaking_of(wave, 0.02, 9);
+        auto const without = testing::simulate_slipping(type_a(mu, 0.9 * mu), shaking);
+        shaking.vertical_mps2 = calm;
+        expect_same_motion(without, testing::simulate_slipping(type_a(mu, 0.9 * mu), shaking));
+    }
+}
+
+TEST(AutomaticSliding, GivesTheVerdictsAndNumbersOfSlidingForcedOn) {
+    double const half_width = 0.68;
+    double const height = 1.045;
+    RigidBody const body({.mass_kg = 1000,
+                          .half_width_m = half_width,
+                          .centre_height_m = height,
+                          .inertia_kgm2 = 1000 * (half_width * half_width + height * height) / 3,
+                          .restitution = 0.5538});
+    EffectRequest const automatic{EffectMode::automatic, 0};
+    EffectRequest const forced{EffectMode::forced, mask_of(Effect::sliding) | mask_of(Effect::vertical)};
+    std::map<Verdict, int> verdicts;
+    int climbed = 0;
+    for (int number = 0; number < 25; ++number) {
+        GroundMotion motion{.time_step_s = 0.02,
+                            .horizontal_mps2 = testing::short_wave(number),
+                            .transverse_mps2 = {},
+                            .vertical_mps2 = {}};
+        if (number % 2 == 1) {
+            motion.vertical_mps2 = testing::short_wave(number + 100);
+            for (double& a : motion.vertical_mps2) {
+                a *= 0.4;
+            }
+        }
+        for (int level = 0; level < 10; ++level) {
+            for (int friction = 0; friction < 20; ++friction) {
+                double const mu = type_a_tips * (0.5 + 0.06 * friction);
+                Friction const coulomb{mu, 0.9 * mu};
+                double const scale = 2 + 1.4 * level;
+                Scene const scene{.body = body, .friction = coulomb, .effects = automatic, .accuracy = {}};
+                Scene const forcing{.body = body, .friction = coulomb, .effects = forced, .accuracy = {}};
+                auto const chosen = respond(scene, motion, scale);
+                auto const full = respond(forcing, motion, scale);
+                expect_same_motion(chosen.rocking, full.rocking);
+                EXPECT_EQ(chosen.response_velocity_mps, full.response_velocity_mps);
+                EXPECT_EQ(has(chosen.effects, Effect::sliding), full.rocking.peak_slip_m > 0);
+                climbed += has(chosen.effects, Effect::sliding);
+                ++verdicts[chosen.rocking.verdict];
+            }
+        }
+    }
+    EXPECT_GT(verdicts[Verdict::at_rest], 100);
+    EXPECT_GT(verdicts[Verdict::slid], 100);
+    EXPECT_GT(verdicts[Verdict::rocked], 100);
+    EXPECT_GT(verdicts[Verdict::overturned], 100);
+    EXPECT_EQ(verdicts[Verdict::failed], 0);
+    EXPECT_GT(climbed, 500);
+    for (auto const& [verdict, count] : verdicts) {
+        RecordProperty("verdict_" + std::to_string(static_cast<int>(verdict)), count);
+    }
+}
+
+}  // namespace
+}  // namespace overturn
