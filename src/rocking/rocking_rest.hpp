@@ -45,7 +45,7 @@ template <int Order, class Restoring, bool Vertical, Slip Friction>
 void Integrator<Order, Restoring, Vertical, Friction>::leave_rest(double tau, double acceleration) {
     sample_.tau_s = tau;
     if constexpr (limited) {
-        if (block_.friction_static < uplift_ratio_) {
+        if (block_.friction_static <= uplift_ratio_) {  // equal: both limits are passed, and such a slip cannot tip
             if constexpr (slipping) {
                 mode_ = Mode::slide;
                 sigma_ = acceleration > 0 ? -1.0 : 1.0;

@@ -150,19 +150,20 @@ void Integrator<Order, Restoring, Vertical, Friction>::slip_rock() {
     }
 }
 
-// Where within the step friction or contact would give out. The forces' series are worked out only near a limit:
-// what they could change within the step is bounded by the forcing's slope and the rotation.
+// Where within the step friction or contact would give out. The forces' series are worked out only near a limit. What
+// they could change within the step is bounded from their derivatives, as r p^2 = inertia_ratio < 1:
+// |F'|, |N'| <= 2 (|A'| + |Gv'|) + |phi'| [4 (|A| + |Gv|) + r phi'^2].
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 auto Integrator<Order, Restoring, Vertical, Friction>::limits_of_contact(Series<Order> const& series,
                                                                          Forcing const& forcing, double friction,
                                                                          double normal, double h) const -> Ending {
     Ending ending{h, Event::none};
-    double const change =
-        h * (std::abs(forcing.horizontal_slope) + std::abs(forcing.vertical_slope) + 4 * std::abs(omega_));
-    constexpr double margin = 0.1;
-    bool const contact_near = normal - change < margin;
-    bool const slip_near =
-        limited && std::abs(friction) + change + margin > block_.friction_static * (normal - change - margin);
+    double const slopes = std::abs(forcing.horizontal_slope) + std::abs(forcing.vertical_slope);
+    double const pull = std::abs(forcing.horizontal) + std::abs(forcing.vertical) + h * slopes;
+    double const rate = std::abs(omega_) + h * block_.p_radps * block_.p_radps * pull;
+    double const change = h * (2 * slopes + rate * (4 * pull + r_ * rate * rate));
+    bool const contact_near = normal - change <= 0;
+    bool const slip_near = limited && std::abs(friction) + change >= block_.friction_static * (normal - change);
     if (!contact_near && !slip_near) {
         return ending;
     }
@@ -202,7 +203,7 @@ void Integrator<Order, Restoring, Vertical, Friction>::move(Series<Order> const&
     phi_ = ending.event == Event::impact ? 0 : evaluate(series.phi, ending.at);
     omega_ = evaluate(derivative(series.phi), ending.at);
     sample_.advance(ending.at, ending.event != Event::none);
-    start_root_ = StartRoot::none;
+    start_root_ = ending.at > 0 ? StartRoot::none : start_root_;
     log_.raise_peak(phi_, sample_.now());
 }
 

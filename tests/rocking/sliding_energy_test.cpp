@@ -2,6 +2,7 @@
 #include <array>
 #include <map>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/long_period_wave.hpp"
@@ -63,7 +64,7 @@ TEST(SlidingEnergy, BalancesInEveryMode) {
     EXPECT_GT(tally.verdicts[Verdict::overturned], 0);
     EXPECT_GT(tally.slip_and_rotation, 10);
     EXPECT_GT(tally.impacts_with_slip, 10);
-    RecordProperty("worst", std::to_string(tally.worst));
+    RecordProperty("worst", fmt::format("{:.2g}", tally.worst));
 }
 
 TEST(SlidingEnergy, BalancesInDenseRockingWithImpactsThatSlip) {
