@@ -23,16 +23,20 @@ constexpr std::array line_amplitudes{
 
 class SpectrumCompatible : public WaveSource {
   public:
-    SpectrumCompatible(SpectrumMatcherInput const& input, std::optional<double> vertical_ratio) : horizontal_(input) {
+    SpectrumCompatible(SpectrumMatcherInput const& input, std::optional<TargetSpectrum> const& vertical_target)
+        : horizontal_(input) {
         summary_ = fmt::format("{} samples of {} s, target {} at {} % damping to {:g} s, {}", input.samples,
                                input.time_step_s, input.target.name(), 100 * input.target.damping(), input.longest_s,
                                input.iterations > 0 ? "each wave matched" : "not matched");
         time_step_s_ = input.time_step_s;
-        if (vertical_ratio) {
+        if (vertical_target) {
             auto vertical = input;
-            vertical.target = input.target.scaled(*vertical_ratio);
+            vertical.target = *vertical_target;
             vertical_.emplace(vertical);
-            summary_ += fmt::format(", vertical {} of it", *vertical_ratio);
+            constexpr double at_s = 1;
+            summary_ +=
+                fmt::format(", vertical target {}, {:.3g} of the horizontal one at {} s", vertical_target->name(),
+                            vertical_target->psa_mps2(at_s) / input.target.psa_mps2(at_s), at_s);
         }
     }
 
@@ -93,6 +97,29 @@ double read_longest(config::Table const& table, TargetSpectrum const& target, do
 
 }  // namespace
 
+namespace {
+
+// The vertical component's target: its own, or a ratio of the horizontal one; nothing if there is no such component.
+std::optional<TargetSpectrum> read_vertical(config::Table const& waves, TargetSpectrum const& horizontal,
+                                            InputFiles& files) {
+    if (!waves.has("vertical")) {
+        return std::nullopt;
+    }
+    auto const vertical = waves.child("vertical");
+    std::optional<TargetSpectrum> target;
+    if (vertical.has("target")) {
+        auto const own = vertical.child("target");
+        target = read_target(own, files);
+        own.finish();
+    } else {
+        target = horizontal.scaled(vertical.number("ratio", Dimension::none, {.low = 0, .high = 10, .low_open = true}));
+    }
+    vertical.finish();
+    return target;
+}
+
+}  // namespace
+
 std::unique_ptr<WaveSource> make_spectrum_compatible(config::Table const& waves, InputFiles& files) {
     double const time_step = waves.number("time_step", Dimension::time, {.low = 1e-4, .high = 0.1}, 0.01);
     auto const samples = read_samples(waves, time_step);
@@ -113,13 +140,8 @@ std::unique_ptr<WaveSource> make_spectrum_compatible(config::Table const& waves,
         input.tolerance = waves.number("match_tolerance", Dimension::none, {.low = 0.001, .high = 1}, 0.05);
         input.iterations = static_cast<int>(waves.integer("match_iterations", 1, 1000, 100));
     }
-    std::optional<double> ratio;
-    if (waves.has("vertical")) {
-        auto const vertical = waves.child("vertical");
-        ratio = vertical.number("ratio", Dimension::none, {.low = 0, .high = 10, .low_open = true});
-        vertical.finish();
-    }
-    return waves.located("target", [&] { return std::make_unique<SpectrumCompatible>(input, ratio); });
+    auto const vertical = read_vertical(waves, target, files);
+    return waves.located("target", [&] { return std::make_unique<SpectrumCompatible>(input, vertical); });
 }
 
 }  // namespace overturn

@@ -49,6 +49,7 @@ void write_body(store::ResultsWriter& file, BodySpec const& spec) {
 
 template <class Value, class Get> std::vector<Value> column(std::vector<Stripe> const& stripes, Get get) {
     std::vector<Value> values;
+    values.reserve(stripes.size());
     for (auto const& stripe : stripes) {
         values.push_back(get(stripe));
     }
@@ -102,6 +103,7 @@ void write_confusion(store::ResultsWriter& file, std::string const& group, std::
                column<double>(stripes, [](Stripe const& x) { return x.amplitude; }));
     auto const put = [&](char const* cell, char const* description, auto get) {
         std::vector<std::int64_t> counts;
+        counts.reserve(cells.size());
         for (auto const& confusion : cells) {
             counts.push_back(get(confusion));
         }

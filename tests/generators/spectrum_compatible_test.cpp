@@ -109,6 +109,17 @@ TEST(SpectrumCompatible, MatchNoneTakesNoMatchingKeys) {
                        "match_tolerance", "nothing reads it");
 }
 
+// Requirement: the vertical motion is an independent wave compatible with its own target.
+TEST(SpectrumCompatible, VerticalMayHaveATargetOfItsOwn) {
+    auto const source = source_of(base + target + "[vertical.target]\nspectrum='mlit-ka1'\ndamping=0.05\n");
+    auto const made = source->make(1, 4);
+    auto const without = source_of(base + target)->make(1, 4);
+
+    EXPECT_EQ(made.motion.horizontal_mps2, without.motion.horizontal_mps2) << "the horizontal motion keeps its bits";
+    EXPECT_LT(made.vertical_match.all.mean_misfit, 0.05 * 1.0001);
+    EXPECT_NE(peak_of(made.motion.vertical_mps2), peak_of(made.motion.horizontal_mps2));
+}
+
 TEST(SpectrumCompatible, RefusesWhatItCannotMake) {
     expect_input_error([] { (void)source_of("source='spectrum-compatable'"); }, "c.toml:1:", "'spectrum-compatible'?");
     expect_input_error([] { (void)source_of("source='spectrum-compatible'\nduration=0\n" + target); },
