@@ -11,27 +11,12 @@
 #include <string_view>
 #include <vector>
 
+#include "config/range.hpp"
 #include "config/registry.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 
 namespace overturn::config {
-
-/// The allowed values of a number, in SI units.
-struct Range {
-    double low = -std::numeric_limits<double>::infinity();
-    double high = std::numeric_limits<double>::infinity();
-    bool low_open = false;   ///< true: low itself is refused
-    bool high_open = false;  ///< true: high itself is refused
-
-    [[nodiscard]] static Range any() { return {}; }
-    [[nodiscard]] static Range positive() { return {.low = 0, .low_open = true}; }
-    [[nodiscard]] static Range not_negative() { return {.low = 0}; }
-    [[nodiscard]] static Range between(double low, double high) { return {.low = low, .high = high}; }
-
-    [[nodiscard]] bool holds(double value) const;
-    [[nodiscard]] std::string text() const;
-};
 
 /// What kind of value stands behind a key.
 enum class Kind { absent, number, text, boolean, list, table };

@@ -1,0 +1,25 @@
+/// The values a number of a campaign may have.
+#pragma once
+
+#include <limits>
+#include <string>
+
+namespace overturn::config {
+
+/// The allowed values of a number, in SI units.
+struct Range {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+    bool low_open = false;   ///< true: low itself is refused
+    bool high_open = false;  ///< true: high itself is refused
+
+    [[nodiscard]] static Range any() { return {}; }
+    [[nodiscard]] static Range positive() { return {.low = 0, .low_open = true}; }
+    [[nodiscard]] static Range not_negative() { return {.low = 0}; }
+    [[nodiscard]] static Range between(double low, double high) { return {.low = low, .high = high}; }
+
+    [[nodiscard]] bool holds(double value) const;
+    [[nodiscard]] std::string text() const;
+};
+
+}  // namespace overturn::config
