@@ -5,6 +5,8 @@
 #include <limits>
 #include <set>
 
+#include "campaign/results.hpp"
+
 namespace overturn {
 namespace {
 
@@ -71,8 +73,15 @@ std::vector<BodySpec> read_bodies(Table const& root, InputFiles& files) {
     for (auto const& entry : root.children("bodies")) {
         bodies.push_back(read_body(entry, files));
         auto const& name = bodies.back().name;
-        if (name.empty() || name.find('/') != std::string::npos) {
-            entry.fail("name", fmt::format("'{}' (names a group of the results file). Use a name without '/'", name));
+        bool taken = name == "." || name == "..";
+        for (auto const& column : wave_table().columns) {
+            taken = taken || name == column.name;
+        }
+        if (name.empty() || taken || name.find('/') != std::string::npos) {
+            entry.fail("name",
+                       fmt::format("'{}' (names a group of the results file beside /waves' own columns). Choose "
+                                   "another, without '/'",
+                                   name));
         }
         if (!names.insert(name).second) {
             entry.fail("name", fmt::format("'{}' twice (names tell bodies apart). Rename one", name));

@@ -78,7 +78,8 @@ void write_stripes(store::ResultsWriter& file, CampaignSpec const& spec, BodySta
         file.array(group, spec_of(name, "1", description), column<double>(s, get), "amplitude");
     };
     double const c = spec.confidence;
-    real("probability", "overturned over decided trials", [](Stripe const& x) { return x.probability(); });
+    real("probability", "overturned over decided trials; NaN where none is decided",
+         [](Stripe const& x) { return x.probability(); });
     real("lower", "lower bound, Clopper-Pearson, undecided trials counted as standing",
          [c](Stripe const& x) { return x.interval(c).lower; });
     real("upper", "upper bound, Clopper-Pearson, undecided trials counted as overturned",
@@ -113,6 +114,9 @@ void write_confusion(store::ResultsWriter& file, std::string const& group, std::
     put("false_alarm", "said unsafe, stood", [](Confusion const& x) { return x.false_alarm; });
     put("true_safe", "said safe, stood", [](Confusion const& x) { return x.true_safe; });
     put("true_overturn", "said unsafe, overturned", [](Confusion const& x) { return x.true_overturn; });
+    put("undecided_safe", "said safe, failed or contact lost", [](Confusion const& x) { return x.undecided_safe; });
+    put("undecided_unsafe", "said unsafe, failed or contact lost",
+        [](Confusion const& x) { return x.undecided_unsafe; });
 }
 
 void write_criterion(store::ResultsWriter& file, CampaignSpec const& spec, BodyStatistics const& body) {
@@ -148,14 +152,16 @@ void Statistics::add(TrialRow const& row) {
     stripe.contact_lost += verdict == Verdict::contact_lost ? 1 : 0;
     stripe.at_rest += verdict == Verdict::at_rest ? 1 : 0;
     stripe.slid += verdict == Verdict::slid ? 1 : 0;
+    body.sliding_called[level] += has(static_cast<EffectMask>(row.effects_called), Effect::sliding) ? 1 : 0;
     if (verdict == Verdict::failed || verdict == Verdict::contact_lost) {
+        body.v_wes[level].add_undecided(row.v_wes_safe != 0);
+        body.ou_v_e[level].add_undecided(row.ou_v_e_safe != 0);
         return;
     }
     bool const overturned = verdict == Verdict::overturned;
     stripe.overturned += overturned ? 1 : 0;
     body.v_wes[level].add(row.v_wes_safe != 0, overturned);
     body.ou_v_e[level].add(row.ou_v_e_safe != 0, overturned);
-    body.sliding_called[level] += has(static_cast<EffectMask>(row.effects_called), Effect::sliding) ? 1 : 0;
 }
 
 void write_results(std::filesystem::path const& path, CampaignInput const& input, CampaignSpec const& spec,
@@ -168,7 +174,13 @@ void write_results(std::filesystem::path const& path, CampaignInput const& input
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
         measures.push_back(file.table(measure_table(spec.bodies[b].name, b, spec.bodies.size()), plan.waves()));
     }
-    auto const trials = file.table(trial_table(), plan.trials());
+    auto rows_of_trials = trial_table();
+    for (auto& column : rows_of_trials.columns) {
+        if (column.name == "amplitude") {
+            column.units = spec.levels.units();
+        }
+    }
+    auto const trials = file.table(std::move(rows_of_trials), plan.trials());
     for (std::int64_t b = 0; b < plan.blocks(); ++b) {
         auto const rows = BlockRows::unpack(block(b), plan, plan.waves_of_block(b).count);
         file.append(waves, std::as_bytes(std::span(rows.waves)));

@@ -6,7 +6,13 @@
 namespace overturn {
 
 /// Why a trial has no verdict. Stored: never renumber.
-enum class FailureReason : std::int64_t { none = 0, wave_failed = 1, wave_cannot_be_scaled = 2, no_convergence = 3 };
+enum class FailureReason : std::int64_t {
+    none = 0,
+    wave_failed = 1,
+    wave_cannot_be_scaled = 2,
+    no_convergence = 3,
+    absurd_level = 4
+};
 
 /// One wave, as generated or read, before any scaling.
 struct WaveRow {

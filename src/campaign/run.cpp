@@ -132,6 +132,20 @@ class Worker {
     int finished_ = 0;
 };
 
+// The rungs of all ranks, from what they sent.
+PhaseSeconds sum_of(std::vector<std::string> const& ranks) {
+    PhaseSeconds sum;
+    for (auto const& rank : ranks) {
+        auto const rungs = nlohmann::json::parse(rank).at("rungs");
+        for (std::size_t r = 0; r < sum.rungs.size(); ++r) {
+            auto const& rung = rungs.at(rung_names()[r]);
+            sum.rungs[r].trials += rung.at("trials").get<std::int64_t>();
+            sum.rungs[r].seconds += rung.at("seconds").get<double>();
+        }
+    }
+    return sum;
+}
+
 void write_runtime(std::filesystem::path const& output, std::vector<std::string> const& ranks, double wall_s,
                    std::int64_t trials) {
     nlohmann::ordered_json json;
@@ -224,6 +238,7 @@ RunEnd run_campaign(CampaignInput const& input, RunOptions const& options, paral
     }
     auto const ranks = comm.gather(seconds_json(comm, worker.seconds()));
     if (comm.is_root()) {
+        fmt::print(stderr, "cost: {}\n", rung_costs(sum_of(ranks)));
         write_runtime(options.output, ranks, progress.elapsed_s(), worker.committed() * plan.trials() / plan.blocks());
         if (whole) {
             fmt::print("results: {}\n", options.output.string());

@@ -15,7 +15,9 @@ std::vector<std::string> verdict_names() {
     return {"at-rest", "slid", "rocked", "overturned", "contact-lost", "failed"};
 }
 
-std::vector<std::string> failure_names() { return {"none", "wave-failed", "wave-cannot-be-scaled", "no-convergence"}; }
+std::vector<std::string> failure_names() {
+    return {"none", "wave-failed", "wave-cannot-be-scaled", "no-convergence", "absurd-level"};
+}
 
 std::vector<std::string> rung_names() { return {"at-rest", "rocking", "sliding"}; }
 
@@ -42,7 +44,8 @@ store::TableSpec trial_table() {
                          "time of |theta| = pi/2; -1: not overturned"),
          OVERTURN_COLUMN(Row, first_uplift_s, "first_uplift", "s", real, "time of the first uplift; -1: never"),
          OVERTURN_COLUMN(Row, impacts, "impacts", "1", integer, "base impacts, without the bouncing that settles"),
-         OVERTURN_COLUMN(Row, friction_demand, "friction_demand", "1", real, "max |F| / N that no slip needs"),
+         OVERTURN_COLUMN(Row, friction_demand, "friction_demand", "1", real,
+                         "max |F| / N that no slip needs; the static coefficient itself once the body has slipped"),
          OVERTURN_COLUMN(Row, min_contact_force_ratio, "min_contact_force_ratio", "1", real, "min N / (m g)"),
          OVERTURN_COLUMN(Row, contact_lost_s, "contact_lost_time", "s", real, "first time of N <= 0; -1: never"),
          OVERTURN_COLUMN(Row, peak_slip_m, "peak_slip", "m", real, "max |slip| of the base"),

@@ -5,6 +5,14 @@
 namespace overturn {
 namespace {
 
+// "~" where undecided trials make it an estimate from part of the stripe, "-" where nothing is decided.
+std::string probability_text(Stripe const& stripe) {
+    if (stripe.decided() == 0) {
+        return "-";
+    }
+    return fmt::format("{}{:.4f}", stripe.decided() < stripe.trials ? "~" : "", stripe.probability());
+}
+
 void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& body, BodyStatistics const& s) {
     text += fmt::format("\n{}: alpha {:.1f} deg, R {:.3f} m, e {:.3f}, {}V_Ereq {:.3f} m/s\n", body.name,
                         body.body.alpha_rad() * 180 / pi, body.body.radius_m(), body.body.restitution(),
@@ -12,20 +20,21 @@ void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& bo
                                                     body.friction->kinetic_coefficient)
                                       : std::string("no slip, "),
                         body.body.limit_velocity_mps());
-    text += fmt::format("{:>10} {:>7} {:>8} {:>6} {:>11} {:>7}  {:>8}  {:>20}  {:>16}\n",
+    text += fmt::format("{:>10} {:>7} {:>8} {:>6} {:>11} {:>7} {:>7}  {:>8}  {:>20}  {:>16}\n",
                         fmt::format("{} {}", spec.levels.measure_name(), spec.levels.units()), "trials", "at rest",
-                        "slid", "overturned", "failed", "P", fmt::format("{:g} % interval", 100 * spec.confidence),
-                        "V_WES safe/wrong");
+                        "slid", "overturned", "lost", "failed", "P",
+                        fmt::format("{:g} % interval", 100 * spec.confidence), "V_WES safe/wrong");
     std::int64_t sliding = 0;
     for (std::size_t l = 0; l < s.stripes.size(); ++l) {
         auto const& stripe = s.stripes[l];
         auto const interval = stripe.interval(spec.confidence);
         auto const purpose = spec.levels.levels[l].purpose;
-        text += fmt::format("{:>10.4g} {:>7} {:>8} {:>6} {:>11} {:>7}  {:>8.4f}  [{:.6f}, {:.6f}]  {:>9} / {:<5}{}\n",
-                            stripe.amplitude, stripe.trials, stripe.at_rest, stripe.slid, stripe.overturned,
-                            stripe.failed + stripe.contact_lost, stripe.probability(), interval.lower, interval.upper,
-                            s.v_wes[l].true_safe + s.v_wes[l].false_safe, s.v_wes[l].false_safe,
-                            purpose == LevelClass::ordinary ? "" : " " + name_of(purpose));
+        text +=
+            fmt::format("{:>10.4g} {:>7} {:>8} {:>6} {:>11} {:>7} {:>7}  {:>8}  [{:.6f}, {:.6f}]  {:>9} / {:<5}{}\n",
+                        stripe.amplitude, stripe.trials, stripe.at_rest, stripe.slid, stripe.overturned,
+                        stripe.contact_lost, stripe.failed, probability_text(stripe), interval.lower, interval.upper,
+                        s.v_wes[l].true_safe + s.v_wes[l].false_safe, s.v_wes[l].false_safe,
+                        purpose == LevelClass::ordinary ? "" : " " + name_of(purpose));
         sliding += s.sliding_called[l];
     }
     text += "rungs:";

@@ -52,7 +52,9 @@ template <class Row> void take(std::span<std::byte const>& bytes, std::vector<Ro
     if (bytes.size() < size) {
         throw SystemError("a block of results is too short (written by another version?). Start anew without --resume");
     }
-    std::memcpy(rows.data(), bytes.data(), size);
+    if (size > 0) {
+        std::memcpy(rows.data(), bytes.data(), size);
+    }
     bytes = bytes.subspan(size);
 }
 
@@ -118,8 +120,8 @@ TrialRow run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int6
     auto const response = respond(scene, wave.motion, *scale, {}, observer, wave.intensity.pga_mps2);
     auto const& rocking = response.rocking;
     row.verdict = static_cast<std::int64_t>(rocking.verdict);
-    row.failure = static_cast<std::int64_t>(rocking.verdict == Verdict::failed ? FailureReason::no_convergence
-                                                                               : FailureReason::none);
+    auto const why = rocking.steps == 0 ? FailureReason::absurd_level : FailureReason::no_convergence;
+    row.failure = static_cast<std::int64_t>(rocking.verdict == Verdict::failed ? why : FailureReason::none);
     row.peak_rotation_rad = rocking.peak_rotation_rad;
     row.peak_rotation_ratio = rocking.peak_rotation_rad / rigid.alpha_rad();
     row.time_of_peak_s = rocking.time_of_peak_s;

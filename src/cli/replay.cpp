@@ -36,7 +36,7 @@ int replay(Options const& options) {
     if (history) {
         (void)run_trial(spec, prepared, body, level, &*history);
     }
-    fmt::print("trial {}: wave {}, body {}, {} {:.6g} {}\n", options.trial, row.wave,
+    fmt::print("trial {}: wave number {} (id {}), body {}, {} {:.6g} {}\n", options.trial, wave, row.wave,
                spec.bodies[static_cast<std::size_t>(body)].name, spec.levels.measure_name(), row.amplitude,
                spec.levels.units());
     fmt::print("verdict {}, peak rotation {:.6g} rad ({:.4f} alpha) at {:.3f} s, {} impacts\n",

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -33,6 +34,7 @@ void print_json(BodySpec const& spec, Response const& response) {
                                 {"residual_slip_m", r.residual_slip_m},
                                 {"friction_demand", r.friction_demand},
                                 {"min_contact_force_ratio", r.min_contact_force_ratio},
+                                {"contact_lost_s", r.contact_lost_s},
                                 {"response_velocity_mps", response.response_velocity_mps},
                                 {"limit_velocity_mps", spec.body.limit_velocity_mps()},
                                 {"effects", nlohmann::ordered_json::array()},
@@ -45,6 +47,8 @@ void print_json(BodySpec const& spec, Response const& response) {
     fmt::print("{}\n", json.dump(2));
 }
 
+std::string time_text(double time_s) { return time_s < 0 ? "never" : fmt::format("at {:.3f} s", time_s); }
+
 void print_text(BodySpec const& spec, Response const& response) {
     auto const& r = response.rocking;
     auto const& b = spec.body;
@@ -52,11 +56,13 @@ void print_text(BodySpec const& spec, Response const& response) {
                b.alpha_rad() * 180 / pi, b.p_radps(), b.restitution(), b.uplift_acceleration_mps2(),
                b.limit_velocity_mps());
     fmt::print("verdict          {}\n", verdict_names()[static_cast<std::size_t>(r.verdict)]);
-    fmt::print("peak rotation    {:.6g} rad = {:.4f} alpha, at {:.3f} s\n", r.peak_rotation_rad,
-               r.peak_rotation_rad / b.alpha_rad(), r.time_of_peak_s);
+    fmt::print("peak rotation    {:.6g} rad = {:.4f} alpha, {}\n", r.peak_rotation_rad,
+               r.peak_rotation_rad / b.alpha_rad(), time_text(r.time_of_peak_s));
     fmt::print("peak energy      {:.4f} of that of critical uplift\n", r.peak_energy_ratio);
     fmt::print("V_resp           {:.4f} m/s\n", response.response_velocity_mps);
-    fmt::print("first uplift     {:.3f} s, {} impacts\n", r.first_uplift_s, r.impacts);
+    fmt::print("first uplift     {}, {} impacts\n", time_text(r.first_uplift_s), r.impacts);
+    fmt::print("overturned       {}, contact lost {}\n", time_text(r.overturn_time_s), time_text(r.contact_lost_s));
+    fmt::print("slip             {:.6g} m at most, {:.6g} m left\n", r.peak_slip_m, r.residual_slip_m);
     fmt::print("friction demand  {:.4f}, least contact force {:.4f} m g\n", r.friction_demand,
                r.min_contact_force_ratio);
     fmt::print("effects          {} (called for: {})\n", names_of_effects(response.effects),
@@ -64,6 +70,7 @@ void print_text(BodySpec const& spec, Response const& response) {
 }
 
 int rock(Options const& options) {
+    validate(std::isfinite(options.scale), "--scale {} (must be finite). Give a factor such as 1.5", options.scale);
     auto const spec = load_body(options.body);
     auto motion = load_motion(options.wave, options.unit, options.time_step);
     Scene const scene{spec.body, spec.friction, parse_effects(options.effects), {}};
@@ -74,6 +81,10 @@ int rock(Options const& options) {
         (void)respond(scene, motion, options.scale, {}, &*history);
     }
     options.json ? print_json(spec, response) : print_text(spec, response);
+    if (response.rocking.verdict == Verdict::failed) {
+        throw SystemError(
+            "no verdict (the shaking is absurdly strong, or no step was short enough). Check unit and scale");
+    }
     return done;
 }
 

@@ -5,6 +5,7 @@
 
 #include "cli/scene_files.hpp"
 #include "cli/verbs.hpp"
+#include "core/error.hpp"
 #include "motion/intensity.hpp"
 #include "spectra/input_energy.hpp"
 #include "spectra/response_spectrum.hpp"
@@ -102,6 +103,9 @@ void print_text(Measures const& m, double damping, std::optional<BodyEnergy> con
 }
 
 int spectrum(Options const& options) {
+    constexpr double most = 100;
+    validate(options.damping >= 0 && options.damping <= most,
+             "--damping {} (must be 0 to {}). Give a ratio such as 0.05", options.damping, most);
     auto const motion = load_motion(options.wave, options.unit, options.time_step);
     auto const measures = measure(motion, options.damping);
     std::optional<BodyEnergy> energy;
@@ -121,9 +125,7 @@ void add_spectrum(CLI::App& app, Action& action) {
     verb->add_option("--unit", options->unit, "unit of the accelerations: g, gal, m/s2; required for columns");
     verb->add_option("--time-step", options->time_step, "for files without a time column, e.g. \"0.01 s\"");
     verb->add_option("--body", options->body, "body file (TOML): adds its energy measures");
-    verb->add_option("--damping", options->damping, "damping ratio")
-        ->capture_default_str()
-        ->check(CLI::NonNegativeNumber);
+    verb->add_option("--damping", options->damping, "damping ratio")->capture_default_str();
     verb->add_flag("--json", options->json, "as JSON");
     verb->callback([options, &action] { action = [options] { return spectrum(*options); }; });
 }

@@ -30,8 +30,12 @@ int status(std::string const& path) {
         fmt::print(stderr, "{}\n", note);
     }
     auto const left = plan.blocks() - static_cast<std::int64_t>(committed.size());
-    fmt::print("{}: not complete, {} of {} blocks are done, {} left. Go on with: overturn run {} -o {} --resume\n",
-               path, committed.size(), plan.blocks(), left, input.name, path);
+    std::string settings;
+    for (auto const& setting : input.settings) {
+        settings += fmt::format(" --set '{}'", setting);
+    }
+    fmt::print("{}: not complete, {} of {} blocks are done, {} left. Go on with: overturn run {} -o {} --resume{}\n",
+               path, committed.size(), plan.blocks(), left, input.name, path, settings);
     return resumable;
 }
 

@@ -1,5 +1,8 @@
 #include "response/response.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "body/response_velocity.hpp"
 
 namespace overturn {
@@ -42,7 +45,7 @@ RockingOutcome climb(RockingBlock const& block, Shaking const& shaking, Scene co
     } else if (observer != nullptr) {
         outcome = run(Slip::watched, observer);
     }
-    if (!forced && slips) {
+    if (slips && (!forced || outcome.peak_slip_m > 0)) {
         response.called |= mask_of(Effect::sliding);
     }
     return outcome;
@@ -67,6 +70,14 @@ Response respond(Scene const& scene, GroundMotion const& motion, double scale, R
             shaking.vertical_mps2 = motion.vertical_mps2;
             response.effects |= mask_of(Effect::vertical);
         }
+    }
+    // Beyond a million g nothing here means anything, and products overflow without a sound.
+    constexpr double absurd_mps2 = 1e6 * g0;
+    double const peak = std::isfinite(peak_mps2) ? peak_mps2 : peak_of(motion.horizontal_mps2);
+    double const strongest = std::abs(scale) * std::max(peak, peak_of(shaking.vertical_mps2));
+    if (!(strongest < absurd_mps2)) {
+        response.rocking.verdict = Verdict::failed;
+        return response;
     }
     auto block = block_of(scene.body);
     if (scene.friction) {

@@ -250,7 +250,7 @@ void Integrator<Order, Restoring, Vertical, Friction>::finish() {
     }
     out.residual_slip_m = x_m_;
     out.energy.mechanical = mechanical_energy();
-    if (!std::isfinite(out.peak_rotation_rad + x_m_)) {
+    if (!std::isfinite(out.peak_rotation_rad + out.peak_energy_ratio + phi_ + omega_ + x_m_ + v_mps_)) {
         out.verdict = Verdict::failed;
     }
 }

@@ -1,9 +1,12 @@
 #include "stats/stripe.hpp"
 
+#include <limits>
+
 namespace overturn {
 
 double Stripe::probability() const {
-    return decided() == 0 ? 0 : static_cast<double>(overturned) / static_cast<double>(decided());
+    return decided() == 0 ? std::numeric_limits<double>::quiet_NaN()
+                          : static_cast<double>(overturned) / static_cast<double>(decided());
 }
 
 Interval Stripe::interval(double confidence) const {

@@ -18,7 +18,7 @@ struct Stripe {
     std::int64_t at_rest = 0, slid = 0;  ///< the rest of the decided ones rocked
 
     [[nodiscard]] std::int64_t decided() const { return trials - failed - contact_lost; }
-    /// Overturned over decided; 0 where nothing is decided.
+    /// Overturned over decided; NaN where nothing is decided.
     [[nodiscard]] double probability() const;
     /// Clopper-Pearson bounds over all trials: the lower one as if every undecided body stood, the upper one as if it
     /// fell.
@@ -32,7 +32,11 @@ struct Confusion {
     std::int64_t true_safe = 0;      ///< said safe, stood
     std::int64_t true_overturn = 0;  ///< said unsafe, overturned
 
+    std::int64_t undecided_safe = 0;    ///< said safe, no verdict
+    std::int64_t undecided_unsafe = 0;  ///< said unsafe, no verdict
+
     void add(bool said_safe, bool overturned);
+    void add_undecided(bool said_safe) { ++(said_safe ? undecided_safe : undecided_unsafe); }
 };
 
 }  // namespace overturn

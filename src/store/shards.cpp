@@ -88,7 +88,7 @@ std::vector<std::byte> ShardFolder::read(std::int64_t block) const {
     auto const text = read_file(path);
     auto const head = fmt::format("{}{}\n{}\n", magic, campaign_, block);
     auto const refuse = [&](char const* why) {
-        throw SystemError(fmt::format("{}: {}. Remove the file and go on with --resume", path.string(), why));
+        throw SystemError(fmt::format("{}: {}. With --resume it is computed again", path.string(), why));
     };
     if (text.size() < head.size() + hash_length || !text.starts_with(magic)) {
         refuse("not a whole block (truncated or foreign)");

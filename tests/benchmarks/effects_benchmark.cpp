@@ -65,14 +65,14 @@ void choosing(benchmark::State& state, EffectRequest const& request) {
     state.counters["slipping_share"] = static_cast<double>(slipped) / static_cast<double>(trials);
 }
 
-BENCHMARK_CAPTURE(rocking, plain/set_a, Set::a, Slip::ignored, false)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(rocking, slip_watched/set_a, Set::a, Slip::watched, false)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(rocking, slip_forced/set_a, Set::a, Slip::simulated, false)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(rocking, zero_vertical/set_a, Set::a, Slip::ignored, true)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(rocking, plain/set_b, Set::b, Slip::ignored, false)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(rocking, slip_watched/set_b, Set::b, Slip::watched, false)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(rocking, slip_forced/set_b, Set::b, Slip::simulated, false)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(rocking, zero_vertical/set_b, Set::b, Slip::ignored, true)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(rocking, plain / set_a, Set::a, Slip::ignored, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(rocking, slip_watched / set_a, Set::a, Slip::watched, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(rocking, slip_forced / set_a, Set::a, Slip::simulated, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(rocking, zero_vertical / set_a, Set::a, Slip::ignored, true)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(rocking, plain / set_b, Set::b, Slip::ignored, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(rocking, slip_watched / set_b, Set::b, Slip::watched, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(rocking, slip_forced / set_b, Set::b, Slip::simulated, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(rocking, zero_vertical / set_b, Set::b, Slip::ignored, true)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(choosing, automatic, EffectRequest{EffectMode::automatic, 0})->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(choosing, forced, EffectRequest{EffectMode::forced, mask_of(Effect::sliding)})
     ->Unit(benchmark::kMillisecond);

@@ -47,7 +47,7 @@ TEST(Columns, MeasuresOfSeveralBodiesLieSideBySide) {
 TEST(Columns, EveryVerdictAndReasonHasAName) {
     EXPECT_EQ(verdict_names().size(), static_cast<std::size_t>(Verdict::failed) + 1);
     EXPECT_EQ(verdict_names()[static_cast<std::size_t>(Verdict::overturned)], "overturned");
-    EXPECT_EQ(failure_names().size(), static_cast<std::size_t>(FailureReason::no_convergence) + 1);
+    EXPECT_EQ(failure_names().size(), static_cast<std::size_t>(FailureReason::absurd_level) + 1);
 }
 
 TEST(Columns, ADifferenceIsNamed) {
@@ -69,6 +69,17 @@ TrialRow row_of(std::int64_t body, std::int64_t level, Verdict verdict, bool wes
     return row;
 }
 
+// Requirement: a name that the results file needs for itself is refused before any work.
+TEST(BodyNames, MayNotBeColumnsOfTheWaves) {
+    for (std::string const name : {"pga", "id", "failed", "arias", ".", ".."}) {
+        auto const body = "[[bodies]]\nname='" + name
+                          + "'\nmass=1\nbase_width=1\ncentre_height=1\ninertia='uniform-block'\nrestitution=0.8\n";
+        EXPECT_THROW((void)testing::campaign_from(testing::quick_waves + body + testing::levels("values=[3,6]\n")),
+                     InputError)
+            << name;
+    }
+}
+
 TEST(Statistics, CountWhatTheRowsSay) {
     auto const spec = testing::campaign_from(testing::quick_waves + testing::type_a + testing::type_b
                                              + testing::levels("values=[3,6]\n"));
@@ -87,6 +98,7 @@ TEST(Statistics, CountWhatTheRowsSay) {
     EXPECT_EQ(b.stripes[0].trials, 5);
     EXPECT_EQ(b.stripes[0].overturned, 2);
     EXPECT_EQ(b.stripes[0].failed, 1);
+    EXPECT_EQ(b.v_wes[0].undecided_safe, 1) << "said safe, and nobody knows";
     EXPECT_EQ(b.stripes[0].probability(), 0.5);
     EXPECT_EQ(b.stripes[1].trials, 0);
     EXPECT_EQ(b.v_wes[0].false_safe, 1);

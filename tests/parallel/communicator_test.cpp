@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 #include <numeric>
+#include <span>
 
 #include <gtest/gtest.h>
 
@@ -19,9 +20,8 @@ std::string long_text(std::size_t length, int salt) {
 }
 
 std::vector<std::byte> bytes_of(std::string const& text) {
-    std::vector<std::byte> bytes(text.size());
-    std::memcpy(bytes.data(), text.data(), text.size());
-    return bytes;
+    auto const bytes = std::as_bytes(std::span(text));
+    return {bytes.begin(), bytes.end()};
 }
 
 std::string packed(std::vector<std::int64_t> const& values) {

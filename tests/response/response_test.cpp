@@ -143,6 +143,15 @@ TEST(Response, BodyAtRestSlidesOnASlipperyFloor) {
     EXPECT_TRUE(testing::near(plain.rocking.friction_demand, 0.2, testing::exact_formula));
 }
 
+/// What cannot be computed is a failed trial with its reason, never a body that stands.
+TEST(Response, AbsurdShakingHasNoVerdict) {
+    for (double const scale :
+         {1e12, 1e150, 1e300, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+        EXPECT_EQ(trial(wave(true), {.effects = automatic}, scale).rocking.verdict, Verdict::failed) << scale;
+        EXPECT_EQ(trial(wave(false), {.effects = none}, scale).rocking.verdict, Verdict::failed) << scale;
+    }
+}
+
 TEST(Response, VelocityIsThatOfThePeakRotation) {
     auto const body = slender();
     auto const rocked = trial(wave(false), {.effects = automatic}, rocking_scale);
