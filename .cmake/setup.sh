@@ -5,7 +5,7 @@
 set -u
 
 packages=(g++ cmake ninja-build git ca-certificates libopenmpi-dev openmpi-bin libeigen3-dev libhdf5-dev libgsl-dev
-          libfmt-dev libgtest-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libssl-dev librandom123-dev)
+          libfmt-dev libgtest-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libssl-dev librandom123-dev libhwy-dev)
 for wish in "$@"; do
     case $wish in
         tests) packages+=(python3-h5py python3-numpy) ;;  # another program's reading of our results files

@@ -1,5 +1,6 @@
 #include "campaign/trial.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstring>
@@ -81,6 +82,7 @@ PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64
         return prepared;
     }
     Stopwatch const watch(seconds.measures);
+    prepared.pages = rocking::PagePeaks(prepared.motion.horizontal_mps2, prepared.motion.vertical_mps2);
     prepared.intensity = intensity_of(prepared.motion.horizontal_mps2, prepared.motion.time_step_s);
     describe(prepared.row, prepared.motion, prepared.intensity, match);
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
@@ -95,12 +97,12 @@ PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64
     return prepared;
 }
 
-TrialRow run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t body, std::int64_t level,
-                   RockingObserver* observer) {
+namespace {
+
+// A row before its response: what is known of the trial beforehand.
+TrialRow open_row(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t body, std::int64_t level) {
     auto const& rigid = wave.bodies.at(static_cast<std::size_t>(body));
-    auto const& stated = spec.bodies.at(static_cast<std::size_t>(body));
     auto const& at = spec.levels.levels.at(static_cast<std::size_t>(level));
-    auto const& measures = wave.measures.at(static_cast<std::size_t>(body));
     TrialRow row;
     row.wave = wave.row.id;
     row.body = body;
@@ -109,21 +111,32 @@ TrialRow run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int6
     row.restitution = rigid.restitution();
     row.v_ereq_mps = rigid.limit_velocity_mps();
     auto const scale = wave.row.failed != 0 ? std::nullopt : spec.levels.scale(at, wave.intensity);
-    if (!scale) {
-        row.verdict = static_cast<std::int64_t>(Verdict::failed);
-        row.failure = static_cast<std::int64_t>(wave.row.failed != 0 ? FailureReason::wave_failed
-                                                                     : FailureReason::wave_cannot_be_scaled);
+    if (scale) {
+        row.scale = *scale;
         return row;
     }
-    row.scale = *scale;
-    Scene const scene{rigid, stated.friction, spec.effects, spec.rocking};
-    auto const response = respond(scene, wave.motion, *scale, {}, observer, wave.intensity.pga_mps2);
+    row.verdict = static_cast<std::int64_t>(Verdict::failed);
+    row.failure = static_cast<std::int64_t>(wave.row.failed != 0 ? FailureReason::wave_failed
+                                                                 : FailureReason::wave_cannot_be_scaled);
+    return row;
+}
+
+bool failed(TrialRow const& row) { return row.failure != static_cast<std::int64_t>(FailureReason::none); }
+
+Scene scene_of(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t body) {
+    auto const at = static_cast<std::size_t>(body);
+    return {wave.bodies.at(at), spec.bodies.at(at).friction, spec.effects, spec.rocking};
+}
+
+void close_row(TrialRow& row, PreparedWave const& wave, Response const& response) {
+    auto const body = static_cast<std::size_t>(row.body);
+    auto const& measures = wave.measures.at(body);
     auto const& rocking = response.rocking;
     row.verdict = static_cast<std::int64_t>(rocking.verdict);
     auto const why = rocking.steps == 0 ? FailureReason::absurd_level : FailureReason::no_convergence;
     row.failure = static_cast<std::int64_t>(rocking.verdict == Verdict::failed ? why : FailureReason::none);
     row.peak_rotation_rad = rocking.peak_rotation_rad;
-    row.peak_rotation_ratio = rocking.peak_rotation_rad / rigid.alpha_rad();
+    row.peak_rotation_ratio = rocking.peak_rotation_rad / wave.bodies.at(body).alpha_rad();
     row.time_of_peak_s = rocking.time_of_peak_s;
     row.peak_energy_ratio = rocking.peak_energy_ratio;
     row.overturn_time_s = rocking.overturn_time_s;
@@ -135,8 +148,8 @@ TrialRow run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int6
     row.peak_slip_m = rocking.peak_slip_m;
     row.residual_slip_m = rocking.residual_slip_m;
     row.friction_work_jpkg = rocking.energy.friction_work;
-    row.v_wes_mps = *scale * measures.v_wes_max_mps;
-    row.ou_v_e_mps = *scale * measures.ou_v_e_mps;
+    row.v_wes_mps = row.scale * measures.v_wes_max_mps;
+    row.ou_v_e_mps = row.scale * measures.ou_v_e_mps;
     row.v_resp_mps = response.response_velocity_mps;
     row.v_wes_safe = row.v_wes_mps < row.v_ereq_mps ? 1 : 0;
     row.ou_v_e_safe = row.ou_v_e_mps < row.v_ereq_mps ? 1 : 0;
@@ -144,35 +157,91 @@ TrialRow run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int6
     row.effects_called = response.called;
     row.rung = static_cast<std::int64_t>(response.rung);
     row.steps = rocking.steps;
-    return row;
 }
 
-void append_trials(CampaignSpec const& spec, Plan const& plan, PreparedWave const& wave, std::vector<TrialRow>& rows,
-                   PhaseSeconds& seconds) {
-    auto const first_level = plan.first_level(wave.number);
-    for (std::int64_t body = 0; body < plan.bodies(); ++body) {
-        for (auto level = first_level; level < first_level + plan.level_count(); ++level) {
-            double taken = 0;
-            {
-                Stopwatch const watch(taken);
-                rows.push_back(run_trial(spec, wave, body, level));
-            }
-            auto& rung = seconds.rungs.at(static_cast<std::size_t>(rows.back().rung));
-            ++rung.trials;
-            rung.seconds += taken;
-            seconds.response += taken;
+// A rung's seconds go in equal parts to the trials that were on it.
+void account(std::span<Response const> responses, LadderSeconds const& taken, PhaseSeconds& seconds) {
+    std::array<std::int64_t, rung_count> trials{};
+    for (auto const& response : responses) {
+        ++trials.at(static_cast<std::size_t>(response.rung));
+    }
+    std::array const parts{taken.preparing, taken.rocking, taken.sliding};
+    std::int64_t on_it = 0;
+    for (std::size_t part = parts.size(); part-- > 0;) {
+        on_it += trials[part];
+        for (std::size_t rung = part; rung < parts.size() && on_it > 0; ++rung) {
+            seconds.rungs[rung].seconds += parts[part] * static_cast<double>(trials[rung]) / static_cast<double>(on_it);
         }
+        seconds.rungs[part].trials += trials[part];
+        seconds.response += parts[part];
     }
 }
 
+}  // namespace
+
+TrialRow run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t body, std::int64_t level,
+                   RockingObserver* observer) {
+    auto row = open_row(spec, wave, body, level);
+    if (!failed(row)) {
+        auto const scene = scene_of(spec, wave, body);
+        close_row(row, wave, respond(scene, wave.motion, row.scale, {}, observer, wave.intensity.pga_mps2));
+    }
+    return row;
+}
+
+void append_trials(CampaignSpec const& spec, Plan const& plan, std::span<PreparedWave const> waves,
+                   std::vector<TrialRow>& rows, PhaseSeconds& seconds) {
+    struct Place {
+        std::size_t row;
+        PreparedWave const* wave;
+    };
+    std::vector<Place> places;
+    std::vector<SceneTrial> trials;
+    std::vector<Scene> scenes;
+    auto const most = waves.size() * static_cast<std::size_t>(plan.trials_per_wave());
+    places.reserve(most);
+    trials.reserve(most);
+    scenes.reserve(waves.size() * static_cast<std::size_t>(plan.bodies()));
+    rows.reserve(rows.size() + most);
+    for (auto const& wave : waves) {
+        auto const first_level = plan.first_level(wave.number);
+        for (std::int64_t body = 0; body < plan.bodies(); ++body) {
+            scenes.push_back(scene_of(spec, wave, body));
+            for (auto level = first_level; level < first_level + plan.level_count(); ++level) {
+                rows.push_back(open_row(spec, wave, body, level));
+                if (failed(rows.back())) {
+                    ++seconds.rungs[0].trials;
+                    continue;
+                }
+                places.push_back({rows.size() - 1, &wave});
+                trials.push_back({scenes.back(), wave.motion, rows.back().scale, wave.intensity.pga_mps2, &wave.pages});
+            }
+        }
+    }
+    std::vector<Response> responses(trials.size());
+    auto const taken = respond(trials, responses);
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        close_row(rows[places[i].row], *places[i].wave, responses[i]);
+    }
+    account(responses, taken, seconds);
+}
+
 BlockRows run_block(CampaignSpec const& spec, Plan const& plan, std::int64_t block, PhaseSeconds& seconds) {
+    // Enough trials at a time to fill the vector lanes to the end, few enough waves to hold.
+    constexpr std::int64_t most_trials = 256;
+    auto const together = std::max<std::int64_t>(1, most_trials / plan.trials_per_wave());
     BlockRows rows;
     auto const [first, count] = plan.waves_of_block(block);
-    for (auto wave = first; wave < first + count; ++wave) {
-        auto const prepared = prepare_wave(spec, plan, wave, seconds);
-        rows.waves.push_back(prepared.row);
-        rows.measures.insert(rows.measures.end(), prepared.measures.begin(), prepared.measures.end());
-        append_trials(spec, plan, prepared, rows.trials, seconds);
+    for (auto next = first; next < first + count; next += together) {
+        std::vector<PreparedWave> waves;
+        auto const end = std::min(next + together, first + count);
+        waves.reserve(static_cast<std::size_t>(end - next));
+        for (auto wave = next; wave < end; ++wave) {
+            waves.push_back(prepare_wave(spec, plan, wave, seconds));
+            rows.waves.push_back(waves.back().row);
+            rows.measures.insert(rows.measures.end(), waves.back().measures.begin(), waves.back().measures.end());
+        }
+        append_trials(spec, plan, waves, rows.trials, seconds);
     }
     return rows;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "campaign/campaign_spec.hpp"
@@ -13,7 +14,8 @@ namespace overturn {
 /// Seconds spent per phase; for the reader, never for the results.
 struct PhaseSeconds {
     double waves = 0, measures = 0, response = 0, store = 0;
-    /// Trials that ran up to each rung, and the seconds they took, lower rungs included.
+    /// Trials that ran up to each rung, and the seconds they took, lower rungs included. Trials run side by side: the
+    /// time of a rung is shared out evenly among those that were on it.
     struct RungCost {
         std::int64_t trials = 0;
         double seconds = 0;
@@ -29,6 +31,7 @@ struct PreparedWave {
     WaveRow row;
     std::vector<MeasureRow> measures;  ///< one per body
     std::vector<RigidBody> bodies;     ///< as they are under this wave
+    rocking::PagePeaks pages;
 };
 
 /// Makes and measures a wave. A wave that cannot be made is a failed one, not an exception.
@@ -39,9 +42,9 @@ struct PreparedWave {
 [[nodiscard]] TrialRow run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t body,
                                  std::int64_t level, RockingObserver* observer = nullptr);
 
-/// All trials of a prepared wave, appended in order.
-void append_trials(CampaignSpec const& spec, Plan const& plan, PreparedWave const& wave, std::vector<TrialRow>& rows,
-                   PhaseSeconds& seconds);
+/// All trials of prepared waves, side by side, appended in order: each row is bit-equal to run_trial's.
+void append_trials(CampaignSpec const& spec, Plan const& plan, std::span<PreparedWave const> waves,
+                   std::vector<TrialRow>& rows, PhaseSeconds& seconds);
 
 /// Rows of a block of waves: all wave rows, then all measure rows, then all trial rows, each in order.
 struct BlockRows {

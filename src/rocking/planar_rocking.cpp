@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "core/error.hpp"
+#include "rocking/crew.hpp"
 #include "rocking/rocking_integrator.hpp"
 
 namespace overturn {
@@ -44,21 +46,41 @@ struct Call {
 
 }  // namespace
 
-RockingOutcome simulate_rocking(RockingBlock const& block, Shaking const& shaking, RockingAccuracy const& accuracy,
-                                RockingStart const& start, RockingObserver* observer, Slip slip) {
+namespace {
+
+void expect_sound(RockingBlock const& block, Shaking const& shaking, Slip slip) {
     OVERTURN_EXPECT(block.alpha_rad > 0 && block.alpha_rad < 0.5 * pi && block.p_radps > 0);
     OVERTURN_EXPECT(block.restitution >= 0 && block.restitution <= 1);
     OVERTURN_EXPECT(shaking.vertical_mps2.empty() || shaking.vertical_mps2.size() == shaking.horizontal_mps2.size());
     OVERTURN_EXPECT(shaking.horizontal_mps2.size() < 2 || shaking.time_step_s > 0);
     OVERTURN_EXPECT(slip == Slip::ignored || block.friction_kinetic <= block.friction_static);
-    if (observer == nullptr && shaking.vertical_mps2.empty() && start.rotation_rad == 0 && start.velocity_radps == 0) {
-        double const ratio = shaking.scale / block.gravity_mps2 * shaking.peak_mps2;
-        double const tips = accuracy.restoring == Restoring::linear ? block.alpha_rad : std::tan(block.alpha_rad);
-        if (ratio <= (slip == Slip::ignored ? tips : std::min(tips, block.friction_static))) {
-            RockingOutcome rest;
-            rest.friction_demand = ratio;
-            return rest;
-        }
+}
+
+// A trial that one comparison decides.
+bool stays_at_rest(RockingBlock const& block, Shaking const& shaking, RockingAccuracy const& accuracy, Slip slip,
+                   RockingOutcome& rest) {
+    if (!shaking.vertical_mps2.empty()) {
+        return false;
+    }
+    double const ratio = std::abs(shaking.scale) / block.gravity_mps2 * shaking.peak_mps2;
+    double const tips = accuracy.restoring == Restoring::linear ? block.alpha_rad : std::tan(block.alpha_rad);
+    if (!(ratio <= (slip == Slip::ignored ? tips : std::min(tips, block.friction_static)))) {
+        return false;
+    }
+    rest = {};
+    rest.friction_demand = ratio;
+    return true;
+}
+
+}  // namespace
+
+RockingOutcome simulate_rocking(RockingBlock const& block, Shaking const& shaking, RockingAccuracy const& accuracy,
+                                RockingStart const& start, RockingObserver* observer, Slip slip) {
+    expect_sound(block, shaking, slip);
+    RockingOutcome rest;
+    if (observer == nullptr && start.rotation_rad == 0 && start.velocity_radps == 0
+        && stays_at_rest(block, shaking, accuracy, slip, rest)) {
+        return rest;
     }
     Call const call{block, shaking, accuracy, start, observer};
     if (accuracy.restoring == Restoring::linear) {
@@ -76,6 +98,31 @@ RockingOutcome simulate_rocking(RockingBlock const& block, Shaking const& shakin
             break;
     }
     return call.with_order<rocking::NonlinearRestoring, Slip::simulated>();
+}
+
+void simulate_rocking(std::span<RockingTrial const> trials, RockingAccuracy const& accuracy, Slip slip,
+                      std::span<RockingOutcome> outcomes) {
+    OVERTURN_EXPECT(outcomes.size() == trials.size());
+    bool const lanes = accuracy.taylor_order == rocking::SwingSeries::order && accuracy.substeps == 1
+                       && accuracy.restoring == Restoring::nonlinear && slip != Slip::simulated;
+    std::vector<std::size_t> plain;
+    std::vector<std::size_t> vertical;
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        auto const& [block, shaking] = trials[i];
+        expect_sound(block, shaking, slip);
+        if (!lanes) {
+            outcomes[i] = simulate_rocking(block, shaking, accuracy, {}, nullptr, slip);
+        } else if (!stays_at_rest(block, shaking, accuracy, slip, outcomes[i])) {
+            (shaking.vertical_mps2.empty() ? plain : vertical).push_back(i);
+        }
+    }
+    if (slip == Slip::ignored) {
+        rocking::Crew<false, Slip::ignored>(trials, plain, accuracy, outcomes).work();
+        rocking::Crew<true, Slip::ignored>(trials, vertical, accuracy, outcomes).work();
+    } else {
+        rocking::Crew<false, Slip::watched>(trials, plain, accuracy, outcomes).work();
+        rocking::Crew<true, Slip::watched>(trials, vertical, accuracy, outcomes).work();
+    }
 }
 
 double painleve_bound(double inertia_ratio) {

@@ -10,6 +10,10 @@
 
 namespace overturn {
 
+namespace rocking {
+class PagePeaks;
+}
+
 /// What the rocking equation needs of a body. Plain data, validated where the body is.
 struct RockingBlock {
     double alpha_rad = 0;         ///< critical angle atan(b/h)
@@ -38,6 +42,7 @@ struct Shaking {
     double scale = 1;  ///< multiplies every component
     /// Largest |horizontal| if it is known: rest is then seen by one comparison [m/s2]
     double peak_mps2 = std::numeric_limits<double>::infinity();
+    rocking::PagePeaks const* pages = nullptr;  ///< if at hand: rest is then skipped by pages
 };
 
 /// How a trial ended. Values are stored in results files: never renumber them.
@@ -129,6 +134,16 @@ class RockingObserver {
 [[nodiscard]] RockingOutcome simulate_rocking(RockingBlock const& block, Shaking const& shaking,
                                               RockingAccuracy const& accuracy = {}, RockingStart const& start = {},
                                               RockingObserver* observer = nullptr, Slip slip = Slip::ignored);
+
+struct RockingTrial {
+    RockingBlock block;
+    Shaking shaking;
+};
+
+/// Many trials from rest, side by side in the machine's vector lanes: outcomes[i] is bit-equal to that of trials[i]
+/// alone. Trials come in any mixture.
+void simulate_rocking(std::span<RockingTrial const> trials, RockingAccuracy const& accuracy, Slip slip,
+                      std::span<RockingOutcome> outcomes);
 
 /// Friction from which a slipping corner may jam (Painleve's paradox): 2 sqrt(kappa (1 + kappa)), kappa = I_G/(m R^2);
 /// 4/3 for a uniform rectangle.

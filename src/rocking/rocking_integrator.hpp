@@ -2,9 +2,11 @@
 #pragma once
 
 #include "rocking/impact.hpp"
+#include "rocking/page_peaks.hpp"
 #include "rocking/rocking_events.hpp"
 #include "rocking/sample.hpp"
 #include "rocking/slip_series.hpp"
+#include "rocking/swing.hpp"
 #include "rocking/trial_log.hpp"
 #include "rocking/work.hpp"
 
@@ -19,8 +21,18 @@ template <int Order, class Restoring, bool Vertical, Slip Friction> class Integr
                RockingObserver* observer);
     RockingOutcome run(RockingStart const& start);
 
+    // The same in pieces, for lanes that are stepped together (rocking_swing.hpp).
+    void begin(RockingStart const& start);
+    /// Until the block swings: then everything up to the next instant that needs care can be left to swing_on.
+    /// \return false once the trial is over
+    bool advance();
+    template <int Lanes> void depart(SwingLanes<Lanes>& lanes, int lane) const;
+    template <int Lanes> void arrive(SwingLanes<Lanes> const& lanes, int lane);
+    RockingOutcome const& finish();
+
   private:
     static constexpr bool nonlinear = std::is_same_v<Restoring, NonlinearRestoring>;
+    static constexpr bool swings = nonlinear && Order == SwingSeries::order;  ///< what swing_on is made for
     static constexpr bool slipping = Friction == Slip::simulated;
     static constexpr bool limited = Friction != Slip::ignored;  ///< friction has a limit that is looked at
     /// Bouncing slower than this fraction of accuracy.settle is rest, whatever the forcing does next.
@@ -41,12 +53,18 @@ template <int Order, class Restoring, bool Vertical, Slip Friction> class Integr
     };
 
     // time loop (this file, below)
-    void begin(RockingStart const& start);
-    std::size_t skip_rest(std::size_t i);
-    void advance_sample();
+    void skip_rest();
+    [[nodiscard]] bool next_sample();
+    void step();
     void run_out(double end_s);
     [[nodiscard]] bool decided() const;
-    void finish();
+    // swings (rocking_swing.hpp)
+    void swing();
+    void swing_shown();
+    bool swing_unslipped();
+    void account_for(SwingLanes<1> const& before, SwingLanes<1> const& after, SwingSeries const& series);
+    void show_swing(SwingLanes<1> const& before, SwingSeries const& series);
+    void show_impact(SwingLanes<1> const& after);
     // full base contact (rocking_rest.hpp)
     void rest();
     void leave_rest(double tau, double acceleration);
@@ -56,8 +74,15 @@ template <int Order, class Restoring, bool Vertical, Slip Friction> class Integr
     void rock();
     void slip_rock();
     [[nodiscard]] double step_length(Series<Order> const& series);
-    [[nodiscard]] Ending limits_of_contact(Series<Order> const& series, Forcing const& forcing, double friction,
-                                           double normal, double h) const;
+    struct ContactForces {
+        double friction, normal;  ///< over m g, mirrored
+    };
+    [[nodiscard]] ContactForces contact_now(Series<Order> const& series, Forcing const& forcing) const;
+    [[nodiscard]] bool slips_at_once(ContactForces const& forces) const {
+        return limited && std::abs(forces.friction) > hold_friction_ * forces.normal && forces.normal > 0;
+    }
+    [[nodiscard]] Ending limits_of_contact(Series<Order> const& series, Forcing const& forcing,
+                                           ContactForces const& forces, double h) const;
     void find_overturning(Series<Order> const& series, Ending& ending) const;
     void move(Series<Order> const& series, Ending const& ending);
     void start_slip(double friction);
@@ -93,6 +118,8 @@ template <int Order, class Restoring, bool Vertical, Slip Friction> class Integr
     Shaking shaking_;
     RockingAccuracy accuracy_;
     double uplift_ratio_, hold_ratio_, top_, r_, radius_m_;
+    double
+        hold_friction_;  ///< what sticking is held against: friction that is just enough holds, whatever rounding says
     ImpactLaw law_;
     TrialLog log_;
     Sample<Vertical> sample_;
@@ -105,6 +132,13 @@ template <int Order, class Restoring, bool Vertical, Slip Friction> class Integr
     double sigma_ = 0;  ///< sign of the slip
     bool slipped_ = false;
     StartRoot start_root_ = StartRoot::none;
+
+    std::size_t index_ = 0;         ///< of the sample
+    int steps_here_ = 0;            ///< within it
+    double sine_ = 0, cosine_ = 0;  ///< of psi, as the last swing left them
+    bool carried_ = false;          ///< they still hold
+    bool careful_ = false;          ///< the next step is one that swing_on refused
+    bool steps_together_ = false;
 };
 
 template <int Order, class Restoring, bool Vertical, Slip Friction>
@@ -118,6 +152,7 @@ Integrator<Order, Restoring, Vertical, Friction>::Integrator(RockingBlock const&
       top_(Restoring::top(block.alpha_rad)),
       r_(block.inertia_ratio / (block.p_radps * block.p_radps)),
       radius_m_(block.radius_m()),
+      hold_friction_(block.friction_static * (1 + 1e-13)),
       law_{std::sin(block.alpha_rad), std::cos(block.alpha_rad), 1 / block.inertia_ratio - 1,
            block.restitution,         block.friction_static,     block.friction_kinetic},
       log_(top_, observer) {}
@@ -125,26 +160,15 @@ Integrator<Order, Restoring, Vertical, Friction>::Integrator(RockingBlock const&
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 RockingOutcome Integrator<Order, Restoring, Vertical, Friction>::run(RockingStart const& start) {
     begin(start);
-    std::size_t const n = shaking_.horizontal_mps2.size();
-    for (std::size_t i = 0; i + 1 < n && !log_.done(); ++i) {
-        if (mode_ == Mode::rest && !log_.observed()) {
-            i = skip_rest(i);
-            if (i + 1 >= n) {
-                break;
-            }
-        }
-        sample_.load(shaking_, block_.gravity_mps2, i);
-        advance_sample();
+    while (advance()) {
+        swing();
     }
-    if (!log_.done() && mode_ != Mode::rest) {
-        run_out(static_cast<double>(n == 0 ? 0 : n - 1) * shaking_.time_step_s);
-    }
-    finish();
-    return log_.outcome();
+    return finish();
 }
 
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 void Integrator<Order, Restoring, Vertical, Friction>::begin(RockingStart const& start) {
+    steps_together_ = swings && accuracy_.substeps == 1;
     if (start.rotation_rad == 0 && start.velocity_radps == 0) {
         return;
     }
@@ -161,57 +185,63 @@ void Integrator<Order, Restoring, Vertical, Friction>::begin(RockingStart const&
     }
 }
 
-// The first sample from i on in which the block could move: most of most waves is passed here.
 template <int Order, class Restoring, bool Vertical, Slip Friction>
-std::size_t Integrator<Order, Restoring, Vertical, Friction>::skip_rest(std::size_t i) {
-    std::size_t const last = shaking_.horizontal_mps2.size() - 1;
-    double const k = shaking_.scale / block_.gravity_mps2;
-    double most = 0;
-    double least = 1;
-    auto const holds = [&](std::size_t sample) {
-        double const a = std::abs(k * shaking_.horizontal_mps2[sample]);
-        double gv = 1;
-        if constexpr (Vertical) {
-            gv = 1 + k * shaking_.vertical_mps2[sample];
+bool Integrator<Order, Restoring, Vertical, Friction>::advance() {
+    while (!log_.done()) {
+        if (!(sample_.tau_s < sample_.length_s) && !next_sample()) {
+            break;
         }
-        if (a > gv * hold_ratio_ || !(gv > 0)) {
-            return false;
+        if (steps_together_ && !careful_ && mode_ == Mode::rock && start_root_ != StartRoot::twofold) {
+            return true;
         }
-        most = std::max(most, Vertical ? a / gv : a);
-        least = std::min(least, gv);
-        return true;
-    };
-    if (holds(i)) {
-        while (i < last && holds(i + 1)) {
-            ++i;
+        if (careful_ && swing_unslipped()) {
+            continue;
         }
+        careful_ = false;
+        carried_ = false;
+        step();
     }
-    log_.raise_demand(most);
-    log_.lower_contact(least);
-    return i;
+    return false;
 }
 
 template <int Order, class Restoring, bool Vertical, Slip Friction>
-void Integrator<Order, Restoring, Vertical, Friction>::advance_sample() {
+bool Integrator<Order, Restoring, Vertical, Friction>::next_sample() {
+    std::size_t const n = shaking_.horizontal_mps2.size();
+    index_ += sample_.length_s > 0 ? 1 : 0;
+    if (mode_ == Mode::rest && !log_.observed()) {
+        skip_rest();
+    }
+    if (index_ + 1 < n) {
+        sample_.load(shaking_, block_.gravity_mps2, index_);
+        steps_here_ = 0;
+        return true;
+    }
+    if (mode_ != Mode::rest) {
+        run_out(static_cast<double>(n == 0 ? 0 : n - 1) * shaking_.time_step_s);
+    }
+    return false;
+}
+
+template <int Order, class Restoring, bool Vertical, Slip Friction>
+void Integrator<Order, Restoring, Vertical, Friction>::step() {
     constexpr int hopeless = 1000000;  // steps within one sample: a trial must end
-    for (int steps = 0; !log_.done() && sample_.tau_s < sample_.length_s; ++steps) {
-        if (steps == hopeless) {
-            log_.end(Verdict::failed);
-        }
-        switch (mode_) {
-            case Mode::rest:
-                rest();
-                break;
-            case Mode::slide:
-                slide();
-                break;
-            case Mode::rock:
-                rock();
-                break;
-            case Mode::slip_rock:
-                slip_rock();
-                break;
-        }
+    if (++steps_here_ > hopeless) {
+        log_.end(Verdict::failed);
+        return;
+    }
+    switch (mode_) {
+        case Mode::rest:
+            rest();
+            break;
+        case Mode::slide:
+            slide();
+            break;
+        case Mode::rock:
+            rock();
+            break;
+        case Mode::slip_rock:
+            slip_rock();
+            break;
     }
 }
 
@@ -226,7 +256,10 @@ void Integrator<Order, Restoring, Vertical, Friction>::run_out(double end_s) {
         if ((!slipped_ && decided()) || sample_.now() - end_s > balance_s) {
             break;
         }
-        advance_sample();
+        steps_here_ = 0;
+        while (!log_.done() && sample_.tau_s < sample_.length_s) {
+            step();
+        }
     }
 }
 
@@ -243,7 +276,7 @@ bool Integrator<Order, Restoring, Vertical, Friction>::decided() const {
 }
 
 template <int Order, class Restoring, bool Vertical, Slip Friction>
-void Integrator<Order, Restoring, Vertical, Friction>::finish() {
+RockingOutcome const& Integrator<Order, Restoring, Vertical, Friction>::finish() {
     auto& out = log_.outcome();
     if (out.verdict == Verdict::at_rest) {
         out.verdict = out.first_uplift_s >= 0 ? Verdict::rocked : slipped_ ? Verdict::slid : Verdict::at_rest;
@@ -253,6 +286,7 @@ void Integrator<Order, Restoring, Vertical, Friction>::finish() {
     if (!std::isfinite(out.peak_rotation_rad + out.peak_energy_ratio + phi_ + omega_ + x_m_ + v_mps_)) {
         out.verdict = Verdict::failed;
     }
+    return out;
 }
 
 }  // namespace overturn::rocking
@@ -260,3 +294,4 @@ void Integrator<Order, Restoring, Vertical, Friction>::finish() {
 #include "rocking/rocking_impact.hpp"
 #include "rocking/rocking_rest.hpp"
 #include "rocking/rocking_step.hpp"
+#include "rocking/rocking_swing.hpp"

@@ -5,6 +5,54 @@
 
 namespace overturn::rocking {
 
+// On to the first sample in which the block could move: most of most waves is passed here, whole pages at a time.
+template <int Order, class Restoring, bool Vertical, Slip Friction>
+void Integrator<Order, Restoring, Vertical, Friction>::skip_rest() {
+    std::size_t const n = shaking_.horizontal_mps2.size();
+    double const k = shaking_.scale / block_.gravity_mps2;
+    double most = 0;
+    double least = 1;
+    // For the strongest and the lightest of one sample or of many: a ratio that holds there holds for all of them.
+    auto const holds = [&](double strongest, double lightest) {
+        double const a = std::abs(k * strongest);
+        double const gv = Vertical ? 1 + k * lightest : 1;
+        if (a > gv * hold_ratio_ || !(gv > 0)) {
+            return false;
+        }
+        if (double const ratio = Vertical ? a / gv : a; ratio > most) {
+            most = ratio;
+        }
+        least = std::min(least, gv);
+        return true;
+    };
+    auto const sample_holds = [&](std::size_t i) {
+        return holds(shaking_.horizontal_mps2[i], Vertical ? shaking_.vertical_mps2[i] : 0);
+    };
+    // Of a page with a vertical component the bound is not the maximum: it may set no record.
+    auto const page_holds = [&](PagePeaks::Page const& page) {
+        double const lowest = k > 0 ? page.lowest : page.highest;
+        bool const exact =
+            !Vertical
+            || std::abs(k * page.strongest) <= (1 + k * lowest) * std::max(most, log_.outcome().friction_demand);
+        return exact && holds(page.strongest, lowest);
+    };
+    if (index_ + 1 < n && sample_holds(index_)) {
+        for (++index_; index_ < n;) {
+            auto const* const page = shaking_.pages != nullptr ? shaking_.pages->at(index_) : nullptr;
+            if (page != nullptr && page_holds(*page)) {
+                index_ += PagePeaks::page;
+            } else if (sample_holds(index_)) {
+                ++index_;
+            } else {
+                break;
+            }
+        }
+        --index_;
+    }
+    log_.raise_demand(most);
+    log_.lower_contact(least);
+}
+
 // At rest |a| <= gv hold_ratio; both sides are linear in time, so the instant at which rest ends is exact.
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 void Integrator<Order, Restoring, Vertical, Friction>::rest() {

@@ -33,28 +33,23 @@ void Integrator<Order, Restoring, Vertical, Friction>::rock() {
     expand<Order, Restoring, Vertical>(series, block_.alpha_rad, block_.p_radps, phi_, omega_, forcing,
                                        start_root_ == StartRoot::twofold);
     ++log_.outcome().steps;
-    double const acceleration = 2 * series.phi[2];
-    double const spin = omega_ * omega_;
-    double const friction = r_ * (series.cosine[0] * acceleration + series.sine[0] * spin) + forcing.horizontal;
-    double const normal = r_ * (series.sine[0] * acceleration - series.cosine[0] * spin) + forcing.vertical;
-    if constexpr (limited) {
-        if (std::abs(friction) > block_.friction_static * normal && normal > 0) {
-            start_slip(friction);
-            return;
-        }
+    auto const forces = contact_now(series, forcing);
+    if (slips_at_once(forces)) {
+        start_slip(forces.friction);
+        return;
     }
     if (start_root_ == StartRoot::twofold) {
         log_.uplifted(sample_.now());
     }
-    log_.watch_forces(friction, normal);
-    show(side_ * friction, normal);
+    log_.watch_forces(forces.friction, forces.normal);
+    show(side_ * forces.friction, forces.normal);
     double const h = step_length(series);
     if (log_.done()) {
         return;
     }
     Ending ending{h, Event::none};
     if constexpr (nonlinear) {
-        ending = limits_of_contact(series, forcing, friction, normal, h);
+        ending = limits_of_contact(series, forcing, forces, h);
     }
     double const impact = first_fall_through_zero(series.phi, ending.at, start_root_);
     if (impact >= 0) {
@@ -150,20 +145,31 @@ void Integrator<Order, Restoring, Vertical, Friction>::slip_rock() {
     }
 }
 
+template <int Order, class Restoring, bool Vertical, Slip Friction>
+auto Integrator<Order, Restoring, Vertical, Friction>::contact_now(Series<Order> const& series,
+                                                                   Forcing const& forcing) const -> ContactForces {
+    double const acceleration = 2 * series.phi[2];
+    double const spin = omega_ * omega_;
+    return {r_ * (series.cosine[0] * acceleration + series.sine[0] * spin) + forcing.horizontal,
+            r_ * (series.sine[0] * acceleration - series.cosine[0] * spin) + forcing.vertical};
+}
+
 // Where within the step friction or contact would give out. The forces' series are worked out only near a limit. What
 // they could change within the step is bounded from their derivatives, as r p^2 = inertia_ratio < 1:
 // |F'|, |N'| <= 2 (|A'| + |Gv'|) + |phi'| [4 (|A| + |Gv|) + r phi'^2].
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 auto Integrator<Order, Restoring, Vertical, Friction>::limits_of_contact(Series<Order> const& series,
-                                                                         Forcing const& forcing, double friction,
-                                                                         double normal, double h) const -> Ending {
+                                                                         Forcing const& forcing,
+                                                                         ContactForces const& forces, double h) const
+    -> Ending {
     Ending ending{h, Event::none};
+    auto const& [friction, normal] = forces;
     double const slopes = std::abs(forcing.horizontal_slope) + std::abs(forcing.vertical_slope);
     double const pull = std::abs(forcing.horizontal) + std::abs(forcing.vertical) + h * slopes;
     double const rate = std::abs(omega_) + h * block_.p_radps * block_.p_radps * pull;
     double const change = h * (2 * slopes + rate * (4 * pull + r_ * rate * rate));
     bool const contact_near = normal - change <= 0;
-    bool const slip_near = limited && std::abs(friction) + change >= block_.friction_static * (normal - change);
+    bool const slip_near = limited && std::abs(friction) + change >= hold_friction_ * (normal - change);
     if (!contact_near && !slip_near) {
         return ending;
     }
@@ -176,7 +182,7 @@ auto Integrator<Order, Restoring, Vertical, Friction>::limits_of_contact(Series<
         for (double const sign : {1.0, -1.0}) {
             auto spare = contact.normal;
             for (std::size_t k = 0; k < spare.size(); ++k) {
-                spare[k] = block_.friction_static * spare[k] - sign * contact.friction[k];
+                spare[k] = hold_friction_ * spare[k] - sign * contact.friction[k];
             }
             ending.earlier(first_fall_through_zero(spare, ending.at, StartRoot::none), Event::slip_starts, sign);
         }

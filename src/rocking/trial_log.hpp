@@ -25,7 +25,11 @@ class TrialLog {
         }
     }
     /// \param energy above rest over m g R
-    void raise_energy(double energy) { out_.peak_energy_ratio = std::max(out_.peak_energy_ratio, energy / top_); }
+    void raise_energy(double energy) {
+        energy_ = std::max(energy_, energy);
+        out_.peak_energy_ratio = energy_ / top_;
+    }
+    [[nodiscard]] double energy() const { return energy_; }
     void raise_slip(double slip_m) { out_.peak_slip_m = std::max(out_.peak_slip_m, std::abs(slip_m)); }
     void raise_demand(double demand) { out_.friction_demand = std::max(out_.friction_demand, demand); }
     void lower_contact(double normal) { out_.min_contact_force_ratio = std::min(out_.min_contact_force_ratio, normal); }
@@ -61,6 +65,7 @@ class TrialLog {
   private:
     RockingOutcome out_;
     double top_;
+    double energy_ = 0;  ///< its peak
     RockingObserver* observer_;
     bool done_ = false;
 };

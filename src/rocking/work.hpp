@@ -3,6 +3,7 @@
 
 #include "core/polynomial.hpp"
 #include "rocking/contact_series.hpp"
+#include "rocking/swing.hpp"
 
 namespace overturn::rocking {
 
@@ -35,6 +36,18 @@ template <int Order> [[nodiscard]] double shaking_work(Series<Order> const& s, F
         }
     }
     return -product_integral(Rates<Order>(s).velocity, pull, t);
+}
+
+/// The same for a step of a swing.
+[[nodiscard]] inline double shaking_work(SwingSeries const& s) {
+    constexpr std::size_t order = SwingSeries::order;
+    std::array<double, order> pull{};
+    for (std::size_t k = 0; k < order; ++k) {
+        for (std::size_t j = 0; j <= std::min<std::size_t>(k, 1); ++j) {
+            pull[k] += s.horizontal[j] * s.cosine[k - j] + (s.vertical[j] - (j == 0 ? 1 : 0)) * s.sine[k - j];
+        }
+    }
+    return -product_integral(s.rates, pull, s.share);
 }
 
 }  // namespace overturn::rocking

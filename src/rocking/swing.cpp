@@ -1,0 +1,68 @@
+#include "rocking/swing.hpp"
+
+// Machines without fused multiply-add get the plain lane, whose std::fma gives the same bits.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "rocking/swing.cpp"
+#include <hwy/foreach_target.h>
+// foreach_target comes first: it includes this file once per instruction set
+#include "rocking/swing_step-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace overturn::rocking::HWY_NAMESPACE {
+
+using Wide = Lanes<hn::ScalableTag<double>, 2>;
+using Single = Lanes<hn::CappedTag<double, 1>, 1>;
+
+template <bool Vertical> std::uint32_t swing_many(double* values) {
+    Stepper<Wide, Vertical> stepper(values, most_lanes);
+    for (;;) {
+        if (auto const care = stepper.step(nullptr); any(care)) {
+            return bits(care);
+        }
+    }
+}
+
+template <bool Vertical> void swing_alone(double* values) {
+    Stepper<Single, Vertical> stepper(values, 1);
+    while (!any(stepper.step(nullptr))) {}
+}
+
+template <bool Vertical> bool swing_shown(double* values, SwingSeries* series) {
+    return !any(Stepper<Single, Vertical>(values, 1).step(series));
+}
+
+std::uint32_t SwingMany(double* values, bool vertical) {
+    return vertical ? swing_many<true>(values) : swing_many<false>(values);
+}
+void SwingAlone(double* values, bool vertical) { vertical ? swing_alone<true>(values) : swing_alone<false>(values); }
+bool SwingShown(double* values, bool vertical, SwingSeries* series) {
+    return vertical ? swing_shown<true>(values, series) : swing_shown<false>(values, series);
+}
+int SwingWidth() { return Wide::count; }
+
+}  // namespace overturn::rocking::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace overturn::rocking {
+
+HWY_EXPORT(SwingMany);
+HWY_EXPORT(SwingShown);
+HWY_EXPORT(SwingAlone);
+HWY_EXPORT(SwingWidth);
+
+std::uint32_t swing_on(SwingLanes<most_lanes>& lanes, bool vertical) {
+    return HWY_DYNAMIC_DISPATCH(SwingMany)(lanes.values.data(), vertical);
+}
+
+void swing_on(SwingLanes<1>& lane, bool vertical) { HWY_DYNAMIC_DISPATCH(SwingAlone)(lane.values.data(), vertical); }
+
+bool swing_once(SwingLanes<1>& lane, bool vertical, SwingSeries& series) {
+    return HWY_DYNAMIC_DISPATCH(SwingShown)(lane.values.data(), vertical, &series);
+}
+
+int swing_width() { return HWY_DYNAMIC_DISPATCH(SwingWidth)(); }
+
+}  // namespace overturn::rocking
+#endif

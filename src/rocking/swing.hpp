@@ -1,0 +1,94 @@
+/// Swings: rocking on one corner, stepped in SIMD lanes of any mixture of trials up to the first instant that needs
+/// care. One arithmetic serves one lane and many: whatever the machine's vectors, the bits are the same.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace overturn::rocking {
+
+/// What a lane holds. Time in s, angles in rad, mirrored like the integrator's (phi = side * theta >= 0); forces over
+/// m g, energies over m g R.
+enum class Swing : int {
+    // state
+    phi,
+    omega,
+    sine,    ///< sin(alpha - phi), carried by rotation
+    cosine,  ///< cos(alpha - phi)
+    side,
+    index,  ///< of the sample
+    tau,    ///< time since that sample
+    start,  ///< 1: phi = 0 here, and this zero is no event
+    // log
+    peak,
+    peak_time,
+    energy,
+    demand,
+    normal,
+    steps,
+    impacts,
+    // trial
+    p,
+    inverse_p,
+    r,  ///< R / g [s2]
+    inertia_ratio,
+    restitution,
+    sine_alpha,
+    cosine_alpha,
+    uplift_ratio,
+    friction_limit,  ///< mu_s; large where friction is unlimited
+    impact_demand,   ///< friction that a sticking impact needs; above the limit every impact needs care
+    settle_speed,    ///< slower rebounds may settle
+    settle_rate,     ///< rebound times this, over (hold - |a|): how long the bouncing lasts at most
+    tolerance,       ///< of the last term of the series
+    scale,           ///< of the samples, over g
+    time_step,
+    sampling_rate,  ///< its inverse
+    last,           ///< index of the last sample
+    samples,        ///< address of the horizontal component over eight: exact in a double
+    vertical,       ///< the same of the vertical one
+    count
+};
+inline constexpr std::size_t swing_fields = static_cast<std::size_t>(Swing::count);
+inline constexpr int most_lanes = 16;
+
+/// Field by field, `Lanes` doubles each.
+template <int Lanes> struct SwingLanes {
+    alignas(64) std::array<double, swing_fields * Lanes> values{};
+    [[nodiscard]] double& at(Swing field, int lane) { return values[static_cast<std::size_t>(field) * Lanes + lane]; }
+    [[nodiscard]] double at(Swing field, int lane) const {
+        return values[static_cast<std::size_t>(field) * Lanes + lane];
+    }
+    void copy(int from, int to) {
+        for (std::size_t field = 0; field < swing_fields; ++field) {
+            values[field * Lanes + to] = values[field * Lanes + from];
+        }
+    }
+};
+
+/// The last step taken, as power series in the share of its length.
+struct SwingSeries {
+    static constexpr int order = 8;
+    double length_s = 0;                             ///< as planned
+    double share = 1;                                ///< of it, where an impact cut it short
+    std::array<double, order> rates{};               ///< phi' length
+    std::array<double, order> sine{}, cosine{};      ///< of psi, last terms zero
+    std::array<double, 2> horizontal{}, vertical{};  ///< forcing over g, mirrored
+};
+
+/// Steps every lane on until one of them needs care: its next step may hold an event other than a clear impact, or a
+/// new peak inside, or its wave is over. That lane's state is then the one before this step.
+/// \return one bit per such lane
+[[nodiscard]] std::uint32_t swing_on(SwingLanes<most_lanes>& lanes, bool vertical);
+
+/// The same for a lane alone.
+void swing_on(SwingLanes<1>& lane, bool vertical);
+
+/// One step of a lane alone, if it needs no care. \return false where swing_on would have stopped
+[[nodiscard]] bool swing_once(SwingLanes<1>& lane, bool vertical, SwingSeries& series);
+
+/// How many of most_lanes this machine steps; the others stay as they are.
+[[nodiscard]] int swing_width();
+
+}  // namespace overturn::rocking

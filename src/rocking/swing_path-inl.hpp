@@ -1,0 +1,141 @@
+// One swing as a power series over one step: what it leads to, and where it ends. Included once per instruction set, so
+// without a #pragma once; by swing_step-inl.hpp only.
+#if defined(OVERTURN_SWING_PATH) == defined(HWY_TARGET_TOGGLE)
+#ifdef OVERTURN_SWING_PATH
+#undef OVERTURN_SWING_PATH
+#else
+#define OVERTURN_SWING_PATH
+#endif
+
+#include "rocking/lanes-inl.hpp"
+#include "rocking/swing.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace overturn::rocking::HWY_NAMESPACE {
+
+template <class V, bool Vertical> class SwingPath {
+  public:
+    using M = typename V::Mask;
+
+    SwingPath(double* values, int stride) : values_(values), stride_(stride) {}
+
+  protected:
+    static constexpr int order = SwingSeries::order;
+    static constexpr int trig = order - 1;  // terms of sine and cosine that phi needs
+
+    // Forcing over the step, over g and mirrored.
+    struct Forcing {
+        V start, change, end;
+    };
+    struct Series {
+        std::array<V, order> rate;  // phi' length
+        std::array<V, trig> s, c;
+    };
+    // What the step leads to, if nothing happens on the way.
+    struct Target {
+        V phi, speed, s, c;
+    };
+
+    HWY_INLINE V get(Swing f) const { return V::load(values_ + static_cast<int>(f) * stride_); }
+    HWY_INLINE void put(Swing f, V v) { v.store(values_ + static_cast<int>(f) * stride_); }
+
+    HWY_INLINE Forcing forcing(Swing samples, V scale, V index, V into) const;
+    HWY_INLINE Series expand(V length, V w, Forcing const& a, Forcing const& g) const;
+    HWY_INLINE Target target(Series const& x) const;
+    HWY_INLINE V first_zero(Series const& x, M started) const;
+
+  private:
+    double* values_;
+    int stride_;
+};
+
+template <class V, bool Vertical>
+HWY_INLINE auto SwingPath<V, Vertical>::forcing(Swing samples, V scale, V index, V into) const -> Forcing {
+    V here;
+    V next;
+    fetch(get(samples) + index, here, next);
+    V const a = scale * here;
+    V const end = scale * next;
+    V const rise = end - a;
+    return {fma(rise, into, a), fma(-rise, into, rise), end};
+}
+
+// phi'' = -p^2 (Gv sin psi + A cos psi), psi' = -phi', in the share of the step; w = (p length)^2. The newest terms
+// come last into every sum: they are what the next ones wait for.
+template <class V, bool Vertical>
+HWY_INLINE auto SwingPath<V, Vertical>::expand(V length, V w, Forcing const& a, Forcing const& g) const -> Series {
+    Series x;
+    x.rate[0] = get(Swing::omega) * length;
+    x.s[0] = get(Swing::sine);
+    x.c[0] = get(Swing::cosine);
+#pragma GCC unroll 8
+    for (int k = 0; k < trig; ++k) {
+        V pull = Vertical ? g.start * x.s[k] : x.s[k];
+        if (k > 0) {
+            pull = fma(a.change, x.c[k - 1], pull);
+            if constexpr (Vertical) {
+                pull = fma(g.change, x.s[k - 1], pull);
+            }
+        }
+        x.rate[k + 1] = (w * (-1.0 / (k + 1))) * fma(a.start, x.c[k], pull);
+        if (k + 1 == trig) {
+            break;
+        }
+        V sine = x.rate[k] * x.c[0];
+        V cosine = x.rate[k] * x.s[0];
+#pragma GCC unroll 8
+        for (int j = k - 1; j >= 0; --j) {
+            sine = fma(x.rate[j], x.c[k - j], sine);
+            cosine = fma(x.rate[j], x.s[k - j], cosine);
+        }
+        x.s[k + 1] = sine * (-1.0 / (k + 1));
+        x.c[k + 1] = k == 0 ? cosine : cosine * (1.0 / (k + 1));
+    }
+    return x;
+}
+
+// psi turns by minus what phi gains; its sine and cosine turn with it.
+template <class V, bool Vertical> HWY_INLINE auto SwingPath<V, Vertical>::target(Series const& x) const -> Target {
+    auto const& r = x.rate;
+    V const late = fma(r[7], 1.0 / 8, fma(r[6], 1.0 / 7, fma(r[5], 1.0 / 6, r[4] * (1.0 / 5))));
+    V const turn = fma(r[1], 0.5, r[0]) + (fma(r[3], 0.25, r[2] * (1.0 / 3)) + late);
+    V const speed = (r[0] + r[1]) + ((r[2] + r[3]) + ((r[4] + r[5]) + (r[6] + r[7])));
+    V const t2 = turn * turn;
+    V const sine_tail = fma(fma(t2, -1.0 / 5040, 1.0 / 120), t2, -1.0 / 6);
+    V const cosine_tail = fma(fma(fma(t2, 1.0 / 40320, -1.0 / 720), t2, 1.0 / 24), t2, -0.5);
+    V const sine = fma(sine_tail * t2, turn, turn);
+    V const drop = cosine_tail * t2;  // cos - 1
+    return {get(Swing::phi) + turn, speed, x.s[0] + fma(x.s[0], drop, -(x.c[0] * sine)),
+            x.c[0] + fma(x.c[0], drop, x.s[0] * sine)};
+}
+constexpr double most_arc = 0.03;  // to which the sums above are exact to rounding [rad]
+
+// Where phi falls to zero, as a share of the step: from its parabola, by Newton's steps. A zero at the start is
+// divided out first.
+template <class V, bool Vertical> HWY_INLINE V SwingPath<V, Vertical>::first_zero(Series const& x, M started) const {
+    std::array<V, order + 1> c;
+    c[0] = choose(started, x.rate[0], get(Swing::phi));
+#pragma GCC unroll 8
+    for (int k = 1; k < order; ++k) {
+        c[k] = choose(started, x.rate[k] * (1.0 / (k + 1)), x.rate[k - 1] * (1.0 / k));
+    }
+    c[order] = choose(started, V(0), x.rate[order - 1] * (1.0 / order));
+    V u = (c[0] + c[0]) / (sqrt(max(c[1] * c[1] - 4.0 * c[0] * c[2], 0)) - c[1]);
+    constexpr int rounds = 3;
+    for (int round = 0; round < rounds; ++round) {
+        V value = c[order];
+        V slope = static_cast<double>(order) * c[order];
+#pragma GCC unroll 8
+        for (int k = order - 1; k >= 1; --k) {
+            value = fma(value, u, c[k]);
+            slope = fma(slope, u, c[k] * static_cast<double>(k));
+        }
+        u = u - fma(value, u, c[0]) / slope;
+    }
+    return u;
+}
+
+}  // namespace overturn::rocking::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

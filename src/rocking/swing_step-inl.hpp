@@ -1,0 +1,204 @@
+// The arithmetic of one step of swinging, in any vector width. Included once per instruction set, so without a
+// #pragma once; by swing.cpp only.
+#if defined(OVERTURN_SWING_STEP) == defined(HWY_TARGET_TOGGLE)
+#ifdef OVERTURN_SWING_STEP
+#undef OVERTURN_SWING_STEP
+#else
+#define OVERTURN_SWING_STEP
+#endif
+
+#include <numbers>
+
+#include "rocking/swing_path-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace overturn::rocking::HWY_NAMESPACE {
+
+template <class V, bool Vertical> class Stepper : private SwingPath<V, Vertical> {
+  public:
+    using Path = SwingPath<V, Vertical>;
+    using M = typename Path::M;
+    using Path::Path;
+
+    // Returns the lanes that need care. Those that took no step are unchanged.
+    HWY_INLINE M step(SwingSeries* shown);
+
+  private:
+    using Path::expand;
+    using Path::first_zero;
+    using Path::forcing;
+    using Path::get;
+    using Path::order;
+    using Path::put;
+    using Path::target;
+    using Path::trig;
+    using typename Path::Forcing;
+    using typename Path::Series;
+    using typename Path::Target;
+};
+
+template <class V, bool Vertical> HWY_INLINE auto Stepper<V, Vertical>::step(SwingSeries* shown) -> M {
+    V const zero = 0;
+    V const one = 1;
+    V const index = get(Swing::index);
+    V const tau = get(Swing::tau);
+    V const dt = get(Swing::time_step);
+    V const side = get(Swing::side);
+    V const scale = get(Swing::scale);
+    V const length = dt - tau;
+    V const into = tau * get(Swing::sampling_rate);
+    Forcing const a = forcing(Swing::samples, side * scale, index, into);
+    Forcing g{one, zero, one};
+    if constexpr (Vertical) {
+        g = forcing(Swing::vertical, scale, index, into);
+        g.start = g.start + 1.0;
+        g.end = g.end + 1.0;
+    }
+    V const ph = get(Swing::p) * length;
+    V const w = ph * ph;
+    Series const x = expand(length, w, a, g);
+    auto const& rate = x.rate;
+    V const phi = get(Swing::phi);
+    V const omega = get(Swing::omega);
+    V const s = x.s[0];
+    V const c = x.c[0];
+    Target const to = target(x);
+
+    // Bounds of what may happen on the way; phi'' = -w pull, and pull is close to a line.
+    V const push = a.start * c;
+    V const push_end = a.end * to.c;
+    V const pull = Vertical ? fma(g.start, s, push) : s + push;
+    V const pull_end = Vertical ? fma(g.end, to.s, push_end) : to.s + push_end;
+    V const change = Vertical ? abs(a.change) + abs(g.change) : abs(a.change);
+    V const force = max(abs(a.start), abs(a.end)) + (Vertical ? max(abs(g.start), abs(g.end)) : one);
+    V const arc = fma(w, force, abs(rate[0]));
+    V const off_line = fma(force, fma(arc, arc, w * force), (change + change) * arc);
+    V const most_curved = w * (off_line - min(pull, pull_end));
+    V const least_curved = -(w * (off_line + max(pull, pull_end)));
+
+    // Does phi stay clear of zero, or fall through it once?
+    M const started = get(Swing::start) > zero;
+    V const lift = choose(started, rate[0], phi);  // what keeps it off the ground at first
+    V const drop = 0.5 * min(least_curved, zero);
+    V const fall_back = choose(started, drop, min(rate[0], zero) + drop);
+    M const concave = most_curved < zero;
+    M const falling = without(rate[0] + max(most_curved, zero) < zero, started);
+    M const once = (lift > zero) & (concave | falling);
+    M const lands = once & (to.phi <= zero);
+    M const rises = (rate[0] >= zero) & (least_curved > zero);
+    M const clear = (lift + fall_back > zero) | rises | without(once, lands);
+
+    // Every other event must be out of reach, and the series sound.
+    V const last_terms = max(abs(rate[7]), abs(rate[6]) * ph);
+    V const peak = get(Swing::peak);
+    M const turns = (rate[0] > zero) & (to.speed <= zero) & (phi + arc > peak);
+    M fine = without(
+        (last_terms <= get(Swing::tolerance)) & (arc <= most_arc) & (to.phi < 0.5 * std::numbers::pi - most_arc),
+        turns);
+
+    // Contact forces here, and how far they could move: r p^2 = inertia_ratio < 1.
+    V const spin = get(Swing::r) * (omega * omega);
+    V const grip = get(Swing::inertia_ratio) * pull;
+    V const friction = abs(fma(s, spin, a.start) - c * grip);
+    V const normal = g.start - fma(s, grip, c * spin);
+    V const sway = fma(force + spin, 3.0 * arc, change + change);
+    V const lightest = normal - sway;
+    fine = fine & (lightest > zero) & (friction + sway <= get(Swing::friction_limit) * lightest);
+
+    // Energy has a maximum inside where the shaking's power falls through zero: a record there needs care.
+    V const spread = omega * get(Swing::inverse_p);
+    V const energy = fma(0.5 * spread, spread, c - get(Swing::cosine_alpha));
+    V const power = -rate[0] * (Vertical ? fma(g.start - 1.0, s, push) : push);
+    V const power_end = -to.speed * (Vertical ? fma(g.end - 1.0, to.s, push_end) : push_end);
+    V const record = get(Swing::energy);
+    fine = without(fine, (power > zero) & (power_end < zero) & (energy + power > record));
+
+    V phi1 = to.phi;
+    V omega1 = to.speed / length;  // its inverse would err one way in every step
+    V s1 = to.s;
+    V c1 = to.c;
+    V index1 = index + 1.0;
+    V tau1 = zero;
+    V start1 = zero;
+    V energy1 = max(record, energy);
+    V demand1 = get(Swing::demand);
+    V share = one;
+    M taken = clear & fine;
+    M strikes = lands & fine;
+    if (any(strikes)) {
+        V const u = first_zero(x, started);
+        V at = rate[order - 1];
+#pragma GCC unroll 8
+        for (int k = order - 2; k >= 0; --k) {
+            at = fma(at, u, rate[k]);
+        }
+        V const approach = -at / length;
+        V const rebound = get(Swing::restitution) * approach;
+        V const gv = Vertical ? fma(g.change, u, g.start) : one;
+        V const hold = gv * get(Swing::uplift_ratio) - abs(fma(a.change, u, a.start));
+        V const settle = get(Swing::settle_speed);
+        constexpr double invisible = 1e-3;
+        M const lasts =
+            (rebound > settle * invisible) & (rebound * get(Swing::settle_rate) > fma(-u, length, length) * hold);
+        strikes = strikes & ((rebound > settle) | lasts) & (u > zero) & (u < one)
+                  & (get(Swing::impact_demand) <= get(Swing::friction_limit));
+        V const approach_spread = approach * get(Swing::inverse_p);
+        energy1 = choose(strikes, max(energy1, 0.5 * approach_spread * approach_spread), energy1);
+        demand1 = choose(strikes, max(demand1, get(Swing::impact_demand)), demand1);
+        share = choose(strikes, u, one);
+        phi1 = choose(strikes, zero, phi1);
+        omega1 = choose(strikes, rebound, omega1);
+        s1 = choose(strikes, get(Swing::sine_alpha), s1);
+        c1 = choose(strikes, get(Swing::cosine_alpha), c1);
+        index1 = choose(strikes, index, index1);
+        tau1 = choose(strikes, min(dt, fma(u, length, tau)), tau1);
+        start1 = choose(strikes, one, zero);
+        taken = taken | strikes;
+        put(Swing::side, choose(strikes, -side, side));
+        put(Swing::impacts, choose(strikes, get(Swing::impacts) + 1.0, get(Swing::impacts)));
+    }
+    M const stays = !taken;
+    M const demands = without(friction > demand1 * normal, stays);
+    if (any(demands)) {
+        demand1 = choose(demands, friction / normal, demand1);
+    }
+    M const higher = without(phi1 > peak, stays);
+    if (any(higher)) {
+        put(Swing::peak_time, choose(higher, fma(index1, dt, tau1), get(Swing::peak_time)));
+        put(Swing::peak, choose(higher, phi1, peak));
+    }
+    bool const some_stay = any(stays);
+    auto const keep = [&](Swing field, V now)
+                          HWY_ATTR { put(field, some_stay ? choose(stays, get(field), now) : now); };
+    keep(Swing::phi, phi1);
+    keep(Swing::omega, omega1);
+    keep(Swing::sine, s1);
+    keep(Swing::cosine, c1);
+    keep(Swing::index, index1);
+    keep(Swing::tau, tau1);
+    keep(Swing::start, start1);
+    keep(Swing::energy, energy1);
+    keep(Swing::demand, demand1);
+    keep(Swing::normal, min(normal, get(Swing::normal)));
+    keep(Swing::steps, get(Swing::steps) + 1.0);
+
+    if (shown != nullptr) {
+        shown->length_s = length.first();
+        shown->share = share.first();
+        for (int k = 0; k < order; ++k) {
+            shown->rates[k] = rate[k].first();
+        }
+        for (int k = 0; k < trig; ++k) {
+            shown->sine[k] = x.s[k].first();
+            shown->cosine[k] = x.c[k].first();
+        }
+        shown->horizontal = {a.start.first(), a.change.first()};
+        shown->vertical = {g.start.first(), g.change.first()};
+    }
+    return stays | (index1 >= get(Swing::last)) | (tau1 >= dt);
+}
+
+}  // namespace overturn::rocking::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,186 @@
+// Requirement: trials run side by side in vector lanes give, bit for bit, what each gives alone, whatever stands in the
+// other lanes and whatever instructions the machine offers; down to plain doubles with std::fma.
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include "rocking/page_peaks.hpp"
+#include "rocking/planar_rocking.hpp"
+#include "rocking/swing.hpp"
+#include "support/long_period_wave.hpp"
+#include "support/sliding_blocks.hpp"
+
+namespace overturn {
+namespace {
+
+void expect_same_bits(RockingOutcome const& one, RockingOutcome const& other, std::size_t trial) {
+    EXPECT_EQ(one.verdict, other.verdict) << trial;
+    EXPECT_EQ(one.peak_rotation_rad, other.peak_rotation_rad) << trial;
+    EXPECT_EQ(one.time_of_peak_s, other.time_of_peak_s) << trial;
+    EXPECT_EQ(one.peak_energy_ratio, other.peak_energy_ratio) << trial;
+    EXPECT_EQ(one.overturn_time_s, other.overturn_time_s) << trial;
+    EXPECT_EQ(one.first_uplift_s, other.first_uplift_s) << trial;
+    EXPECT_EQ(one.impacts, other.impacts) << trial;
+    EXPECT_EQ(one.steps, other.steps) << trial;
+    EXPECT_EQ(one.friction_demand, other.friction_demand) << trial;
+    EXPECT_EQ(one.min_contact_force_ratio, other.min_contact_force_ratio) << trial;
+    EXPECT_EQ(one.contact_lost_s, other.contact_lost_s) << trial;
+    EXPECT_EQ(one.slip_called, other.slip_called) << trial;
+}
+
+// Waves of several lengths and steps, with and without a vertical component; slender and squat blocks; every verdict.
+class Mixture {
+  public:
+    Mixture() {
+        for (int i = 0; i < 6; ++i) {
+            short_.push_back(testing::short_wave(i));
+        }
+        auto const blocks = {RockingBlock{.alpha_rad = 0.25, .p_radps = 1.5, .restitution = 0.9},
+                             RockingBlock{.alpha_rad = 0.1, .p_radps = 3, .restitution = 0.3},
+                             RockingBlock{.alpha_rad = 0.9, .p_radps = 2, .restitution = 1}, testing::type_a(0.7)};
+        for (double const level : testing::levels_a()) {
+            add({.alpha_rad = 0.25, .p_radps = 1.5, .restitution = 0.9}, long_, {}, 0.01, level);
+        }
+        for (std::size_t i = 0; i < short_.size(); ++i) {
+            for (auto const& block : blocks) {
+                for (double const level : {0.5, 3.0, 5.0, 9.0, -9.0, 30.0}) {
+                    add(block, short_[i], {}, 0.02, level);
+                    add(block, short_[i], short_[(i + 1) % short_.size()], 0.02, 0.7 * level);
+                }
+            }
+        }
+    }
+    [[nodiscard]] std::vector<RockingTrial> const& trials() const { return trials_; }
+
+  private:
+    void add(RockingBlock const& block, std::vector<double> const& horizontal, std::vector<double> const& vertical,
+             double step, double level) {
+        trials_.push_back(
+            {block, {.horizontal_mps2 = horizontal, .vertical_mps2 = vertical, .time_step_s = step, .scale = level}});
+    }
+
+    std::vector<double> long_ = testing::filtered_wave(testing::set_a);
+    std::vector<std::vector<double>> short_;
+    std::vector<RockingTrial> trials_;
+};
+
+std::vector<RockingOutcome> side_by_side(std::vector<RockingTrial> const& trials, Slip slip) {
+    std::vector<RockingOutcome> outcomes(trials.size());
+    simulate_rocking(trials, {}, slip, outcomes);
+    return outcomes;
+}
+
+TEST(Lanes, GiveWhatEachTrialGivesAlone) {
+    Mixture const mixture;
+    for (Slip const slip : {Slip::ignored, Slip::watched}) {
+        auto const together = side_by_side(mixture.trials(), slip);
+        std::array<int, 6> verdicts{};
+        for (std::size_t i = 0; i < together.size(); ++i) {
+            auto const& [block, shaking] = mixture.trials()[i];
+            expect_same_bits(simulate_rocking(block, shaking, {}, {}, nullptr, slip), together[i], i);
+            ++verdicts.at(static_cast<std::size_t>(together[i].verdict));
+        }
+        for (Verdict const verdict : {Verdict::at_rest, Verdict::rocked, Verdict::overturned, Verdict::contact_lost}) {
+            EXPECT_GT(verdicts.at(static_cast<std::size_t>(verdict)), 3) << static_cast<int>(verdict);
+        }
+    }
+}
+
+// A history is made step by step in one lane: it may not change the trial.
+TEST(Lanes, AnObserverChangesNothing) {
+    Mixture const mixture;
+    auto const together = side_by_side(mixture.trials(), Slip::ignored);
+    for (std::size_t i = 0; i < together.size(); i += 5) {
+        testing::History history;
+        auto const& [block, shaking] = mixture.trials()[i];
+        expect_same_bits(simulate_rocking(block, shaking, {}, {}, &history), together[i], i);
+        EXPECT_GT(history.instants.size(), 10U);
+    }
+}
+
+TEST(Lanes, NeighboursAndOrderDoNotMatter) {
+    Mixture const mixture;
+    auto const forwards = side_by_side(mixture.trials(), Slip::ignored);
+    std::vector<RockingTrial> const reversed(mixture.trials().rbegin(), mixture.trials().rend());
+    auto const backwards = side_by_side(reversed, Slip::ignored);
+    for (std::size_t i = 0; i < forwards.size(); ++i) {
+        expect_same_bits(forwards[i], backwards[forwards.size() - 1 - i], i);
+    }
+    for (std::size_t count = 0; count < 20; ++count) {  // fewer trials than lanes, and a last one alone
+        std::vector<RockingTrial> const few(mixture.trials().begin() + 10,
+                                            mixture.trials().begin() + 10 + static_cast<std::ptrdiff_t>(count));
+        auto const outcomes = side_by_side(few, Slip::ignored);
+        for (std::size_t i = 0; i < count; ++i) {
+            expect_same_bits(outcomes[i], forwards[10 + i], i);
+        }
+    }
+}
+
+// Every instruction set that was compiled in and that this machine has; the last is plain doubles.
+TEST(Lanes, InstructionSetsAgreeToTheLastBit) {
+    Mixture const mixture;
+    auto const native = side_by_side(mixture.trials(), Slip::ignored);
+    int const native_width = rocking::swing_width();
+    auto const available = hwy::SupportedTargets();
+    int sets = 0;
+    for (std::int64_t target = 1; target > 0; target <<= 1) {
+        if ((available & target) == 0) {
+            continue;
+        }
+        hwy::SetSupportedTargetsForTest(target);
+        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+        auto const outcomes = side_by_side(mixture.trials(), Slip::ignored);
+        std::printf("%s: %d lanes\n", hwy::TargetName(target), rocking::swing_width());
+        for (std::size_t i = 0; i < outcomes.size(); ++i) {
+            expect_same_bits(outcomes[i], native[i], i);
+        }
+        ++sets;
+    }
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    EXPECT_EQ(rocking::swing_width(), native_width);
+    EXPECT_GE(sets, 1);
+}
+
+// Waves too short for anything to happen, and none at all.
+TEST(Lanes, ShortestWaves) {
+    RockingBlock const block{.alpha_rad = 0.25, .p_radps = 1.5, .restitution = 0.9};
+    std::vector<double> const push(9, 6.0);
+    std::vector<RockingTrial> trials;
+    for (std::size_t samples = 0; samples <= push.size(); ++samples) {
+        trials.push_back(
+            {block, {.horizontal_mps2 = std::span(push).first(samples), .vertical_mps2 = {}, .time_step_s = 0.5}});
+    }
+    auto const together = side_by_side(trials, Slip::ignored);
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        expect_same_bits(simulate_rocking(block, trials[i].shaking), together[i], i);
+        EXPECT_EQ(together[i].verdict, i < 2 ? Verdict::at_rest : together[i].verdict);
+    }
+    EXPECT_EQ(together.back().verdict, Verdict::overturned);
+}
+
+// Rest is skipped by pages of samples; a page may hide nothing.
+TEST(Lanes, SkippingPagesChangesNothing) {
+    auto wave = testing::filtered_wave(testing::set_b);
+    std::vector<double> const vertical = testing::filtered_wave(testing::set_a);
+    RockingBlock const block{.alpha_rad = 0.25, .p_radps = 1.5, .restitution = 0.9};
+    for (double const level : {2.0, 2.5, 3.3, 4.0}) {
+        for (bool const lifted : {false, true}) {
+            Shaking shaking{.horizontal_mps2 = wave, .vertical_mps2 = {}, .time_step_s = 0.01, .scale = level};
+            if (lifted) {
+                shaking.vertical_mps2 = vertical;
+            }
+            rocking::PagePeaks const pages(shaking.horizontal_mps2, shaking.vertical_mps2);
+            auto const slow = simulate_rocking(block, shaking);
+            shaking.pages = &pages;
+            expect_same_bits(simulate_rocking(block, shaking), slow, lifted ? 1 : 0);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace overturn
