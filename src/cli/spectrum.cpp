@@ -15,7 +15,8 @@ namespace overturn::cli {
 namespace {
 
 struct Options {
-    std::string wave, unit, time_step, body;
+    RecordOptions record;
+    std::string body;
     double damping = 0.05;
     bool json = false;
 };
@@ -106,7 +107,7 @@ int spectrum(Options const& options) {
     constexpr double most = 100;
     validate(options.damping >= 0 && options.damping <= most,
              "--damping {} (must be 0 to {}). Give a ratio such as 0.05", options.damping, most);
-    auto const motion = load_motion(options.wave, options.unit, options.time_step);
+    auto const motion = load_motion(options.record).motion;
     auto const measures = measure(motion, options.damping);
     std::optional<BodyEnergy> energy;
     if (!options.body.empty()) {
@@ -121,9 +122,8 @@ int spectrum(Options const& options) {
 void add_spectrum(CLI::App& app, Action& action) {
     auto* verb = app.add_subcommand("spectrum", "response, energy and window energy spectra of one wave");
     auto options = std::make_shared<Options>();
-    verb->add_option("--wave", options->wave, "record, or columns time,a_horizontal")->required();
-    verb->add_option("--unit", options->unit, "unit of the accelerations: g, gal, m/s2; required for columns");
-    verb->add_option("--time-step", options->time_step, "for files without a time column, e.g. \"0.01 s\"");
+    verb->add_option("--wave", options->record.wave, "record, or columns time,a_horizontal")->required();
+    add_record_options(*verb, options->record);
     verb->add_option("--body", options->body, "body file (TOML): adds its energy measures");
     verb->add_option("--damping", options->damping, "damping ratio")->capture_default_str();
     verb->add_flag("--json", options->json, "as JSON");
