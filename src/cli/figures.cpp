@@ -37,7 +37,9 @@ void draw_campaign_wave(CampaignInput const& input, CampaignSpec const& spec, st
                         GeneratedWave const& made, std::string const& output) {
     report::WaveFigure figure;
     figure.title = spec.title.empty() ? input.name : spec.title;
-    figure.subtitle = fmt::format("{}: {}", made.label, spec.source->describe());
+    auto const source = spec.source->describe();
+    bool const named_there = source.find(made.label) != std::string::npos;  // records list their waves
+    figure.subtitle = named_there ? made.label : fmt::format("{}: {}", made.label, source);
     figure.motion = made.motion;
     figure.target = target_of(input);
     if (figure.target) {

@@ -55,7 +55,7 @@ bool is_names(Fields const& fields) {
 
 /// Names may hold blanks where commas or semicolons part them.
 std::vector<std::string> names_on(std::string_view line) {
-    auto const separators = line.find_first_of(",;") != std::string_view::npos ? ",;" : " \t";
+    std::string_view const separators = line.find_first_of(",;") != std::string_view::npos ? ",;" : " \t";
     std::vector<std::string> names;
     for (auto rest = trimmed(line); !rest.empty();) {
         auto const end = rest.find_first_of(separators);

@@ -113,13 +113,14 @@ DataLine read_data_line(std::string_view line, Location const& where) {
 }
 
 void skip_comments(std::string_view announcement, TextLines& lines, std::string const& file) {
-    for (double left = leading_number(announcement, 0); left > 0; --left) {
+    constexpr double most = 1e6;
+    auto const promised = static_cast<int>(std::clamp(leading_number(announcement, 0), 0.0, most));
+    for (int left = promised; left > 0; --left) {
         auto const line = lines.next();
         if (!line || !trimmed(*line).starts_with('|')) {
-            throw InputError({file, lines.number()},
-                             fmt::format("{} ({} comment lines beginning with | were promised "
-                                         "here). Fetch the file anew",
-                                         quoted(line.value_or("")), leading_number(announcement, 0)));
+            throw InputError({file, lines.number()}, fmt::format("{} ({} comment lines beginning with | were promised "
+                                                                 "here). Fetch the file anew",
+                                                                 quoted(line.value_or("")), promised));
         }
     }
 }

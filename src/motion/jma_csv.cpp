@@ -108,6 +108,7 @@ Recording read_jma_csv(std::string_view content, RecordRequest const& request) {
     if (recording.components.front().acceleration_mps2.empty()) {
         throw InputError(place_of(), "no row of numbers (the file is cut short). Fetch it anew");
     }
+    check_last_value_is_whole(content, place_of());
     return recording;
 }
 

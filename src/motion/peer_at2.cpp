@@ -184,6 +184,7 @@ Recording read_peer_at2(std::string_view content, RecordRequest const& request) 
                                            "belongs to another record). Fetch the file anew",
                                            values.size(), header.samples));
     }
+    check_last_value_is_whole(content, last);
     double const unit = request.unit_mps2.value_or(g0);
     for (double& value : values) {
         value *= unit;

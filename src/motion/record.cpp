@@ -1,5 +1,6 @@
 #include "motion/record.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -137,6 +138,26 @@ void check_stated_peak(double peak_mps2, double stated_mps2, double tolerance_mp
         throw InputError(where, fmt::format("peak of {:.7g} gal where the header says {:.7g} (the file is damaged or "
                                             "cut short). Fetch it anew",
                                             peak_mps2 / gal_mps2, std::abs(stated_mps2) / gal_mps2));
+    }
+}
+
+void check_last_value_is_whole(std::string_view content, Location const& where) {
+    constexpr std::string_view separators = " \t,\r\n";
+    auto const last_of = [&](std::string_view text) {
+        auto const end = text.find_last_not_of(separators) + 1;
+        text = text.substr(0, end);
+        return text.substr(text.find_last_of(separators) + 1);
+    };
+    auto const decimals = [](std::string_view text) { return text.size() - std::min(text.rfind('.'), text.size()); };
+    if (content.find_last_of(separators) + 1 == content.size()) {
+        return;
+    }
+    auto const last = last_of(content);
+    auto const before = last_of(content.substr(0, content.size() - last.size()));
+    if (decimals(last) < decimals(before)) {
+        throw InputError(where, fmt::format("'{}' at the end of the file (shorter than the values before it, without a "
+                                            "line end: the file is cut short). Fetch it anew",
+                                            last));
     }
 }
 

@@ -65,6 +65,10 @@ void check_stated_time_step(RecordRequest const& request, double file_time_step_
 /// \throws InputError unless a component's peak is the one that the file's header states, within `tolerance_mps2`.
 void check_stated_peak(double peak_mps2, double stated_mps2, double tolerance_mps2, Location const& where);
 
+/// For formats whose values all have the same decimals. \throws InputError if the content ends without a line end in a
+/// value that has fewer of them than the one before: a file cut within its last number.
+void check_last_value_is_whole(std::string_view content, Location const& where);
+
 /// \throws InputError if the peak is beyond anything the ground has done: a wrong unit.
 void check_believable_peak(std::span<double const> acceleration_mps2, Location const& where);
 

@@ -16,8 +16,6 @@
 #include "core/error.hpp"
 #include "report/scripts.hpp"
 
-extern char** environ;
-
 namespace overturn::report {
 namespace {
 

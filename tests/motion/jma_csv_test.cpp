@@ -61,6 +61,7 @@ TEST(JmaCsv, DamageIsRefusedWithItsLine) {
     expect_input_error([] { (void)read(jma(rows + "0.1,nan,0.2\n")); }, "a.csv:11: ", "'nan' under EW");
     expect_input_error([] { (void)read(jma(rows + "0.1,0.2,inf\n")); }, "a.csv:11: ", "'inf'");
     expect_input_error([] { (void)read(jma(rows + "1,2,3,4\n")); }, "a.csv:11: ", "after the third column");
+    expect_input_error([] { (void)read(jma(rows.substr(0, rows.size() - 2))); }, "a.csv:10: ", "'-0.00' at the end");
     expect_input_error([] { (void)read(jma("")); }, "no row of numbers");
     expect_input_error([] { (void)read(jma(rows, "0Hz")); }, "a.csv:4: ", "SAMPLING RATE");
     expect_input_error([] { (void)read(jma(rows, "nanHz")); }, "a.csv:4: ", "SAMPLING RATE");
