@@ -1,9 +1,12 @@
 #include "generators/records.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <vector>
 
-#include "motion/record.hpp"
+#include "motion/resample.hpp"
+#include "motion/station.hpp"
 
 namespace overturn {
 namespace {
@@ -11,7 +14,14 @@ namespace {
 struct Record {
     GroundMotion motion;
     std::string label;
+    Direction direction = Direction::unknown;
 };
+
+// Equal up to what printing or a quotient such as 1/100 costs.
+bool same_step(double a, double b) {
+    constexpr double printed = 1e-3;
+    return std::abs(a - b) <= printed * b;
+}
 
 class Records : public WaveSource {
   public:
@@ -28,8 +38,12 @@ class Records : public WaveSource {
     [[nodiscard]] std::optional<std::uint64_t> available() const override { return records_.size(); }
 
     [[nodiscard]] std::string describe() const override {
-        return fmt::format("{} record{}, the first {}", records_.size(), records_.size() == 1 ? "" : "s",
-                           records_.front().label);
+        constexpr std::size_t most = 20;
+        auto text = fmt::format("{} record{}", records_.size(), records_.size() == 1 ? "" : "s");
+        for (std::size_t i = 0; i < std::min(most, records_.size()); ++i) {
+            text += fmt::format("{} {}", i == 0 ? ":" : ";", records_[i].label);
+        }
+        return records_.size() > most ? fmt::format("{}; and {} more", text, records_.size() - most) : text;
     }
 
   private:
@@ -37,42 +51,74 @@ class Records : public WaveSource {
 };
 
 // What a table says about its files besides their names.
-RecordRequest read_request(config::Table const& table) {
-    RecordRequest request;
-    request.format = table.text("format", "auto");
+struct Request {
+    RecordRequest record;
+    Coarsening coarsening = Coarsening::refused;
+};
+
+Request read_request(config::Table const& table) {
+    static constexpr std::array coarsenings{
+        config::Entry<Coarsening>{"finer", "only to a shorter step", Coarsening::refused},
+        config::Entry<Coarsening>{"coarser", "also to a longer step", Coarsening::accepted}};
+    Request request;
+    request.record.format = table.text("format", "auto");
     if (table.has("unit")) {
         auto const unit = table.text("unit");
-        request.unit_mps2 = table.located("unit", [&] { return unit_factor(unit, Dimension::acceleration); });
+        request.record.unit_mps2 = table.located("unit", [&] { return unit_factor(unit, Dimension::acceleration); });
     }
-    request.time_step_s = table.maybe_number("time_step", Dimension::time, config::Range::positive());
+    request.record.time_step_s = table.maybe_number("time_step", Dimension::time, config::Range::positive());
+    request.record.may_be_resampled = true;
+    request.record.component = table.text("component", "");
+    request.record.components = table.choice<ComponentChoice>("components", component_choices(), ComponentChoice::file);
+    request.coarsening = table.choice<Coarsening>("resample", coarsenings, Coarsening::refused);
     return request;
 }
 
-GroundMotion read_motion(config::Table const& table, std::string_view key, std::string const& name,
-                         RecordRequest request, InputFiles& files) {
-    request.name = name;
+Record read_motion(config::Table const& table, std::string_view key, std::string const& name, Request const& request,
+                   StationFiles& files) {
     return table.located(key, [&] {
-        auto motion = read_record(files.read(name), request);
-        validate_motion(motion);
-        return motion;
+        auto placed = files.read(name, request.record);
+        auto const step = request.record.time_step_s;
+        if (!step || same_step(*step, placed.motion.time_step_s)) {
+            return Record{std::move(placed.motion), std::move(placed.says), placed.direction};
+        }
+        auto resampled = resample(placed.motion, *step, request.coarsening);
+        return Record{std::move(resampled.motion), fmt::format("{}, {}", placed.says, resampled.says),
+                      placed.direction};
     });
 }
 
-void add_component(config::Table const& table, std::string_view key, RecordRequest const& request, InputFiles& files,
-                   GroundMotion& motion, std::vector<double> GroundMotion::*place) {
+void add_component(config::Table const& table, std::string_view key, Request request, StationFiles& files,
+                   Record& record, std::vector<double> GroundMotion::*place) {
     if (!table.has(key)) {
         return;
     }
-    auto component = read_motion(table, key, table.text(key), request, files);
-    if (component.time_step_s != motion.time_step_s) {
-        table.fail(key,
-                   fmt::format("time step {} s beside {} s of the horizontal component (they must agree). Resample one",
-                               component.time_step_s, motion.time_step_s));
+    if (request.record.components == ComponentChoice::station) {
+        table.fail(key, "stated beside components = \"station\" (which finds it by itself). Keep one of them");
     }
-    if (!(motion.*place).empty()) {
+    request.record.component.clear();
+    request.record.components = ComponentChoice::horizontal;
+    auto component = read_motion(table, key, table.text(key), request, files);
+    if (component.motion.time_step_s != record.motion.time_step_s) {
+        table.fail(key, fmt::format("time step {} s beside {} s of the horizontal component (they must agree). State "
+                                    "the time_step to which both are resampled",
+                                    component.motion.time_step_s, record.motion.time_step_s));
+    }
+    if (!(record.motion.*place).empty()) {
         table.fail(key, "a second file for a component that the first one holds already. Remove this key");
     }
-    motion.*place = std::move(component.horizontal_mps2);
+    bool const vertical = place == &GroundMotion::vertical_mps2;
+    bool const recorded_vertically = component.direction == Direction::up || component.direction == Direction::down;
+    if (component.direction != Direction::unknown && recorded_vertically != vertical) {
+        table.fail(key, fmt::format("'{}' (recorded {}). Name the file of the {} component", table.text(key),
+                                    vertical ? "horizontally" : "vertically", key));
+    }
+    if (component.direction == Direction::down) {
+        turn(component.motion.horizontal_mps2);
+        component.label += " with its sign turned";
+    }
+    record.motion.*place = std::move(component.motion.horizontal_mps2);
+    record.label += fmt::format(", {} {}", key, component.label);
 }
 
 // Cuts all components to the shortest; true if that took anything away.
@@ -89,13 +135,11 @@ bool cut_to_shortest(GroundMotion& motion) {
     return cut;
 }
 
-Record read_table(config::Table const& table, InputFiles& files) {
+Record read_table(config::Table const& table, StationFiles& files) {
     auto const request = read_request(table);
-    Record record;
-    record.label = table.text("horizontal");
-    record.motion = read_motion(table, "horizontal", record.label, request, files);
-    add_component(table, "transverse", request, files, record.motion, &GroundMotion::transverse_mps2);
-    add_component(table, "vertical", request, files, record.motion, &GroundMotion::vertical_mps2);
+    auto record = read_motion(table, "horizontal", table.text("horizontal"), request, files);
+    add_component(table, "transverse", request, files, record, &GroundMotion::transverse_mps2);
+    add_component(table, "vertical", request, files, record, &GroundMotion::vertical_mps2);
     if (cut_to_shortest(record.motion)) {
         record.label += fmt::format(" (components cut to {} samples)", record.motion.samples());
     }
@@ -110,14 +154,15 @@ std::unique_ptr<WaveSource> make_records(config::Table const& waves, InputFiles&
         waves.fail({}, "no single list of records (state either files or records)");
     }
     std::vector<Record> records;
+    StationFiles station_files(files);
     if (waves.has("files")) {
         auto const request = read_request(waves);
         for (auto const& name : waves.texts("files")) {
-            records.push_back({read_motion(waves, "files", name, request, files), name});
+            records.push_back(read_motion(waves, "files", name, request, station_files));
         }
     } else {
         for (auto const& table : waves.children("records")) {
-            records.push_back(read_table(table, files));
+            records.push_back(read_table(table, station_files));
         }
     }
     if (records.empty()) {

@@ -7,12 +7,19 @@
 
 namespace overturn {
 
-/// Wave n is record n. Keys of [waves]: `files`, a list of names with unit, format and time_step for all of them; or
-/// `records`, a list of tables ([[waves.records]]) with horizontal, transverse, vertical (names, the last two
-/// optional), unit, format and time_step each. `unit` and `time_step` are for files that do not state them; `format` is
-/// a name of record_formats() or "auto". Components from several files need one time step and are cut to the shortest
-/// of them, which the wave's label then says. Nothing is filtered, shifted or corrected. All files are read at once,
-/// here.
+/// Wave n is record n. Keys of [waves]: `files`, a list of names with the keys below for all of them; or `records`, a
+/// list of tables ([[waves.records]]) with horizontal, transverse, vertical (names, the last two optional) and those
+/// keys each:
+/// - `unit`, `format`: for files that do not state them; `format` is a name of record_formats() or "auto".
+/// - `component`: which one of a file of several goes into the rocking plane ("EW", "90 DEG"); by default the first
+///   horizontal one.
+/// - `components`: "file" (default: every component that the file holds), "horizontal" (one only) or "station" (also
+///   those of the same station in the files beside it, see StationFiles).
+/// - `time_step`: for files that state none; a record with another step is resampled to it by resample(), to a longer
+///   one only with `resample` = "coarser".
+/// Components from several files need one time step and are cut to the shortest of them. The wave's label says which
+/// files were used and what was cut or resampled. Nothing is filtered, shifted or corrected. All files are read at
+/// once, here.
 [[nodiscard]] std::unique_ptr<WaveSource> make_records(config::Table const& waves, InputFiles& files);
 
 }  // namespace overturn

@@ -214,6 +214,9 @@ RunEnd run_campaign(CampaignInput const& input, RunOptions const& options, paral
     }
     auto const committed = found.at("committed").get<std::vector<std::int64_t>>();
     auto const left = blocks_left(plan, committed);
+    if (comm.is_root()) {
+        fmt::print(stderr, "waves: {}\n", spec.source->describe());
+    }
     Progress progress(plan.blocks(), static_cast<std::int64_t>(committed.size()),
                       static_cast<double>(plan.trials()) / static_cast<double>(plan.blocks()));
     Worker worker(spec, plan, left, options, comm, shards, progress);

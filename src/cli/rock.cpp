@@ -14,7 +14,8 @@ namespace overturn::cli {
 namespace {
 
 struct Options {
-    std::string body, wave, unit, time_step, effects = "auto", history;
+    RecordOptions record;
+    std::string body, effects = "auto", history;
     double scale = 1;
     bool json = false;
 };
@@ -72,7 +73,7 @@ void print_text(BodySpec const& spec, Response const& response) {
 int rock(Options const& options) {
     validate(std::isfinite(options.scale), "--scale {} (must be finite). Give a factor such as 1.5", options.scale);
     auto const spec = load_body(options.body);
-    auto motion = load_motion(options.wave, options.unit, options.time_step);
+    auto const motion = load_motion(options.record).motion;
     Scene const scene{spec.body, spec.friction, parse_effects(options.effects), {}};
     std::optional<HistoryFile> history;
     auto const response = respond(scene, motion, options.scale);
@@ -94,9 +95,8 @@ void add_rock(CLI::App& app, Action& action) {
     auto* verb = app.add_subcommand("rock", "one body under one wave");
     auto options = std::make_shared<Options>();
     verb->add_option("--body", options->body, "body file (TOML)")->required();
-    verb->add_option("--wave", options->wave, "record, or columns time,a_horizontal[,a_vertical]")->required();
-    verb->add_option("--unit", options->unit, "unit of the accelerations: g, gal, m/s2; required for columns");
-    verb->add_option("--time-step", options->time_step, "for files without a time column, e.g. \"0.01 s\"");
+    verb->add_option("--wave", options->record.wave, "record, or columns time,a_horizontal[,a_vertical]")->required();
+    add_record_options(*verb, options->record);
     verb->add_option("--scale", options->scale, "factor on every component")->capture_default_str();
     verb->add_option("--effects", options->effects, "auto, none, or a list such as vertical")->capture_default_str();
     verb->add_option("--history", options->history, "write the history to this csv file");

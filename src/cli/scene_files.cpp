@@ -1,23 +1,39 @@
 #include "cli/scene_files.hpp"
 
-#include <filesystem>
+#include <cstdio>
 
 #include "core/input_files.hpp"
 #include "core/units.hpp"
-#include "motion/record.hpp"
+#include "motion/station.hpp"
 
 namespace overturn::cli {
 
-GroundMotion load_motion(std::string const& path, std::string const& unit, std::string const& time_step) {
+void add_record_options(CLI::App& verb, RecordOptions& options) {
+    verb.add_option("--unit", options.unit, "unit of the accelerations: g, gal, m/s2; required for columns");
+    verb.add_option("--time-step", options.time_step, "for files that state none, e.g. \"0.01 s\"");
+    verb.add_option("--format", options.format, "record format, see overturn list; default: by the content");
+    verb.add_option("--component", options.component, "what goes into the rocking plane, e.g. EW");
+    verb.add_option("--components", options.components, "file, horizontal, or station: also the files beside it")
+        ->capture_default_str();
+}
+
+PlacedRecord load_motion(RecordOptions const& options) {
     InputFiles files(".");
-    RecordRequest request{.name = path};
-    if (!unit.empty()) {
-        request.unit_mps2 = unit_factor(unit, Dimension::acceleration);
+    RecordRequest request;
+    if (!options.unit.empty()) {
+        request.unit_mps2 = unit_factor(options.unit, Dimension::acceleration);
     }
-    if (!time_step.empty()) {
-        request.time_step_s = parse_quantity(time_step, Dimension::time);
+    if (!options.time_step.empty()) {
+        request.time_step_s = parse_quantity(options.time_step, Dimension::time);
     }
-    return read_record(files.read(path), request);
+    request.format = options.format.empty() ? "auto" : options.format;
+    request.component = options.component;
+    request.components = config::find_entry(component_choices(), options.components, "--components").value;
+    auto placed = StationFiles(files).read(options.wave, request);
+    if (placed.says != options.wave) {
+        fmt::print(stderr, "wave: {}\n", placed.says);
+    }
+    return placed;
 }
 
 BodySpec load_body(std::string const& path) {

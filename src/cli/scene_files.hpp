@@ -1,16 +1,30 @@
 /// The files that rock and spectrum take: one record, one body.
 #pragma once
 
-#include <optional>
 #include <string>
 
+#include <CLI/CLI.hpp>
+
 #include "campaign/body_spec.hpp"
-#include "motion/ground_motion.hpp"
+#include "motion/recording.hpp"
 
 namespace overturn::cli {
 
-/// \param unit empty if the file itself must say it; \param time_step e.g. "0.01 s", for files without a time column
-[[nodiscard]] GroundMotion load_motion(std::string const& path, std::string const& unit, std::string const& time_step);
+/// A record and what its file does not say itself; empty texts are not stated.
+struct RecordOptions {
+    std::string wave;
+    std::string unit;                 ///< "gal"
+    std::string time_step;            ///< "0.01 s"
+    std::string format;               ///< a name of record_formats()
+    std::string component;            ///< which one goes into the rocking plane
+    std::string components = "file";  ///< which others are used, by a name of component_choices()
+};
+
+/// Declares --unit, --time-step, --format, --component, --components.
+void add_record_options(CLI::App& verb, RecordOptions& options);
+
+/// Says on stderr what was used if that is more than the file named. \throws InputError
+[[nodiscard]] PlacedRecord load_motion(RecordOptions const& options);
 
 [[nodiscard]] BodySpec load_body(std::string const& path);
 

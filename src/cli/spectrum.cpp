@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/figures.hpp"
 #include "cli/scene_files.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
 #include "motion/intensity.hpp"
+#include "report/figure.hpp"
 #include "spectra/input_energy.hpp"
 #include "spectra/response_spectrum.hpp"
 #include "spectra/window_energy.hpp"
@@ -15,7 +17,8 @@ namespace overturn::cli {
 namespace {
 
 struct Options {
-    std::string wave, unit, time_step, body;
+    RecordOptions record;
+    std::string body, plot;
     double damping = 0.05;
     bool json = false;
 };
@@ -106,11 +109,20 @@ int spectrum(Options const& options) {
     constexpr double most = 100;
     validate(options.damping >= 0 && options.damping <= most,
              "--damping {} (must be 0 to {}). Give a ratio such as 0.05", options.damping, most);
-    auto const motion = load_motion(options.wave, options.unit, options.time_step);
+    if (!options.plot.empty()) {
+        report::check_figure_name(options.plot);
+    }
+    auto const record = load_motion(options.record);
+    auto const& motion = record.motion;
     auto const measures = measure(motion, options.damping);
+    std::optional<BodySpec> body;
     std::optional<BodyEnergy> energy;
     if (!options.body.empty()) {
-        energy = energy_for(load_body(options.body), motion);
+        body = load_body(options.body);
+        energy = energy_for(*body, motion);
+    }
+    if (!options.plot.empty()) {
+        draw_record(options.record.wave, record, options.damping, body, options.plot);
     }
     options.json ? print_json(measures, options.damping, energy) : print_text(measures, options.damping, energy);
     return done;
@@ -121,11 +133,11 @@ int spectrum(Options const& options) {
 void add_spectrum(CLI::App& app, Action& action) {
     auto* verb = app.add_subcommand("spectrum", "response, energy and window energy spectra of one wave");
     auto options = std::make_shared<Options>();
-    verb->add_option("--wave", options->wave, "record, or columns time,a_horizontal")->required();
-    verb->add_option("--unit", options->unit, "unit of the accelerations: g, gal, m/s2; required for columns");
-    verb->add_option("--time-step", options->time_step, "for files without a time column, e.g. \"0.01 s\"");
+    verb->add_option("--wave", options->record.wave, "record, or columns time,a_horizontal")->required();
+    add_record_options(*verb, options->record);
     verb->add_option("--body", options->body, "body file (TOML): adds its energy measures");
     verb->add_option("--damping", options->damping, "damping ratio")->capture_default_str();
+    verb->add_option("--plot", options->plot, "draw it: out.svg, .png or .pdf");
     verb->add_flag("--json", options->json, "as JSON");
     verb->callback([options, &action] { action = [options] { return spectrum(*options); }; });
 }

@@ -1,76 +1,125 @@
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <system_error>
+#include <utility>
 
 #include <fmt/os.h>
 
 #include "campaign/plan.hpp"
+#include "cli/figures.hpp"
 #include "cli/verbs.hpp"
+#include "motion/record_writer.hpp"
+#include "motion/text_lines.hpp"
+#include "report/figure.hpp"
 
 namespace overturn::cli {
 namespace {
 
 struct Options {
-    std::string campaign, output;
+    std::string campaign, output, plot;
     std::vector<std::string> settings;
     std::int64_t wave = 0;
 };
 
-std::string csv_of(GroundMotion const& motion) {
-    std::string text = "time_s,ax_mps2";
-    text += motion.transverse_mps2.empty() ? "" : ",ay_mps2";
-    text += motion.vertical_mps2.empty() ? "\n" : ",az_mps2\n";
-    for (std::size_t i = 0; i < motion.samples(); ++i) {
-        text += fmt::format("{},{}", static_cast<double>(i) * motion.time_step_s, motion.horizontal_mps2[i]);
-        if (!motion.transverse_mps2.empty()) {
-            text += fmt::format(",{}", motion.transverse_mps2[i]);
-        }
-        if (!motion.vertical_mps2.empty()) {
-            text += fmt::format(",{}", motion.vertical_mps2[i]);
-        }
-        text += '\n';
-    }
-    return text;
+enum class OutputKind { csv, at2 };
+
+OutputKind kind_of(std::string const& output) {
+    auto const extension = lowered(std::filesystem::path(output).extension().string());
+    validate(extension == ".csv" || extension == ".at2",
+             "-o {}: not the name of a wave (its ending says the kind). End it in .csv or .at2", output);
+    return extension == ".csv" ? OutputKind::csv : OutputKind::at2;
 }
 
-int write_wave(Options const& options) {
-    auto const spec = parse_campaign(load_campaign(options.campaign, options.settings));
+void write_file(std::string const& path, std::string const& text) {
+    try {
+        fmt::output_file(path).print("{}", text);
+    } catch (std::system_error const& error) {
+        throw InputError(fmt::format("{}: cannot be written ({}). Choose another place", path, error.code().message()));
+    }
+}
+
+// One file per component; beside others each says which it is: wave-H1.at2, wave-UP.at2.
+std::vector<std::string> write_at2(GroundMotion const& motion, std::string const& identity, std::string const& output) {
+    std::vector<std::pair<char const*, std::vector<double> const*>> const components{
+        {"H1", &motion.horizontal_mps2}, {"H2", &motion.transverse_mps2}, {"UP", &motion.vertical_mps2}};
+    bool const single = motion.transverse_mps2.empty() && motion.vertical_mps2.empty();
+    std::filesystem::path const path(output);
+    std::vector<std::string> written;
+    for (auto const& [name, values] : components) {
+        if (values->empty()) {
+            continue;
+        }
+        auto const file = fmt::format("{}-{}{}", path.stem().string(), name, path.extension().string());
+        written.push_back(single ? output : (path.parent_path() / file).string());
+        write_file(written.back(), at2_text(*values, motion.time_step_s, identity, name));
+    }
+    return written;
+}
+
+void write_output(Options const& options, std::uint64_t seed, GeneratedWave const& made) {
+    std::vector<std::string> written{options.output};
+    if (kind_of(options.output) == OutputKind::csv) {
+        write_file(options.output, csv_text(made.motion));
+    } else {
+        written = write_at2(made.motion, fmt::format("{}, seed {}, wave {}", options.campaign, seed, options.wave),
+                            options.output);
+    }
+    for (auto const& file : written) {
+        fmt::print(stderr, "{}: {} samples of {} s, {}\n", file, made.motion.samples(), made.motion.time_step_s,
+                   made.label);
+    }
+}
+
+void say_match(MatchReport const& match) {
+    if (match.matched || match.iterations > 0) {
+        fmt::print(stderr,
+                   "match: mean misfit {:.2f} %, largest {:.2f} % at {:.3f} s; from 1 s up {:.2f} % and {:.2f} %\n",
+                   100 * match.all.mean_misfit, 100 * match.all.max_misfit, match.all.max_misfit_period_s,
+                   100 * match.long_period.mean_misfit, 100 * match.long_period.max_misfit);
+    }
+}
+
+int show_wave(Options const& options) {
+    if (!options.output.empty()) {
+        (void)kind_of(options.output);
+    }
+    if (!options.plot.empty()) {
+        report::check_figure_name(options.plot);
+    }
+    auto const input = load_campaign(options.campaign, options.settings);
+    auto const spec = parse_campaign(input);
     Plan const plan(spec);
     validate(options.wave >= 0 && options.wave < plan.waves(),
              "--wave {} (the campaign has waves 0 to {}). Choose one of them", options.wave, plan.waves() - 1);
-    auto const made = spec.source->make(spec.seed, plan.wave_id(options.wave));
-    auto const text = csv_of(made.motion);
-    if (options.output.empty()) {
-        fmt::print("{}", text);
+    auto const id = plan.wave_id(options.wave);
+    auto const made = spec.source->make(spec.seed, id);
+    if (options.output.empty() && options.plot.empty()) {
+        fmt::print("{}", csv_text(made.motion));
         return done;
     }
-    try {
-        fmt::output_file(options.output).print("{}", text);
-    } catch (std::system_error const& error) {
-        throw InputError(
-            fmt::format("{}: cannot be written ({}). Choose another place", options.output, error.code().message()));
+    if (!options.output.empty()) {
+        write_output(options, spec.seed, made);
     }
-    fmt::print(stderr, "{}: {} samples of {} s, {}\n", options.output, made.motion.samples(), made.motion.time_step_s,
-               made.label);
-    if (made.match.matched || made.match.iterations > 0) {
-        fmt::print(
-            stderr, "match: mean misfit {:.2f} %, largest {:.2f} % at {:.3f} s; from 1 s up {:.2f} % and {:.2f} %\n",
-            100 * made.match.all.mean_misfit, 100 * made.match.all.max_misfit, made.match.all.max_misfit_period_s,
-            100 * made.match.long_period.mean_misfit, 100 * made.match.long_period.max_misfit);
+    if (!options.plot.empty()) {
+        draw_campaign_wave(input, spec, id, made, options.plot);
+        fmt::print(stderr, "{}: {}\n", options.plot, made.label);
     }
+    say_match(made.match);
     return done;
 }
 
 }  // namespace
 
 void add_wave(CLI::App& app, Action& action) {
-    auto* verb = app.add_subcommand("wave", "write one wave of a campaign, unscaled, as csv");
+    auto* verb = app.add_subcommand("wave", "write or draw one wave of a campaign, unscaled");
     auto options = std::make_shared<Options>();
     verb->add_option("campaign", options->campaign, "campaign file (TOML)")->required();
     verb->add_option("--wave", options->wave, "number of the wave, from 0")->required();
-    verb->add_option("-o,--output", options->output, "csv file; default: standard output");
+    verb->add_option("-o,--output", options->output, "out.csv, or out.at2 (one file per component); default: csv here");
+    verb->add_option("--plot", options->plot, "draw it: out.svg, .png or .pdf");
     verb->add_option("--set", options->settings, "override a key: seed=2")->allow_extra_args(false);
-    verb->callback([options, &action] { action = [options] { return write_wave(*options); }; });
+    verb->callback([options, &action] { action = [options] { return show_wave(*options); }; });
 }
 
 }  // namespace overturn::cli

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace overturn {
 
@@ -20,6 +21,13 @@ class InputFiles {
     /// The file's bytes; the reference stays valid as long as this object.
     /// \throws InputError if there is no such file or it cannot be read.
     [[nodiscard]] std::string const& read(std::string const& name);
+
+    /// All files in the folder of `name`, as the campaign would call them, in the order of their names; from memory,
+    /// the stored ones of that folder.
+    [[nodiscard]] std::vector<std::string> beside(std::string const& name) const;
+
+    /// At most the first `most` bytes of a file, which is not remembered for it; empty if it cannot be read.
+    [[nodiscard]] std::string head(std::string const& name, std::size_t most) const;
 
     /// All files read so far (or given), by name.
     [[nodiscard]] std::map<std::string, std::string> const& contents() const { return contents_; }

@@ -12,8 +12,8 @@
 namespace overturn {
 namespace {
 
-constexpr std::size_t columns_at_most = 3;
-constexpr double time_tolerance = 1e-3;  // of a step: what printing the times to a few digits costs
+constexpr std::size_t columns_at_most = 4;  // time and three components
+constexpr double time_tolerance = 1e-3;     // of a step: what printing the times to a few digits costs
 
 /// The fields of one row; one more than allowed is kept, to be told from the allowed ones.
 struct Fields {
@@ -21,19 +21,19 @@ struct Fields {
     std::size_t count = 0;
 };
 
-/// Fields are parted by blanks and tabs, by a comma, or by both.
+/// Fields are parted by blanks and tabs, by a comma or semicolon, or by both.
 Fields split(std::string_view line) {
     Fields fields;
     line = trimmed(line);
     while (fields.count < fields.text.size()) {
-        auto const end = line.find_first_of(", \t");
+        auto const end = line.find_first_of(",; \t");
         fields.text[fields.count++] = line.substr(0, end);
         if (end == std::string_view::npos) {
             break;
         }
-        bool const comma = line[end] == ',';
+        bool const comma = line[end] == ',' || line[end] == ';';
         line = trimmed(line.substr(end + (comma ? 1 : 0)));
-        if (!comma && line.starts_with(',')) {
+        if (!comma && (line.starts_with(',') || line.starts_with(';'))) {
             line = trimmed(line.substr(1));
         }
     }
@@ -53,19 +53,38 @@ bool is_names(Fields const& fields) {
     return !bare.empty() && !numeric && bare != "nan" && bare != "inf" && bare != "infinity";
 }
 
+/// Names may hold blanks where commas or semicolons part them.
+std::vector<std::string> names_on(std::string_view line) {
+    std::string_view const separators = line.find_first_of(",;") != std::string_view::npos ? ",;" : " \t";
+    std::vector<std::string> names;
+    for (auto rest = trimmed(line); !rest.empty();) {
+        auto const end = rest.find_first_of(separators);
+        names.emplace_back(trimmed(rest.substr(0, end)));
+        rest = end == std::string_view::npos ? std::string_view{} : trimmed(rest.substr(end + 1));
+    }
+    return names;
+}
+
 struct Rows {
     std::array<std::vector<double>, columns_at_most> column;
     std::vector<int> line;
     std::size_t columns = 0;
+    std::vector<std::string> names;  // of the columns, if a line of names stands above them
 };
+
+/// A number with a decimal comma where semicolons part the fields.
+bool has_decimal_comma(std::string_view line) {
+    auto const comma = line.find(',');
+    return line.find(';') != std::string_view::npos && comma != std::string_view::npos;
+}
 
 void append_row(Fields const& fields, Location const& where, Rows& rows) {
     if (rows.columns == 0) {
         rows.columns = fields.count;
         if (fields.count > columns_at_most) {
             throw InputError(where,
-                             "more than 3 columns (which is which cannot be told). Keep "
-                             "time,a_horizontal[,a_vertical]");
+                             "more than 4 columns (which is which cannot be told). Keep "
+                             "time,a_horizontal[,a_transverse][,a_vertical]");
         }
     }
     if (fields.count != rows.columns) {
@@ -103,7 +122,13 @@ Rows read_rows(std::string_view content, std::string const& file) {
                                  "most). Begin further ones with #");
             }
             names_seen = true;
+            rows.names = names_on(*line);
             continue;
+        }
+        if (has_decimal_comma(*line)) {
+            throw InputError(where,
+                             "comma and semicolon on one line (is the comma a decimal point?). Write decimal "
+                             "points");
         }
         append_row(fields, where, rows);
     }
@@ -146,6 +171,46 @@ double time_step_of(Rows const& rows, std::string const& file) {
     return step;
 }
 
+/// What a column's name says: `a_vertical`, `az_mps2`, `UD`, `acc_EW (gal)`.
+Direction direction_in_name(std::string_view name) {
+    auto lower = lowered(name);
+    for (std::string_view const prefix : {"acceleration_", "acc_", "acc-", "a_", "a"}) {
+        if (lower.starts_with(prefix) && direction_of(lower) == Direction::unknown) {
+            lower.erase(0, prefix.size());
+            break;
+        }
+    }
+    lower = lower.substr(0, lower.find_first_of("_([ "));
+    return lower == "transverse" ? Direction::horizontal : direction_of(lower);
+}
+
+/// Components from column `first` on: horizontal, then transverse and vertical, or one of them. Names that say
+/// otherwise are obeyed where the order stays the same and refused where it does not.
+std::vector<RecordComponent> components_of(Rows& rows, std::size_t first, Location const& where) {
+    std::vector<RecordComponent> components;
+    auto const count = rows.columns - first;
+    bool const named = rows.names.size() == rows.columns;
+    for (std::size_t i = 0; i < count; ++i) {
+        auto const said = named ? direction_in_name(rows.names[first + i]) : Direction::unknown;
+        bool const vertical = i > 0 && i + 1 == count && !(i == 1 && said == Direction::horizontal);
+        auto const taken = vertical ? Direction::up : Direction::horizontal;
+        bool const contradicts = said != Direction::unknown && (said == Direction::horizontal) == vertical;
+        if (count > 1 && contradicts) {
+            throw InputError(where, fmt::format("column '{}' where the {} component belongs (columns are time, "
+                                                "a_horizontal, a_transverse, a_vertical). Bring them into this order",
+                                                rows.names[first + i], vertical ? "vertical" : "horizontal"));
+        }
+        constexpr std::array plain{"column 2", "column 3", "column 4"};
+        auto const name = named ? rows.names[first + i] : std::string(count > 1 ? plain.at(i) : "");
+        components.push_back({name,
+                              said == Direction::down ? said
+                              : count > 1             ? taken
+                                                      : Direction::unknown,
+                              std::move(rows.column[first + i])});
+    }
+    return components;
+}
+
 }  // namespace
 
 bool recognises_columns(std::string_view content) {
@@ -167,7 +232,7 @@ bool recognises_columns(std::string_view content) {
     return false;
 }
 
-GroundMotion read_columns(std::string_view content, RecordRequest const& request) {
+Recording read_columns(std::string_view content, RecordRequest const& request) {
     auto rows = read_rows(content, request.name);
     Location const start{request.name, rows.line[0]};
     if (!request.unit_mps2) {
@@ -179,24 +244,20 @@ GroundMotion read_columns(std::string_view content, RecordRequest const& request
                          "time step missing (one column of numbers holds none). State the time step, or put a "
                          "time column first");
     }
-    GroundMotion motion;
+    Recording recording;
     if (timed) {
-        motion.time_step_s = time_step_of(rows, request.name);
-        check_stated_time_step(request, motion.time_step_s, start);
+        recording.time_step_s = time_step_of(rows, request.name);
+        check_stated_time_step(request, recording.time_step_s, start);
     } else {
-        motion.time_step_s = *request.time_step_s;
+        recording.time_step_s = *request.time_step_s;
     }
-    for (auto& column : rows.column) {
-        if (timed && &column == &rows.column.front()) {
-            continue;
-        }
-        for (double& value : column) {
+    recording.components = components_of(rows, timed ? 1 : 0, start);
+    for (auto& component : recording.components) {
+        for (double& value : component.acceleration_mps2) {
             value *= *request.unit_mps2;
         }
     }
-    motion.horizontal_mps2 = std::move(rows.column[timed ? 1 : 0]);
-    motion.vertical_mps2 = std::move(rows.column[2]);
-    return motion;
+    return recording;
 }
 
 }  // namespace overturn

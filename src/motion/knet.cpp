@@ -2,6 +2,8 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/units.hpp"
 #include "motion/record_readers.hpp"
@@ -88,13 +90,23 @@ void check_peak(Header const& header, double peak_mps2) {
     auto const point = text.find('.');
     auto const decimals = point == std::string_view::npos ? 0 : text.size() - point - 1;
     double const half_of_last_digit = 0.5 * std::pow(10.0, -static_cast<double>(decimals));
-    constexpr double rounding = 1e-9;
-    double const peak = peak_mps2 / gal_mps2;
-    if (std::abs(peak - stated) > half_of_last_digit + rounding * stated) {
-        throw InputError(header.where(line), fmt::format("peak of {:.7g} gal where the header says {} (the file is "
-                                                         "damaged or cut short). Fetch it anew",
-                                                         peak, text));
+    check_stated_peak(peak_mps2, stated * gal_mps2, half_of_last_digit * gal_mps2, header.where(line));
+}
+
+/// `N-S` as it stands; KiK-net's 1 to 3 and 4 to 6 are NS, EW, UD in the borehole and at the surface.
+std::string direction_name(std::string_view text) {
+    static constexpr std::array names{"NS", "EW", "UD"};
+    if (text.size() == 1 && text[0] >= '1' && text[0] <= '6') {
+        return names.at(static_cast<std::size_t>(text[0] - '1') % names.size());
     }
+    return std::string(text);
+}
+
+/// Equal for the files of one sensor and event.
+std::string sensor_of(Header const& header) {
+    auto const direction = header.value(13, "Dir.");
+    std::string_view const depth = direction.size() != 1 ? "" : direction[0] <= '3' ? ", borehole" : ", surface";
+    return fmt::format("{}, {}{}", header.value(6, "Station Code"), header.value(10, "Record Time"), depth);
 }
 
 }  // namespace
@@ -104,7 +116,12 @@ bool recognises_knet(std::string_view content) {
     return first && first->starts_with("Origin Time");
 }
 
-GroundMotion read_knet(std::string_view content, RecordRequest const& request) {
+std::string station_of_knet(std::string_view head) {
+    TextLines lines(head);
+    return sensor_of(Header(lines, {}));
+}
+
+Recording read_knet(std::string_view content, RecordRequest const& request) {
     TextLines lines(content);
     Header const header(lines, request.name);
     double const frequency_hz = header.positive(11, "Sampling Freq(Hz)", "Hz");
@@ -113,9 +130,7 @@ GroundMotion read_knet(std::string_view content, RecordRequest const& request) {
     check_stated_unit(request, gal_mps2, header.where(14));
     check_stated_time_step(request, 1 / frequency_hz, header.where(11));
 
-    GroundMotion motion;
-    motion.time_step_s = 1 / frequency_hz;
-    auto& values = motion.horizontal_mps2;
+    std::vector<double> values;
     while (auto const line = lines.next()) {
         append_numbers(*line, request.name, lines.number(), values);
     }
@@ -134,7 +149,8 @@ GroundMotion read_knet(std::string_view content, RecordRequest const& request) {
         value = (value - sum / count) * unit_mps2;
     }
     check_peak(header, peak_of(values));
-    return motion;
+    auto const name = direction_name(header.value(13, "Dir."));
+    return {1 / frequency_hz, {{name, direction_of(name), std::move(values)}}};
 }
 
 }  // namespace overturn

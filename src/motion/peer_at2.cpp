@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/units.hpp"
 #include "motion/record_readers.hpp"
@@ -10,12 +12,13 @@ namespace overturn {
 namespace {
 
 constexpr int header_lines_at_most = 10;
-constexpr double absurd_peak_mps2 = 10 * g0;  // the strongest records known stay below 5 g
 
 struct Header {
     std::size_t samples = 0;
     double time_step_s = 0;
     bool in_g = false;
+    std::string station;    // event and station
+    std::string component;  // 090, UP, DWN
 };
 
 /// The number that begins `text` after blanks and, if asked for, an equals sign; NaN if there is none.
@@ -93,8 +96,19 @@ void read_header_line(std::string_view lower, Location const& where, Header& hea
     header.in_g = header.in_g || unit == "g";
 }
 
+/// `<event>, <date>, <station>, <component>[ (remark)]`; the station itself may hold commas.
+void read_identity(std::string_view line, Header& header) {
+    auto const comma = line.rfind(',');
+    if (comma == std::string_view::npos) {
+        return;
+    }
+    header.station = trimmed(line.substr(0, comma));
+    auto const component = trimmed(line.substr(comma + 1));
+    header.component = component.substr(0, component.find_first_of(" \t("));
+}
+
 /// Reads up to and including the line with NPTS and DT.
-Header read_header(TextLines& lines, RecordRequest const& request) {
+Header read_header(TextLines& lines, std::string const& file) {
     Header header;
     while (lines.number() < header_lines_at_most) {
         auto const line = lines.next();
@@ -102,16 +116,20 @@ Header read_header(TextLines& lines, RecordRequest const& request) {
             break;
         }
         auto const lower = lowered(*line);
-        Location const where{request.name, lines.number()};
+        Location const where{file, lines.number()};
         read_header_line(lower, where, header);
+        constexpr int identity_line = 2;
+        if (lines.number() == identity_line) {
+            read_identity(*line, header);
+        }
         if (lower.find("npts") != std::string::npos) {
             read_size(lower, where, header);
             return header;
         }
     }
-    throw InputError({request.name}, fmt::format("no line with NPTS and DT among the first {} (an AT2 header has one). "
-                                                 "State another format",
-                                                 header_lines_at_most));
+    throw InputError({file}, fmt::format("no line with NPTS and DT among the first {} (an AT2 header has one). "
+                                         "State another format",
+                                         header_lines_at_most));
 }
 
 bool is_trailer(std::string_view line) {
@@ -134,9 +152,14 @@ bool recognises_peer_at2(std::string_view content) {
     return false;
 }
 
-GroundMotion read_peer_at2(std::string_view content, RecordRequest const& request) {
+std::string station_of_peer_at2(std::string_view head) {
+    TextLines lines(head);
+    return read_header(lines, {}).station;
+}
+
+Recording read_peer_at2(std::string_view content, RecordRequest const& request) {
     TextLines lines(content);
-    auto const header = read_header(lines, request);
+    auto const header = read_header(lines, request.name);
     Location const header_end{request.name, lines.number()};
     if (!header.in_g && !request.unit_mps2) {
         throw InputError(header_end, "unit missing (the header does not say 'units of g'). State --unit gal|g|m/s2");
@@ -146,9 +169,7 @@ GroundMotion read_peer_at2(std::string_view content, RecordRequest const& reques
     }
     check_stated_time_step(request, header.time_step_s, header_end);
 
-    GroundMotion motion;
-    motion.time_step_s = header.time_step_s;
-    auto& values = motion.horizontal_mps2;
+    std::vector<double> values;
     Location last = header_end;
     while (auto const line = lines.next()) {
         if (is_trailer(*line)) {
@@ -163,17 +184,13 @@ GroundMotion read_peer_at2(std::string_view content, RecordRequest const& reques
                                            "belongs to another record). Fetch the file anew",
                                            values.size(), header.samples));
     }
+    check_last_value_is_whole(content, last);
     double const unit = request.unit_mps2.value_or(g0);
     for (double& value : values) {
         value *= unit;
     }
-    if (double const peak = peak_of(values); peak > absurd_peak_mps2) {
-        throw InputError(header_end, fmt::format("peak of {:.4g} g (no ground has shaken so: the values are hardly in "
-                                                 "the unit that the header says). Convert the file to columns and "
-                                                 "state the unit",
-                                                 peak / g0));
-    }
-    return motion;
+    check_believable_peak(values, header_end);
+    return {header.time_step_s, {{header.component, direction_of(header.component), std::move(values)}}};
 }
 
 }  // namespace overturn

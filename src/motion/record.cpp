@@ -1,5 +1,6 @@
 #include "motion/record.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -12,13 +13,32 @@ namespace {
 // A new format: one file beside this one, one line here.
 constexpr std::array formats{
     config::Entry<RecordFormat>{"peer-at2",
-                                "PEER strong-motion AT2: NPTS and DT in the header, accelerations in g",
-                                {&recognises_peer_at2, &read_peer_at2}},
+                                "PEER strong-motion AT2, new and old: NPTS and DT in the header, accelerations in g",
+                                {&recognises_peer_at2, &read_peer_at2, &station_of_peer_at2}},
+    config::Entry<RecordFormat>{"knet",
+                                "K-NET and KiK-net ASCII: 17 header lines, counts with a scale factor",
+                                {&recognises_knet, &read_knet, &station_of_knet}},
+    config::Entry<RecordFormat>{"jma-csv",
+                                "JMA csv: 7 header lines in Shift_JIS, columns NS,EW,UD in gal",
+                                {&recognises_jma_csv, &read_jma_csv}},
+    config::Entry<RecordFormat>{"cosmos",
+                                "COSMOS v1.20 V1 and V2: headers that state their own layout; counts (V0) are refused",
+                                {&recognises_cosmos, &read_cosmos, &station_of_cosmos}},
     config::Entry<RecordFormat>{
-        "knet", "K-NET and KiK-net ASCII: 17 header lines, counts with a scale factor", {&recognises_knet, &read_knet}},
+        "csmip-v2", "CSMIP/CDMG corrected data, all channels of a file", {&recognises_csmip_v2, &read_csmip_v2}},
+    config::Entry<RecordFormat>{"esm-dyna",
+                                "ESM/ITACA DYNA .ASC: KEY: value lines, then one value a line",
+                                {&recognises_esm_dyna, &read_esm_dyna, &station_of_esm_dyna}},
+    config::Entry<RecordFormat>{
+        "itaca-acc", "ITACA .acc: 10 lines Key : value, then packed values", {&recognises_itaca_acc, &read_itaca_acc}},
+    config::Entry<RecordFormat>{"refused",
+                                "CSMIP V1, GeoNet, BHRC V1, CWA: known, refused with what to do instead",
+                                {&recognises_unread, &refuse_unread}},
+    config::Entry<RecordFormat>{
+        "list", "values only, several to a line, with a stated unit and time step", {&recognises_list, &read_list}},
     config::Entry<RecordFormat>{"columns",
-                                "columns [time,] a_horizontal [, a_vertical] parted by commas, blanks or tabs, with a "
-                                "stated unit",
+                                "columns [time,] a_horizontal [, a_transverse] [, a_vertical] parted by commas, "
+                                "semicolons, blanks or tabs, with a stated unit",
                                 {&recognises_columns, &read_columns}},
 };
 
@@ -46,7 +66,7 @@ config::Entry<RecordFormat> const& format_of(std::string_view content, RecordReq
 
 std::span<config::Entry<RecordFormat> const> record_formats() { return formats; }
 
-GroundMotion read_record(std::string_view content, RecordRequest const& request) {
+Recording read_recording(std::string_view content, RecordRequest const& request) {
     Location const file{request.name};
     if (trimmed(content).empty()) {
         throw InputError(file, "empty (no record in it). Fetch the file anew");
@@ -60,9 +80,36 @@ GroundMotion read_record(std::string_view content, RecordRequest const& request)
                                            *request.time_step_s));
     }
     OVERTURN_EXPECT(!request.unit_mps2 || *request.unit_mps2 > 0);
-    auto motion = format_of(content, request).value.read(content, request);
-    validate_motion(motion);
-    return motion;
+    auto recording = format_of(content, request).value.read(content, request);
+    for (auto const& component : recording.components) {
+        check_believable_peak(component.acceleration_mps2, file);
+    }
+    return recording;
+}
+
+PlacedRecord read_placed(std::string_view content, RecordRequest const& request) {
+    auto placed = place(read_recording(content, request), request.component, request.components, {request.name});
+    validate_motion(placed.motion);
+    return placed;
+}
+
+GroundMotion read_record(std::string_view content, RecordRequest const& request) {
+    return read_placed(content, request).motion;
+}
+
+std::string station_of_record(std::string_view head) {
+    for (auto const& format : formats) {
+        if (format.value.station == nullptr || !format.value.recognises(head)) {
+            continue;
+        }
+        try {
+            auto const station = format.value.station(head);
+            return station.empty() ? station : fmt::format("{}: {}", format.name, station);
+        } catch (InputError const&) {
+            return {};  // a velocity file, or a damaged one: of no known station
+        }
+    }
+    return {};
 }
 
 void check_stated_unit(RecordRequest const& request, double file_unit_mps2, Location const& where) {
@@ -76,11 +123,51 @@ void check_stated_unit(RecordRequest const& request, double file_unit_mps2, Loca
 
 void check_stated_time_step(RecordRequest const& request, double file_time_step_s, Location const& where) {
     constexpr double printed_rounding = 1e-3;
-    if (request.time_step_s
+    if (request.time_step_s && !request.may_be_resampled
         && std::abs(*request.time_step_s - file_time_step_s) > printed_rounding * file_time_step_s) {
         throw InputError(where, fmt::format("time step of {} s in the file, {} s stated (they contradict each other). "
                                             "Leave the stated step out",
                                             file_time_step_s, *request.time_step_s));
+    }
+}
+
+void check_stated_peak(double peak_mps2, double stated_mps2, double tolerance_mps2, Location const& where) {
+    constexpr double rounding = 1e-9;
+    if (!(std::abs(peak_mps2 - std::abs(stated_mps2)) <= tolerance_mps2 + rounding * std::abs(stated_mps2))) {
+        constexpr double gal_mps2 = 0.01;
+        throw InputError(where, fmt::format("peak of {:.7g} gal where the header says {:.7g} (the file is damaged or "
+                                            "cut short). Fetch it anew",
+                                            peak_mps2 / gal_mps2, std::abs(stated_mps2) / gal_mps2));
+    }
+}
+
+void check_last_value_is_whole(std::string_view content, Location const& where) {
+    constexpr std::string_view separators = " \t,\r\n";
+    auto const last_of = [&](std::string_view text) {
+        auto const end = text.find_last_not_of(separators) + 1;
+        text = text.substr(0, end);
+        return text.substr(text.find_last_of(separators) + 1);
+    };
+    auto const decimals = [](std::string_view text) { return text.size() - std::min(text.rfind('.'), text.size()); };
+    if (content.find_last_of(separators) + 1 == content.size()) {
+        return;
+    }
+    auto const last = last_of(content);
+    auto const before = last_of(content.substr(0, content.size() - last.size()));
+    if (decimals(last) < decimals(before)) {
+        throw InputError(where, fmt::format("'{}' at the end of the file (shorter than the values before it, without a "
+                                            "line end: the file is cut short). Fetch it anew",
+                                            last));
+    }
+}
+
+void check_believable_peak(std::span<double const> acceleration_mps2, Location const& where) {
+    constexpr double absurd_mps2 = 10 * g0;  // the strongest records known stay below 5 g
+    if (double const peak = peak_of(acceleration_mps2); peak > absurd_mps2) {
+        throw InputError(where, fmt::format("peak of {:.4g} g (no ground has shaken so: the values are hardly in the "
+                                            "unit that is stated). State the right unit; where the file itself is "
+                                            "wrong, convert it to columns",
+                                            peak / g0));
     }
 }
 

@@ -1,4 +1,4 @@
-/// Recorded accelerograms: from the bytes of a file to a GroundMotion.
+/// Recorded accelerograms: from the bytes of a file to what its station felt.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "config/registry.hpp"
-#include "motion/ground_motion.hpp"
+#include "motion/recording.hpp"
 
 namespace overturn {
 
@@ -17,20 +17,34 @@ struct RecordRequest {
     std::string format = "auto";             ///< a name of record_formats(), or "auto": decided by the content
     std::optional<double> unit_mps2 = {};    ///< SI value of one unit of the numbers, from unit_factor() [m/s2]
     std::optional<double> time_step_s = {};  ///< where the file states none [s]
+    std::string component = {};              ///< what goes into the rocking plane; empty: the first horizontal one
+    ComponentChoice components = ComponentChoice::file;
+    bool may_be_resampled = false;  ///< a stated step other than the file's own is no contradiction
 };
 
-/// The motion in the file's `content` (all its bytes). Formats that hold one component fill horizontal_mps2, whatever
-/// its direction: the caller places it.
+/// Everything in the file's `content` (all its bytes).
 /// \throws InputError naming file and line if the format is not known, the content is damaged, or a unit or time step
 /// is missing or contradicts what the file says.
+[[nodiscard]] Recording read_recording(std::string_view content, RecordRequest const& request);
+
+/// The motion that the file holds, placed by place().
+/// \throws InputError as read_recording and place
+[[nodiscard]] PlacedRecord read_placed(std::string_view content, RecordRequest const& request);
+
+/// Only the motion of read_placed.
 [[nodiscard]] GroundMotion read_record(std::string_view content, RecordRequest const& request);
 
-using RecordReader = GroundMotion (*)(std::string_view content, RecordRequest const& request);
+/// What files of one station, event and time have in common, from their headers alone; empty if `head`, the beginning
+/// of a file, does not say it or its format has several components to a file anyway.
+[[nodiscard]] std::string station_of_record(std::string_view head);
+
+using RecordReader = Recording (*)(std::string_view content, RecordRequest const& request);
 
 /// How a format is recognised (by content, never by the file's extension) and read.
 struct RecordFormat {
     bool (*recognises)(std::string_view content);
     RecordReader read;
+    std::string (*station)(std::string_view head) = nullptr;  ///< for station_of_record; may throw InputError
 };
 
 /// All formats, in the order in which "auto" asks them.

@@ -1,6 +1,8 @@
 /// The readers behind record_formats(), one source file each, and the checks that they share.
 #pragma once
 
+#include <span>
+#include <string>
 #include <string_view>
 
 #include "core/error.hpp"
@@ -10,20 +12,64 @@ namespace overturn {
 
 /// PEER strong-motion AT2: a header with NPTS and DT in its first ten lines, then accelerations in g.
 [[nodiscard]] bool recognises_peer_at2(std::string_view content);
-[[nodiscard]] GroundMotion read_peer_at2(std::string_view content, RecordRequest const& request);
+[[nodiscard]] Recording read_peer_at2(std::string_view content, RecordRequest const& request);
+[[nodiscard]] std::string station_of_peer_at2(std::string_view head);
 
 /// K-NET and KiK-net ASCII (NIED): 17 header lines, then counts; the mean is removed.
 [[nodiscard]] bool recognises_knet(std::string_view content);
-[[nodiscard]] GroundMotion read_knet(std::string_view content, RecordRequest const& request);
+[[nodiscard]] Recording read_knet(std::string_view content, RecordRequest const& request);
+[[nodiscard]] std::string station_of_knet(std::string_view head);
 
-/// Columns: [time,] a_horizontal [, a_vertical]; the unit must be stated.
+/// JMA csv: NS,EW,UD in gal, 7 header lines. The format states no count, so a file cut at a line's end looks whole.
+[[nodiscard]] bool recognises_jma_csv(std::string_view content);
+[[nodiscard]] Recording read_jma_csv(std::string_view content, RecordRequest const& request);
+
+/// COSMOS v1.20 strong-motion data format (2001): acceleration blocks of every channel, velocity and displacement left.
+[[nodiscard]] bool recognises_cosmos(std::string_view content);
+[[nodiscard]] Recording read_cosmos(std::string_view content, RecordRequest const& request);
+[[nodiscard]] std::string station_of_cosmos(std::string_view head);
+
+/// CSMIP/CDMG V2: corrected acceleration of every channel, velocity and displacement left.
+[[nodiscard]] bool recognises_csmip_v2(std::string_view content);
+[[nodiscard]] Recording read_csmip_v2(std::string_view content, RecordRequest const& request);
+
+/// ESM and ITACA DYNA 1.x: one component, its count and peak checked against the header.
+[[nodiscard]] bool recognises_esm_dyna(std::string_view content);
+[[nodiscard]] Recording read_esm_dyna(std::string_view content, RecordRequest const& request);
+[[nodiscard]] std::string station_of_esm_dyna(std::string_view head);
+
+/// ITACA .acc: what none of the header's keys says must be stated by the user.
+[[nodiscard]] bool recognises_itaca_acc(std::string_view content);
+[[nodiscard]] Recording read_itaca_acc(std::string_view content, RecordRequest const& request);
+
+/// Values only, in reading order, any number to a line; unit and time step must be stated.
+[[nodiscard]] bool recognises_list(std::string_view content);
+[[nodiscard]] Recording read_list(std::string_view content, RecordRequest const& request);
+
+/// Known formats without a reader: never returns. \throws InputError with what to do instead
+[[nodiscard]] bool recognises_unread(std::string_view content);
+[[nodiscard]] Recording refuse_unread(std::string_view content, RecordRequest const& request);
+
+/// Columns: [time,] a_horizontal [, a_transverse] [, a_vertical]; the unit must be stated. Three columns are time,
+/// horizontal, vertical, four have the second horizontal component before the vertical one; names that say otherwise
+/// are obeyed (time,NS,EW) or refused (time,UD,NS).
 [[nodiscard]] bool recognises_columns(std::string_view content);
-[[nodiscard]] GroundMotion read_columns(std::string_view content, RecordRequest const& request);
+[[nodiscard]] Recording read_columns(std::string_view content, RecordRequest const& request);
 
 /// \throws InputError if the user stated a unit other than the file's own.
 void check_stated_unit(RecordRequest const& request, double file_unit_mps2, Location const& where);
 
 /// \throws InputError if the user stated a time step that differs from the file's own by more than printed rounding.
 void check_stated_time_step(RecordRequest const& request, double file_time_step_s, Location const& where);
+
+/// \throws InputError unless a component's peak is the one that the file's header states, within `tolerance_mps2`.
+void check_stated_peak(double peak_mps2, double stated_mps2, double tolerance_mps2, Location const& where);
+
+/// For formats whose values all have the same decimals. \throws InputError if the content ends without a line end in a
+/// value that has fewer of them than the one before: a file cut within its last number.
+void check_last_value_is_whole(std::string_view content, Location const& where);
+
+/// \throws InputError if the peak is beyond anything the ground has done: a wrong unit.
+void check_believable_peak(std::span<double const> acceleration_mps2, Location const& where);
 
 }  // namespace overturn

@@ -106,6 +106,49 @@ void append_numbers(std::string_view line, std::string const& file, int line_num
     }
 }
 
+std::optional<FixedFormat> fixed_format_in(std::string_view text) {
+    for (auto open = text.find('('); open != std::string_view::npos; open = text.find('(', open + 1)) {
+        auto const letter = past_digits(text, open + 1);
+        if (letter == text.size() || std::string_view("FEDGIfedgi").find(text[letter]) == std::string_view::npos) {
+            continue;
+        }
+        auto const end = past_digits(text, letter + 1);
+        double per_line = 1;
+        double width = 0;
+        if ((letter == open + 1 || parse_number(text.substr(open + 1, letter - open - 1), per_line))
+            && parse_number(text.substr(letter + 1, end - letter - 1), width) && per_line >= 1 && width >= 1) {
+            return FixedFormat{static_cast<std::size_t>(per_line), static_cast<std::size_t>(width)};
+        }
+    }
+    return std::nullopt;
+}
+
+void append_fixed(TextLines& lines, FixedFormat format, std::size_t count, std::string const& file,
+                  std::vector<double>& values) {
+    for (std::size_t read = 0; read < count;) {
+        auto const line = lines.next();
+        if (!line) {
+            throw InputError({file, lines.number()}, fmt::format("{} values where the header promises {} (the file is "
+                                                                 "cut short). Fetch it anew",
+                                                                 read, count));
+        }
+        for (std::size_t field = 0; field < format.per_line && read < count; ++field) {
+            auto const at = field * format.width;
+            auto const text = at < line->size() ? trimmed(line->substr(at, format.width)) : std::string_view{};
+            double value = 0;
+            bool const whole = at + format.width <= line->size();  // Fortran sets numbers to the right
+            if (!whole || !parse_number(text, value)) {
+                throw InputError({file, lines.number()},
+                                 fmt::format("{} as value {} of {} (not a finite number; the file is damaged or cut "
+                                             "short). Fetch it anew",
+                                             quoted(text), read + 1, count));
+            }
+            values.push_back(value);
+            ++read;
+        }
+    }
+}
+
 std::string lowered(std::string_view text) {
     std::string lower(text);
     for (char& c : lower) {

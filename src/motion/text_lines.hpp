@@ -30,6 +30,20 @@ class TextLines {
 /// read. \throws InputError naming `file` and `line_number` at anything that is not a finite number.
 void append_numbers(std::string_view line, std::string const& file, int line_number, std::vector<double>& values);
 
+/// A Fortran edit descriptor such as (8F10.3), (1E15.6), (10I8).
+struct FixedFormat {
+    std::size_t per_line = 0;
+    std::size_t width = 0;
+};
+
+/// The first such descriptor in `text`; nothing if there is none.
+[[nodiscard]] std::optional<FixedFormat> fixed_format_in(std::string_view text);
+
+/// Appends `count` numbers in fields of fixed width, which may touch each other. A blank field is no number.
+/// \throws InputError naming `file` and the line at what is no finite number, or if the text ends before.
+void append_fixed(TextLines& lines, FixedFormat format, std::size_t count, std::string const& file,
+                  std::vector<double>& values);
+
 /// In lower case (ASCII letters only).
 [[nodiscard]] std::string lowered(std::string_view text);
 

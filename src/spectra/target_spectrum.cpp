@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "motion/text_lines.hpp"
 
 namespace overturn {
 namespace {
@@ -29,12 +30,18 @@ void check_point(std::pair<double, double> const& point, std::pair<double, doubl
 
 std::pair<double, double> parse_row(std::string_view row) {
     auto const split = row.find_first_of(" \t,;");
-    auto const second =
-        split == std::string_view::npos ? std::string_view{} : row.substr(row.find_first_not_of(" \t,;", split));
+    auto const second = row.substr(std::min(row.find_first_not_of(" \t,;", split), row.size()));
     std::pair<double, double> point;
     validate(parse_number(row.substr(0, split), point.first) && parse_number(second, point.second),
              "'{}' (must be two numbers: period and value). Mend the line", row);
     return point;
+}
+
+/// A line of names: its first field begins with a letter and is no "nan" or "inf".
+bool is_names(std::string_view row) {
+    auto const first = lowered(row.substr(0, row.find_first_of(" \t,;(")));
+    bool const lettered = !first.empty() && ((first[0] >= 'a' && first[0] <= 'z') || first[0] == '"');
+    return lettered && first != "nan" && first != "inf" && first != "infinity";
 }
 
 }  // namespace
@@ -109,14 +116,15 @@ TargetSpectrum TargetSpectrum::at_time_scale(double time_scale) const {
 
 TargetSpectrum parse_target_table(std::string_view content, std::string const& name, TargetKind kind, double damping) {
     std::vector<std::pair<double, double>> points;
-    int line = 0;
-    while (!content.empty()) {
-        ++line;
-        auto const end = std::min(content.find('\n'), content.size());
-        auto row = content.substr(0, end);
-        content.remove_prefix(std::min(end + 1, content.size()));
-        row = trimmed(row.substr(0, row.find_first_of("#!")));
+    TextLines lines(content);
+    bool names_seen = false;
+    while (auto const line = lines.next()) {
+        auto const row = trimmed(line->substr(0, line->find_first_of("#!")));
         if (row.empty()) {
+            continue;
+        }
+        if (points.empty() && !names_seen && is_names(row)) {
+            names_seen = true;
             continue;
         }
         try {
@@ -124,7 +132,7 @@ TargetSpectrum parse_target_table(std::string_view content, std::string const& n
             check_point(point, points.empty() ? nullptr : &points.back());
             points.push_back(point);
         } catch (InputError const& error) {
-            throw InputError({name, line, 0}, error.what());
+            throw InputError({name, lines.number()}, error.what());
         }
     }
     return TargetSpectrum::from_points(name, damping, kind, points);

@@ -59,7 +59,8 @@ class TargetSpectrum {
     double time_scale_ = 1;
 };
 
-/// Two columns, period [s] and value, parted by blanks or a comma; `#` and `!` begin a comment.
+/// Two columns, period [s] and value, parted by blanks or a comma; `#` and `!` begin a comment; one line of names may
+/// stand above them.
 /// \throws InputError with `name:line` at what is not two finite numbers, a period that does not rise, a value <= 0.
 [[nodiscard]] TargetSpectrum parse_target_table(std::string_view content, std::string const& name, TargetKind kind,
                                                 double damping);

@@ -73,6 +73,37 @@ TEST_F(Run, ReplayFromTheFileAlone) {
     EXPECT_TRUE(folder.read("h.csv").starts_with("time_s,rotation_rad,"));
 }
 
+// Requirement: components of a station are used when asked for, named by the run, carried in the file and replayed from
+// it alone.
+TEST_F(Run, SaysWhichFilesOfAStationItUsed) {
+    auto const at2 = [](std::string const& component, std::string const& peak) {
+        std::string text = "PEER\nSomewhere, 1/16/1995, A-B, " + component
+                           + "\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 200, DT= .02 SEC\n";
+        for (int i = 0; i < 200; ++i) {
+            text += i % 50 < 25 ? " " + peak : " -" + peak;
+        }
+        return text + "\n";
+    };
+    folder.write("a000.AT2", at2("0", ".5"));
+    folder.write("a-UP.AT2", at2("UP", ".2"));
+    folder.write("other.AT2", "PEER\nElsewhere, 1/16/1995, A-B, UP\nACCELERATION IN UNITS OF G\nNPTS= 1, DT= .1\n 1\n");
+    folder.write("c.toml",
+                 "seed=1\n[waves]\nsource='records'\nfiles=['a000.AT2']\ncomponents='station'\n[[bodies]]\nname='b'\n"
+                 "mass='12.6 t'\nbase_width='0.9 m'\ncentre_height='1.045 m'\ninertia='uniform-block'\n"
+                 "[levels]\nmeasure='factor'\nvalues=[1]\n");
+
+    auto const ended = overturn(folder, {"run", "c.toml"});
+
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    EXPECT_NE(ended.err.find("waves: 1 record: a000.AT2, vertical a-UP.AT2\n"), std::string::npos) << ended.err;
+    for (char const* file : {"a000.AT2", "a-UP.AT2", "other.AT2"}) {
+        std::filesystem::remove(folder / file);
+    }
+    auto const replayed = overturn(folder, {"replay", "c.h5", "--trial", "0"});
+    EXPECT_EQ(replayed.code, 0) << replayed.err;
+    EXPECT_NE(replayed.out.find("bit-equal"), std::string::npos) << replayed.out;
+}
+
 // Requirement: a row that is not what the program computes is told, with exit code 1.
 TEST_F(Run, ATamperedRowIsFound) {
     if (execute(folder, {OVERTURN_PYTHON, "-c", "import h5py"}).code != 0) {

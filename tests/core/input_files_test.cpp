@@ -26,7 +26,7 @@ TEST(InputFiles, MissingFileIsNamed) {
     InputFiles files{std::filesystem::path("/nonexistent")};
     testing::expect_input_error([&] { (void)files.read("wave.csv"); }, "'wave.csv'", "/nonexistent");
     InputFiles here{std::filesystem::path("/")};
-    testing::expect_input_error([&] { (void)here.read("tmp"); }, "no such file");
+    testing::expect_input_error([&] { (void)here.read("tmp"); }, "'tmp' (a folder). Name one file");
 }
 
 }  // namespace

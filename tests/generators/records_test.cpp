@@ -1,6 +1,7 @@
 // Requirement: record n is wave n, untouched, and a damaged or missing file is named where the campaign names it.
 #include "generators/records.hpp"
 
+#include "core/units.hpp"
 #include "support/expect_input_error.hpp"
 #include "support/sources.hpp"
 
@@ -36,7 +37,7 @@ TEST(Records, TablesPlaceComponents) {
 
     EXPECT_EQ(made.motion.vertical_mps2, (std::vector<double>{0, 1, 2}));
     EXPECT_EQ(made.motion.samples(), 3U);
-    EXPECT_EQ(made.label, "a.csv (components cut to 3 samples)");
+    EXPECT_EQ(made.label, "a.csv, vertical b.csv (components cut to 3 samples)");
     EXPECT_TRUE(made.motion.transverse_mps2.empty());
 }
 
@@ -52,6 +53,60 @@ TEST(Records, RefusesWhatItCannotRead) {
     refuse("unit='gal'\n", "c.toml:1:", "either files or records");
     refuse("[[records]]\nhorizontal='a.csv'\nvertical='slow.csv'\nunit='gal'\n", "c.toml:4:", "time step 0.02 s");
     refuse("[[records]]\nhorizontal='a.csv'\nunit='gal'\nscale=2\n", "c.toml:5:", "unknown key");
+    refuse("files=['a.csv']\nunit='gal'\ntime_step='0.02 s'\n", "c.toml:2:", "resample = \"coarser\"");
+    refuse("files=['a.csv']\nunit='gal'\ncomponents='sation'\n", "c.toml:4:", "Did you mean 'station'?");
+    refuse("files=['a.csv']\nunit='gal'\ncomponents='station'\n", "a.csv", "station or direction not stated");
+}
+
+std::string at2(std::string const& component, std::string const& value) {
+    return "PEER\nSomewhere, 1/16/1995, A-B, " + component + "\nACCELERATION TIME SERIES IN UNITS OF G\n"
+           + "NPTS= 2, DT= .02 SEC\n 0.0 " + value + "\n";
+}
+
+// Requirement: the run says which files it used.
+TEST(Records, StationBringsItsOtherComponents) {
+    std::map<std::string, std::string> const folder{
+        {"r/a-000.AT2", at2("0", ".1")}, {"r/a-090.AT2", at2("90", ".2")}, {"r/a-DWN.AT2", at2("DWN", ".05")}};
+    auto const alone = source_of("source='records'\nfiles=['r/a-000.AT2']\n", folder);
+    auto const station = source_of("source='records'\nfiles=['r/a-000.AT2']\ncomponents='station'\n", folder);
+
+    EXPECT_TRUE(alone->make(1, 0).motion.vertical_mps2.empty());
+    EXPECT_EQ(alone->describe(), "1 record: r/a-000.AT2");
+    auto const made = station->make(1, 0);
+    EXPECT_DOUBLE_EQ(made.motion.vertical_mps2[1], -0.05 * g0);
+    EXPECT_DOUBLE_EQ(made.motion.transverse_mps2[1], 0.2 * g0);
+    EXPECT_EQ(station->describe(),
+              "1 record: r/a-000.AT2, transverse r/a-090.AT2, vertical r/a-DWN.AT2 with its sign turned");
+}
+
+TEST(Records, NamedComponentsMustPointWhereTheyArePut) {
+    std::map<std::string, std::string> const folder{
+        {"0", at2("0", ".1")}, {"90", at2("90", ".2")}, {"D", at2("DWN", ".05")}};
+    auto const source = [&](std::string const& keys) {
+        return source_of("source='records'\n[[records]]\nhorizontal='0'\n" + keys, folder);
+    };
+
+    auto const made = source("transverse='90'\nvertical='D'\n")->make(1, 0);
+
+    EXPECT_EQ(made.label, "0, transverse 90, vertical D with its sign turned");
+    EXPECT_DOUBLE_EQ(made.motion.vertical_mps2[1], -0.05 * g0);
+    expect_input_error([&] { (void)source("vertical='90'\n"); }, "c.toml:4:", "recorded horizontally");
+    expect_input_error([&] { (void)source("transverse='D'\n"); }, "c.toml:4:", "recorded vertically");
+    expect_input_error([&] { (void)source("vertical='D'\ncomponents='station'\n"); }, "c.toml:4:", "Keep one");
+}
+
+// Requirement: another time step than the record's resamples it, and says so.
+TEST(Records, AreResampledToAStatedStep) {
+    auto const finer = source_of("source='records'\nfiles=['a.csv']\nunit='gal'\ntime_step='0.005 s'\n", files);
+    auto const coarser =
+        source_of("source='records'\nfiles=['a.csv']\nunit='gal'\ntime_step='0.02 s'\nresample='coarser'\n", files);
+
+    EXPECT_EQ(finer->make(1, 0).label, "a.csv, 0.01 s read at 0.005 s along straight lines, PGA kept");
+    EXPECT_EQ(finer->make(1, 0).motion.samples(), 7U);
+    EXPECT_DOUBLE_EQ(finer->make(1, 0).motion.horizontal_mps2[3], -0.05);
+    EXPECT_EQ(coarser->make(1, 0).motion.horizontal_mps2, (std::vector{0.0, -0.2}));
+    auto const same = source_of("source='records'\nfiles=['a.csv']\nunit='gal'\ntime_step='0.01 s'\n", files);
+    EXPECT_EQ(same->make(1, 0).label, "a.csv");
 }
 
 }  // namespace

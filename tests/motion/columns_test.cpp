@@ -25,7 +25,8 @@ std::vector<double> const three{100 * gal, -200 * gal, 300 * gal};
 TEST(Columns, TimeAndHorizontalInEveryDress) {
     for (char const* text :
          {"0,100\n0.5,-200\n1,300\n", "t,acc\n0,100\n0.5,-200\n1,300", "0 100\n0.5 -200\n1 300\n",
-          "0\t100\r\n0.5\t-200\r\n1\t300\r\n", "\xEF\xBB\xBFt,acc\n0,100\n0.5,-200\n1,300\n",
+          "t;acc\n0;100\n0.5; -200\n1 ;300\n", "0\t100\r\n0.5\t-200\r\n1\t300\r\n",
+          "\xEF\xBB\xBFt,acc\n0,100\n0.5,-200\n1,300\n",
           "# Time Series: A 1992 - B-345\n# Time (s),Acceleration (g's)\n0.0,1.0E2\n0.5,-2.D2\n1,+300\n",
           "% 1 2 3\n; 4\n  0 ,  100 \n\n 0.5 , -200\n#between\n 1.0, 300  \n\n",
           "Time \x89\xC1\x91\xAC\x93\x78\n0,100\r\r\n0.5,-200\r\r\n1,300\r\r\n", "5,100\n5.5,-200\n6,300\n",
@@ -43,6 +44,38 @@ TEST(Columns, ThirdColumnIsVertical) {
     EXPECT_EQ(motion.horizontal_mps2, three);
     EXPECT_EQ(motion.vertical_mps2, (std::vector{10 * gal, 20 * gal, 30 * gal}));
     EXPECT_TRUE(motion.transverse_mps2.empty());
+}
+
+TEST(Columns, FourColumnsHoldBothHorizontalComponents) {
+    for (char const* names : {"", "time,a_horizontal,a_transverse,a_vertical\n", "t,NS,EW,UD\n", "t,x,y,z\n",
+                              "time_s,ax_mps2,ay_mps2,az_mps2\n", "t,one,two,three\n"}) {
+        auto const motion = read(names + std::string("0,100,1,10\n0.5,-200,2,20\n1,300,3,30\n"));
+        EXPECT_EQ(motion.horizontal_mps2, three) << names;
+        EXPECT_EQ(motion.transverse_mps2, (std::vector{1 * gal, 2 * gal, 3 * gal})) << names;
+        EXPECT_EQ(motion.vertical_mps2, (std::vector{10 * gal, 20 * gal, 30 * gal})) << names;
+    }
+}
+
+TEST(Columns, NamesThatContradictTheOrderAreRefused) {
+    auto const motion = read("time,acc_NS,acc_EW (gal)\n0,100,1\n0.5,-200,2\n1,300,3\n");
+    EXPECT_EQ(motion.transverse_mps2, (std::vector{1 * gal, 2 * gal, 3 * gal}));
+    EXPECT_TRUE(motion.vertical_mps2.empty());
+    expect_input_error([] { (void)read("t,UD,NS\n0,1,2\n1,1,2\n"); }, "a.csv:2: ", "'UD'", "into this order");
+    expect_input_error([] { (void)read("t,NS,UD,EW\n0,1,2,3\n1,1,2,3\n"); }, "a.csv:2: ", "'UD'");
+    expect_input_error([] { (void)read("t,d,v,a\n0,1,2,3\n1,1,2,3\n"); }, "a.csv:2: ", "'d'");
+}
+
+TEST(Columns, ColumnsRecordedDownwardsAreTurned) {
+    auto const motion = read("t,NS,DOWN\n0,100,1\n0.5,-200,2\n1,300,3\n");
+    EXPECT_EQ(motion.vertical_mps2, (std::vector{-1 * gal, -2 * gal, -3 * gal}));
+}
+
+TEST(Columns, DecimalCommasAreRefused) {
+    expect_input_error([] { (void)read("t;a\n0,00;1,5\n0,01;1,25\n"); }, "a.csv:2: ", "decimal point");
+}
+
+TEST(Columns, AnAbsurdPeakIsAWrongUnit) {
+    expect_input_error([] { (void)read("0,341\n0.02,-200\n", {.unit_mps2 = 9.80665}); }, "a.csv: ", "peak of 341 g");
 }
 
 TEST(Columns, OneColumnNeedsATimeStep) {
@@ -80,13 +113,13 @@ TEST(Columns, NonUniformTimeIsRefusedAtItsLine) {
 }
 
 TEST(Columns, BadRowsAreRefusedAtTheirLine) {
-    for (char const* bad : {"1,nan", "1,inf", "nan,1", "1,-Infinity", "1,x", "1,", "1,1,1", "1", "1,,1", "1;1",
+    for (char const* bad : {"1,nan", "1,inf", "nan,1", "1,-Infinity", "1,x", "1,", "1,1,1", "1", "1,,1", "1;1;1",
                             "1,1 # c", "1,1e999", "1,1.0E-06-2.0E-06", "1,\"1\"", "1,1,", "1,1,1,1", "text", "t,acc"}) {
         expect_input_error([&] { (void)read("t,a\n0,1\n" + std::string(bad) + "\n2,1\n"); }, "a.csv:3: ");
     }
     expect_input_error([] { (void)read("nan,nan\n0,1\n1,1\n"); }, "a.csv:1: ", "not a finite number");
-    expect_input_error([] { (void)read("0,1,2,3\n", {.format = "columns", .unit_mps2 = gal}); },
-                       "a.csv:1: ", "more than 3 columns");
+    expect_input_error([] { (void)read("0,1,2,3,4\n", {.format = "columns", .unit_mps2 = gal}); },
+                       "a.csv:1: ", "more than 4 columns");
     expect_input_error([] { (void)read("a\nb\n0,1\n", {.format = "columns", .unit_mps2 = gal}); },
                        "a.csv:2: ", "second line of text");
     expect_input_error([] { (void)read("# only\n", {.format = "columns", .unit_mps2 = gal}); }, "a.csv: ", "no row");
@@ -98,9 +131,9 @@ TEST(Columns, StatedStepMustNotContradictTheTimes) {
 }
 
 TEST(RecordFormats, AreRecognisedByContentOnly) {
-    // Seven lines of text before three columns without a time (as in JMA csv): not columns.
-    expect_input_error([] { (void)read("SITE CODE= X,1,2\n LAT.= 35\n UNIT = gal\n NS,EW,UD\n1,2,3\n2,2,3\n"); },
-                       "a.csv: ", "format not recognised", "peer-at2, knet, columns");
+    // Lines of text before three columns without a time: not columns.
+    expect_input_error([] { (void)read("SITE X,1,2\n LAT. 35\n UNIT gal\n NS,EW,UD\n1,2,3\n2,2,3\n"); },
+                       "a.csv: ", "format not recognised", "peer-at2, knet, jma-csv");
     expect_input_error([] { (void)read("<!DOCTYPE html>\n<html>\n"); }, "format not recognised");
     expect_input_error([] { (void)read(""); }, "empty");
     expect_input_error([] { (void)read("\xEF\xBB\xBF \r\n\n"); }, "a.csv: ");
@@ -109,7 +142,7 @@ TEST(RecordFormats, AreRecognisedByContentOnly) {
 }
 
 TEST(RecordFormats, AreListedWithASummary) {
-    ASSERT_EQ(record_formats().size(), 3U);
+    ASSERT_EQ(record_formats().size(), 10U);
     for (auto const& format : record_formats()) {
         EXPECT_FALSE(format.summary.empty());
     }

@@ -110,6 +110,10 @@ TEST(PeerAt2, DamagedDataAreRefusedWithTheirLine) {
                            "a.AT2:7: ", "not a finite number");
     }
     expect_input_error([] { (void)read(at2("NPTS= 6, DT= .02 SEC", six.substr(0, 40))); }, "a.AT2:5: ", "cut short");
+    expect_input_error([] { (void)read(at2("NPTS= 6, DT= .02 SEC", six.substr(0, six.size() - 3))); },
+                       "a.AT2:6: ", "'.4000000E-'");
+    expect_input_error([] { (void)read(at2("NPTS= 6, DT= .02 SEC", six.substr(0, six.size() - 2))); },
+                       "a.AT2:6: ", "'.4000000E-0' at the end", "cut short");
     expect_input_error([] { (void)read(at2("NPTS= 6, DT= .02 SEC", "")); }, "a.AT2:4: ", "0 values");
 }
 

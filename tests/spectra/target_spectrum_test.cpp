@@ -104,6 +104,22 @@ TEST(TargetSpectrum, TableIsStraightInLogLog) {
     EXPECT_EQ(target.damping(), 0.02);
 }
 
+TEST(TargetSpectrum, OneLineOfNamesMayStandAboveATable) {
+    for (char const* names :
+         {"T,Sv\n", "period (s), psv (m/s)\r\n", "\xEF\xBB\xBFPeriod;Sv\n", "# note\n\"T\" \"Sv\"\n"}) {
+        auto const target =
+            parse_target_table(names + std::string("0.1, 0.2\n1.0; 2.0\n"), "t.csv", TargetKind::pseudo_velocity, 0.02);
+        EXPECT_TRUE(near(target.psv_mps(0.3), 0.6, exact_formula)) << names;
+    }
+    auto const parse = [](char const* text) {
+        (void)parse_target_table(text, "t.csv", TargetKind::acceleration, 0.05);
+    };
+    expect_input_error([&] { parse("T,Sa\nT,Sa\n0.1 1\n1 1\n"); }, "t.csv:2: ", "two numbers");
+    expect_input_error([&] { parse("0.1 1\nT,Sa\n1 1\n"); }, "t.csv:2: ", "two numbers");
+    expect_input_error([&] { parse("nan 1\n1 1\n"); }, "t.csv:1: ", "two numbers");
+    expect_input_error([&] { parse("0.1,\n1 1\n"); }, "t.csv:1: ", "two numbers");
+}
+
 TEST(TargetSpectrum, BadTablesNameTheLine) {
     auto const parse = [](char const* text) {
         (void)parse_target_table(text, "t.csv", TargetKind::acceleration, 0.05);

@@ -1,0 +1,10 @@
+# cmake -DSOURCE=... -DFILES="a.py;b.py" -P embed.cmake : writes a C++ source that holds the files as text.
+set(text "#include \"report/scripts.hpp\"\n\nnamespace overturn::report {\n\n")
+string(APPEND text "std::span<Script const> scripts() {\n    static constexpr Script all[] = {\n")
+foreach(file IN LISTS FILES)
+  file(READ "${file}" content)
+  get_filename_component(name "${file}" NAME)
+  string(APPEND text "        {\"${name}\", R\"python(${content})python\"},\n")
+endforeach()
+string(APPEND text "    };\n    return all;\n}\n\n}  // namespace overturn::report\n")
+file(WRITE "${SOURCE}" "${text}")

@@ -1,0 +1,69 @@
+#include "cli/figures.hpp"
+
+#include <filesystem>
+
+#include "report/wave_figure.hpp"
+#include "spectra/target_input.hpp"
+
+namespace overturn::cli {
+namespace {
+
+using report::FigureBody;
+
+FigureBody figure_body(std::string const& name, RigidBody const& body, GroundMotion const& motion,
+                       MeasureSpec const& measures) {
+    auto const band = rocking_period_band(body.radius_m(), measures.radius_unit);
+    WindowOptions options;
+    options.reading = measures.window;
+    options.keep_history = true;
+    options.panel_phase_rad = measures.panel_phase_rad;
+    return {name, body.limit_velocity_mps(), band,
+            window_energy(motion.horizontal_mps2, motion.time_step_s, band, options).v_wes_mps};
+}
+
+// The target stands in the campaign's own text; sources without one state none.
+std::optional<TargetSpectrum> target_of(CampaignInput const& input) {
+    auto const waves = config::Table::parse(input.text, input.name, input.settings).child("waves");
+    if (waves.text("source") != "spectrum-compatible" || !waves.has("target")) {
+        return std::nullopt;
+    }
+    InputFiles files(input.files);
+    return read_target(waves.child("target"), files);
+}
+
+}  // namespace
+
+void draw_campaign_wave(CampaignInput const& input, CampaignSpec const& spec, std::uint64_t wave,
+                        GeneratedWave const& made, std::string const& output) {
+    report::WaveFigure figure;
+    figure.title = spec.title.empty() ? input.name : spec.title;
+    auto const source = spec.source->describe();
+    bool const named_there = source.find(made.label) != std::string::npos;  // records list their waves
+    figure.subtitle = named_there ? made.label : fmt::format("{}: {}", made.label, source);
+    figure.motion = made.motion;
+    figure.target = target_of(input);
+    if (figure.target) {
+        figure.damping = figure.target->damping();
+        figure.bands = {report::srp_acceptance_band()};
+    }
+    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+        auto const& body = spec.bodies[b];
+        figure.bodies.push_back(figure_body(body.name, body.for_wave(spec.seed, wave, b), made.motion, spec.measures));
+    }
+    report::draw_wave(figure, output);
+}
+
+void draw_record(std::string const& name, PlacedRecord const& record, double damping,
+                 std::optional<BodySpec> const& body, std::string const& output) {
+    report::WaveFigure figure;
+    figure.title = std::filesystem::path(name).filename().string();
+    figure.subtitle = record.says;
+    figure.motion = record.motion;
+    figure.damping = damping;
+    if (body) {
+        figure.bodies = {figure_body(body->name, body->body, record.motion, {})};
+    }
+    report::draw_wave(figure, output);
+}
+
+}  // namespace overturn::cli

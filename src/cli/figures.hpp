@@ -1,0 +1,21 @@
+/// What the verbs know, as figures.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "campaign/campaign_spec.hpp"
+#include "cli/scene_files.hpp"
+#include "generators/wave_source.hpp"
+
+namespace overturn::cli {
+
+/// Draws wave `wave` of a campaign with its target and bodies. \throws as report::draw_wave
+void draw_campaign_wave(CampaignInput const& input, CampaignSpec const& spec, std::uint64_t wave,
+                        GeneratedWave const& made, std::string const& output);
+
+/// Draws a record, with one body if given.
+void draw_record(std::string const& name, PlacedRecord const& record, double damping,
+                 std::optional<BodySpec> const& body, std::string const& output);
+
+}  // namespace overturn::cli

@@ -1,0 +1,140 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/units.hpp"
+#include "motion/record_readers.hpp"
+#include "motion/text_lines.hpp"
+
+namespace overturn {
+namespace {
+
+constexpr std::string_view data_follow = "points of accel data equally spaced at";
+constexpr FixedFormat data_format{8, 10};
+constexpr double gal_mps2 = 0.01;
+
+/// What the text lines before a channel's data say.
+struct Channel {
+    std::string name;    ///< "90 DEG", "UP"
+    std::string number;  ///< of the channel, as printed
+    double peak_gal = 0;
+    Location peak_line;
+};
+
+/// `CHAN  1:  90 DEG     FROM` -> 1 and "90 DEG"; blanks in a row mean one.
+void read_channel_name(std::string_view line, Channel& channel) {
+    auto const at = line.find("CHAN");
+    auto const colon = line.find(':', std::min(at, line.size()));
+    if (at == std::string_view::npos || colon == std::string_view::npos) {
+        return;
+    }
+    channel.number = trimmed(line.substr(at + 4, colon - at - 4));
+    auto text = trimmed(line.substr(colon + 1));
+    text = trimmed(text.substr(0, text.find("   ")));
+    channel.name = text;
+}
+
+/// `PEAK ACCELERATION =  -267.957    CM/SEC/SEC  AT   10.940   SEC.`
+void read_peak(std::string_view line, Location const& where, Channel& channel) {
+    auto const equals = line.find('=');
+    auto const text = trimmed(line.substr(std::min(equals + 1, line.size())));
+    double peak = 0;
+    if (lowered(line).find("cm/sec/sec") != std::string::npos
+        && parse_number(text.substr(0, text.find_first_of(" \t")), peak)) {
+        channel.peak_gal = peak;
+        channel.peak_line = where;
+    }
+}
+
+/// The number in front of and the one behind `data_follow`.
+std::pair<std::size_t, double> read_size(std::string_view line, Location const& where) {
+    auto const lower = lowered(line);
+    auto const at = lower.find(data_follow);
+    auto const after = trimmed(std::string_view(lower).substr(at + data_follow.size()));
+    double count = 0;
+    double step = 0;
+    constexpr double most = 1e9;
+    if (!parse_number(trimmed(std::string_view(lower).substr(0, at)), count) || !(count >= 1 && count <= most)
+        || !parse_number(after.substr(0, after.find_first_of(" \t")), step) || !(step > 0)) {
+        throw InputError(where, fmt::format("{} (a count of points and a step above 0 s belong here). Mend the header",
+                                            quoted(trimmed(line))));
+    }
+    if (lower.find("cm/sec/sec") == std::string::npos) {
+        throw InputError(where,
+                         "unit other than CM/SEC/SEC (corrected CSMIP data are in it). Convert the data to "
+                         "columns and state the unit");
+    }
+    return {static_cast<std::size_t>(count), step};
+}
+
+void read_channel(std::string_view line, TextLines& lines, Channel const& channel, RecordRequest const& request,
+                  Recording& recording) {
+    Location const where{request.name, lines.number()};
+    auto const [count, step] = read_size(line, where);
+    check_stated_unit(request, gal_mps2, where);
+    check_stated_time_step(request, step, where);
+    if (!recording.components.empty() && step != recording.time_step_s) {
+        throw InputError(where, fmt::format("time step of {} s after a channel of {} s (components must agree). Put "
+                                            "the channels into files of their own",
+                                            step, recording.time_step_s));
+    }
+    std::vector<double> values;
+    append_fixed(lines, data_format, count, request.name, values);
+    for (double& value : values) {
+        value *= gal_mps2;
+    }
+    if (channel.peak_gal != 0) {
+        constexpr double half_of_last_digit = 0.0005;
+        check_stated_peak(peak_of(values), channel.peak_gal * gal_mps2, half_of_last_digit * gal_mps2,
+                          channel.peak_line);
+    }
+    recording.time_step_s = step;
+    bool const taken = std::any_of(recording.components.begin(), recording.components.end(),
+                                   [&](RecordComponent const& c) { return c.name == channel.name; });
+    auto const name = taken ? fmt::format("{} (channel {})", channel.name, channel.number) : channel.name;
+    recording.components.push_back({name, direction_of(channel.name), std::move(values)});
+}
+
+}  // namespace
+
+bool recognises_csmip_v2(std::string_view content) {
+    constexpr int header_lines_at_most = 60;
+    TextLines lines(content);
+    while (lines.number() < header_lines_at_most) {
+        auto const line = lines.next();
+        if (!line) {
+            return false;
+        }
+        if (lowered(*line).find(data_follow) != std::string::npos) {
+            return true;
+        }
+    }
+    return false;
+}
+
+Recording read_csmip_v2(std::string_view content, RecordRequest const& request) {
+    TextLines lines(content);
+    Recording recording;
+    Channel channel;
+    while (auto const line = lines.next()) {
+        auto const lower = lowered(*line);
+        if (lower.starts_with("corrected accelerogram")) {
+            channel = {};
+            read_channel_name(*line, channel);
+        } else if (lower.starts_with("peak acceleration")) {
+            read_peak(*line, {request.name, lines.number()}, channel);
+        } else if (lower.find(data_follow) != std::string::npos) {
+            read_channel(*line, lines, channel, request, recording);
+        }
+    }
+    if (recording.components.empty()) {
+        throw InputError({request.name},
+                         "no line 'POINTS OF ACCEL DATA EQUALLY SPACED AT' (a CSMIP V2 file has one). "
+                         "State another format");
+    }
+    return recording;
+}
+
+}  // namespace overturn

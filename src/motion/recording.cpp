@@ -1,0 +1,191 @@
+#include "motion/recording.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "config/suggestion.hpp"
+#include "core/units.hpp"
+#include "motion/text_lines.hpp"
+
+namespace overturn {
+namespace {
+
+using Names = std::vector<std::string>;
+
+bool is_one_of(std::string_view name, std::span<std::string_view const> names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// An azimuth, "90", "360 deg", or a bearing, "n10e".
+bool is_bearing(std::string_view name) {
+    constexpr double full_circle = 360;
+    if (name.size() > 2 && (name.front() == 'n' || name.front() == 's') && (name.back() == 'e' || name.back() == 'w')) {
+        name = name.substr(1, name.size() - 2);
+    } else if (name.ends_with("deg")) {
+        name = trimmed(name.substr(0, name.size() - 3));
+    }
+    double azimuth = 0;
+    return parse_number(name, azimuth) && azimuth >= 0 && azimuth <= full_circle;
+}
+
+bool is_vertical(RecordComponent const& component) {
+    return component.direction == Direction::up || component.direction == Direction::down;
+}
+
+Names names_of(Recording const& recording) {
+    Names names;
+    names.reserve(recording.components.size());
+    for (auto const& component : recording.components) {
+        names.push_back(component.name);
+    }
+    return names;
+}
+
+std::string list_of(Names const& names) {
+    std::string list;
+    for (auto const& name : names) {
+        list += list.empty() ? "" : ", ";
+        list += name.empty() ? "(no name)" : name;
+    }
+    return list;
+}
+
+// Takes the component called `name` out; spaces and case do not count.
+RecordComponent taken(Recording& recording, std::string_view name, Location const& where) {
+    auto const plain = [](std::string_view text) {
+        auto lower = lowered(text);
+        std::erase(lower, ' ');
+        return lower;
+    };
+    auto const at = std::find_if(recording.components.begin(), recording.components.end(),
+                                 [&](RecordComponent const& c) { return plain(c.name) == plain(name); });
+    if (at == recording.components.end()) {
+        auto const names = names_of(recording);
+        throw InputError(where, fmt::format("component '{}' (not in the file). {}", name,
+                                            config::suggestion(std::string(name), names)));
+    }
+    auto component = std::move(*at);
+    recording.components.erase(at);
+    return component;
+}
+
+// The only component that satisfies `wanted`, taken out; an empty one if there is none.
+template <class Wanted>
+RecordComponent only(Recording& recording, char const* what, Location const& where, Wanted&& wanted) {
+    auto const at = std::find_if(recording.components.begin(), recording.components.end(), wanted);
+    if (at == recording.components.end()) {
+        return {};
+    }
+    auto component = std::move(*at);
+    recording.components.erase(at);
+    auto const second = std::find_if(recording.components.begin(), recording.components.end(), wanted);
+    if (second != recording.components.end()) {
+        throw InputError(where, fmt::format("'{}' and '{}' (one {} component is needed). Put those of one sensor into "
+                                            "a file of their own",
+                                            component.name, second->name, what));
+    }
+    return component;
+}
+
+RecordComponent first_horizontal(Recording& recording, std::string_view first, Location const& where) {
+    if (!first.empty()) {
+        return taken(recording, first, where);
+    }
+    auto const at = std::find_if(recording.components.begin(), recording.components.end(),
+                                 [](RecordComponent const& c) { return !is_vertical(c); });
+    auto const chosen = at == recording.components.end() ? recording.components.begin() : at;
+    auto component = std::move(*chosen);
+    recording.components.erase(chosen);
+    return component;
+}
+
+std::string cut_to_shortest(GroundMotion& motion) {
+    std::array const all{&motion.horizontal_mps2, &motion.transverse_mps2, &motion.vertical_mps2};
+    auto shortest = motion.samples();
+    auto longest = shortest;
+    for (auto const* component : all) {
+        shortest = component->empty() ? shortest : std::min(shortest, component->size());
+        longest = std::max(longest, component->size());
+    }
+    if (shortest == longest) {
+        return {};
+    }
+    for (auto* component : all) {
+        component->resize(std::min(component->size(), shortest));
+    }
+    return fmt::format(", cut to {} samples", shortest);
+}
+
+}  // namespace
+
+Direction direction_of(std::string_view name) {
+    static constexpr std::array<std::string_view, 10> ups{"up", "ud",  "u-d",  "u",   "z",
+                                                          "v",  "ver", "vert", "vrt", "vertical"};
+    static constexpr std::array<std::string_view, 4> downs{"dwn", "down", "dn", "d"};
+    static constexpr std::array<std::string_view, 23> horizontals{"ns", "n-s", "sn", "ew", "e-w", "we",    "n",   "e",
+                                                                  "s",  "w",   "l",  "t",  "ln",  "tr",    "fn",  "fp",
+                                                                  "h1", "h2",  "x",  "y",  "h",   "north", "east"};
+    auto const lower = lowered(trimmed(name));
+    if (is_one_of(lower, ups)) {
+        return Direction::up;
+    }
+    if (is_one_of(lower, downs)) {
+        return Direction::down;
+    }
+    return is_one_of(lower, horizontals) || is_bearing(lower) ? Direction::horizontal : Direction::unknown;
+}
+
+std::span<config::Entry<ComponentChoice> const> component_choices() {
+    static constexpr std::array entries{
+        config::Entry<ComponentChoice>{"file", "every component that the file holds", ComponentChoice::file},
+        config::Entry<ComponentChoice>{"horizontal", "one horizontal component only", ComponentChoice::horizontal},
+        config::Entry<ComponentChoice>{"station", "those of the same station in the files beside it as well",
+                                       ComponentChoice::station},
+    };
+    return entries;
+}
+
+void turn(std::vector<double>& acceleration_mps2) {
+    for (double& value : acceleration_mps2) {
+        value = 0 - value;  // not -0 where the ground rests
+    }
+}
+
+PlacedRecord place(Recording recording, std::string_view first, ComponentChoice choice, Location const& where) {
+    PlacedRecord placed;
+    placed.motion.time_step_s = recording.time_step_s;
+    bool const single = recording.components.size() == 1;
+    auto const names = names_of(recording);
+    auto horizontal = first_horizontal(recording, first, where);
+    placed.says = horizontal.name;
+    placed.direction = horizontal.direction;
+    placed.motion.horizontal_mps2 = std::move(horizontal.acceleration_mps2);
+    if (single || choice == ComponentChoice::horizontal) {
+        return placed;
+    }
+    auto vertical = only(recording, "vertical", where, &is_vertical);
+    auto transverse = only(recording, "second horizontal", where,
+                           [](RecordComponent const& c) { return c.direction == Direction::horizontal; });
+    if (!recording.components.empty() || is_vertical(horizontal)) {
+        throw InputError(where, fmt::format("components {} (which is horizontal and which vertical cannot be told). "
+                                            "Put those that are meant into columns time,a_horizontal[,a_vertical]",
+                                            list_of(names)));
+    }
+    if (!transverse.acceleration_mps2.empty()) {
+        placed.says += fmt::format(", transverse {}", transverse.name);
+        placed.motion.transverse_mps2 = std::move(transverse.acceleration_mps2);
+    }
+    if (!vertical.acceleration_mps2.empty()) {
+        if (vertical.direction == Direction::down) {
+            turn(vertical.acceleration_mps2);
+        }
+        placed.says += fmt::format(", vertical {}{}", vertical.name,
+                                   vertical.direction == Direction::down ? " with its sign turned" : "");
+        placed.motion.vertical_mps2 = std::move(vertical.acceleration_mps2);
+    }
+    placed.says += cut_to_shortest(placed.motion);
+    return placed;
+}
+
+}  // namespace overturn

@@ -1,0 +1,60 @@
+/// What a record file holds: named components of one station, and how they are placed into a GroundMotion.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "config/registry.hpp"
+#include "core/error.hpp"
+#include "motion/ground_motion.hpp"
+
+namespace overturn {
+
+/// Where a component points to, as far as its name tells.
+enum class Direction { unknown, horizontal, up, down };
+
+/// From what providers write: azimuths (90, "360 DEG"), N-S, EW, L, FN; UP, UD, Z, V; DWN, DOWN.
+[[nodiscard]] Direction direction_of(std::string_view name);
+
+struct RecordComponent {
+    std::string name;  ///< as the file calls it; empty if it does not
+    Direction direction = Direction::unknown;
+    std::vector<double> acceleration_mps2;  ///< [m/s2]
+};
+
+/// One file. Components may differ in length by what their provider cut off.
+struct Recording {
+    double time_step_s = 0;  ///< [s]
+    std::vector<RecordComponent> components;
+};
+
+/// Which components of a file become part of the motion.
+enum class ComponentChoice {
+    file,        ///< all that the file holds
+    horizontal,  ///< one horizontal component only
+    station      ///< all that the files of the same station beside it hold
+};
+
+/// The choices under the names users write.
+[[nodiscard]] std::span<config::Entry<ComponentChoice> const> component_choices();
+
+/// A motion and one line on what went where: "NS, transverse EW, vertical UD, cut to 3250 samples".
+struct PlacedRecord {
+    GroundMotion motion;
+    std::string says;
+    Direction direction = Direction::unknown;  ///< of what lies in the rocking plane
+};
+
+/// The other sign, for what is recorded downwards.
+void turn(std::vector<double>& acceleration_mps2);
+
+/// Places the first horizontal component (or the one called `first`) into the rocking plane, the other horizontal one
+/// across it and the vertical one upwards, turning its sign if it is recorded downwards. A single component goes into
+/// the rocking plane whatever its direction. Components are cut to the shortest, which the line then says.
+/// \throws InputError at `where` if it cannot be told which component is which
+[[nodiscard]] PlacedRecord place(Recording recording, std::string_view first, ComponentChoice choice,
+                                 Location const& where);
+
+}  // namespace overturn

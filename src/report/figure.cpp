@@ -1,0 +1,151 @@
+#include "report/figure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "core/error.hpp"
+#include "report/scripts.hpp"
+
+namespace overturn::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char const* packages = "apt-get install python3 python3-matplotlib python3-h5py";
+
+/// A folder of its own, gone with the object.
+class TemporaryFolder {
+  public:
+    TemporaryFolder() {
+        auto name = (fs::temp_directory_path() / "overturn-figure-XXXXXX").string();
+        if (::mkdtemp(name.data()) == nullptr) {
+            throw SystemError("no temporary folder (the figure's data go there). Make room, or set TMPDIR");
+        }
+        path_ = name;
+    }
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    TemporaryFolder(TemporaryFolder const&) = delete;
+    TemporaryFolder& operator=(TemporaryFolder const&) = delete;
+    TemporaryFolder(TemporaryFolder&&) = delete;
+    TemporaryFolder& operator=(TemporaryFolder&&) = delete;
+
+    /// Writes a file of that name and gives its path. \throws SystemError
+    [[nodiscard]] std::string write(std::string_view name, std::string_view text) const {
+        auto const path = path_ / name;
+        std::ofstream file(path, std::ios::binary);
+        file << text;
+        if (!file.flush()) {
+            throw SystemError(fmt::format("{}: cannot be written (is the disk full?). Make room", path.string()));
+        }
+        return path.string();
+    }
+    [[nodiscard]] fs::path operator/(std::string_view name) const { return path_ / name; }
+
+  private:
+    fs::path path_;
+};
+
+std::string interpreter() {
+    if (char const* stated = std::getenv("OVERTURN_PYTHON"); stated != nullptr && *stated != '\0') {
+        return stated;
+    }
+    constexpr char const* system_python = "/usr/bin/python3";
+    return ::access(system_python, X_OK) == 0 ? system_python : "python3";
+}
+
+/// The exit code; standard error goes to `errors`.
+int run(std::vector<std::string> arguments, std::string const& errors) {
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    constexpr int output_mode = 0600;
+    posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, 2, errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, output_mode);
+    std::vector<char*> argv;
+    argv.reserve(arguments.size() + 1);
+    for (auto& argument : arguments) {
+        argv.push_back(argument.data());
+    }
+    argv.push_back(nullptr);
+    pid_t child = 0;
+    int const failed = posix_spawnp(&child, argv[0], &actions, nullptr, argv.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    constexpr int not_found = 127;
+    if (failed != 0) {
+        return not_found;
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+std::string last_line_of(std::string const& path) {
+    std::ifstream file(path);
+    std::string last;
+    for (std::string line; std::getline(file, line);) {
+        last = line.empty() ? last : line;
+    }
+    return last;
+}
+
+void run_script(std::vector<std::string> const& arguments, std::string const& errors) {
+    constexpr int not_found = 127;
+    int const code = run(arguments, errors);
+    if (code == not_found) {
+        throw SystemError(
+            fmt::format("{} missing (figures are drawn by Python). Install it: {}", arguments[0], packages));
+    }
+    if (code != 0) {
+        auto const why = last_line_of(errors);
+        throw SystemError(why.find("Install it: ") != std::string::npos
+                              ? why
+                              : fmt::format("no figure (Python said: {}). If a package is broken: {}", why, packages));
+    }
+}
+
+std::string extension_of(fs::path const& output) {
+    auto extension = output.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return extension;
+}
+
+}  // namespace
+
+void check_figure_name(fs::path const& output) {
+    static constexpr std::array<std::string_view, 3> known{".svg", ".png", ".pdf"};
+    validate(std::find(known.begin(), known.end(), extension_of(output)) != known.end(),
+             "{}: not the name of a figure (its ending says the kind). End it in .svg, .png or .pdf", output.string());
+}
+
+void draw_figure(std::string_view script, nlohmann::ordered_json const& data, fs::path const& output) {
+    check_figure_name(output);
+    TemporaryFolder const folder;
+    std::string program;
+    for (auto const& each : scripts()) {
+        auto path = folder.write(each.name, each.text);
+        program = each.name == script ? std::move(path) : program;
+    }
+    OVERTURN_EXPECT(!program.empty());
+    auto const input = folder.write("data.json", data.dump());
+    auto const drawn = folder / ("figure" + extension_of(output));
+    run_script({interpreter(), "-B", program, input, drawn.string()}, (folder / "errors").string());
+    std::error_code error;
+    fs::copy_file(drawn, output, fs::copy_options::overwrite_existing, error);
+    validate(!error, "{}: cannot be written ({}). Choose another place", output.string(), error.message());
+}
+
+}  // namespace overturn::report

@@ -1,0 +1,20 @@
+/// Draws a figure: data as JSON, one of the Python scripts of this folder, a file.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+namespace overturn::report {
+
+/// \throws InputError unless `output` ends in .svg, .png or .pdf: to be asked before any work
+void check_figure_name(std::filesystem::path const& output);
+
+/// Runs `script` (a name of scripts()) on `data` and puts the figure at `output`; equal data give equal bytes. The
+/// interpreter is $OVERTURN_PYTHON, else /usr/bin/python3, else the first python3 of the path.
+/// \throws SystemError if there is none, a module is missing or the script fails; InputError if `output` cannot be
+/// written
+void draw_figure(std::string_view script, nlohmann::ordered_json const& data, std::filesystem::path const& output);
+
+}  // namespace overturn::report

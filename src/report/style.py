@@ -1,0 +1,59 @@
+"""How every figure of overturn looks: one palette, one type size, the same bytes for the same data."""
+
+import sys
+
+
+def require(*modules):
+    """Imports what a figure needs, or ends with one line that names the packages to install."""
+    import importlib
+    missing = []
+    for name in modules:
+        try:
+            importlib.import_module(name)
+        except ImportError:
+            missing.append("python3-" + name)
+    if missing:
+        names = " ".join(missing)
+        sys.exit(f"{names} missing (figures are drawn with it). Install it: apt-get install {names}")
+
+
+require("numpy", "matplotlib")
+
+import matplotlib  # noqa: E402
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+# Okabe & Ito (2008): told apart by colour-blind readers, and by their lightness in grey print.
+BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY = "#0072b2", "#d55e00", "#009e73", "#e69f00", "#cc79a7", "#56b4e9"
+INK, GREY, PALE = "#1a1a1a", "#7a7a7a", "#dddddd"
+BODIES = [(VERMILION, "-"), (GREEN, "--"), (PURPLE, "-."), (ORANGE, ":"), (SKY, (0, (5, 1, 1, 1)))]
+
+
+def use():
+    """The house's settings, whatever the reader's own matplotlibrc says."""
+    matplotlib.rcdefaults()
+    matplotlib.rcParams.update({
+        "font.family": "DejaVu Sans", "font.size": 8, "axes.titlesize": 8.5, "axes.titleweight": "bold",
+        "axes.titlelocation": "left", "axes.labelsize": 8, "xtick.labelsize": 7.5, "ytick.labelsize": 7.5,
+        "legend.fontsize": 7.5, "legend.frameon": False, "legend.borderaxespad": 0.3, "legend.handlelength": 2.2,
+        "axes.edgecolor": GREY, "axes.labelcolor": INK, "text.color": INK, "xtick.color": INK, "ytick.color": INK,
+        "axes.linewidth": 0.6, "xtick.major.width": 0.6, "ytick.major.width": 0.6, "xtick.minor.width": 0.4,
+        "ytick.minor.width": 0.4, "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True,
+        "grid.color": PALE, "grid.linewidth": 0.5, "axes.axisbelow": True, "lines.linewidth": 1.0,
+        "lines.solid_joinstyle": "round", "figure.facecolor": "white", "savefig.dpi": 150,
+        "svg.hashsalt": "overturn", "svg.fonttype": "path", "path.simplify_threshold": 0.1,
+    })
+
+
+def save(figure, path):
+    """Without dates, names or versions: equal data give equal bytes."""
+    nothing = {"svg": {"Date": None, "Creator": None}, "png": {"Software": None},
+               "pdf": {"CreationDate": None, "Creator": None, "Producer": None}}
+    figure.savefig(path, metadata=nothing[path.rsplit(".", 1)[1]])
+    plt.close(figure)
+
+
+def number(value, digits=3):
+    """Three significant figures without an exponent where that is readable."""
+    return f"{value:.{digits}g}" if 1e-3 <= abs(value) < 1e4 else f"{value:.{digits - 1}e}"

@@ -1,0 +1,87 @@
+#include "report/wave_figure.hpp"
+
+#include "motion/intensity.hpp"
+#include "report/figure.hpp"
+#include "spectra/input_energy.hpp"
+#include "spectra/response_spectrum.hpp"
+
+namespace overturn::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double shortest_s = 0.02;
+constexpr double longest_s = 20;
+constexpr std::size_t period_count = 300;
+constexpr double energy_damping = 0.10;  // what the criterion's source plots
+
+Json target_json(WaveFigure const& figure, std::vector<double> const& periods) {
+    std::vector<double> within;
+    std::vector<double> psa;
+    within.reserve(periods.size());
+    psa.reserve(periods.size());
+    for (double const period : periods) {
+        if (figure.target->defined_at(period)) {
+            within.push_back(period);
+            psa.push_back(figure.target->psa_mps2(period));
+        }
+    }
+    auto bands = Json::array();
+    for (auto const& band : figure.bands) {
+        bands.push_back({{"name", band.name},
+                         {"lower", band.lower},
+                         {"upper", band.upper},
+                         {"from_s", band.from_s},
+                         {"to_s", band.to_s}});
+    }
+    return {{"name", figure.target->name()}, {"period_s", within}, {"psa_mps2", psa}, {"bands", bands}};
+}
+
+Json bodies_json(WaveFigure const& figure) {
+    auto bodies = Json::array();
+    for (auto const& body : figure.bodies) {
+        bodies.push_back({{"name", body.name},
+                          {"v_ereq_mps", body.limit_velocity_mps},
+                          {"t0_s", body.band.t0_s},
+                          {"t1_s", body.band.t1_s},
+                          {"v_wes_mps", body.v_wes_mps}});
+    }
+    return bodies;
+}
+
+}  // namespace
+
+AcceptanceBand srp_acceptance_band() { return {"SRP 3.7.1: \u221210 % to +30 %", 0.9, 1.3, 0.02, 10}; }
+
+void draw_wave(WaveFigure const& figure, std::filesystem::path const& output) {
+    auto const& motion = figure.motion;
+    double const step = motion.time_step_s;
+    auto const periods = log_periods(shortest_s, longest_s, period_count);
+    auto const intensity = intensity_of(motion.horizontal_mps2, step);
+    Json data{{"title", figure.title},
+              {"subtitle", figure.subtitle},
+              {"pga_mps2", intensity.pga_mps2},
+              {"pgv_mps", intensity.pgv_mps},
+              {"pgd_m", intensity.pgd_m},
+              {"time_step_s", step},
+              {"acceleration_mps2", motion.horizontal_mps2},
+              {"velocity_mps", velocity_of(motion.horizontal_mps2, step)},
+              {"displacement_m", displacement_of(motion.horizontal_mps2, step)},
+              {"period_s", periods},
+              {"damping", figure.damping},
+              {"psa_mps2", response_spectrum(motion.horizontal_mps2, step, periods, figure.damping).psa_mps2},
+              {"energy_damping", energy_damping},
+              {"v_e_mps", input_energy_velocities(motion.horizontal_mps2, step, periods, energy_damping)},
+              {"v_e0_mps", undamped_energy_velocities(motion.horizontal_mps2, step, periods)},
+              {"bodies", bodies_json(figure)}};
+    if (!motion.vertical_mps2.empty()) {
+        data["vertical_mps2"] = motion.vertical_mps2;
+        data["vertical_psa_mps2"] = response_spectrum(motion.vertical_mps2, step, periods, figure.damping).psa_mps2;
+    }
+    if (figure.target) {
+        data["target"] = target_json(figure, periods);
+    }
+    draw_figure("wave_figure.py", data, output);
+}
+
+}  // namespace overturn::report

@@ -1,0 +1,48 @@
+/// One wave on one page: acceleration, velocity, displacement, V_WES(t) against V_Ereq, response and energy spectra.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "motion/ground_motion.hpp"
+#include "spectra/band_rule.hpp"
+#include "spectra/target_spectrum.hpp"
+#include "spectra/window_energy.hpp"
+
+namespace overturn::report {
+
+/// What a standard lets the ratio of wave to target be, over the periods for which it asks.
+struct AcceptanceBand {
+    std::string name;
+    double lower = 0, upper = 0;  ///< ratio to the target [-]
+    double from_s = 0, to_s = 0;  ///< [s]
+};
+
+/// NUREG-0800 SRP 3.7.1 (rev. 4, 2014), option 1, approach 2: nowhere more than 10 % below the target nor more than 30
+/// % above it, from 0.1 Hz to 50 Hz.
+[[nodiscard]] AcceptanceBand srp_acceptance_band();
+
+/// A body as the energy criterion sees it.
+struct FigureBody {
+    std::string name;
+    double limit_velocity_mps = 0;  ///< V_Ereq [m/s]
+    PeriodBand band;
+    std::vector<double> v_wes_mps;  ///< at every sample [m/s]
+};
+
+struct WaveFigure {
+    std::string title;
+    std::string subtitle;  ///< where the wave comes from
+    GroundMotion motion;
+    double damping = 0.05;  ///< of the response spectrum [-]
+    std::optional<TargetSpectrum> target;
+    std::vector<AcceptanceBand> bands;
+    std::vector<FigureBody> bodies;
+};
+
+/// \throws as draw_figure
+void draw_wave(WaveFigure const& figure, std::filesystem::path const& output);
+
+}  // namespace overturn::report

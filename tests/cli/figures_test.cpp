@@ -1,0 +1,151 @@
+// Requirement: waves are drawn and written as files; a figure needs nothing but Python, says what to install where
+// something is missing, and has the same bytes for the same data.
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/campaign_files.hpp"
+#include "motion/record.hpp"
+#include "support/command.hpp"
+
+namespace overturn::testing {
+namespace {
+
+using nlohmann::json;
+
+class Figures : public ::testing::Test {
+  protected:
+    Figures() {
+        ::unsetenv("OVERTURN_PYTHON");
+        ::setenv("TMPDIR", folder.path().c_str(), 1);
+        folder.write("target.csv", target_csv);
+        folder.write("c.toml", small_campaign("shared", 2));
+        folder.write("body.toml",
+                     "name='b'\nmass='12.6 t'\nbase_width='0.9 m'\ncentre_height='1.045 m'\ninertia='uniform-block'\n");
+    }
+    ~Figures() override {
+        ::unsetenv("OVERTURN_PYTHON");
+        ::unsetenv("TMPDIR");
+    }
+
+    Ended done(std::vector<std::string> const& arguments) {
+        auto ended = overturn(folder, arguments);
+        EXPECT_EQ(ended.code, 0) << ended.err;
+        return ended;
+    }
+
+    /// Lets `script` stand where the interpreter would: called with -B, the script, the data and the figure's place.
+    void use_interpreter(std::string const& script) {
+        folder.write("interpreter", "#!/bin/sh\n" + script + "\n");
+        std::filesystem::permissions(folder / "interpreter", std::filesystem::perms::owner_all);
+        ::setenv("OVERTURN_PYTHON", (folder / "interpreter").c_str(), 1);
+    }
+
+    void skip_without_matplotlib() {
+        if (execute(folder, {OVERTURN_PYTHON, "-c", "import matplotlib"}).code != 0) {
+            GTEST_SKIP() << "no matplotlib to draw with (install python3-matplotlib)";
+        }
+    }
+
+    Folder folder;
+};
+
+TEST_F(Figures, SameDataSameBytes) {
+    skip_without_matplotlib();
+    if (IsSkipped()) {
+        return;
+    }
+    done({"wave", "c.toml", "--wave", "1", "--plot", "a.svg"});
+    done({"wave", "c.toml", "--wave", "1", "--plot", "b.svg"});
+    done({"wave", "c.toml", "--wave", "0", "--plot", "c.svg"});
+    done({"wave", "c.toml", "--wave", "0", "--plot", "c.png"});
+
+    auto const svg = folder.read("a.svg");
+    EXPECT_TRUE(svg.starts_with("<?xml")) << svg.substr(0, 100);
+    EXPECT_NE(svg.find("</svg>"), std::string::npos);
+    EXPECT_EQ(svg.find("<dc:date>"), std::string::npos);
+    EXPECT_EQ(svg, folder.read("b.svg"));
+    EXPECT_NE(svg, folder.read("c.svg"));
+    EXPECT_TRUE(folder.read("c.png").starts_with("\x89PNG"));
+    for (auto const& entry : std::filesystem::directory_iterator(folder.path())) {
+        EXPECT_FALSE(entry.path().filename().string().starts_with("overturn-figure-")) << entry.path();  // left over
+    }
+}
+
+// The figure shows what the numbers say.
+TEST_F(Figures, DrawWhatIsMeasured) {
+    use_interpreter("cp \"$3\" \"$4\"");
+    done({"wave", "c.toml", "--wave", "1", "--plot", "a.svg"});
+    done({"wave", "c.toml", "--wave", "1", "-o", "w.csv"});
+    std::vector<std::string> const record{"spectrum", "--wave", "w.csv", "--unit", "m/s2", "--body", "body.toml"};
+    done(joined(record, {"--plot", "b.svg"}));
+    auto const measured = json::parse(done(joined(record, {"--json"})).out);
+    auto const wave = json::parse(folder.read("a.svg"));
+    auto const drawn = json::parse(folder.read("b.svg"));
+
+    EXPECT_EQ(drawn["pgv_mps"], measured["pgv"]);
+    auto const& body = drawn["bodies"][0];
+    EXPECT_EQ(body["v_ereq_mps"], measured["energy"]["v_ereq_mps"]);
+    EXPECT_EQ(*std::max_element(body["v_wes_mps"].begin(), body["v_wes_mps"].end()),
+              measured["energy"]["v_wes_max_mps"]);
+    EXPECT_FALSE(drawn.contains("target"));
+
+    EXPECT_EQ(wave["bodies"].size(), 2U);
+    EXPECT_EQ(wave["title"], "small");
+    EXPECT_EQ(wave["target"]["name"], "target.csv");
+    EXPECT_NEAR(wave["target"]["psa_mps2"][0].get<double>(), 2.5, 1e-12);
+    EXPECT_EQ(wave["target"]["bands"][0]["lower"], 0.9);
+    EXPECT_EQ(wave["vertical_mps2"].size(), wave["acceleration_mps2"].size());
+    EXPECT_LT(wave["target"]["period_s"].back().get<double>(), 10.0 + 1e-9);
+}
+
+TEST_F(Figures, MissingPiecesAreNamed) {
+    auto const fails = [&](std::string const& part) {
+        auto const ended = overturn(folder, {"wave", "c.toml", "--wave", "1", "--plot", "a.svg"});
+        EXPECT_EQ(ended.code, 1) << part;
+        EXPECT_TRUE(is_one_error_line(ended.err));
+        EXPECT_NE(ended.err.find(part), std::string::npos) << ended.err;
+        EXPECT_FALSE(folder.has("a.svg"));
+    };
+    ::setenv("OVERTURN_PYTHON", "/nonexistent/python", 1);
+    fails("/nonexistent/python missing");
+    use_interpreter("exec " OVERTURN_PYTHON " -S \"$@\"");  // without anybody's packages
+    fails("apt-get install python3-numpy python3-matplotlib");
+    use_interpreter("echo 'Traceback' >&2; echo 'ValueError: broken' >&2; exit 1");
+    fails("Python said: ValueError: broken");
+}
+
+TEST_F(Figures, BadNamesAreRefusedBeforeAnyWork) {
+    auto const refused = [&](std::vector<std::string> const& arguments, std::string const& part) {
+        auto const ended = overturn(folder, arguments);
+        EXPECT_EQ(ended.code, 2) << part;
+        EXPECT_TRUE(is_one_error_line(ended.err));
+        EXPECT_NE(ended.err.find(part), std::string::npos) << ended.err;
+    };
+    refused({"wave", "c.toml", "--wave", "1", "--plot", "a.jpg"}, "End it in .svg, .png or .pdf");
+    refused({"wave", "c.toml", "--wave", "1", "-o", "a.txt"}, "End it in .csv or .at2");
+    refused({"spectrum", "--wave", "none.csv", "--plot", "a"}, "End it in .svg");
+    use_interpreter("cp \"$3\" \"$4\"");
+    refused({"wave", "c.toml", "--wave", "1", "--plot", "no/folder/a.svg"}, "no/folder/a.svg: cannot be written");
+}
+
+TEST_F(Figures, At2FilesHoldTheWavesComponents) {
+    done({"wave", "c.toml", "--wave", "1", "-o", "w.AT2"});
+    done({"wave", "c.toml", "--wave", "1", "-o", "w.csv"});
+
+    auto const csv = read_record(folder.read("w.csv"), {.unit_mps2 = 1});
+    auto const horizontal = read_record(folder.read("w-H1.AT2"), {});
+    auto const vertical = read_record(folder.read("w-UP.AT2"), {});
+
+    EXPECT_FALSE(folder.has("w-H2.AT2"));
+    ASSERT_EQ(horizontal.samples(), csv.samples());
+    constexpr double eight_digits = 5e-8;
+    for (std::size_t i = 0; i < csv.samples(); ++i) {
+        ASSERT_NEAR(horizontal.horizontal_mps2[i], csv.horizontal_mps2[i],
+                    eight_digits * std::abs(csv.horizontal_mps2[i]));
+        ASSERT_NEAR(vertical.horizontal_mps2[i], csv.vertical_mps2[i], eight_digits * std::abs(csv.vertical_mps2[i]));
+    }
+}
+
+}  // namespace
+}  // namespace overturn::testing

@@ -1,0 +1,112 @@
+// Requirement: CSMIP/CDMG V2 files give every channel's corrected acceleration with its printed peak; uncorrected files
+// are refused by name.
+#include <string>
+
+#include "motion/record.hpp"
+#include "support/expect_input_error.hpp"
+
+namespace overturn {
+namespace {
+
+using testing::expect_input_error;
+
+struct Parts {
+    std::string name = "90 DEG", peak = "-267.957", number = "1";
+    int count = 10;
+    std::string step = ".020", unit = "CM/SEC/SEC";
+};
+
+std::string block(std::string const& what, int count, std::string const& step, std::string const& unit, double start) {
+    std::string text =
+        fmt::format("{:5d} POINTS OF {} DATA EQUALLY SPACED AT  {} SEC.  (UNITS: {})\n", count, what, step, unit);
+    for (int i = 0; i < count; ++i) {
+        text += fmt::format("{:10.3f}", i == 3 ? start : 0.001 * i) + (i % 8 == 7 || i + 1 == count ? "\n" : "");
+    }
+    return text;
+}
+
+std::string channel(Parts const& parts = {}) {
+    return "CORRECTED ACCELEROGRAM   36456-S4384-83123.01       CHAN  " + parts.number + ": " + parts.name
+           + "     FROM\nUNCORRECTED ACCELEROGRAM DATA              PROCESSED:  6/06/83, CDMG QC83A456\n"
+             "CHAN  "
+           + parts.number + ": " + parts.name + "\n  " + std::to_string(parts.count)
+           + " POINTS OF INSTRUMENT- AND BASELINE-CORRECTED ACCEL, VELOC AND DISPL DATA\n"
+             "PEAK ACCELERATION =  "
+           + parts.peak
+           + "    CM/SEC/SEC  AT   10.940   SEC.\n"
+             "PEAK   VELOCITY   =   -28.253      CM/SEC    AT   11.100   SEC.\n"
+             "    1    1    1    3    3    0    1    1    0    0    0    0    0    0    0    0\n"
+             "      .041      .630    65.000      .030      .100     1.870     -.275    10.947\n"
+           + block("ACCEL", parts.count, parts.step, parts.unit, std::stod(parts.peak))
+           + block("VELOC", parts.count, parts.step, "CM/SEC", 900)
+           + block("DISPL", parts.count, parts.step, "CM", 900) + "/&  ----------  END OF DATA FOR CHANNEL  1  ------\n";
+}
+
+GroundMotion read(std::string const& content, RecordRequest request = {}) {
+    request.name = "a.V2";
+    return read_record(content, request);
+}
+
+TEST(CsmipV2, OneChannel) {
+    auto const motion = read(channel());
+
+    EXPECT_EQ(motion.time_step_s, 0.02);
+    ASSERT_EQ(motion.samples(), 10U);
+    EXPECT_EQ(motion.horizontal_mps2[2], 0.002 * 0.01);
+    EXPECT_EQ(motion.horizontal_mps2[3], -267.957 * 0.01);
+}
+
+TEST(CsmipV2, ChannelsFindTheirPlaces) {
+    auto const three = channel({.name = "90 DEG"})
+                       + channel({.name = "UP", .peak = "94.805", .number = "2", .count = 9})
+                       + channel({.name = "  0 DEG", .number = "3"});
+    std::string crlf;
+    for (char const c : three + "\x1a\x1a\x1a") {
+        crlf += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    }
+
+    auto const placed = read_placed(three, {.name = "a.V2"});
+
+    EXPECT_EQ(placed.says, "90 DEG, transverse 0 DEG, vertical UP, cut to 9 samples");
+    EXPECT_EQ(placed.motion.vertical_mps2[3], 94.805 * 0.01);
+    EXPECT_EQ(read(crlf).vertical_mps2, placed.motion.vertical_mps2);
+    EXPECT_EQ(read(three, {.component = "0deg"}).samples(), 9U);
+    auto const alone = read(three, {.component = "up", .components = ComponentChoice::horizontal});
+    EXPECT_EQ(alone.horizontal_mps2[3], 94.805 * 0.01);
+    EXPECT_TRUE(alone.vertical_mps2.empty());
+    expect_input_error([&] { (void)read(three, {.component = "45 DEG"}); }, "a.V2: ", "'45 DEG'", "Known: 90 DEG, UP");
+}
+
+TEST(CsmipV2, ManySensorsMustBeChosenFrom) {
+    auto const four = channel({.name = "90 DEG"}) + channel({.name = "90 DEG", .number = "2"})
+                      + channel({.name = "0 DEG", .number = "3"}) + channel({.name = "UP", .number = "4"});
+    expect_input_error([&] { (void)read(four); }, "a.V2: ", "second horizontal");
+    auto const one = read(four, {.component = "90 DEG (channel 2)", .components = ComponentChoice::horizontal});
+    EXPECT_EQ(one.samples(), 10U);
+}
+
+TEST(CsmipV2, DamageIsRefusedWithItsLine) {
+    expect_input_error([] { (void)read(channel({.unit = "G/10"})); }, "a.V2:9: ", "CM/SEC/SEC");
+    expect_input_error([] { (void)read(channel({.step = "0.00"})); }, "a.V2:9: ", "step above 0");
+    auto const whole = channel();
+    expect_input_error([&] { (void)read(whole.substr(0, whole.find("VELOC DATA") - 30)); }, "a.V2:", "cut short");
+    auto other_peak = whole;
+    other_peak.replace(other_peak.find("-267.957"), 8, "-267.958");
+    expect_input_error([&] { (void)read(other_peak); }, "a.V2:5: ", "267.958");
+    expect_input_error([] { (void)read(channel() + channel({.name = "UP", .number = "2", .step = ".010"})); },
+                       "0.01 s");
+    expect_input_error([] { (void)read(channel(), {.time_step_s = 0.01}); }, "a.V2:9: ", "contradict");
+    expect_input_error([] { (void)read("x\n", {.format = "csmip-v2"}); }, "POINTS OF ACCEL DATA");
+}
+
+TEST(RefusedFormats, SayWhatToDo) {
+    expect_input_error([] { (void)read("UNCORRECTED ACCELEROGRAM DATA   RAW\n 1 2 3\n"); }, "a.V2:1: ", "V2 file");
+    expect_input_error([] { (void)read("2 CORRECTED ACCELEROGRAM   1979\n 1 2\n"); }, "a.V2:1: ", "SMC");
+    expect_input_error([] { (void)read("#StationCode: A\n#Data: 4F10.3\n 0 1 2 3\n 1 1 2 3\n", {.unit_mps2 = 0.01}); },
+                       "a.V2:2: ", "CWA", "time,a_horizontal");
+    expect_input_error([] { (void)read("* VOL1DS FILE:\nCOMP L1\n"); }, "BHRC");
+    expect_input_error([] { (void)read("x\n", {.format = "refused"}); }, "State another");
+}
+
+}  // namespace
+}  // namespace overturn

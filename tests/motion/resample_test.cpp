@@ -1,0 +1,66 @@
+// Requirement: resampling reads the wave's own straight lines: the same function on a finer grid that holds the old
+// one, a stated loss of peak otherwise, and nothing coarser without the user's word.
+#include "motion/resample.hpp"
+
+#include "support/expect_input_error.hpp"
+#include "support/tolerance.hpp"
+#include "support/waves.hpp"
+
+namespace overturn {
+namespace {
+
+using testing::exact_formula;
+using testing::expect_input_error;
+using testing::near;
+
+GroundMotion wave(double time_step_s = 0.02) {
+    GroundMotion motion;
+    motion.time_step_s = time_step_s;
+    motion.horizontal_mps2 = testing::broad_wave(501, time_step_s);
+    motion.vertical_mps2 = motion.horizontal_mps2;
+    return motion;
+}
+
+TEST(Resample, DividedStepsKeepTheSameFunction) {
+    auto const old = wave();
+
+    auto const made = resample(old, 0.005, Coarsening::refused);
+
+    ASSERT_EQ(made.motion.samples(), 2001U);
+    EXPECT_EQ(made.motion.duration_s(), old.duration_s());
+    for (std::size_t i = 0; i < old.samples(); ++i) {
+        ASSERT_EQ(made.motion.horizontal_mps2[4 * i], old.horizontal_mps2[i]);  // bit for bit
+    }
+    EXPECT_EQ(made.motion.vertical_mps2, made.motion.horizontal_mps2);
+    EXPECT_EQ(made.says, "0.02 s read at 0.005 s along straight lines, PGA kept");
+    auto const displacement = displacement_of(old.horizontal_mps2, old.time_step_s);
+    auto const finer = displacement_of(made.motion.horizontal_mps2, 0.005);
+    EXPECT_TRUE(near(finer.back(), displacement.back(), exact_formula));
+    EXPECT_EQ(resample(made.motion, 0.02, Coarsening::accepted).motion.horizontal_mps2, old.horizontal_mps2);
+}
+
+TEST(Resample, OtherStepsCutCornersAndSaySo) {
+    GroundMotion triangle;
+    triangle.time_step_s = 0.02;
+    triangle.horizontal_mps2 = {0, 1, 0, 0};
+
+    auto const made = resample(triangle, 0.015, Coarsening::refused);
+
+    auto const& a = made.motion.horizontal_mps2;
+    ASSERT_EQ(a.size(), 5U);  // 0 to 0.06 s
+    EXPECT_NEAR(a[1], 0.75, 1e-15);
+    EXPECT_NEAR(a[2], 0.5, 1e-15);
+    EXPECT_NEAR(a[3], 0, 1e-15);
+    EXPECT_EQ(made.says, "0.02 s read at 0.015 s along straight lines, PGA 25 % lower");
+}
+
+TEST(Resample, CoarserNeedsTheUsersWord) {
+    expect_input_error([] { (void)resample(wave(), 0.05, Coarsening::refused); }, "longer than the record's 0.02 s",
+                       "resample = \"coarser\"");
+    EXPECT_EQ(resample(wave(), 0.04, Coarsening::accepted).motion.samples(), 251U);
+    expect_input_error([] { (void)resample(wave(), 100, Coarsening::accepted); }, "longer than the wave");
+    expect_input_error([] { (void)resample(wave(), 0, Coarsening::accepted); }, "positive");
+}
+
+}  // namespace
+}  // namespace overturn
