@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 #include <hwy/highway.h>
@@ -36,13 +37,13 @@ template <class D, int Registers> struct Lanes {
     static HWY_INLINE Lanes load(double const* from) {
         Lanes x;
         for (int i = 0; i < Registers; ++i) {
-            x.part[i] = hn::Load(D(), from + i * width);
+            x.part[i] = hn::Load(D(), from + static_cast<std::ptrdiff_t>(i) * width);
         }
         return x;
     }
     HWY_INLINE void store(double* to) const {
         for (int i = 0; i < Registers; ++i) {
-            hn::Store(part[i], D(), to + i * width);
+            hn::Store(part[i], D(), to + static_cast<std::ptrdiff_t>(i) * width);
         }
     }
     [[nodiscard]] HWY_INLINE double first() const { return hn::GetLane(part[0]); }

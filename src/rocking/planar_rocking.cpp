@@ -48,7 +48,8 @@ struct Call {
 
 namespace {
 
-void expect_sound(RockingBlock const& block, Shaking const& shaking, Slip slip) {
+void expect_sound([[maybe_unused]] RockingBlock const& block, [[maybe_unused]] Shaking const& shaking,
+                  [[maybe_unused]] Slip slip) {
     OVERTURN_EXPECT(block.alpha_rad > 0 && block.alpha_rad < 0.5 * pi && block.p_radps > 0);
     OVERTURN_EXPECT(block.restitution >= 0 && block.restitution <= 1);
     OVERTURN_EXPECT(shaking.vertical_mps2.empty() || shaking.vertical_mps2.size() == shaking.horizontal_mps2.size());

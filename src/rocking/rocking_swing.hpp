@@ -11,7 +11,10 @@ namespace overturn::rocking {
 inline constexpr double unlimited = 1e300;
 
 /// An address as a double, exact below 2^56; arrays of doubles lie at multiples of eight.
-inline double address_of(double const* data) { return static_cast<double>(std::bit_cast<std::uintptr_t>(data) / 8); }
+inline double address_of(double const* data) {
+    auto const eighths = std::bit_cast<std::uintptr_t>(data) / sizeof(double);
+    return static_cast<double>(eighths);
+}
 
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 template <int Lanes>

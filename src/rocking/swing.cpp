@@ -14,6 +14,7 @@ namespace overturn::rocking::HWY_NAMESPACE {
 using Wide = Lanes<hn::ScalableTag<double>, 2>;
 using Single = Lanes<hn::CappedTag<double, 1>, 1>;
 
+// NOLINTBEGIN(readability-non-const-parameter): the steppers write through it
 template <bool Vertical> std::uint32_t swing_many(double* values) {
     Stepper<Wide, Vertical> stepper(values, most_lanes);
     for (;;) {
@@ -32,14 +33,15 @@ template <bool Vertical> bool swing_shown(double* values, SwingSeries* series) {
     return !any(Stepper<Single, Vertical>(values, 1).step(series));
 }
 
-std::uint32_t SwingMany(double* values, bool vertical) {
+std::uint32_t many_lanes(double* values, bool vertical) {
     return vertical ? swing_many<true>(values) : swing_many<false>(values);
 }
-void SwingAlone(double* values, bool vertical) { vertical ? swing_alone<true>(values) : swing_alone<false>(values); }
-bool SwingShown(double* values, bool vertical, SwingSeries* series) {
+void one_lane(double* values, bool vertical) { vertical ? swing_alone<true>(values) : swing_alone<false>(values); }
+bool shown_lane(double* values, bool vertical, SwingSeries* series) {
     return vertical ? swing_shown<true>(values, series) : swing_shown<false>(values, series);
 }
-int SwingWidth() { return Wide::count; }
+// NOLINTEND(readability-non-const-parameter)
+int lane_count() { return Wide::count; }
 
 }  // namespace overturn::rocking::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -47,22 +49,22 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace overturn::rocking {
 
-HWY_EXPORT(SwingMany);
-HWY_EXPORT(SwingShown);
-HWY_EXPORT(SwingAlone);
-HWY_EXPORT(SwingWidth);
+HWY_EXPORT(many_lanes);
+HWY_EXPORT(shown_lane);
+HWY_EXPORT(one_lane);
+HWY_EXPORT(lane_count);
 
 std::uint32_t swing_on(SwingLanes<most_lanes>& lanes, bool vertical) {
-    return HWY_DYNAMIC_DISPATCH(SwingMany)(lanes.values.data(), vertical);
+    return HWY_DYNAMIC_DISPATCH(many_lanes)(lanes.values.data(), vertical);
 }
 
-void swing_on(SwingLanes<1>& lane, bool vertical) { HWY_DYNAMIC_DISPATCH(SwingAlone)(lane.values.data(), vertical); }
+void swing_on(SwingLanes<1>& lane, bool vertical) { HWY_DYNAMIC_DISPATCH(one_lane)(lane.values.data(), vertical); }
 
 bool swing_once(SwingLanes<1>& lane, bool vertical, SwingSeries& series) {
-    return HWY_DYNAMIC_DISPATCH(SwingShown)(lane.values.data(), vertical, &series);
+    return HWY_DYNAMIC_DISPATCH(shown_lane)(lane.values.data(), vertical, &series);
 }
 
-int swing_width() { return HWY_DYNAMIC_DISPATCH(SwingWidth)(); }
+int swing_width() { return HWY_DYNAMIC_DISPATCH(lane_count)(); }
 
 }  // namespace overturn::rocking
 #endif

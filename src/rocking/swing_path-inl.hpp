@@ -36,8 +36,8 @@ template <class V, bool Vertical> class SwingPath {
         V phi, speed, s, c;
     };
 
-    HWY_INLINE V get(Swing f) const { return V::load(values_ + static_cast<int>(f) * stride_); }
-    HWY_INLINE void put(Swing f, V v) { v.store(values_ + static_cast<int>(f) * stride_); }
+    HWY_INLINE V get(Swing f) const { return V::load(values_ + static_cast<std::ptrdiff_t>(f) * stride_); }
+    HWY_INLINE void put(Swing f, V v) { v.store(values_ + static_cast<std::ptrdiff_t>(f) * stride_); }
 
     HWY_INLINE Forcing forcing(Swing samples, V scale, V index, V into) const;
     HWY_INLINE Series expand(V length, V w, Forcing const& a, Forcing const& g) const;

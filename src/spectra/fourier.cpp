@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "spectra/phase_sums.hpp"
 #include "spectra/wide.hpp"
 
 namespace overturn {
@@ -61,6 +62,29 @@ struct PhaseSum {
     }
 };
 
+std::vector<std::complex<double>> phase_sums(std::span<double const> samples, std::span<double const> x) {
+    std::vector<std::complex<double>> sums(x.size());
+    PhaseTable table;
+    std::array<double, wide::lanes> real{};
+    std::array<double, wide::lanes> imaginary{};
+    for (std::size_t begin = 0; begin < x.size(); begin += wide::lanes) {
+        for (std::size_t lane = 0; lane < wide::lanes; ++lane) {
+            double const phase = x[std::min(begin + lane, x.size() - 1)];
+            for (std::size_t j = 0; j < block; ++j) {
+                table.cosine.at(j * wide::lanes + lane) = std::cos(phase * static_cast<double>(j));
+                table.sine.at(j * wide::lanes + lane) = std::sin(phase * static_cast<double>(j));
+            }
+            table.turn_cosine.at(lane) = std::cos(phase * static_cast<double>(block));
+            table.turn_sine.at(lane) = std::sin(phase * static_cast<double>(block));
+        }
+        wide::dispatch(PhaseSum{samples, &table, &real, &imaginary});
+        for (std::size_t lane = 0; lane < wide::lanes && begin + lane < x.size(); ++lane) {
+            sums[begin + lane] = {real.at(lane), imaginary.at(lane)};
+        }
+    }
+    return sums;
+}
+
 }  // namespace
 
 HatWeights::HatWeights(double x) {
@@ -89,29 +113,19 @@ std::vector<std::complex<double>> fourier_amplitudes(std::span<double const> acc
     if (acceleration_mps2.size() < 2) {
         return amplitudes;
     }
+    std::vector<double> phases(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        phases[i] = frequencies_radps[i] * time_step_s;
+    }
+    // One transform costs what about thirty direct sums do.
+    constexpr std::size_t few = 64;
+    auto const sums = count > few ? fast_phase_sums(acceleration_mps2, phases) : phase_sums(acceleration_mps2, phases);
     auto const last = static_cast<double>(acceleration_mps2.size() - 1);
-    PhaseTable table;
-    std::array<double, wide::lanes> real{};
-    std::array<double, wide::lanes> imaginary{};
-    for (std::size_t begin = 0; begin < count; begin += wide::lanes) {
-        for (std::size_t lane = 0; lane < wide::lanes; ++lane) {
-            double const x = frequencies_radps[std::min(begin + lane, count - 1)] * time_step_s;
-            for (std::size_t j = 0; j < block; ++j) {
-                table.cosine.at(j * wide::lanes + lane) = std::cos(x * static_cast<double>(j));
-                table.sine.at(j * wide::lanes + lane) = std::sin(x * static_cast<double>(j));
-            }
-            table.turn_cosine.at(lane) = std::cos(x * static_cast<double>(block));
-            table.turn_sine.at(lane) = std::sin(x * static_cast<double>(block));
-        }
-        wide::dispatch(PhaseSum{acceleration_mps2, &table, &real, &imaginary});
-        for (std::size_t lane = 0; lane < wide::lanes && begin + lane < count; ++lane) {
-            double const x = frequencies_radps[begin + lane] * time_step_s;
-            HatWeights const hat(x);
-            auto const end = acceleration_mps2.back() * std::polar(1.0, -x * last);
-            amplitudes[begin + lane] = time_step_s
-                                       * (hat.whole * std::complex(real.at(lane), imaginary.at(lane))
-                                          - std::conj(hat.right) * acceleration_mps2.front() - hat.right * end);
-        }
+    for (std::size_t i = 0; i < count; ++i) {
+        HatWeights const hat(phases[i]);
+        auto const end = acceleration_mps2.back() * std::polar(1.0, -phases[i] * last);
+        amplitudes[i] =
+            time_step_s * (hat.whole * sums[i] - std::conj(hat.right) * acceleration_mps2.front() - hat.right * end);
     }
     return amplitudes;
 }

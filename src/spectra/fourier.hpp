@@ -18,7 +18,8 @@ struct HatWeights {
 };
 
 /// int a exp(-iwt) dt over the whole wave [m/s], t = 0 at the first sample; one value per frequency [rad/s], w = 0
-/// included. Samples are summed in blocks that share one table of phases: 1e-12 of the integral of |a| on 1e6 samples.
+/// included. Few frequencies are summed in blocks that share one table of phases, many by one fast transform: within
+/// 1e-12 of the integral of |a| on 1e6 samples.
 [[nodiscard]] std::vector<std::complex<double>> fourier_amplitudes(std::span<double const> acceleration_mps2,
                                                                    double time_step_s,
                                                                    std::span<double const> frequencies_radps);

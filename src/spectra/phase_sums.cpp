@@ -1,0 +1,102 @@
+#include "spectra/phase_sums.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "core/units.hpp"
+#include "spectra/transform.hpp"
+
+namespace overturn {
+namespace {
+
+constexpr int reach = 15;                         // grid points on either side: exp(-2 pi reach / 3) is rounding
+constexpr double breadth = 4.0 / 3 * reach / pi;  // of the Gaussian, for a grid twice as fine
+
+// The transform of a real signal of `size` points, at any integer frequency.
+class Grid {
+  public:
+    explicit Grid(std::vector<double> signal) : size_(signal.size()), values_(std::move(signal)) {
+        transform_real(values_);
+    }
+    [[nodiscard]] std::complex<double> at(std::ptrdiff_t frequency) const {
+        auto const n = static_cast<std::ptrdiff_t>(size_);
+        auto const l = static_cast<std::size_t>(((frequency % n) + n) % n);
+        if (l == 0) {
+            return values_[0];
+        }
+        if (2 * l == size_) {
+            return values_[size_ - 1];
+        }
+        return l < size_ - l ? std::complex{values_[2 * l - 1], values_[2 * l]}
+                             : std::complex{values_[2 * (size_ - l) - 1], -values_[2 * (size_ - l)]};
+    }
+
+  private:
+    std::size_t size_;
+    std::vector<double> values_;
+};
+
+// The signal, counted from its middle and divided by the Gaussian's own transform.
+std::vector<double> sharpened(std::span<double const> samples, std::size_t size) {
+    std::vector<double> signal(size, 0.0);
+    auto const middle = samples.size() / 2;
+    for (std::size_t j = 0; j < samples.size(); ++j) {
+        double const k = static_cast<double>(j) - static_cast<double>(middle);
+        double const angle = pi * k / static_cast<double>(size);
+        signal[(j + size - middle) % size] = samples[j] * std::exp(breadth * angle * angle);
+    }
+    return signal;
+}
+
+}  // namespace
+
+std::vector<std::complex<double>> fast_phase_sums(std::span<double const> samples, std::span<double const> x) {
+    std::size_t size = 4L * reach;
+    while (size < 2 * samples.size()) {
+        size *= 2;
+    }
+    Grid const grid(sharpened(samples, size));
+    std::array<double, 2 * reach> bell{};  // exp(-q^2 / breadth)
+    for (int q = 1 - reach; q <= reach; ++q) {
+        bell.at(static_cast<std::size_t>(q + reach - 1)) = std::exp(-q * q / breadth);
+    }
+    if (x.empty()) {
+        return {};
+    }
+    // The stretch of the grid that is looked at, unwound.
+    double const points = static_cast<double>(size) / (2 * pi);
+    auto const [least, most] = std::ranges::minmax(x);
+    auto const first = static_cast<std::ptrdiff_t>(std::floor(least * points)) + 1 - reach;
+    auto const last = static_cast<std::ptrdiff_t>(std::floor(most * points)) + reach;
+    std::vector<std::complex<double>> near;
+    near.reserve(static_cast<std::size_t>(last - first + 1));
+    for (auto l = first; l <= last; ++l) {
+        near.push_back(grid.at(l));
+    }
+    auto const middle = static_cast<double>(samples.size() / 2);
+    std::vector<std::complex<double>> sums;
+    sums.reserve(x.size());
+    for (double const phase : x) {
+        double const place = phase * points;
+        double const below = std::floor(place);
+        double const f = place - below;
+        auto const* const from = near.data() + (static_cast<std::ptrdiff_t>(below) + 1 - reach - first);
+        double const ratio = std::exp(2 * f / breadth);
+        double power = std::exp((1 - reach) * (2 * f / breadth) - f * f / breadth);
+        double re = 0;
+        double im = 0;
+        for (std::size_t q = 0; q < bell.size(); ++q) {
+            double const share = power * bell[q];
+            re += share * from[q].real();
+            im += share * from[q].imag();
+            power *= ratio;
+        }
+        std::complex<double> const sum(re, im);
+        sums.push_back(sum / std::sqrt(pi * breadth) * std::polar(1.0, -phase * middle));
+    }
+    return sums;
+}
+
+}  // namespace overturn

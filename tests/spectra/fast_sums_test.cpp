@@ -1,0 +1,97 @@
+// Requirement: the fast sums behind ouV_E and V_WES are the plain sums that their definitions name.
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/units.hpp"
+#include "spectra/band_rule.hpp"
+#include "spectra/phase_sums.hpp"
+#include "spectra/sliding_products.hpp"
+#include "spectra/window_kernel.hpp"
+#include "spectra/window_sweep.hpp"
+#include "support/waves.hpp"
+
+namespace overturn {
+namespace {
+
+// Even, odd and tiny lengths; phases at zero, between grid points, at the Nyquist frequency and far beyond it.
+TEST(FastSums, PhaseSumsEqualPlainSums) {
+    for (std::size_t const samples : {1U, 2U, 7U, 64U, 1001U, 4096U}) {
+        auto const wave = testing::broad_wave(samples, 0.01);
+        double total = 0;
+        for (double const a : wave) {
+            total += std::abs(a);
+        }
+        std::vector<double> const x{0, 1e-9, 0.0123, 0.5, 1, 2, 3, pi, 3.2, 6, 2 * pi, 7.5, -0.4};
+
+        auto const fast = fast_phase_sums(wave, x);
+
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            std::complex<double> plain = 0;
+            for (std::size_t j = 0; j < samples; ++j) {
+                plain += wave[j] * std::polar(1.0, -x[i] * static_cast<double>(j));
+            }
+            EXPECT_LE(std::abs(fast[i] - plain), 1e-12 * total) << samples << " samples, x = " << x[i];
+        }
+    }
+    EXPECT_TRUE(fast_phase_sums(std::vector{1.0, 2.0}, {}).empty());
+}
+
+TEST(FastSums, SlidingProductsEqualPlainSums) {
+    for (std::size_t const samples : {1U, 5U, 90U, 1000U}) {
+        auto const wave = testing::broad_wave(samples, 0.01);
+        for (std::size_t const taps : {1U, 3U, 40U, 200U}) {
+            std::vector<std::vector<double>> kernels(2, std::vector<double>(taps));
+            for (std::size_t d = 0; d < taps; ++d) {
+                kernels[0][d] = std::cos(0.3 * static_cast<double>(d));
+                kernels[1][d] = 1.0 / static_cast<double>(d + 1);
+            }
+
+            auto const products = sliding_products(wave, kernels);
+
+            for (std::size_t k = 0; k < kernels.size(); ++k) {
+                for (std::size_t n = 0; n < samples; ++n) {
+                    double before = 0;
+                    double after = 0;
+                    for (std::size_t d = 1; d <= taps; ++d) {
+                        before += n >= d ? kernels[k][d - 1] * wave[n - d] : 0;
+                        after += n + d < samples ? kernels[k][d - 1] * wave[n + d] : 0;
+                    }
+                    ASSERT_NEAR(products[k].before[n], before, 1e-11) << samples << ", " << taps << ", " << n;
+                    ASSERT_NEAR(products[k].after[n], after, 1e-11) << samples << ", " << taps << ", " << n;
+                }
+            }
+        }
+    }
+}
+
+// The oscillators of the definition, swept one by one, against the kernel: also for windows of one sample and longer
+// than the wave, and behind a burst a thousand times as strong.
+TEST(FastSums, WindowsEqualTheSweptOscillators) {
+    for (std::size_t const window : {1U, 2U, 31U, 500U, 3000U}) {
+        auto wave = testing::broad_wave(2500, 0.01);
+        auto const rule = band_rule({0.5, 5.0}, static_cast<double>(window) * 0.01, 20);
+        for (bool const burst : {false, true}) {
+            if (burst) {
+                for (std::size_t n = 600; n < 700; ++n) {
+                    wave[n] *= 1e3;
+                }
+            }
+
+            auto const fast = window_squares(wave, 0.01, window, rule);
+            auto const swept =
+                swept_window_squares(wave, 0.01, std::min(window, wave.size()), rule, WindowReading::restarted);
+
+            double const largest = *std::max_element(swept.begin(), swept.end());
+            for (std::size_t n = 0; n < wave.size(); ++n) {
+                ASSERT_NEAR(fast[n], swept[n], 1e-12 * largest) << "window " << window << ", sample " << n;
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace overturn
