@@ -43,6 +43,8 @@ template <class V, bool Vertical> class SwingPath {
     HWY_INLINE Series expand(V length, V w, Forcing const& a, Forcing const& g) const;
     HWY_INLINE Target target(Series const& x) const;
     HWY_INLINE V first_zero(Series const& x, M started) const;
+    HWY_INLINE V turning(Series const& x) const;
+    static HWY_INLINE V falling_root(V c0, V c1, V c2);
 
   private:
     double* values_;
@@ -110,6 +112,28 @@ template <class V, bool Vertical> HWY_INLINE auto SwingPath<V, Vertical>::target
 }
 constexpr double most_arc = 0.03;  // to which the sums above are exact to rounding [rad]
 
+// Where c0 + c1 u + c2 u^2 falls through zero.
+template <class V, bool Vertical> HWY_INLINE V SwingPath<V, Vertical>::falling_root(V c0, V c1, V c2) {
+    return (c0 + c0) / (sqrt(max(c1 * c1 - 4.0 * c0 * c2, 0)) - c1);
+}
+
+// Where phi turns from rising to falling, as a share of the step.
+template <class V, bool Vertical> HWY_INLINE V SwingPath<V, Vertical>::turning(Series const& x) const {
+    V u = falling_root(x.rate[0], x.rate[1], x.rate[2]);
+    constexpr int rounds = 2;
+    for (int round = 0; round < rounds; ++round) {
+        V value = x.rate[order - 1];
+        V slope = static_cast<double>(order - 1) * x.rate[order - 1];
+#pragma GCC unroll 8
+        for (int k = order - 2; k >= 1; --k) {
+            value = fma(value, u, x.rate[k]);
+            slope = fma(slope, u, x.rate[k] * static_cast<double>(k));
+        }
+        u = u - fma(value, u, x.rate[0]) / slope;
+    }
+    return u;
+}
+
 // Where phi falls to zero, as a share of the step: from its parabola, by Newton's steps. A zero at the start is
 // divided out first.
 template <class V, bool Vertical> HWY_INLINE V SwingPath<V, Vertical>::first_zero(Series const& x, M started) const {
@@ -120,7 +144,7 @@ template <class V, bool Vertical> HWY_INLINE V SwingPath<V, Vertical>::first_zer
         c[k] = choose(started, x.rate[k] * (1.0 / (k + 1)), x.rate[k - 1] * (1.0 / k));
     }
     c[order] = choose(started, V(0), x.rate[order - 1] * (1.0 / order));
-    V u = (c[0] + c[0]) / (sqrt(max(c[1] * c[1] - 4.0 * c[0] * c[2], 0)) - c[1]);
+    V u = falling_root(c[0], c[1], c[2]);
     constexpr int rounds = 3;
     for (int round = 0; round < rounds; ++round) {
         V value = c[order];

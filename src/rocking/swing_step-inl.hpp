@@ -91,7 +91,7 @@ template <class V, bool Vertical> HWY_INLINE auto Stepper<V, Vertical>::step(Swi
     // Every other event must be out of reach, and the series sound.
     V const last_terms = max(abs(rate[7]), abs(rate[6]) * ph);
     V const peak = get(Swing::peak);
-    M const turns = (rate[0] > zero) & (to.speed <= zero) & (phi + arc > peak);
+    M const turns = (rate[0] > zero) & (to.speed <= zero) & (phi + arc > peak);  // perhaps at a record
     M fine = without(
         (last_terms <= get(Swing::tolerance)) & (arc <= most_arc) & (to.phi < 0.5 * std::numbers::pi - most_arc),
         turns);
@@ -162,10 +162,23 @@ template <class V, bool Vertical> HWY_INLINE auto Stepper<V, Vertical>::step(Swi
     if (any(demands)) {
         demand1 = choose(demands, friction / normal, demand1);
     }
-    M const higher = without(phi1 > peak, stays);
-    if (any(higher)) {
-        put(Swing::peak_time, choose(higher, fma(index1, dt, tau1), get(Swing::peak_time)));
-        put(Swing::peak, choose(higher, phi1, peak));
+    V peak1 = max(peak, phi1);
+    V peak_after = fma(index1 - index, dt, tau1 - tau);  // since the step's start
+    if (M const crests = without(turns, stays); any(crests)) {
+        V const u = this->turning(x);
+        V crest = rate[order - 1] * (1.0 / order);
+#pragma GCC unroll 8
+        for (int k = order - 2; k >= 0; --k) {
+            crest = fma(crest, u, rate[k] * (1.0 / (k + 1)));
+        }
+        crest = fma(crest, u, phi);
+        M const tops = crests & (crest > peak1);
+        peak1 = choose(tops, crest, peak1);
+        peak_after = choose(tops, u * length, peak_after);
+    }
+    if (M const higher = without(peak1 > peak, stays); any(higher)) {
+        put(Swing::peak_time, choose(higher, fma(index, dt, tau + peak_after), get(Swing::peak_time)));
+        put(Swing::peak, choose(higher, peak1, peak));
     }
     bool const some_stay = any(stays);
     auto const keep = [&](Swing field, V now)

@@ -53,7 +53,7 @@ std::vector<double> sharpened(std::span<double const> samples, std::size_t size)
 }  // namespace
 
 std::vector<std::complex<double>> fast_phase_sums(std::span<double const> samples, std::span<double const> x) {
-    std::size_t size = 4L * reach;
+    std::size_t size = 64;  // more than twice the reach
     while (size < 2 * samples.size()) {
         size *= 2;
     }
@@ -75,7 +75,8 @@ std::vector<std::complex<double>> fast_phase_sums(std::span<double const> sample
     for (auto l = first; l <= last; ++l) {
         near.push_back(grid.at(l));
     }
-    auto const middle = static_cast<double>(samples.size() / 2);
+    auto const half = samples.size() / 2;
+    auto const middle = static_cast<double>(half);
     std::vector<std::complex<double>> sums;
     sums.reserve(x.size());
     for (double const phase : x) {
