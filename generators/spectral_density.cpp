@@ -20,6 +20,14 @@ double median_peak_factor(double w, double damping, double strong_s) {
 std::vector<double> density_of(TargetSpectrum const& target, std::span<double const> frequencies_radps,
                                double strong_s) {
     std::vector<double> density;
+    density.reserve(frequencies_radps.size());
+    if (target.is_energy()) {
+        for (double const w : frequencies_radps) {
+            double const v = target.psv_mps(2 * pi / w);
+            density.push_back(v * v / (pi * strong_s));
+        }
+        return density;
+    }
     double below = 0;
     double before = 0;
     for (double const w : frequencies_radps) {

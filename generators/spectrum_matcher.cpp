@@ -8,6 +8,7 @@
 #include "core/random_stream.hpp"
 #include "generators/baseline.hpp"
 #include "generators/spectral_density.hpp"
+#include "spectra/input_energy.hpp"
 #include "spectra/response_spectrum.hpp"
 
 namespace overturn {
@@ -71,7 +72,7 @@ SpectrumMatcher::SpectrumMatcher(SpectrumMatcherInput input)
     envelope_ = input_.envelope.samples(dt, input_.samples);
     periods_s_ = log_periods_per_decade(shortest, input_.longest_s, periods_per_decade);
     for (double const period : periods_s_) {
-        target_sd_m_.push_back(input_.target.psv_mps(period) * period / (2 * pi));
+        target_mps_.push_back(input_.target.psv_mps(period));
     }
     double const spacing = 2 * pi / (dt * static_cast<double>(fft_.length()));
     std::vector<double> frequencies;
@@ -114,9 +115,17 @@ std::vector<double> SpectrumMatcher::synthesise(Lines const& lines) const {
 }
 
 std::vector<double> SpectrumMatcher::ratios(std::span<double const> acceleration_mps2) const {
-    auto values = displacement_spectrum(acceleration_mps2, input_.time_step_s, periods_s_, input_.target.damping());
+    double const damping = input_.target.damping();
+    if (input_.target.is_energy()) {
+        auto values = input_energy_velocities(acceleration_mps2, input_.time_step_s, periods_s_, damping);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            values[i] /= target_mps_[i];
+        }
+        return values;
+    }
+    auto values = displacement_spectrum(acceleration_mps2, input_.time_step_s, periods_s_, damping);
     for (std::size_t i = 0; i < values.size(); ++i) {
-        values[i] /= target_sd_m_[i];
+        values[i] *= 2 * pi / (periods_s_[i] * target_mps_[i]);
     }
     return values;
 }

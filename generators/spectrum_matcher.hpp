@@ -60,7 +60,7 @@ class SpectrumMatcher {
     RealFft fft_;
     std::vector<double> envelope_;
     std::vector<double> periods_s_;
-    std::vector<double> target_sd_m_;
+    std::vector<double> target_mps_;      // pseudo-velocity, or V_E
     std::vector<double> line_amplitude_;  // of the first draw, root mean square times sqrt 2
     std::vector<double> line_place_;      // where a line's period lies among periods_s_, in fractions of a gap
 };

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "motion/ground_motion.hpp"
+#include "spectra/input_energy.hpp"
 #include "spectra/named_targets.hpp"
 #include "spectra/response_spectrum.hpp"
 #include "support/sources.hpp"
@@ -42,6 +43,22 @@ INSTANTIATE_TEST_SUITE_P(Published, NamedTargets,
                                  name.begin(), name.end(), [](char c) { return c == '-' || c == '.'; }, '_');
                              return name;
                          });
+
+// Independent of the matcher: the energy spectrum of the finished wave, at periods of its own.
+TEST(Matching, EnergyTargetsAreMetByTheInputEnergy) {
+    auto const source = testing::source_of(
+        "source='spectrum-compatible'\nduration='120 s'\n[target]\nkind='energy-velocity'\ndamping=0.1\n"
+        "points=[[0.03,0.05],[0.6,1.5],[10,1.5]]\n[envelope]\nrise=10\nlevel_end=60\nend=110\n");
+    auto const periods = log_periods(0.6, 9, 40);
+
+    auto const made = source->make(2013, 0);
+
+    EXPECT_TRUE(made.match.matched);
+    auto const energy = input_energy_velocities(made.motion.horizontal_mps2, 0.01, periods, 0.1);
+    for (std::size_t i = 0; i < periods.size(); ++i) {
+        EXPECT_NEAR(energy[i] / 1.5, 1, 0.25) << periods[i];
+    }
+}
 
 TEST(Matching, ReportIsThatOfTheFinishedWave) {
     auto const source = testing::source_of(
