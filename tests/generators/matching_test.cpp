@@ -55,9 +55,11 @@ TEST(Matching, EnergyTargetsAreMetByTheInputEnergy) {
 
     EXPECT_TRUE(made.match.matched);
     auto const energy = input_energy_velocities(made.motion.horizontal_mps2, 0.01, periods, 0.1);
-    for (std::size_t i = 0; i < periods.size(); ++i) {
-        EXPECT_NEAR(energy[i] / 1.5, 1, 0.25) << periods[i];
+    double misfit = 0;
+    for (double const velocity : energy) {
+        misfit += std::abs(velocity / 1.5 - 1) / static_cast<double>(energy.size());
     }
+    EXPECT_LT(misfit, 0.055);  // the tolerance, on other periods than the matcher's
 }
 
 TEST(Matching, ReportIsThatOfTheFinishedWave) {
@@ -65,7 +67,7 @@ TEST(Matching, ReportIsThatOfTheFinishedWave) {
         "source='spectrum-compatible'\nduration='60 s'\n[target]\nspectrum='mlit-ch1'\ntime_scale=0.632\n");
     auto const made = source->make(1, 5);
     auto const target = config::find_entry(named_targets(), "mlit-ch1", "").value({}).at_time_scale(0.632);
-    auto const periods = log_periods_per_decade(0.02, 6.32, 75);
+    auto const periods = log_periods_per_decade(0.02, 6.32, 100);
 
     auto const spectrum = response_spectrum(made.motion.horizontal_mps2, 0.01, periods, 0.05);
     double sum = 0;
