@@ -6,6 +6,7 @@
 
 #include "campaign/plan.hpp"
 #include "cli/verbs.hpp"
+#include "cli/wave_report.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -14,6 +15,7 @@ struct Options {
     std::string campaign, output;
     std::vector<std::string> settings;
     std::int64_t wave = 0;
+    bool json = false;
 };
 
 std::string csv_of(GroundMotion const& motion) {
@@ -39,25 +41,22 @@ int write_wave(Options const& options) {
     validate(options.wave >= 0 && options.wave < plan.waves(),
              "--wave {} (the campaign has waves 0 to {}). Choose one of them", options.wave, plan.waves() - 1);
     auto const made = spec.source->make(spec.seed, plan.wave_id(options.wave));
-    auto const text = csv_of(made.motion);
+    auto const check = check_wave(made, spec.bodies, spec.measures.radius_unit);
+    if (options.json) {
+        fmt::print("{}", wave_json(spec, made, check));
+    }
     if (options.output.empty()) {
-        fmt::print("{}", text);
+        fmt::print("{}", options.json ? "" : csv_of(made.motion));
         return done;
     }
     try {
-        fmt::output_file(options.output).print("{}", text);
+        fmt::output_file(options.output).print("{}", csv_of(made.motion));
     } catch (std::system_error const& error) {
         throw InputError(
             fmt::format("{}: cannot be written ({}). Choose another place", options.output, error.code().message()));
     }
-    fmt::print(stderr, "{}: {} samples of {} s, {}\n", options.output, made.motion.samples(), made.motion.time_step_s,
-               made.label);
-    if (made.match.matched || made.match.iterations > 0) {
-        fmt::print(
-            stderr, "match: mean misfit {:.2f} %, largest {:.2f} % at {:.3f} s; from 1 s up {:.2f} % and {:.2f} %\n",
-            100 * made.match.all.mean_misfit, 100 * made.match.all.max_misfit, made.match.all.max_misfit_period_s,
-            100 * made.match.long_period.mean_misfit, 100 * made.match.long_period.max_misfit);
-    }
+    fmt::print(stderr, "{}: {} samples of {} s, {}\n{}", options.output, made.motion.samples(), made.motion.time_step_s,
+               made.label, wave_report(spec, made, check));
     return done;
 }
 
@@ -69,6 +68,7 @@ void add_wave(CLI::App& app, Action& action) {
     verb->add_option("campaign", options->campaign, "campaign file (TOML)")->required();
     verb->add_option("--wave", options->wave, "number of the wave, from 0")->required();
     verb->add_option("-o,--output", options->output, "csv file; default: standard output");
+    verb->add_flag("--json", options->json, "how right the wave is, clause by clause, on standard output");
     verb->add_option("--set", options->settings, "override a key: seed=2")->allow_extra_args(false);
     verb->callback([options, &action] { action = [options] { return write_wave(*options); }; });
 }
