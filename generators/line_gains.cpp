@@ -142,8 +142,8 @@ std::vector<double> LineGains::contributions(std::span<std::complex<double> cons
 }
 
 std::vector<double> LineGains::solve(std::vector<double> const& matrix, std::vector<double> residual) const {
-    constexpr double damping = 0.02;  // of the normal equations, whose diagonal is about 0.1 to 1
-    constexpr int steps = 12;
+    constexpr double damping = 0.002;  // of the normal equations, whose diagonal is about 0.1 to 1
+    constexpr int steps = 24;
     auto const bands = band_end_.size();
     auto const rows = residual.size();
     std::vector<double> gains(bands, 0.0);
