@@ -96,11 +96,11 @@ LineGains::LineGains(std::vector<double> periods_s, double damping, double spaci
     }
 }
 
-std::vector<double> LineGains::contributions(std::span<std::complex<double> const> lines,
-                                             std::span<PeakSwing const> swings,
-                                             std::span<double const> envelope) const {
+LineGains::Matrix LineGains::contributions(std::span<std::complex<double> const> lines,
+                                           std::span<PeakSwing const> swings, std::span<double const> envelope) const {
     auto const bands = band_end_.size();
-    std::vector<double> matrix(periods_s_.size() * bands, 0.0);
+    Matrix matrix{std::vector<double>(periods_s_.size() * bands), {}};
+    matrix.used.reserve(periods_s_.size());
     std::vector<double> block(bands * wide::lanes);
     for (std::size_t begin = 0; begin < periods_s_.size(); begin += wide::lanes) {
         std::size_t const count = std::min(wide::lanes, periods_s_.size() - begin);
@@ -124,6 +124,7 @@ std::vector<double> LineGains::contributions(std::span<std::complex<double> cons
                                      &turn_cos, &turn_sin, &start_cos, &start_sin, block.data()});
         for (std::size_t lane = 0; lane < count; ++lane) {
             std::size_t const i = begin + lane;
+            matrix.used.push_back(used);
             double total = 0;
             for (std::size_t band = 0; band < used; ++band) {
                 total += block[band * wide::lanes + lane];
@@ -134,14 +135,14 @@ std::vector<double> LineGains::contributions(std::span<std::complex<double> cons
             double const swing = swings[i].displacement_m;
             double const scale = swing == 0 ? 0 : (sound ? stated : envelope[i]) / swing;
             for (std::size_t band = 0; band < used; ++band) {
-                matrix[i * bands + band] = scale * block[band * wide::lanes + lane];
+                matrix.values[i * bands + band] = scale * block[band * wide::lanes + lane];
             }
         }
     }
     return matrix;
 }
 
-std::vector<double> LineGains::solve(std::vector<double> const& matrix, std::vector<double> residual) const {
+std::vector<double> LineGains::solve(Matrix const& matrix, std::vector<double> residual) const {
     constexpr double damping = 0.002;  // of the normal equations, whose diagonal is about 0.1 to 1
     constexpr int steps = 24;
     auto const bands = band_end_.size();
@@ -151,8 +152,10 @@ std::vector<double> LineGains::solve(std::vector<double> const& matrix, std::vec
     auto const gradient = [&] {
         std::vector<double> sum(bands, 0.0);
         for (std::size_t i = 0; i < rows; ++i) {
-            for (std::size_t j = 0; j < bands; ++j) {
-                sum[j] += matrix[i * bands + j] * residual[i];
+            double const* const row = matrix.values.data() + i * bands;
+            double const share = residual[i];
+            for (std::size_t j = 0; j < matrix.used[i]; ++j) {
+                sum[j] += row[j] * share;
             }
         }
         for (std::size_t j = 0; j < bands; ++j) {
@@ -165,7 +168,7 @@ std::vector<double> LineGains::solve(std::vector<double> const& matrix, std::vec
     double size = dot(slope.data(), slope.data(), bands);
     for (int step = 0; step < steps && size > 0; ++step) {
         for (std::size_t i = 0; i < rows; ++i) {
-            along[i] = dot(matrix.data() + i * bands, direction.data(), bands);
+            along[i] = dot(matrix.values.data() + i * bands, direction.data(), matrix.used[i]);
         }
         double const curvature =
             dot(along.data(), along.data(), rows) + damping * dot(direction.data(), direction.data(), bands);

@@ -27,10 +27,14 @@ class LineGains {
                std::span<double const> envelope, std::span<double const> ratios) const;
 
   private:
-    [[nodiscard]] std::vector<double> contributions(std::span<std::complex<double> const> lines,
-                                                    std::span<PeakSwing const> swings,
-                                                    std::span<double const> envelope) const;
-    [[nodiscard]] std::vector<double> solve(std::vector<double> const& matrix, std::vector<double> residual) const;
+    // What each band of lines puts into each swing, in parts of it; bands beyond an oscillator's reach are left out.
+    struct Matrix {
+        std::vector<double> values;
+        std::vector<std::size_t> used;  // bands per row
+    };
+    [[nodiscard]] Matrix contributions(std::span<std::complex<double> const> lines, std::span<PeakSwing const> swings,
+                                       std::span<double const> envelope) const;
+    [[nodiscard]] std::vector<double> solve(Matrix const& matrix, std::vector<double> residual) const;
 
     std::vector<double> periods_s_;
     double damping_, spacing_radps_;
