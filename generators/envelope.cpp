@@ -6,19 +6,64 @@
 #include <numbers>
 
 namespace overturn {
+namespace {
+
+double on_lines(std::span<std::pair<double, double> const> points, double time_s) {
+    auto const after = std::find_if(points.begin(), points.end(), [&](auto const& p) { return p.first > time_s; });
+    if (after == points.begin() || after == points.end()) {
+        return after == points.begin() ? points.front().second : points.back().second;
+    }
+    auto const [t0, v0] = *(after - 1);
+    auto const [t1, v1] = *after;
+    return v0 + (v1 - v0) * (time_s - t0) / (t1 - t0);
+}
+
+std::vector<std::pair<double, double>> read_points(config::Table const& table) {
+    auto points = table.pairs("points", Dimension::time, Dimension::none);
+    double largest = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (points[i].first < 0 || points[i].second < 0 || (i > 0 && points[i].first <= points[i - 1].first)) {
+            table.fail("points",
+                       fmt::format("[{}, {}] (times must rise from 0 on, values must not be negative). Mend it",
+                                   points[i].first, points[i].second));
+        }
+        largest = std::max(largest, points[i].second);
+    }
+    if (largest == 0) {
+        table.fail("points", "no value above 0 (the wave would be silent). Add one");
+    }
+    for (auto& point : points) {
+        point.second /= largest;
+    }
+    return points;
+}
+
+}  // namespace
 
 std::span<config::Entry<EnvelopeShape> const> envelope_shapes() {
     static constexpr std::array entries{
         config::Entry<EnvelopeShape>{"jennings", "parabolic rise, level part, exponential decay",
                                      EnvelopeShape::jennings},
+        config::Entry<EnvelopeShape>{"saragoni-hart", "gamma function: power rise, exponential decay",
+                                     EnvelopeShape::saragoni_hart},
+        config::Entry<EnvelopeShape>{"points", "straight lines through a table", EnvelopeShape::points},
         config::Entry<EnvelopeShape>{"constant", "stationary from beginning to end", EnvelopeShape::constant},
     };
     return entries;
 }
 
 double Envelope::at(double time_s) const {
-    if (shape == EnvelopeShape::constant) {
-        return 1;
+    switch (shape) {
+        case EnvelopeShape::constant:
+            return 1;
+        case EnvelopeShape::saragoni_hart: {
+            double const u = std::max(0.0, time_s / peak_s);
+            return std::pow(u * std::exp(1 - u), gamma / 2);
+        }
+        case EnvelopeShape::points:
+            return on_lines(points, time_s);
+        case EnvelopeShape::jennings:
+            break;
     }
     if (time_s < rise_s) {
         return (time_s / rise_s) * (time_s / rise_s);
@@ -52,6 +97,12 @@ Envelope read_envelope(config::Table const& table, double duration_s) {
             table.fail({}, fmt::format("rise {} s, level_end {} s, end {} s (must follow each other). Mend the order",
                                        envelope.rise_s, envelope.level_end_s, envelope.end_s));
         }
+    } else if (envelope.shape == EnvelopeShape::saragoni_hart) {
+        constexpr config::Range steepness{.low = 0, .high = 100, .low_open = true};
+        envelope.peak_s = table.number("peak", Dimension::time, time, 0.2 * duration_s);
+        envelope.gamma = table.number("gamma", Dimension::none, steepness, 3.0);
+    } else if (envelope.shape == EnvelopeShape::points) {
+        envelope.points = read_points(table);
     }
     table.finish();
     return envelope;

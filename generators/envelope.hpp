@@ -3,24 +3,30 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "config/table.hpp"
 
 namespace overturn {
 
-enum class EnvelopeShape { jennings, constant };
+enum class EnvelopeShape { jennings, saragoni_hart, points, constant };
 
 /// The shapes under the names users write.
 [[nodiscard]] std::span<config::Entry<EnvelopeShape> const> envelope_shapes();
 
 /// jennings (Jennings, Housner and Tsai 1968): (t/rise)^2, then 1 to level_end, then exp(-ln 10 (t-level_end)/
-/// (end-level_end)), so a tenth at `end`. constant: 1.
+/// (end-level_end)), so a tenth at `end`. saragoni-hart (Saragoni and Hart 1974): the mean square goes with
+/// t^gamma exp(-alpha t), here by its peak time gamma/alpha: ((t/peak) exp(1 - t/peak))^(gamma/2). points: straight
+/// lines through a table, held beyond its ends, as a share of its largest value. constant: 1.
 struct Envelope {
     EnvelopeShape shape = EnvelopeShape::jennings;
     double rise_s = 0;
     double level_end_s = 0;
     double end_s = 0;
+    double peak_s = 0;
+    double gamma = 0;
+    std::vector<std::pair<double, double>> points{};  ///< time [s], largest value 1
 
     [[nodiscard]] double at(double time_s) const;
 
@@ -28,8 +34,10 @@ struct Envelope {
     [[nodiscard]] std::vector<double> samples(double time_step_s, std::size_t count) const;
 };
 
-/// Reads shape, rise, level_end, end; by default jennings with 10, 50 and 90 % of the duration. Calls finish().
-/// \throws InputError unless 0 < rise <= level_end < end <= duration.
+/// Reads shape, and for jennings (the default) rise, level_end, end (10, 50 and 90 % of the duration), for
+/// saragoni-hart peak (20 % of the duration) and gamma (3), for points a list of [time, value]. Calls finish(). \throws
+/// InputError unless 0 < rise <= level_end < end <= duration, 0 < peak <= duration and gamma > 0, or times rise from 0
+/// or more and values are not negative and not all 0.
 [[nodiscard]] Envelope read_envelope(config::Table const& table, double duration_s);
 
 }  // namespace overturn

@@ -4,16 +4,19 @@
 #include <array>
 #include <cmath>
 
+#include "generators/records.hpp"
 #include "generators/spectrum_matcher.hpp"
+#include "generators/wave_quality.hpp"
 #include "spectra/target_input.hpp"
 
 namespace overturn {
 namespace {
 
-enum class Match { each, none };
+enum class Match { each, ensemble, none };
 
 constexpr std::array matches{
     config::Entry<Match>{"each", "every wave is iterated to the target", Match::each},
+    config::Entry<Match>{"ensemble", "the median of many waves meets the target", Match::ensemble},
     config::Entry<Match>{"none", "waves are left as they are drawn", Match::none},
 };
 constexpr std::array line_amplitudes{
@@ -21,68 +24,150 @@ constexpr std::array line_amplitudes{
     config::Entry<LineAmplitudes>{"gaussian", "random phases and amplitudes", LineAmplitudes::gaussian},
 };
 
+using Place = std::vector<double> GroundMotion::*;
+
+// What the table of a further component is called, where its motion goes, and which streams it draws from.
+struct ComponentKind {
+    char const* name;
+    Place place;
+    std::uint64_t stream;
+};
+constexpr ComponentKind horizontal_kind{"horizontal", &GroundMotion::horizontal_mps2, 0};
+constexpr std::array further_kinds{ComponentKind{"transverse", &GroundMotion::transverse_mps2, 2},
+                                   ComponentKind{"vertical", &GroundMotion::vertical_mps2, 1}};
+
+struct Part {
+    ComponentKind kind;
+    SpectrumMatcher matcher;
+    double defined_to_s;  // how far a rule asks for the target
+    double longest_s;
+};
+
+// What the campaign says about all components alike.
+struct Request {
+    SpectrumMatcherInput input;
+    Match match = Match::each;
+    std::string rule_name = "none";
+    std::vector<GroundMotion> seeds{};
+    std::vector<std::string> seed_labels{};
+};
+
 class SpectrumCompatible : public WaveSource {
   public:
-    SpectrumCompatible(SpectrumMatcherInput const& input, std::optional<TargetSpectrum> const& vertical_target)
-        : horizontal_(input) {
-        summary_ = fmt::format("{} samples of {} s, target {} at {} % damping to {:g} s, {}", input.samples,
-                               input.time_step_s, input.target.name(), 100 * input.target.damping(), input.longest_s,
-                               input.iterations > 0 ? "each wave matched" : "not matched");
-        time_step_s_ = input.time_step_s;
-        if (vertical_target) {
-            auto vertical = input;
-            vertical.target = *vertical_target;
-            vertical_.emplace(vertical);
+    SpectrumCompatible(Request request, std::vector<std::pair<ComponentKind, TargetSpectrum>> const& further)
+        : rule_(request.input.rule),
+          rule_name_(std::move(request.rule_name)),
+          time_step_s_(request.input.time_step_s),
+          seeds_(std::move(request.seeds)),
+          seed_labels_(std::move(request.seed_labels)) {
+        auto const& target = request.input.target;
+        constexpr std::array how{"each wave matched", "matched in the median", "not matched"};
+        summary_ = fmt::format("{} samples of {} s, target {} at {} % damping to {:g} s, {}", request.input.samples,
+                               time_step_s_, target.name(), 100 * target.damping(), request.input.longest_s,
+                               how.at(static_cast<std::size_t>(request.match)));
+        summary_ += rule_.asks() ? " by " + rule_name_ : "";
+        summary_ += seeds_.empty() ? "" : fmt::format(", phases of {} records", seeds_.size());
+        add(horizontal_kind, request.input);
+        if (auto const& median = parts_.front().matcher.median(); median.max_misfit > 0) {
+            summary_ += fmt::format(" (to {:.1f} % on the mean, {:.1f} % at {:.3g} s)", 100 * median.mean_misfit,
+                                    100 * median.max_misfit, median.max_misfit_period_s);
+        }
+        for (auto const& [kind, own] : further) {
+            auto input = request.input;
+            input.target = own;
+            input.longest_s = std::min(input.longest_s, std::max(own.last_period_s(), 1.0));
+            add(kind, input);
             constexpr double at_s = 1;
-            summary_ +=
-                fmt::format(", vertical target {}, {:.3g} of the horizontal one at {} s", vertical_target->name(),
-                            vertical_target->psa_mps2(at_s) / input.target.psa_mps2(at_s), at_s);
+            summary_ += fmt::format(", {} target {}, {:.3g} of the horizontal one at {} s", kind.name, own.name(),
+                                    own.psa_mps2(at_s) / target.psa_mps2(at_s), at_s);
         }
     }
 
     [[nodiscard]] GeneratedWave make(std::uint64_t seed, std::uint64_t wave) const override {
-        constexpr std::uint64_t horizontal_stream = 0;
-        constexpr std::uint64_t vertical_stream = 1;
         GeneratedWave made;
         made.motion.time_step_s = time_step_s_;
-        auto horizontal = horizontal_.make(seed, wave, horizontal_stream);
-        made.motion.horizontal_mps2 = std::move(horizontal.acceleration_mps2);
-        made.match = horizontal.match;
-        if (vertical_) {
-            auto vertical = vertical_->make(seed, wave, vertical_stream);
-            made.motion.vertical_mps2 = std::move(vertical.acceleration_mps2);
-            made.vertical_match = vertical.match;
+        made.rule = rule_;
+        made.label = seeds_.empty() ? fmt::format("random wave {}", wave) : "";
+        if (!seeds_.empty()) {
+            validate_wave(wave, seeds_.size());
+            made.label = "match of " + seed_labels_[wave];
         }
-        made.label = fmt::format("random wave {}", wave);
+        for (auto const& part : parts_) {
+            auto component = seeds_.empty() ? drawn(part, made.motion, seed, wave)
+                                            : part.matcher.match_motion(seeds_[wave].*(part.kind.place));
+            add_clauses(part, component.match, made.clauses);
+            made.motion.*(part.kind.place) = std::move(component.acceleration_mps2);
+            if (part.kind.place == horizontal_kind.place) {
+                made.match = component.match;
+                made.judged_periods_s = part.matcher.periods_s();
+                made.ratios = std::move(component.ratios);
+            } else if (part.kind.place == &GroundMotion::vertical_mps2) {
+                made.vertical_match = component.match;
+            }
+        }
         return made;
     }
 
+    [[nodiscard]] std::optional<std::uint64_t> available() const override {
+        return seeds_.empty() ? std::nullopt : std::optional<std::uint64_t>(seeds_.size());
+    }
     [[nodiscard]] std::string describe() const override { return summary_; }
+    [[nodiscard]] std::string acceptance() const override { return rule_name_; }
+    [[nodiscard]] std::optional<double> judged_to_s() const override { return parts_.front().longest_s; }
 
   private:
-    SpectrumMatcher horizontal_;
-    std::optional<SpectrumMatcher> vertical_;
-    double time_step_s_ = 0;
+    void add(ComponentKind const& kind, SpectrumMatcherInput const& input) {
+        constexpr double asked_to_s = 10;  // 0.1 Hz
+        parts_.push_back(
+            {kind, SpectrumMatcher(input), std::min(asked_to_s, input.target.last_period_s()), input.longest_s});
+    }
+
+    // Chance alone correlates one pair in twenty too much for the rules; the first draw that does not stays.
+    static SpectrumMatcher::Component drawn(Part const& part, GroundMotion const& before, std::uint64_t seed,
+                                            std::uint64_t wave) {
+        constexpr std::uint64_t streams_per_attempt = 16;
+        constexpr std::uint64_t attempts = 8;
+        constexpr double largest_correlation = 0.16;
+        for (std::uint64_t attempt = 0;; ++attempt) {
+            auto component = part.matcher.make(seed, wave, part.kind.stream + attempt * streams_per_attempt);
+            bool const apart = std::all_of(further_kinds.begin(), further_kinds.end(), [&](ComponentKind const& kind) {
+                return independent(component.acceleration_mps2, before.*(kind.place), largest_correlation);
+            });
+            if ((apart && independent(component.acceleration_mps2, before.horizontal_mps2, largest_correlation))
+                || attempt + 1 == attempts) {
+                return component;
+            }
+        }
+    }
+
+    static bool independent(std::span<double const> a, std::span<double const> b, double largest) {
+        return b.empty() || std::abs(correlation_of(a, b)) <= largest;
+    }
+
+    void add_clauses(Part const& part, MatchReport const& match, std::vector<Clause>& clauses) const {
+        if (!rule_.asks()) {
+            return;
+        }
+        for (auto clause : spectrum_clauses(rule_, {.figures = match.all,
+                                                   .worst_decade = match.worst_decade,
+                                                   .intensity_ratio = match.intensity_ratio,
+                                                   .judged_to_s = part.longest_s,
+                                                   .defined_to_s = part.defined_to_s})) {
+            if (part.kind.place != horizontal_kind.place) {
+                clause.name += std::string(", ") + part.kind.name;
+            }
+            clauses.push_back(std::move(clause));
+        }
+    }
+
+    AcceptanceRule rule_;
+    std::string rule_name_;
+    double time_step_s_;
+    std::vector<GroundMotion> seeds_;
+    std::vector<std::string> seed_labels_;
+    std::vector<Part> parts_;
     std::string summary_;
 };
-
-std::size_t read_samples(config::Table const& waves, double time_step_s) {
-    constexpr double most = 5e6;
-    constexpr double fewest = 100;
-    double const steps = std::round(waves.number("duration", Dimension::time, config::Range::positive()) / time_step_s);
-    if (steps < fewest || steps > most) {
-        waves.fail("duration",
-                   fmt::format("{} time steps (must be {} to {}). Mend duration or time_step", steps, fewest, most));
-    }
-    return static_cast<std::size_t>(steps) + 1;
-}
-
-Match read_match(config::Table const& waves) {
-    if (waves.text("match", "each") == "ensemble") {
-        waves.fail("match", "'ensemble' (matching in the mean does not exist yet). Use each or none");
-    }
-    return waves.choice<Match>("match", matches, Match::each);
-}
 
 double read_longest(config::Table const& table, TargetSpectrum const& target, double duration_s) {
     constexpr double usual = 10;
@@ -95,53 +180,105 @@ double read_longest(config::Table const& table, TargetSpectrum const& target, do
     return longest;
 }
 
-}  // namespace
-
-namespace {
-
-// The vertical component's target: its own, or a ratio of the horizontal one; nothing if there is no such component.
-std::optional<TargetSpectrum> read_vertical(config::Table const& waves, TargetSpectrum const& horizontal,
-                                            InputFiles& files) {
-    if (!waves.has("vertical")) {
+// The target of a further component: its own, or a ratio of the horizontal one; nothing if there is no such component.
+std::optional<TargetSpectrum> read_further(config::Table const& waves, char const* name,
+                                           TargetSpectrum const& horizontal, InputFiles& files) {
+    if (!waves.has(name)) {
         return std::nullopt;
     }
-    auto const vertical = waves.child("vertical");
+    auto const table = waves.child(name);
     std::optional<TargetSpectrum> target;
-    if (vertical.has("target")) {
-        auto const own = vertical.child("target");
+    if (table.has("target")) {
+        auto const own = table.child("target");
         target = read_target(own, files);
         own.finish();
     } else {
-        target = horizontal.scaled(vertical.number("ratio", Dimension::none, {.low = 0, .high = 10, .low_open = true}));
+        target = horizontal.scaled(table.number("ratio", Dimension::none, {.low = 0, .high = 10, .low_open = true}));
     }
-    vertical.finish();
+    table.finish();
     return target;
+}
+
+// Reads the measured motions whose phases are to be kept; the first one's time step is everybody's.
+void read_seeds(config::Table const& waves, InputFiles& files, Request& request) {
+    auto const table = waves.child("seed");
+    auto const records = make_records(table, files);
+    table.finish();
+    std::size_t longest = 0;
+    for (std::uint64_t i = 0; i < records->available().value_or(0); ++i) {
+        auto made = records->make(0, i);
+        if (made.motion.time_step_s != request.input.time_step_s && (i > 0 || waves.has("time_step"))) {
+            waves.fail("seed",
+                       fmt::format("time step {} s of {} beside {} s (no record is resampled). Keep to one step",
+                                   made.motion.time_step_s, made.label, request.input.time_step_s));
+        }
+        request.input.time_step_s = made.motion.time_step_s;
+        longest = std::max(longest, made.motion.samples());
+        request.seeds.push_back(std::move(made.motion));
+        request.seed_labels.push_back(std::move(made.label));
+    }
+    request.input.samples =
+        waves.has("duration") ? read_samples(waves, request.input.time_step_s) : std::max<std::size_t>(longest, 101);
+    request.input.envelope = {.shape = EnvelopeShape::constant};
+}
+
+void read_match(config::Table const& waves, Request& request) {
+    auto& input = request.input;
+    request.match = waves.choice<Match>("match", matches, Match::each);
+    request.rule_name = waves.text("acceptance", "none");
+    input.rule = waves.choice<AcceptanceRule>("acceptance", acceptance_rules(), {});
+    if (request.match == Match::each) {
+        input.tolerance = waves.number("match_tolerance", Dimension::none, {.low = 0.001, .high = 1}, input.tolerance);
+        input.iterations = static_cast<int>(waves.integer("match_iterations", 1, 1000, input.iterations));
+    } else {
+        input.iterations = 0;
+        input.calibrated = request.match == Match::ensemble;
+        if (input.rule.asks()) {
+            waves.fail("acceptance", "judges single waves (which scatter unless match = 'each'). Use none here");
+        }
+        if (waves.has("seed")) {
+            waves.fail("match", "beside seed (a record is matched as it is). Use each");
+        }
+    }
+    constexpr double rule_damping = 0.05;
+    if (input.rule.asks() && (input.target.is_energy() || input.target.damping() != rule_damping)) {
+        waves.fail("acceptance", "speaks of response spectra at 5 % damping (the target is another). Use none here");
+    }
 }
 
 }  // namespace
 
 std::unique_ptr<WaveSource> make_spectrum_compatible(config::Table const& waves, InputFiles& files) {
-    double const time_step = waves.number("time_step", Dimension::time, {.low = 1e-4, .high = 0.1}, 0.01);
-    auto const samples = read_samples(waves, time_step);
-    double const duration = time_step * static_cast<double>(samples - 1);
     auto const target_table = waves.child("target");
-    auto const target = read_target(target_table, files);
-    double const longest = read_longest(target_table, target, duration);
-    target_table.finish();
-    SpectrumMatcherInput input{
-        .target = target,
-        .longest_s = longest,
-        .time_step_s = time_step,
-        .samples = samples,
-        .envelope = read_envelope(waves.child_or_empty("envelope"), duration),
-        .amplitudes = waves.choice<LineAmplitudes>("amplitudes", line_amplitudes, LineAmplitudes::fixed),
-        .iterations = 0};
-    if (read_match(waves) == Match::each) {
-        input.tolerance = waves.number("match_tolerance", Dimension::none, {.low = 0.001, .high = 1}, 0.05);
-        input.iterations = static_cast<int>(waves.integer("match_iterations", 1, 1000, 100));
+    Request request{.input = {.target = read_target(target_table, files)}};
+    auto& input = request.input;
+    input.time_step_s = waves.number("time_step", Dimension::time, {.low = 1e-4, .high = 0.1}, 0.01);
+    if (waves.has("seed")) {
+        read_seeds(waves, files, request);
+    } else {
+        input.samples = read_samples(waves, input.time_step_s);
     }
-    auto const vertical = read_vertical(waves, target, files);
-    return waves.located("target", [&] { return std::make_unique<SpectrumCompatible>(input, vertical); });
+    double const duration = input.time_step_s * static_cast<double>(input.samples - 1);
+    input.longest_s = read_longest(target_table, input.target, duration);
+    target_table.finish();
+    read_match(waves, request);
+    if (request.seeds.empty()) {
+        input.envelope = read_envelope(waves.child_or_empty("envelope"), duration);
+        input.amplitudes = waves.choice<LineAmplitudes>(
+            "amplitudes", line_amplitudes, input.calibrated ? LineAmplitudes::gaussian : LineAmplitudes::fixed);
+    }
+    std::vector<std::pair<ComponentKind, TargetSpectrum>> further;
+    for (auto const& kind : further_kinds) {
+        if (auto const target = read_further(waves, kind.name, input.target, files)) {
+            further.emplace_back(kind, *target);
+        }
+        bool const measured = std::all_of(request.seeds.begin(), request.seeds.end(),
+                                          [&](GroundMotion const& seed) { return !(seed.*(kind.place)).empty(); });
+        if (waves.has(kind.name) && !measured) {
+            waves.fail(kind.name, "no such component in every seed (its phases are missing). State the files' own");
+        }
+    }
+    return waves.located("target", [&] { return std::make_unique<SpectrumCompatible>(std::move(request), further); });
 }
 
 }  // namespace overturn

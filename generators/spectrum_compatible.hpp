@@ -1,4 +1,4 @@
-/// Random waves whose response spectrum follows a target.
+/// Random waves, or measured ones, whose response spectrum follows a target.
 #pragma once
 
 #include <memory>
@@ -7,17 +7,19 @@
 
 namespace overturn {
 
-/// Keys of [waves]: duration, time_step (default 0.01 s), match (each | none), match_tolerance (0.05, mean misfit over
-/// all periods and over 1 s to 10 s), match_iterations (100), amplitudes (fixed | gaussian). Tables: waves.target
-/// (read_target, and `longest`: the longest matched period, by default the target's last but at most 10 s, up to 20 s),
-/// waves.envelope (read_envelope), waves.vertical (`ratio` of the horizontal target, or a `target` of its own; with
-/// phases of its own).
+/// Keys of [waves]: duration, time_step (default 0.01 s), match, match_tolerance (0.05: mean misfit over all periods
+/// and over any decade), match_iterations (40), amplitudes (fixed | gaussian), acceptance (acceptance_rules). Tables:
+/// waves.target (read_target, and `longest`: the longest matched period, by default the target's last but at most 10 s,
+/// up to 20 s), waves.envelope (read_envelope), waves.vertical and waves.transverse (`ratio` of the horizontal target,
+/// or a `target` of its own; phases of their own), waves.seed (keys of the records source: measured motions take the
+/// place of random draws, keep their phases, and need no envelope).
 ///
-/// Measured on 120 s at 0.01 s, longest 10 s, 60 waves each of mlit-ch1, sz1, ka1, os1 and rg-1.60: mean misfit below
-/// 5 % for every wave, over all periods and over 1 s to 10 s; 4 to 11 iterations, 7 to 15 ms a wave (AVX-512). Waves of
-/// 40 s have too few lines near 10 s: two in three reach it, the others stay below 13 %. Matching every wave takes
-/// wave-to-wave variability away and makes fragility curves too steep; match = "none" keeps it, at 11 % mean misfit of
-/// a single wave and at most 3 % bias of the mean.
+/// match = each: every wave is iterated to the target. ensemble: drawn from a density that is calibrated once, from the
+/// campaign's text alone, so that the median spectrum of many waves meets the target; single waves scatter as noise
+/// does (amplitudes are gaussian unless stated). none: drawn from the density as the formula gives it. Matching each
+/// wave takes wave-to-wave variability away and makes fragility curves too steep.
+///
+/// Components other than the horizontal one are drawn anew, up to eight times, until no correlation exceeds 0.16.
 [[nodiscard]] std::unique_ptr<WaveSource> make_spectrum_compatible(config::Table const& waves, InputFiles& files);
 
 }  // namespace overturn

@@ -2,162 +2,225 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
-#include <gsl/gsl_randist.h>
-
-#include "core/random_stream.hpp"
-#include "generators/baseline.hpp"
-#include "generators/spectral_density.hpp"
+#include "generators/ensemble_calibration.hpp"
+#include "spectra/input_energy.hpp"
 #include "spectra/response_spectrum.hpp"
 
 namespace overturn {
 namespace {
 
-constexpr double periods_per_decade = 75;
+constexpr double periods_per_decade = 100;  // what SRP 3.7.1 judges at
 constexpr double shortest_period_s = 0.02;
-constexpr double cutoff = 1.5;  // no line beyond this many times the longest period: displacement stays bounded
 
-double strong_seconds(std::vector<double> const& envelope, double time_step_s) {
-    double sum = 0;
-    for (double const value : envelope) {
-        sum += value * value;
-    }
-    return sum * time_step_s;
+SpectrumMatcherInput checked(SpectrumMatcherInput input) {
+    double const least = 2 * std::max(shortest_period_s, 2 * input.time_step_s);
+    validate(input.longest_s > least, "longest period {} s (above {} s for this time step). Raise it", input.longest_s,
+             least);
+    return input;
 }
 
-// 1 up to the longest period, 0 from `cutoff` times it, a half cosine in log period between.
-double long_period_fade(double period_s, double longest_s) {
-    double const beyond = std::log(period_s / longest_s) / std::log(cutoff);
-    return beyond <= 0 ? 1.0 : beyond >= 1 ? 0.0 : 0.5 * (1 + std::cos(pi * beyond));
+// Every second period below `dense_from_s` (their peaks are 10 % wide, the gaps 4.7 %), every one above, both ends.
+std::vector<std::size_t> swept_periods(std::span<double const> periods_s, double dense_from_s) {
+    std::vector<std::size_t> swept;
+    for (std::size_t i = 0; i < periods_s.size(); ++i) {
+        if (periods_s[i] >= dense_from_s || i % 2 == 0 || i + 1 == periods_s.size()) {
+            swept.push_back(i);
+        }
+    }
+    return swept;
+}
+
+// Sums of squares over a window around each sample.
+std::vector<double> smoothed_power(std::span<double const> series, std::size_t half_window) {
+    std::vector<double> sums(series.size() + 1, 0.0);
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        sums[i + 1] = sums[i] + series[i] * series[i];
+    }
+    std::vector<double> power(series.size());
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        std::size_t const first = i < half_window ? 0 : i - half_window;
+        power[i] = sums[std::min(series.size(), i + half_window + 1)] - sums[first];
+    }
+    return power;
+}
+
+// Multiplies `envelope` so that a wave like `acceleration` has its power where `wanted` puts it.
+void sharpen(std::vector<double>& envelope, std::span<double const> acceleration, std::span<double const> wanted) {
+    constexpr double window = 0.10;
+    constexpr double most = 1.5;
+    auto const half = static_cast<std::size_t>(window / 2 * static_cast<double>(wanted.size()));
+    auto const have = smoothed_power(acceleration, half);
+    auto const want = smoothed_power(wanted, half);
+    double all_have = 0, all_want = 0;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        all_have += acceleration[i] * acceleration[i];
+        all_want += wanted[i] * wanted[i];
+    }
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        if (have[i] > 0) {
+            envelope[i] *= std::clamp(std::sqrt(want[i] / all_want * all_have / have[i]), 1 / most, most);
+        }
+    }
 }
 
 }  // namespace
 
-MatchFigures match_figures(std::span<double const> periods_s, std::span<double const> ratios, double from_s,
-                           double to_s) {
-    MatchFigures figures;
-    double count = 0, sum = 0, squares = 0;
-    for (std::size_t i = 0; i < ratios.size(); ++i) {
-        if (periods_s[i] < from_s || periods_s[i] > to_s) {
-            continue;
-        }
-        double const misfit = std::abs(ratios[i] - 1);
-        count += 1;
-        sum += ratios[i];
-        squares += ratios[i] * ratios[i];
-        figures.mean_misfit += misfit;
-        figures.below_fraction += ratios[i] < 1 ? 1 : 0;
-        if (misfit > figures.max_misfit) {
-            figures.max_misfit = misfit;
-            figures.max_misfit_period_s = periods_s[i];
-        }
-    }
-    if (count > 0) {
-        figures.mean_misfit /= count;
-        figures.below_fraction /= count;
-        figures.mean_ratio = sum / count;
-        double const variance = std::max(0.0, squares / count - figures.mean_ratio * figures.mean_ratio);
-        figures.cov = figures.mean_ratio > 0 ? std::sqrt(variance) / figures.mean_ratio : 0.0;
-    }
-    return figures;
-}
-
 SpectrumMatcher::SpectrumMatcher(SpectrumMatcherInput input)
-    : input_(std::move(input)), fft_(RealFft::good_length(input_.samples)) {
+    : input_(checked(std::move(input))),
+      noise_({.target = input_.target,
+              .longest_s = input_.longest_s,
+              .time_step_s = input_.time_step_s,
+              .samples = input_.samples,
+              .envelope = input_.envelope,
+              .amplitudes = input_.amplitudes,
+              .refined = input_.calibrated}) {
     double const dt = input_.time_step_s;
     double const shortest = std::max(shortest_period_s, 2 * dt);
-    validate(input_.longest_s > 2 * shortest, "longest period {} s (above {} s for this time step). Raise it",
-             input_.longest_s, 2 * shortest);
-    envelope_ = input_.envelope.samples(dt, input_.samples);
     periods_s_ = log_periods_per_decade(shortest, input_.longest_s, periods_per_decade);
     for (double const period : periods_s_) {
-        target_sd_m_.push_back(input_.target.psv_mps(period) * period / (2 * pi));
+        target_mps_.push_back(input_.target.psv_mps(period));
     }
-    double const spacing = 2 * pi / (dt * static_cast<double>(fft_.length()));
-    std::vector<double> frequencies;
-    for (std::size_t k = 1; k < fft_.length() / 2; ++k) {
-        frequencies.push_back(spacing * static_cast<double>(k));
+    constexpr double dense_from_steps = 64;
+    swept_ = swept_periods(periods_s_, dense_from_steps * dt);
+    std::vector<double> swept_s;
+    swept_s.reserve(swept_.size());
+    for (auto const i : swept_) {
+        swept_s.push_back(periods_s_[i]);
     }
-    auto const density = density_of(input_.target, frequencies, strong_seconds(envelope_, dt));
-    line_amplitude_.push_back(0);
-    line_place_.push_back(0);
-    double const gap = std::log(periods_s_.back() / periods_s_.front()) / static_cast<double>(periods_s_.size() - 1);
-    for (std::size_t i = 0; i < frequencies.size(); ++i) {
-        double const period = 2 * pi / frequencies[i];
-        line_amplitude_.push_back(std::sqrt(2 * density[i] * spacing) * long_period_fade(period, input_.longest_s));
-        line_place_.push_back(
-            std::clamp(std::log(period / periods_s_.front()) / gap, 0.0, static_cast<double>(periods_s_.size() - 1)));
+    sweep_.emplace(swept_s, input_.target.damping(), dt);
+    gains_.emplace(swept_s, input_.target.damping(), noise_.spacing_radps(), noise_.first(), noise_.count());
+    if (input_.calibrated) {
+        median_ = calibrate(noise_, input_.target,
+                            log_periods_per_decade(shortest, input_.longest_s, periods_per_decade / 2));
     }
-}
-
-SpectrumMatcher::Lines SpectrumMatcher::draw(std::uint64_t seed, std::uint64_t wave, std::uint64_t component) const {
-    RandomStream phases(seed, wave, Purpose::wave_phase, component);
-    RandomStream amplitudes(seed, wave, Purpose::wave_amplitude, component);
-    Lines lines(line_amplitude_.size());
-    for (std::size_t k = 1; k < lines.size(); ++k) {
-        double const scatter =
-            input_.amplitudes == LineAmplitudes::gaussian ? gsl_ran_rayleigh(amplitudes.gsl(), std::sqrt(0.5)) : 1.0;
-        lines[k] = std::polar(scatter * line_amplitude_[k], gsl_ran_flat(phases.gsl(), 0, 2 * pi));
-    }
-    return lines;
-}
-
-std::vector<double> SpectrumMatcher::synthesise(Lines const& lines) const {
-    std::vector<double> series(fft_.length());
-    fft_.synthesise(lines, series);
-    series.resize(input_.samples);
-    for (std::size_t i = 0; i < series.size(); ++i) {
-        series[i] *= envelope_[i];
-    }
-    correct_baseline(series);
-    return series;
 }
 
 std::vector<double> SpectrumMatcher::ratios(std::span<double const> acceleration_mps2) const {
-    auto values = displacement_spectrum(acceleration_mps2, input_.time_step_s, periods_s_, input_.target.damping());
+    double const damping = input_.target.damping();
+    bool const energy = input_.target.is_energy();
+    auto values = energy ? input_energy_velocities(acceleration_mps2, input_.time_step_s, periods_s_, damping)
+                         : displacement_spectrum(acceleration_mps2, input_.time_step_s, periods_s_, damping);
     for (std::size_t i = 0; i < values.size(); ++i) {
-        values[i] /= target_sd_m_[i];
+        values[i] *= (energy ? 1 : 2 * pi / periods_s_[i]) / target_mps_[i];
     }
     return values;
 }
 
-void SpectrumMatcher::adjust(Lines& lines, std::span<double const> ratios) const {
+std::vector<double> SpectrumMatcher::swept_ratios(std::span<PeakSwing const> swings) const {
+    std::vector<double> values(periods_s_.size());
+    for (std::size_t s = 0; s < swept_.size(); ++s) {
+        auto const i = swept_[s];
+        values[i] = std::abs(swings[s].displacement_m) * 2 * pi / (periods_s_[i] * target_mps_[i]);
+        if (s > 0 && swept_[s - 1] + 2 == i) {
+            values[i - 1] = (values[i - 2] + values[i]) / 2;
+        }
+    }
+    return values;
+}
+
+double SpectrumMatcher::shortfall(std::span<double const> ratios) const {
+    auto const all = match_figures(periods_s_, ratios, 0, input_.longest_s);
+    auto const& rule = input_.rule;
+    double const misfit = std::max(all.mean_misfit, worst_decade_misfit(periods_s_, ratios)) / input_.tolerance;
+    if (!rule.asks()) {
+        return misfit;
+    }
+    double const si = spectral_intensity_ratio(periods_s_, ratios, input_.target);
+    return std::max({misfit, (1 - all.lowest_ratio) / (1 - rule.lowest_ratio),
+                     (all.highest_ratio - 1) / (rule.highest_ratio - 1), all.longest_below / rule.most_adjacent_below,
+                     all.cov / rule.largest_cov, std::abs(all.mean_ratio - 1) / rule.largest_mean_error,
+                     rule.lowest_intensity_ratio > 0 ? 1 + rule.lowest_intensity_ratio - si : 0.0});
+}
+
+void SpectrumMatcher::scale_lines(Lines& lines, std::span<double const> ratios) const {
     constexpr double most = 4;  // one iteration changes no line by more
-    for (std::size_t k = 1; k < lines.size(); ++k) {
-        auto const left = std::min(static_cast<std::size_t>(line_place_[k]), ratios.size() - 2);
-        double const share = line_place_[k] - static_cast<double>(left);
-        double const ratio = (1 - share) * ratios[left] + share * ratios[left + 1];
-        lines[k] /= std::clamp(ratio, 1 / most, most);
+    std::vector<double> divisors(ratios.begin(), ratios.end());
+    for (double& value : divisors) {
+        value = std::clamp(value / input_.rule.aim, 1 / most, most);
+    }
+    divide_lines(lines, noise_.spacing_radps(), periods_s_, divisors);
+}
+
+SpectrumMatcher::Component SpectrumMatcher::judged(std::vector<double> acceleration_mps2, int iterations) const {
+    constexpr double long_from_s = 1;
+    constexpr double long_to_s = 10;
+    Component component;
+    component.ratios = ratios(acceleration_mps2);
+    component.acceleration_mps2 = std::move(acceleration_mps2);
+    auto& match = component.match;
+    match.iterations = iterations;
+    match.all = match_figures(periods_s_, component.ratios, 0, input_.longest_s);
+    match.long_period = match_figures(periods_s_, component.ratios, long_from_s, long_to_s);
+    match.worst_decade = worst_decade_misfit(periods_s_, component.ratios);
+    match.intensity_ratio = spectral_intensity_ratio(periods_s_, component.ratios, input_.target);
+    match.matched = input_.iterations > 0 && shortfall(component.ratios) <= 1;
+    return component;
+}
+
+void SpectrumMatcher::step_lines(Lines& lines, std::span<PeakSwing const> swings, std::span<double const> ratios,
+                                 std::span<double const> envelope) const {
+    std::vector<double> wanted(swept_.size());
+    std::vector<double> strength(swept_.size());
+    for (std::size_t s = 0; s < swept_.size(); ++s) {
+        wanted[s] = input_.rule.aim / ratios[swept_[s]];
+        auto const sample = static_cast<std::size_t>(swings[s].time_s / input_.time_step_s);
+        strength[s] = envelope[std::min(sample, envelope.size() - 1)];
+    }
+    gains_->apply(lines, swings, strength, wanted);
+}
+
+SpectrumMatcher::Component SpectrumMatcher::matched(Lines lines, Steps const& steps) const {
+    constexpr double promising = 1.05;  // the sweep errs a little: let the exact spectrum decide near the border
+    std::optional<Component> best;
+    double best_shortfall = 0;
+    auto envelope = noise_.envelope();
+    for (int iteration = 0;; ++iteration) {
+        auto const acceleration = noise_.synthesise(lines, envelope);
+        bool const last = iteration == input_.iterations;
+        auto const swings = input_.target.is_energy() ? std::vector<PeakSwing>{} : sweep_->swings(acceleration);
+        auto const seen = swings.empty() ? ratios(acceleration) : swept_ratios(swings);
+        bool const shaping = iteration == 1 && steps.envelope == EnvelopeStep::sharpen_once;
+        if ((!shaping && shortfall(seen) <= promising) || last) {
+            auto component = judged(acceleration, iteration);
+            double const now = shortfall(component.ratios);
+            if (!best || now < best_shortfall) {
+                best = std::move(component);
+                best_shortfall = now;
+            }
+        }
+        if (last || (best && best->match.matched)) {
+            best->match.iterations = iteration;
+            return *std::move(best);
+        }
+        if (shaping) {
+            sharpen(envelope, acceleration, noise_.envelope());
+        }
+        if (iteration < steps.plain || swings.empty()) {
+            scale_lines(lines, seen);
+        } else {
+            step_lines(lines, swings, seen, envelope);
+        }
     }
 }
 
 SpectrumMatcher::Component SpectrumMatcher::make(std::uint64_t seed, std::uint64_t wave,
                                                  std::uint64_t component) const {
-    constexpr double long_from_s = 1;
-    constexpr double long_to_s = 10;
-    auto lines = draw(seed, wave, component);
-    Component best;
-    double best_misfit = 0;
-    for (int iteration = 0; iteration <= input_.iterations; ++iteration) {
-        auto acceleration = synthesise(lines);
-        auto const now = ratios(acceleration);
-        auto const all = match_figures(periods_s_, now, 0, input_.longest_s);
-        auto const slow = match_figures(periods_s_, now, long_from_s, long_to_s);
-        double const misfit = std::max(all.mean_misfit, slow.mean_misfit);
-        if (iteration == 0 || misfit < best_misfit) {
-            best_misfit = misfit;
-            best.acceleration_mps2 = std::move(acceleration);
-            best.match.all = all;
-            best.match.long_period = slow;
-        }
-        best.match.iterations = iteration;
-        if (misfit <= input_.tolerance || iteration == input_.iterations) {
-            break;
-        }
-        adjust(lines, now);
-    }
-    best.match.matched = input_.iterations > 0 && best_misfit <= input_.tolerance;
-    return best;
+    RandomStream phases(seed, wave, Purpose::wave_phase, component);
+    RandomStream amplitudes(seed, wave, Purpose::wave_amplitude, component);
+    auto lines = noise_.draw(phases, amplitudes);
+    auto made = input_.iterations == 0 ? judged(noise_.synthesise(lines, noise_.envelope()), 0)
+                                       : matched(std::move(lines), {1, EnvelopeStep::sharpen_once});
+    std::tie(made.match.psd_lowest_ratio, made.match.psd_lowest_hz) = noise_.lowest_power(made.acceleration_mps2);
+    return made;
+}
+
+SpectrumMatcher::Component SpectrumMatcher::match_motion(std::span<double const> acceleration_mps2) const {
+    constexpr int plain = 4;  // a record may be far from the target
+    auto made = matched(noise_.analyse(acceleration_mps2), {plain, EnvelopeStep::leave});
+    std::tie(made.match.psd_lowest_ratio, made.match.psd_lowest_hz) = noise_.lowest_power(made.acceleration_mps2);
+    return made;
 }
 
 }  // namespace overturn

@@ -6,29 +6,27 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "config/table.hpp"
 #include "core/input_files.hpp"
+#include "generators/acceptance.hpp"
 #include "motion/ground_motion.hpp"
 
 namespace overturn {
 
-/// How computed/target psa is spread over periods in equal ratios; all 0 where there is nothing to compare.
-struct MatchFigures {
-    double mean_misfit = 0;          ///< mean |ratio - 1| [-]
-    double max_misfit = 0;           ///< largest |ratio - 1| [-]
-    double max_misfit_period_s = 0;  ///< where [s]
-    double mean_ratio = 0;           ///< [-]
-    double cov = 0;                  ///< standard deviation of the ratio over its mean [-]
-    double below_fraction = 0;       ///< share of periods where the wave stays below its target [-]
-};
-
-/// The match of a finished wave, after every correction.
+/// The match of a finished component, after every correction.
 struct MatchReport {
-    bool matched = false;      ///< iterated, and the tolerance was reached
-    int iterations = 0;        ///< spectra computed after the first draw
-    MatchFigures all;          ///< from two time steps or 0.02 s to the longest matched period
-    MatchFigures long_period;  ///< the part of it within 1 s to 10 s
+    bool matched = false;        ///< iterated, and the tolerance and the rule's spectrum were met
+    int iterations = 0;          ///< spectra computed after the first draw
+    MatchFigures all;            ///< from two time steps or 0.02 s to the longest matched period
+    MatchFigures long_period;    ///< the part of it within 1 s to 10 s
+    double worst_decade = 0;     ///< worst_decade_misfit [-]
+    double intensity_ratio = 0;  ///< spectral_intensity_ratio [-]
+    /// Lowest power spectral density over the one that fits the target, both averaged over 20 % of frequency to either
+    /// side, 0.3 Hz to 24 Hz as in SRP 3.7.1, appendix A [-]
+    double psd_lowest_ratio = 0;
+    double psd_lowest_hz = 0;  ///< where [Hz]
 };
 
 struct GeneratedWave {
@@ -36,6 +34,11 @@ struct GeneratedWave {
     MatchReport match;           ///< of the horizontal component
     MatchReport vertical_match;  ///< of the vertical one
     std::string label;           ///< one line that tells this wave from its neighbours
+
+    std::vector<double> judged_periods_s;  ///< where the horizontal component was compared; empty without a target
+    std::vector<double> ratios;            ///< computed over target there
+    AcceptanceRule rule;                   ///< what the source's waves must meet
+    std::vector<Clause> clauses;           ///< of that rule, on the spectra of all components; empty without one
 };
 
 /// A source of numbered waves. make is pure: the same wave alone or in a crowd, from any thread.
@@ -52,6 +55,10 @@ class WaveSource {
     [[nodiscard]] virtual GeneratedWave make(std::uint64_t seed, std::uint64_t wave) const = 0;
     /// How many different waves there are; nothing if as many as one likes.
     [[nodiscard]] virtual std::optional<std::uint64_t> available() const { return std::nullopt; }
+    /// The rule its waves must meet, "none" if any will do.
+    [[nodiscard]] virtual std::string acceptance() const { return "none"; }
+    /// The longest period its waves are compared with a target at; nothing if there is none [s].
+    [[nodiscard]] virtual std::optional<double> judged_to_s() const { return std::nullopt; }
     /// One line on what it makes.
     [[nodiscard]] virtual std::string describe() const = 0;
 };
@@ -64,6 +71,10 @@ using WaveSourceMaker = std::unique_ptr<WaveSource> (*)(config::Table const& wav
 
 /// The source that `waves.source` names. \throws InputError at the key concerned.
 [[nodiscard]] std::unique_ptr<WaveSource> make_wave_source(config::Table const& waves, InputFiles& files);
+
+/// Samples of a wave of the table's `duration`, the first at 0 and the last at it. \throws InputError unless they are
+/// 100 to 5 million.
+[[nodiscard]] std::size_t read_samples(config::Table const& waves, double time_step_s);
 
 /// \throws InputError unless wave < available.
 void validate_wave(std::uint64_t wave, std::uint64_t available);

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "campaign/results.hpp"
+#include "campaign/wave_check.hpp"
 
 namespace overturn {
 namespace {
@@ -130,6 +131,7 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
     spec.rocking = read_accuracy(accuracy);
     constexpr double largest_phase = 40;
     spec.measures = read_measures(root.child_or_empty("measures"));
+    waves.located("acceptance", [&] { validate_bands(*spec.source, spec.bodies, spec.measures.radius_unit); });
     spec.measures.panel_phase_rad = accuracy.number("panel_phase", Dimension::angle, {.low = 1, .high = largest_phase},
                                                     spec.measures.panel_phase_rad);
     accuracy.finish();

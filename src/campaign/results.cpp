@@ -22,6 +22,7 @@ void write_provenance(store::ResultsWriter& file, CampaignInput const& input, Ca
     file.attribute("level_measure", spec.levels.measure_name());
     file.attribute("level_units", spec.levels.units());
     file.attribute("wave_source", spec.source->describe());
+    file.attribute("wave_acceptance", spec.source->acceptance());
     for (auto const& [name, content] : input.files) {
         // Names hold '/', which HDF5 reads as a path; the number is the place, the attribute the name.
         auto const place = fmt::format("{:04}", std::distance(input.files.begin(), input.files.find(name)));
@@ -29,7 +30,7 @@ void write_provenance(store::ResultsWriter& file, CampaignInput const& input, Ca
     }
 }
 
-void write_body(store::ResultsWriter& file, BodySpec const& spec) {
+void write_body(store::ResultsWriter& file, BodySpec const& spec, RadiusUnit unit) {
     auto const group = "bodies/" + spec.name;
     auto const& body = spec.body;
     auto const put = [&](char const* name, char const* units, char const* description, double value) {
@@ -44,6 +45,9 @@ void write_body(store::ResultsWriter& file, BodySpec const& spec) {
     put("p", "rad/s", "frequency parameter sqrt(m g R / I_O)", body.p_radps());
     put("restitution", "1", "median restitution", body.restitution());
     put("housner_restitution", "1", "1 - 2 m b^2 / I_O", body.housner_restitution());
+    auto const band = rocking_period_band(body.radius_m(), unit);
+    put("t0", "s", "shortest period that the body runs through", band.t0_s);
+    put("t1", "s", "longest period that the body runs through", band.t1_s);
     put("v_ereq", "m/s", "limit velocity sqrt(2 g (R - h))", body.limit_velocity_mps());
 }
 
@@ -164,6 +168,22 @@ void Statistics::add(TrialRow const& row) {
     body.ou_v_e[level].add(row.ou_v_e_safe != 0, overturned);
 }
 
+void WaveCounts::add(WaveRow const& row) {
+    ++waves;
+    failed += row.failed != 0 ? 1 : 0;
+    not_accepted += row.failed == 0 && row.accepted == 0 ? 1 : 0;
+}
+
+std::string WaveCounts::text(std::string const& acceptance) const {
+    if (acceptance == "none" && failed == 0) {
+        return "";
+    }
+    auto text = fmt::format("{} waves", waves);
+    text += failed > 0 ? fmt::format(", {} could not be made", failed) : "";
+    text += acceptance == "none" ? "" : fmt::format(", {} not accepted by {}", not_accepted, acceptance);
+    return text + (failed + not_accepted > 0 ? " (their trials are failed rows)" : "");
+}
+
 void write_results(std::filesystem::path const& path, CampaignInput const& input, CampaignSpec const& spec,
                    Plan const& plan, std::function<std::vector<std::byte>(std::int64_t)> const& block,
                    Statistics& statistics) {
@@ -188,12 +208,15 @@ void write_results(std::filesystem::path const& path, CampaignInput const& input
             file.append(table, std::as_bytes(std::span(rows.measures)));
         }
         file.append(trials, std::as_bytes(std::span(rows.trials)));
+        for (auto const& row : rows.waves) {
+            statistics.add(row);
+        }
         for (auto const& row : rows.trials) {
             statistics.add(row);
         }
     }
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
-        write_body(file, spec.bodies[b]);
+        write_body(file, spec.bodies[b], spec.measures.radius_unit);
         write_stripes(file, spec, statistics.bodies()[b]);
         write_criterion(file, spec, statistics.bodies()[b]);
     }
@@ -217,6 +240,14 @@ CampaignInput input_of(store::ResultsReader const& file) {
 
 Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec) {
     Statistics statistics(spec);
+    auto const failed = file.integers("waves/failed");
+    auto const accepted = file.integers("waves/accepted");
+    for (std::size_t i = 0; i < failed.size(); ++i) {
+        WaveRow row;
+        row.failed = failed[i];
+        row.accepted = accepted[i];
+        statistics.add(row);
+    }
     auto const body = file.integers("trials/body");
     auto const level = file.integers("trials/level");
     auto const verdict = file.integers("trials/verdict");

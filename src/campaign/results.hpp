@@ -34,14 +34,26 @@ struct BodyStatistics {
     std::array<std::int64_t, rung_count> rungs{};  ///< trials per rung
 };
 
+/// What became of the waves.
+struct WaveCounts {
+    std::int64_t waves = 0, failed = 0, not_accepted = 0;
+
+    void add(WaveRow const& row);
+    /// "200 waves, 3 not accepted by srp-3.7.1 (their trials are failed rows)"; empty if there is nothing to say.
+    [[nodiscard]] std::string text(std::string const& acceptance) const;
+};
+
 /// Counts trials as they come; integers only, so that no order can matter.
 class Statistics {
   public:
     explicit Statistics(CampaignSpec const& spec);
     void add(TrialRow const& row);
+    void add(WaveRow const& row) { waves_.add(row); }
     [[nodiscard]] std::vector<BodyStatistics> const& bodies() const { return bodies_; }
+    [[nodiscard]] WaveCounts const& waves() const { return waves_; }
 
   private:
+    WaveCounts waves_;
     std::vector<BodyStatistics> bodies_;
 };
 

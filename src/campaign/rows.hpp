@@ -11,7 +11,8 @@ enum class FailureReason : std::int64_t {
     wave_failed = 1,
     wave_cannot_be_scaled = 2,
     no_convergence = 3,
-    absurd_level = 4
+    absurd_level = 4,
+    wave_not_accepted = 5
 };
 
 /// One wave, as generated or read, before any scaling.
@@ -26,11 +27,21 @@ struct WaveRow {
     double match_mean_misfit = 0, match_max_misfit = 0, match_max_misfit_period_s = 0;
     double match_mean_ratio = 0, match_ratio_cov = 0;
     double match_long_mean_misfit = 0, match_long_max_misfit = 0;
+    double match_lowest_ratio = 0, match_highest_ratio = 0;
+    std::int64_t match_longest_below = 0;
+    double match_worst_decade = 0, si_ratio = 0, psd_lowest_ratio = 0, psd_lowest_hz = 0;
+    double vertical_match_mean_misfit = 0, vertical_match_worst_decade = 0;
+    double duration_5_75_s = 0, duration_5_95_s = 0;
+    double residual_velocity_mps = 0, residual_displacement_m = 0;
+    double correlation = 0;
+    std::int64_t accepted = -1;
+    std::int64_t acceptance_failures = 0;
 };
 
-/// The energy measures of one wave for one body, before any scaling.
+/// The energy measures of one wave for one body, before any scaling, and its match where that body rocks.
 struct MeasureRow {
     double ou_v_e_mps = 0, v_wes_max_mps = 0, v_wes_time_s = 0;
+    double band_mean_misfit = 0, band_max_misfit = 0, band_mean_ratio = 0, band_ratio_cov = 0;
 };
 
 /// One trial: (wave, body, level) -> verdict.

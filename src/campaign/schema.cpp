@@ -16,7 +16,7 @@ std::vector<std::string> verdict_names() {
 }
 
 std::vector<std::string> failure_names() {
-    return {"none", "wave-failed", "wave-cannot-be-scaled", "no-convergence", "absurd-level"};
+    return {"none", "wave-failed", "wave-cannot-be-scaled", "no-convergence", "absurd-level", "wave-not-accepted"};
 }
 
 std::vector<std::string> rung_names() { return {"at-rest", "rocking", "sliding"}; }
@@ -100,7 +100,39 @@ store::TableSpec wave_table() {
          OVERTURN_COLUMN(Row, match_long_mean_misfit, "match_long_mean_misfit", "1", real,
                          "mean misfit over the long periods, 1 s and above"),
          OVERTURN_COLUMN(Row, match_long_max_misfit, "match_long_max_misfit", "1", real,
-                         "max misfit over the long periods, 1 s and above")}};
+                         "max misfit over the long periods, 1 s and above"),
+         OVERTURN_COLUMN(Row, match_lowest_ratio, "match_lowest_ratio", "1", real, "min of computed / target"),
+         OVERTURN_COLUMN(Row, match_highest_ratio, "match_highest_ratio", "1", real, "max of computed / target"),
+         OVERTURN_COLUMN(Row, match_longest_below, "match_longest_below", "1", integer,
+                         "most adjacent periods below the target, 100 a decade"),
+         OVERTURN_COLUMN(Row, match_worst_decade, "match_worst_decade", "1", real,
+                         "largest mean misfit over any decade of periods"),
+         OVERTURN_COLUMN(Row, si_ratio, "si_ratio", "1", real,
+                         "spectral intensity over that of the target, 0.1 s to 2.5 s; 0: not covered"),
+         OVERTURN_COLUMN(Row, psd_lowest_ratio, "psd_lowest_ratio", "1", real,
+                         "min of power spectral density over the one that fits the target, 20 % windows, 0.3 to 24 Hz"),
+         OVERTURN_COLUMN(Row, psd_lowest_hz, "psd_lowest_frequency", "Hz", real, "where it lies"),
+         OVERTURN_COLUMN(Row, vertical_match_mean_misfit, "vertical_match_mean_misfit", "1", real,
+                         "mean misfit of the vertical component"),
+         OVERTURN_COLUMN(Row, vertical_match_worst_decade, "vertical_match_worst_decade", "1", real,
+                         "its largest mean misfit over any decade of periods"),
+         OVERTURN_COLUMN(Row, duration_5_75_s, "duration_5_75", "s", real,
+                         "time from 5 % to 75 % of the Arias integral"),
+         OVERTURN_COLUMN(Row, duration_5_95_s, "duration_5_95", "s", real,
+                         "time from 5 % to 95 % of the Arias integral"),
+         OVERTURN_COLUMN(Row, residual_velocity_mps, "residual_velocity", "m/s", real,
+                         "horizontal velocity at the end"),
+         OVERTURN_COLUMN(Row, residual_displacement_m, "residual_displacement", "m", real,
+                         "horizontal displacement at the end"),
+         OVERTURN_COLUMN(Row, correlation, "correlation", "1", real,
+                         "coefficient of the two components that are correlated most; 0: just one"),
+         OVERTURN_COLUMN(Row, accepted, "accepted", "1", integer,
+                         "1: meets waves.acceptance, 0: does not, -1: not asked"),
+         OVERTURN_COLUMN(
+             Row, acceptance_failures, "acceptance_failures", "1", integer,
+             "bit mask of clauses not met, from bit 0: time step, duration, judged to, lowest ratio, adjacent "
+             "below, highest ratio, SI ratio, cov of the ratio, error of the mean, worst decade, end velocity, "
+             "component correlation, rocking band")}};
 }
 
 store::TableSpec measure_table(std::string const& body, std::size_t index, std::size_t bodies) {
@@ -111,7 +143,13 @@ store::TableSpec measure_table(std::string const& body, std::size_t index, std::
         {OVERTURN_COLUMN(Row, ou_v_e_mps, "ou_v_e", "m/s", real, "Akiyama's ouV_E of the unscaled wave"),
          OVERTURN_COLUMN(Row, v_wes_max_mps, "v_wes", "m/s", real,
                          "max over time of the unscaled wave's window energy spectrum"),
-         OVERTURN_COLUMN(Row, v_wes_time_s, "v_wes_time", "s", real, "when that maximum is reached")}};
+         OVERTURN_COLUMN(Row, v_wes_time_s, "v_wes_time", "s", real, "when that maximum is reached"),
+         OVERTURN_COLUMN(Row, band_mean_misfit, "band_mean_misfit", "1", real,
+                         "mean |computed / target - 1| over [T0, T1] of the body"),
+         OVERTURN_COLUMN(Row, band_max_misfit, "band_max_misfit", "1", real, "max of it over [T0, T1]"),
+         OVERTURN_COLUMN(Row, band_mean_ratio, "band_mean_ratio", "1", real, "mean of computed / target over [T0, T1]"),
+         OVERTURN_COLUMN(Row, band_ratio_cov, "band_ratio_cov", "1", real,
+                         "coefficient of variation of computed / target over [T0, T1]")}};
     for (auto& column : spec.columns) {
         column.offset += index * sizeof(Row);
     }

@@ -53,6 +53,8 @@ void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& bo
 
 std::string stripe_table(CampaignSpec const& spec, Statistics const& statistics) {
     std::string text = spec.title.empty() ? "" : spec.title + "\n";
+    auto const waves = statistics.waves().text(spec.source->acceptance());
+    text += waves.empty() ? "" : waves + "\n";
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
         append_body(text, spec, spec.bodies[b], statistics.bodies()[b]);
     }

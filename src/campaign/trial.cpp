@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "campaign/wave_check.hpp"
 #include "core/error.hpp"
 
 namespace overturn {
@@ -24,13 +25,7 @@ class Stopwatch {
     std::chrono::steady_clock::time_point begin_;
 };
 
-void describe(WaveRow& row, GroundMotion const& motion, Intensity const& intensity, MatchReport const& match) {
-    row.duration_s = motion.duration_s();
-    row.pga_mps2 = intensity.pga_mps2;
-    row.pgv_mps = intensity.pgv_mps;
-    row.pgd_m = intensity.pgd_m;
-    row.arias_mps = intensity.arias_mps;
-    row.vertical_pga_mps2 = peak_of(motion.vertical_mps2);
+void describe_match(WaveRow& row, MatchReport const& match, MatchReport const& vertical) {
     row.matched = match.matched ? 1 : 0;
     row.match_iterations = match.iterations;
     row.match_mean_misfit = match.all.mean_misfit;
@@ -40,6 +35,44 @@ void describe(WaveRow& row, GroundMotion const& motion, Intensity const& intensi
     row.match_ratio_cov = match.all.cov;
     row.match_long_mean_misfit = match.long_period.mean_misfit;
     row.match_long_max_misfit = match.long_period.max_misfit;
+    row.match_lowest_ratio = match.all.lowest_ratio;
+    row.match_highest_ratio = match.all.highest_ratio;
+    row.match_longest_below = match.all.longest_below;
+    row.match_worst_decade = match.worst_decade;
+    row.si_ratio = match.intensity_ratio;
+    row.psd_lowest_ratio = match.psd_lowest_ratio;
+    row.psd_lowest_hz = match.psd_lowest_hz;
+    row.vertical_match_mean_misfit = vertical.all.mean_misfit;
+    row.vertical_match_worst_decade = vertical.worst_decade;
+}
+
+void describe_motion(WaveRow& row, GroundMotion const& motion, Intensity const& intensity) {
+    row.duration_s = motion.duration_s();
+    row.pga_mps2 = intensity.pga_mps2;
+    row.pgv_mps = intensity.pgv_mps;
+    row.pgd_m = intensity.pgd_m;
+    row.arias_mps = intensity.arias_mps;
+    row.vertical_pga_mps2 = peak_of(motion.vertical_mps2);
+}
+
+void describe_check(PreparedWave& wave, WaveCheck const& check) {
+    auto& row = wave.row;
+    row.duration_5_75_s = check.quality.duration_5_75_s;
+    row.duration_5_95_s = check.quality.duration_5_95_s;
+    row.residual_velocity_mps = check.quality.residual_velocity_mps;
+    row.residual_displacement_m = check.quality.residual_displacement_m;
+    row.correlation = check.quality.correlation;
+    if (!check.clauses.empty()) {
+        row.accepted = all_passed(check.clauses) ? 1 : 0;
+        row.acceptance_failures = failed_clauses(check.clauses);
+    }
+    for (std::size_t b = 0; b < wave.measures.size(); ++b) {
+        auto const& band = check.bands[b];
+        wave.measures[b].band_mean_misfit = band.mean_misfit;
+        wave.measures[b].band_max_misfit = band.max_misfit;
+        wave.measures[b].band_mean_ratio = band.mean_ratio;
+        wave.measures[b].band_ratio_cov = band.cov;
+    }
 }
 
 template <class Row> void put(std::vector<std::byte>& bytes, std::vector<Row> const& rows) {
@@ -70,13 +103,13 @@ PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
         prepared.bodies.push_back(spec.bodies[b].for_wave(spec.seed, id, b));
     }
-    MatchReport match;
     try {
         Stopwatch const watch(seconds.waves);
         auto generated = spec.source->make(spec.seed, id);
         validate_motion(generated.motion);
+        describe_check(prepared, check_wave(generated, spec.bodies, spec.measures.radius_unit));
+        describe_match(prepared.row, generated.match, generated.vertical_match);
         prepared.motion = std::move(generated.motion);
-        match = generated.match;
     } catch (InputError const&) {
         prepared.row.failed = 1;
         return prepared;
@@ -84,7 +117,7 @@ PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64
     Stopwatch const watch(seconds.measures);
     prepared.pages = rocking::PagePeaks(prepared.motion.horizontal_mps2, prepared.motion.vertical_mps2);
     prepared.intensity = intensity_of(prepared.motion.horizontal_mps2, prepared.motion.time_step_s);
-    describe(prepared.row, prepared.motion, prepared.intensity, match);
+    describe_motion(prepared.row, prepared.motion, prepared.intensity);
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
         auto const energy = window_energy(prepared.motion.horizontal_mps2, prepared.motion.time_step_s,
                                           rocking_period_band(prepared.bodies[b].radius_m(), spec.measures.radius_unit),
@@ -92,7 +125,9 @@ PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64
                                            .smoothed = true,
                                            .keep_history = false,
                                            .panel_phase_rad = spec.measures.panel_phase_rad});
-        prepared.measures[b] = {energy.ou_v_e_mps, energy.v_wes_max_mps, energy.v_wes_time_s};
+        prepared.measures[b].ou_v_e_mps = energy.ou_v_e_mps;
+        prepared.measures[b].v_wes_max_mps = energy.v_wes_max_mps;
+        prepared.measures[b].v_wes_time_s = energy.v_wes_time_s;
     }
     return prepared;
 }
@@ -110,14 +145,16 @@ TrialRow open_row(CampaignSpec const& spec, PreparedWave const& wave, std::int64
     row.amplitude = at.value;
     row.restitution = rigid.restitution();
     row.v_ereq_mps = rigid.limit_velocity_mps();
-    auto const scale = wave.row.failed != 0 ? std::nullopt : spec.levels.scale(at, wave.intensity);
+    bool const usable = wave.row.failed == 0 && wave.row.accepted != 0;
+    auto const scale = usable ? spec.levels.scale(at, wave.intensity) : std::nullopt;
     if (scale) {
         row.scale = *scale;
         return row;
     }
     row.verdict = static_cast<std::int64_t>(Verdict::failed);
-    row.failure = static_cast<std::int64_t>(wave.row.failed != 0 ? FailureReason::wave_failed
-                                                                 : FailureReason::wave_cannot_be_scaled);
+    row.failure = static_cast<std::int64_t>(wave.row.failed != 0     ? FailureReason::wave_failed
+                                            : wave.row.accepted == 0 ? FailureReason::wave_not_accepted
+                                                                     : FailureReason::wave_cannot_be_scaled);
     return row;
 }
 

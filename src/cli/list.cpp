@@ -2,6 +2,8 @@
 
 #include "campaign/results.hpp"
 #include "cli/verbs.hpp"
+#include "generators/acceptance.hpp"
+#include "generators/envelope.hpp"
 #include "motion/record.hpp"
 #include "spectra/named_targets.hpp"
 
@@ -18,6 +20,9 @@ template <class Value> void print_entries(char const* heading, std::span<config:
 int list() {
     print_entries("wave sources (waves.source)", wave_sources());
     print_entries("target spectra (waves.target.spectrum)", named_targets());
+    print_entries("damping rules (waves.target.damping_rule)", damping_rules());
+    print_entries("envelopes (waves.envelope.shape)", envelope_shapes());
+    print_entries("acceptance rules (waves.acceptance)", acceptance_rules());
     print_entries("record formats", record_formats());
     print_entries("effects (effects.include)", effects());
     print_entries("level measures (levels.measure)", level_measures());

@@ -56,11 +56,13 @@ int plan_campaign(std::string const& path, std::vector<std::string> const& setti
     auto const probes = std::min(most_probes, plan.waves());
     PhaseSeconds seconds;
     std::vector<TrialRow> rows;
+    WaveCounts waves;
     auto const begin = std::chrono::steady_clock::now();
     for (std::int64_t i = 0; i < probes; ++i) {
         auto const wave = i * plan.waves() / probes;
         auto const prepared = prepare_wave(spec, plan, wave, seconds);
         append_trials(spec, plan, std::span(&prepared, 1), rows, seconds);
+        waves.add(prepared.row);
     }
     double const each =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() / static_cast<double>(probes);
@@ -70,6 +72,9 @@ int plan_campaign(std::string const& path, std::vector<std::string> const& setti
     fmt::print("probe     {:.1f} ms a wave: {:.1f} to make it, {:.1f} to measure it, {:.1f} for its {} trials\n",
                1e3 * each, 1e3 * seconds.waves / n, 1e3 * seconds.measures / n,
                1e3 * (each - (seconds.waves + seconds.measures) / n), plan.trials_per_wave());
+    if (auto const text = waves.text(spec.source->acceptance()); !text.empty()) {
+        fmt::print("probed    {}\n", text);
+    }
     fmt::print("rungs     {}\n", rung_costs(seconds));
     fmt::print("time      about {} on one rank, {} on the {} cores here\n", duration_text(all),
                duration_text(all / cores), cores);

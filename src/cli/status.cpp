@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "campaign/plan.hpp"
+#include "campaign/results.hpp"
 #include "cli/verbs.hpp"
 #include "store/results_file.hpp"
 #include "store/shards.hpp"
@@ -15,7 +16,9 @@ int status(std::string const& path) {
     if (std::filesystem::exists(path)) {
         store::ResultsReader const file(path);
         auto const verdicts = file.integers("trials/verdict");
-        fmt::print("{}: complete, {} trials of '{}'\n", path, verdicts.size(), file.text("title"));
+        auto const waves = recount(file, parse_campaign(input_of(file))).waves().text(file.text("wave_acceptance"));
+        fmt::print("{}: complete, {} trials of '{}'{}{}\n", path, verdicts.size(), file.text("title"),
+                   waves.empty() ? "" : "; ", waves);
         return done;
     }
     store::ShardFolder const unnamed(path, "");
@@ -25,9 +28,19 @@ int status(std::string const& path) {
     auto const spec = parse_campaign(input);
     Plan const plan(spec);
     std::vector<std::string> notes;
-    auto const committed = store::ShardFolder(path, input.sha256()).committed(notes);
+    store::ShardFolder const shards(path, input.sha256());
+    auto const committed = shards.committed(notes);
     for (auto const& note : notes) {
         fmt::print(stderr, "{}\n", note);
+    }
+    WaveCounts waves;
+    for (auto const block : committed) {
+        for (auto const& row : BlockRows::unpack(shards.read(block), plan, plan.waves_of_block(block).count).waves) {
+            waves.add(row);
+        }
+    }
+    if (auto const text = waves.text(spec.source->acceptance()); !text.empty()) {
+        fmt::print("{} so far\n", text);
     }
     auto const left = plan.blocks() - static_cast<std::int64_t>(committed.size());
     std::string settings;

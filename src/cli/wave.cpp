@@ -9,6 +9,7 @@
 #include "campaign/plan.hpp"
 #include "cli/figures.hpp"
 #include "cli/verbs.hpp"
+#include "cli/wave_report.hpp"
 #include "motion/record_writer.hpp"
 #include "motion/text_lines.hpp"
 #include "report/figure.hpp"
@@ -20,6 +21,7 @@ struct Options {
     std::string campaign, output, plot;
     std::vector<std::string> settings;
     std::int64_t wave = 0;
+    bool json = false;
 };
 
 enum class OutputKind { csv, at2 };
@@ -71,15 +73,6 @@ void write_output(Options const& options, std::uint64_t seed, GeneratedWave cons
     }
 }
 
-void say_match(MatchReport const& match) {
-    if (match.matched || match.iterations > 0) {
-        fmt::print(stderr,
-                   "match: mean misfit {:.2f} %, largest {:.2f} % at {:.3f} s; from 1 s up {:.2f} % and {:.2f} %\n",
-                   100 * match.all.mean_misfit, 100 * match.all.max_misfit, match.all.max_misfit_period_s,
-                   100 * match.long_period.mean_misfit, 100 * match.long_period.max_misfit);
-    }
-}
-
 int show_wave(Options const& options) {
     if (!options.output.empty()) {
         (void)kind_of(options.output);
@@ -94,8 +87,12 @@ int show_wave(Options const& options) {
              "--wave {} (the campaign has waves 0 to {}). Choose one of them", options.wave, plan.waves() - 1);
     auto const id = plan.wave_id(options.wave);
     auto const made = spec.source->make(spec.seed, id);
+    auto const check = check_wave(made, spec.bodies, spec.measures.radius_unit);
+    if (options.json) {
+        fmt::print("{}", wave_json(spec, made, check));
+    }
     if (options.output.empty() && options.plot.empty()) {
-        fmt::print("{}", csv_text(made.motion));
+        fmt::print("{}", options.json ? "" : csv_text(made.motion));
         return done;
     }
     if (!options.output.empty()) {
@@ -105,7 +102,7 @@ int show_wave(Options const& options) {
         draw_campaign_wave(input, spec, id, made, options.plot);
         fmt::print(stderr, "{}: {}\n", options.plot, made.label);
     }
-    say_match(made.match);
+    fmt::print(stderr, "{}", wave_report(spec, made, check));
     return done;
 }
 
@@ -118,6 +115,7 @@ void add_wave(CLI::App& app, Action& action) {
     verb->add_option("--wave", options->wave, "number of the wave, from 0")->required();
     verb->add_option("-o,--output", options->output, "out.csv, or out.at2 (one file per component); default: csv here");
     verb->add_option("--plot", options->plot, "draw it: out.svg, .png or .pdf");
+    verb->add_flag("--json", options->json, "how right the wave is, clause by clause, on standard output");
     verb->add_option("--set", options->settings, "override a key: seed=2")->allow_extra_args(false);
     verb->callback([options, &action] { action = [options] { return show_wave(*options); }; });
 }

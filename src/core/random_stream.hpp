@@ -19,6 +19,7 @@ enum class Purpose : std::uint64_t {
     restitution_scatter = 4,
     friction_scatter = 5,
     record_choice = 6,
+    calibration = 7,
 };
 
 /// A Threefry4x64-20 counter stream (Salmon et al., SC'11) behind GSL's generator interface, so that every

@@ -17,8 +17,11 @@ struct NamedTargetInput {
 
 using NamedTarget = TargetSpectrum (*)(NamedTargetInput const&);
 
-/// mlit-ch1, -sz1, -ka1, -os1: long-period design waves of the Japanese ministry (MLIT 2016), engineering bedrock, 5 %,
-/// to 10 s. rg-1.60: US NRC Regulatory Guide 1.60 rev. 1 (1973), horizontal, 0.5, 2, 5, 7 or 10 %, 0.01 s to 10 s.
+/// mlit-ka1, -sz1 to -sz3, -ch1, -ch2, -os1, -os2: long-period design waves of the Japanese ministry (MLIT, notice
+/// Kokujushi 1111 of 2016, annex 2, appendix 2: Sa of ten areas at the free surface of engineering bedrock), 5 %, to
+/// 10 s; os2 ends at 9 s, since its last branch could not be consulted, and ch3 and os3 are missing for that reason.
+/// rg-1.60, rg-1.60-vertical: US NRC Regulatory Guide 1.60 rev. 1 (1973), tables I and II, 0.5, 2, 5, 7 or 10 %, 0.01 s
+/// to 10 s; pga is the horizontal one for both.
 /// \throws InputError for a damping that is not tabulated, or a pga where the spectrum has a scale of its own.
 [[nodiscard]] std::span<config::Entry<NamedTarget> const> named_targets();
 

@@ -18,7 +18,9 @@ TargetSpectrum read_tabulated(config::Table const& table, InputFiles& files, dou
         auto const name = table.text("file");
         return table.located("file", [&] { return parse_target_table(files.read(name), name, kind, damping); });
     }
-    auto const ordinate = kind == TargetKind::acceleration ? Dimension::acceleration : Dimension::velocity;
+    auto const ordinate = kind == TargetKind::acceleration   ? Dimension::acceleration
+                          : kind == TargetKind::displacement ? Dimension::length
+                                                             : Dimension::velocity;
     auto const points = table.pairs("points", Dimension::time, ordinate);
     return table.located("points",
                          [&] { return TargetSpectrum::from_points("campaign points", damping, kind, points); });
@@ -27,13 +29,22 @@ TargetSpectrum read_tabulated(config::Table const& table, InputFiles& files, dou
 }  // namespace
 
 TargetSpectrum read_target(config::Table const& table, InputFiles& files) {
-    auto const damping =
-        table.number("damping", Dimension::none, {.low = 0, .high = 1, .low_open = true, .high_open = true}, 0.05);
+    constexpr config::Range fraction{.low = 0, .high = 1, .low_open = true, .high_open = true};
+    auto const damping = table.number("damping", Dimension::none, fraction, 0.05);
     int const ways = (table.has("spectrum") ? 1 : 0) + (table.has("points") ? 1 : 0) + (table.has("file") ? 1 : 0);
     if (ways != 1) {
         table.fail({}, "no single target (exactly one of spectrum, points, file states it). Keep one");
     }
-    auto target = table.has("spectrum") ? read_named(table, damping) : read_tabulated(table, files, damping);
+    auto const stated = table.number("stated_damping", Dimension::none, fraction, damping);
+    auto target = table.has("spectrum") ? read_named(table, stated) : read_tabulated(table, files, stated);
+    if (table.has("damping_rule")) {
+        auto const rule = table.choice("damping_rule", damping_rules());
+        target = table.located("damping", [&] { return target.at_damping(damping, rule); });
+    } else if (stated != damping) {
+        table.fail("stated_damping", fmt::format("{} beside damping {} (nothing says how to carry the spectrum over). "
+                                                 "Add damping_rule",
+                                                 stated, damping));
+    }
     auto const scale = table.number("scale", Dimension::none, config::Range::positive(), 1.0);
     auto const time_scale = table.number("time_scale", Dimension::none, config::Range::positive(), 1.0);
     return target.scaled(scale).at_time_scale(time_scale);

@@ -19,6 +19,11 @@ double value_of(TargetBranch const& b, double period_s) {
     return value;
 }
 
+// Factors of w = 2 pi / T between an ordinate and psa.
+int derivatives_to_acceleration(TargetKind kind) {
+    return kind == TargetKind::acceleration ? 0 : kind == TargetKind::displacement ? 2 : 1;
+}
+
 void check_point(std::pair<double, double> const& point, std::pair<double, double> const* before) {
     auto const [period, value] = point;
     validate(period > 0 && std::isfinite(period), "period {} s (must be positive and finite). Mend it", period);
@@ -50,6 +55,9 @@ std::span<config::Entry<TargetKind> const> target_kinds() {
     static constexpr std::array entries{
         config::Entry<TargetKind>{"acceleration", "pseudo-acceleration [m/s2]", TargetKind::acceleration},
         config::Entry<TargetKind>{"pseudo-velocity", "pseudo-velocity [m/s]", TargetKind::pseudo_velocity},
+        config::Entry<TargetKind>{"displacement", "relative displacement [m]", TargetKind::displacement},
+        config::Entry<TargetKind>{"energy-velocity", "input energy as a velocity V_E [m/s]",
+                                  TargetKind::energy_velocity},
     };
     return entries;
 }
@@ -75,11 +83,12 @@ TargetSpectrum TargetSpectrum::from_points(std::string name, double damping, Tar
         auto const [t1, v1] = points[i];
         double const exponent = std::log(v1 / v0) / std::log(t1 / t0);
         double const power = v0 * std::pow(t0, -exponent);
-        bool const velocity = kind == TargetKind::pseudo_velocity;
-        branches.push_back(
-            {.to_s = t1, .power = velocity ? 2 * pi * power : power, .exponent = velocity ? exponent - 1 : exponent});
+        int const order = derivatives_to_acceleration(kind);
+        branches.push_back({.to_s = t1, .power = power * std::pow(2 * pi, order), .exponent = exponent - order});
     }
-    return {std::move(name), damping, points.front().first, std::move(branches)};
+    TargetSpectrum target(std::move(name), damping, points.front().first, std::move(branches));
+    target.energy_ = kind == TargetKind::energy_velocity;
+    return target;
 }
 
 double TargetSpectrum::psa_mps2(double period_s) const {
@@ -111,6 +120,17 @@ TargetSpectrum TargetSpectrum::at_time_scale(double time_scale) const {
              time_scale, name_);
     auto copy = *this;
     copy.time_scale_ *= time_scale;
+    return copy;
+}
+
+TargetSpectrum TargetSpectrum::at_damping(double damping, DampingRule rule) const {
+    validate(!energy_,
+             "damping {} of '{}' stated for {} (no rule carries an energy spectrum to another damping). Use {}",
+             damping, name_, damping_, damping_);
+    validate(damping > 0 && damping < 1, "damping {} of target '{}' (must be above 0 and below 1). Use 0.05", damping,
+             name_);
+    auto copy = scaled(rule(damping) / rule(damping_));
+    copy.damping_ = damping;
     return copy;
 }
 

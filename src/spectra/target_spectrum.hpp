@@ -8,13 +8,15 @@
 #include <vector>
 
 #include "config/registry.hpp"
+#include "spectra/damping_rule.hpp"
 
 namespace overturn {
 
-/// What the ordinates of a table are.
-enum class TargetKind { acceleration, pseudo_velocity };
+/// What the ordinates of a table are. The first three are readings of one response spectrum; energy_velocity is the
+/// input energy spectrum V_E(T, damping), which no formula turns into a response: waves are matched to it as it is.
+enum class TargetKind { acceleration, pseudo_velocity, displacement, energy_velocity };
 
-/// The two kinds under the names users write.
+/// The kinds under the names users write.
 [[nodiscard]] std::span<config::Entry<TargetKind> const> target_kinds();
 
 /// One branch of a target, psa [m/s2] for periods up to `to_s`: constant + slope T + inverse/T + power T^exponent.
@@ -24,14 +26,15 @@ struct TargetBranch {
     double power = 0, exponent = 0;
 };
 
-/// A pseudo-acceleration target for one damping ratio. Immutable. It is defined from first_period_s to last_period_s;
-/// outside, psa goes on as constant acceleration below and as constant displacement above: see defined_at.
+/// A target for one damping ratio. Immutable. It is defined from first_period_s to last_period_s; outside, psa goes on
+/// as constant acceleration below and as constant displacement above: see defined_at. A target of energy velocity
+/// stands where psv does, V_E = psv, and scales as a velocity.
 class TargetSpectrum {
   public:
     /// \param branches in order of rising period, the first beginning at `first_period_s`.
     TargetSpectrum(std::string name, double damping, double first_period_s, std::vector<TargetBranch> branches);
 
-    /// Straight lines in log-log through (period [s], value [m/s2 or m/s]).
+    /// Straight lines in log-log through (period [s], value [m/s2, m/s or m]).
     /// \throws InputError if there are fewer than two, a period does not rise or a value is not positive.
     [[nodiscard]] static TargetSpectrum from_points(std::string name, double damping, TargetKind kind,
                                                     std::span<std::pair<double, double> const> points);
@@ -40,6 +43,8 @@ class TargetSpectrum {
     [[nodiscard]] double psv_mps(double period_s) const;
     [[nodiscard]] bool defined_at(double period_s) const;
 
+    /// True if psv_mps is to be read as V_E, and waves are to be compared by their input energy.
+    [[nodiscard]] bool is_energy() const { return energy_; }
     [[nodiscard]] std::string const& name() const { return name_; }
     [[nodiscard]] double damping() const { return damping_; }
     [[nodiscard]] double first_period_s() const { return first_period_s_ * time_scale_; }
@@ -49,6 +54,8 @@ class TargetSpectrum {
     [[nodiscard]] TargetSpectrum scaled(double factor) const;
     /// For a model whose time runs `time_scale` (s^1/2) times the prototype's: psa_model(T) = psa(T / time_scale).
     [[nodiscard]] TargetSpectrum at_time_scale(double time_scale) const;
+    /// Carried to another damping ratio. \throws InputError for an energy target, which the rules do not speak of.
+    [[nodiscard]] TargetSpectrum at_damping(double damping, DampingRule rule) const;
 
   private:
     std::string name_;
@@ -57,6 +64,7 @@ class TargetSpectrum {
     std::vector<TargetBranch> branches_;
     double factor_ = 1;
     double time_scale_ = 1;
+    bool energy_ = false;
 };
 
 /// Two columns, period [s] and value, parted by blanks or a comma; `#` and `!` begin a comment; one line of names may

@@ -47,7 +47,7 @@ TEST(Columns, MeasuresOfSeveralBodiesLieSideBySide) {
 TEST(Columns, EveryVerdictAndReasonHasAName) {
     EXPECT_EQ(verdict_names().size(), static_cast<std::size_t>(Verdict::failed) + 1);
     EXPECT_EQ(verdict_names()[static_cast<std::size_t>(Verdict::overturned)], "overturned");
-    EXPECT_EQ(failure_names().size(), static_cast<std::size_t>(FailureReason::absurd_level) + 1);
+    EXPECT_EQ(failure_names().size(), static_cast<std::size_t>(FailureReason::wave_not_accepted) + 1);
 }
 
 TEST(Columns, ADifferenceIsNamed) {

@@ -63,7 +63,7 @@ TEST_F(BadInput, ImpossibleValues) {
 // Requirement: unknown names are refused with a suggestion.
 TEST_F(BadInput, UnknownNames) {
     refuse("source='spectrum-compatible'", "source='spectrum-compatibel'", "Did you mean 'spectrum-compatible'?");
-    refuse("file='target.csv'\nkind='acceleration'", "spectrum='mlit-ch2'", "Did you mean 'mlit-ch1'?");
+    refuse("file='target.csv'\nkind='acceleration'", "spectrum='mlit-ch3'", "Did you mean 'mlit-ch1'?");
     refuse("[levels]", "[effects]\ninclude=['verticle']\n[levels]", "Did you mean 'vertical'?");
     refuse("[levels]", "[effects]\nmode='atuo'\n[levels]", "Did you mean 'auto'?");
     refuse("measure='pga'", "measure='pgw'", "Did you mean 'pga'?");

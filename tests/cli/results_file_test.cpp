@@ -42,6 +42,7 @@ for b, body in enumerate(['type-a', 'type-b']):
         overturned = mine & (t['verdict'] == names['overturned'])
         failed = mine & (t['verdict'] == names['failed'])
         assert s['trials'][l] == mine.sum() and s['failed'][l] == failed.sum()
+        failed = failed | mine & (t['verdict'] == names['contact-lost'])  # undecided from here on
         assert s['overturned'][l] == overturned.sum()
         assert s['probability'][l] == overturned.sum() / (mine.sum() - failed.sum())
         assert s['lower'][l] <= s['probability'][l] <= s['upper'][l]

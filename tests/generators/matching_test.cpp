@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "motion/ground_motion.hpp"
+#include "spectra/input_energy.hpp"
 #include "spectra/named_targets.hpp"
 #include "spectra/response_spectrum.hpp"
 #include "support/sources.hpp"
@@ -43,12 +44,30 @@ INSTANTIATE_TEST_SUITE_P(Published, NamedTargets,
                              return name;
                          });
 
+// Independent of the matcher: the energy spectrum of the finished wave, at periods of its own.
+TEST(Matching, EnergyTargetsAreMetByTheInputEnergy) {
+    auto const source = testing::source_of(
+        "source='spectrum-compatible'\nduration='120 s'\n[target]\nkind='energy-velocity'\ndamping=0.1\n"
+        "points=[[0.03,0.05],[0.6,1.5],[10,1.5]]\n[envelope]\nrise=10\nlevel_end=60\nend=110\n");
+    auto const periods = log_periods(0.6, 9, 40);
+
+    auto const made = source->make(2013, 0);
+
+    EXPECT_TRUE(made.match.matched);
+    auto const energy = input_energy_velocities(made.motion.horizontal_mps2, 0.01, periods, 0.1);
+    double misfit = 0;
+    for (double const velocity : energy) {
+        misfit += std::abs(velocity / 1.5 - 1) / static_cast<double>(energy.size());
+    }
+    EXPECT_LT(misfit, 0.055);  // the tolerance, on other periods than the matcher's
+}
+
 TEST(Matching, ReportIsThatOfTheFinishedWave) {
     auto const source = testing::source_of(
         "source='spectrum-compatible'\nduration='60 s'\n[target]\nspectrum='mlit-ch1'\ntime_scale=0.632\n");
     auto const made = source->make(1, 5);
     auto const target = config::find_entry(named_targets(), "mlit-ch1", "").value({}).at_time_scale(0.632);
-    auto const periods = log_periods_per_decade(0.02, 6.32, 75);
+    auto const periods = log_periods_per_decade(0.02, 6.32, 100);
 
     auto const spectrum = response_spectrum(made.motion.horizontal_mps2, 0.01, periods, 0.05);
     double sum = 0;

@@ -36,7 +36,7 @@ TEST(RealFft, SumsCosines) {
 }
 
 TEST(Envelope, JenningsValues) {
-    Envelope const envelope{EnvelopeShape::jennings, 10, 60, 110};
+    Envelope const envelope{.shape = EnvelopeShape::jennings, .rise_s = 10, .level_end_s = 60, .end_s = 110};
 
     EXPECT_DOUBLE_EQ(envelope.at(5), 0.25);
     EXPECT_DOUBLE_EQ(envelope.at(10), 1);
@@ -89,7 +89,7 @@ TEST(SpectrumMatcher, PhasesAreUniform) {
     SpectrumMatcher const matcher({.target = target,
                                    .time_step_s = 0.01,
                                    .samples = 12000,  // a good length: the lines are orthogonal over the wave
-                                   .envelope = {EnvelopeShape::constant, 0, 0, 0},
+                                   .envelope = {.shape = EnvelopeShape::constant},
                                    .iterations = 0});
     std::vector<double> phases;
     for (std::uint64_t wave = 0; wave < 20; ++wave) {

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <thread>
 
+#include "generators/wave_quality.hpp"
 #include "support/expect_input_error.hpp"
 #include "support/sources.hpp"
 
@@ -51,17 +52,23 @@ TEST(SpectrumCompatible, VerticalLeavesTheHorizontalAlone) {
 }
 
 TEST(SpectrumCompatible, ComponentsAreIndependentAndInProportion) {
-    auto const source = source_of(base + target + "[vertical]\nratio=0.667\n");
+    auto const source = source_of(base + target + "[vertical]\nratio=0.667\n[transverse]\nratio=1\n");
     double correlation = 0;
     constexpr int waves = 20;
     for (std::uint64_t wave = 0; wave < waves; ++wave) {
         auto const motion = source->make(1, wave).motion;
         auto const& h = motion.horizontal_mps2;
+        auto const& t = motion.transverse_mps2;
         auto const& v = motion.vertical_mps2;
         double const hh = std::inner_product(h.begin(), h.end(), h.begin(), 0.0);
         double const vv = std::inner_product(v.begin(), v.end(), v.begin(), 0.0);
+        double const tt = std::inner_product(t.begin(), t.end(), t.begin(), 0.0);
         EXPECT_NEAR(std::sqrt(vv / hh), 0.667, 0.1);
-        correlation += std::inner_product(h.begin(), h.end(), v.begin(), 0.0) / std::sqrt(hh * vv) / waves;
+        EXPECT_NEAR(std::sqrt(tt / hh), 1, 0.15);
+        EXPECT_LE(std::abs(correlation_of(h, v)), 0.16);
+        EXPECT_LE(std::abs(correlation_of(h, t)), 0.16);
+        EXPECT_LE(std::abs(correlation_of(t, v)), 0.16);
+        correlation += correlation_of(h, v) / waves;
     }
     EXPECT_LT(std::abs(correlation), 0.06);  // one wave scatters by about 0.08
 }
@@ -126,7 +133,14 @@ TEST(SpectrumCompatible, RefusesWhatItCannotMake) {
                        "c.toml:2:", "duration: 0 s");
     expect_input_error([] { (void)source_of("source='spectrum-compatible'\nduration='0.2 s'\n" + target); },
                        "c.toml:2:", "20 time steps");
-    expect_input_error([] { (void)source_of(base + "match='ensemble'\n" + target); }, "c.toml:3:", "each or none");
+    expect_input_error([] { (void)source_of(base + "match='ensemble'\nacceptance='japan'\n" + target); },
+                       "c.toml:4:", "single waves");
+    expect_input_error([] { (void)source_of(base + "acceptance='srp-371'\n" + target); }, "c.toml:3:", "'srp-3.7.1'?");
+    expect_input_error(
+        [] {
+            (void)source_of(base + "acceptance='japan'\n[target]\nkind='energy-velocity'\npoints=[[0.1,1],[5,1]]\n");
+        },
+        "c.toml:3:", "5 % damping");
     expect_input_error([] { (void)source_of(base); }, "target: missing");
     expect_input_error([] { (void)source_of(base + target + "[envelope]\nrise=30\nlevel_end=20\nend=40\n"); },
                        "c.toml:5:", "must follow each other");

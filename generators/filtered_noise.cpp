@@ -1,0 +1,144 @@
+#include "generators/filtered_noise.hpp"
+
+#include <array>
+#include <cmath>
+#include <complex>
+
+#include <gsl/gsl_randist.h>
+
+#include "core/random_stream.hpp"
+#include "generators/baseline.hpp"
+#include "generators/envelope.hpp"
+#include "generators/real_fft.hpp"
+
+namespace overturn {
+namespace {
+
+constexpr std::array models{
+    config::Entry<bool>{"kanai-tajimi", "one ground layer", false},
+    config::Entry<bool>{"clough-penzien", "one ground layer, low frequencies held back", true},
+};
+constexpr std::array amplitude_kinds{
+    config::Entry<bool>{"gaussian", "random phases and amplitudes", true},
+    config::Entry<bool>{"fixed", "random phases only", false},
+};
+
+struct FilteredNoiseInput {
+    GroundFilter filter;
+    double rms_mps2 = 0;
+    double time_step_s = 0.01;
+    std::size_t samples = 0;
+    Envelope envelope;
+    bool gaussian = true;
+};
+
+class FilteredNoise : public WaveSource {
+  public:
+    explicit FilteredNoise(FilteredNoiseInput const& input)
+        : fft_(RealFft::good_length(input.samples)),
+          time_step_s_(input.time_step_s),
+          gaussian_(input.gaussian),
+          envelope_(input.envelope.samples(input.time_step_s, input.samples)) {
+        double const spacing = 2 * pi / (time_step_s_ * static_cast<double>(fft_.length()));
+        double const intensity = input.rms_mps2 * input.rms_mps2 / input.filter.integral_radps();
+        line_amplitude_.push_back(0);
+        for (std::size_t k = 1; k < fft_.length() / 2; ++k) {
+            double const density = intensity * input.filter.shape(spacing * static_cast<double>(k));
+            line_amplitude_.push_back(std::sqrt(2 * density * spacing));
+        }
+        summary_ = fmt::format("{} samples of {} s, {} noise of {} m/s2, ground {:.3g} Hz", input.samples, time_step_s_,
+                               input.filter.filter_radps > 0 ? "Clough-Penzien" : "Kanai-Tajimi", input.rms_mps2,
+                               input.filter.ground_radps / (2 * pi));
+    }
+
+    [[nodiscard]] GeneratedWave make(std::uint64_t seed, std::uint64_t wave) const override {
+        RandomStream phases(seed, wave, Purpose::wave_phase);
+        RandomStream amplitudes(seed, wave, Purpose::wave_amplitude);
+        std::vector<std::complex<double>> lines(line_amplitude_.size());
+        for (std::size_t k = 1; k < lines.size(); ++k) {
+            double const scatter = gaussian_ ? gsl_ran_rayleigh(amplitudes.gsl(), std::sqrt(0.5)) : 1.0;
+            lines[k] = std::polar(scatter * line_amplitude_[k], gsl_ran_flat(phases.gsl(), 0, 2 * pi));
+        }
+        std::vector<double> series(fft_.length());
+        fft_.synthesise(lines, series);
+        series.resize(envelope_.size());
+        for (std::size_t i = 0; i < series.size(); ++i) {
+            series[i] *= envelope_[i];
+        }
+        correct_baseline(series);
+        GeneratedWave made;
+        made.motion.time_step_s = time_step_s_;
+        made.motion.horizontal_mps2 = std::move(series);
+        made.label = fmt::format("filtered noise {}", wave);
+        return made;
+    }
+
+    [[nodiscard]] std::string describe() const override { return summary_; }
+
+  private:
+    RealFft fft_;
+    double time_step_s_;
+    bool gaussian_;
+    std::vector<double> envelope_;
+    std::vector<double> line_amplitude_;
+    std::string summary_;
+};
+
+GroundFilter read_filter(config::Table const& waves) {
+    auto const positive = config::Range::positive();
+    constexpr config::Range damping{.low = 0, .high = 10, .low_open = true};
+    GroundFilter filter;
+    filter.ground_radps = 2 * pi * waves.number("ground_frequency", Dimension::frequency, positive, 2.5);
+    filter.ground_damping = waves.number("ground_damping", Dimension::none, damping, filter.ground_damping);
+    if (waves.choice("model", std::span<config::Entry<bool> const>(models))) {
+        filter.filter_radps = 2 * pi * waves.number("filter_frequency", Dimension::frequency, positive, 0.25);
+        filter.filter_damping = waves.number("filter_damping", Dimension::none, damping, filter.filter_damping);
+    }
+    return filter;
+}
+
+}  // namespace
+
+double GroundFilter::shape(double w_radps) const {
+    double const r = w_radps / ground_radps;
+    double const z2 = 4 * ground_damping * ground_damping * r * r;
+    double const ground = (1 + z2) / ((1 - r * r) * (1 - r * r) + z2);
+    if (filter_radps == 0) {
+        return ground;
+    }
+    double const q2 = (w_radps / filter_radps) * (w_radps / filter_radps);
+    return ground * q2 * q2 / ((1 - q2) * (1 - q2) + 4 * filter_damping * filter_damping * q2);
+}
+
+double GroundFilter::integral_radps() const {
+    double const z = ground_damping;
+    double const w = ground_radps;
+    if (filter_radps == 0) {
+        return pi * w * (1 + 4 * z * z) / (4 * z);
+    }
+    // The transfer function is (b3 s^3 + b2 s^2) / (s^4 + a3 s^3 + a2 s^2 + a1 s + a0): James, Nichols and Phillips
+    // (1947), the integral of order four.
+    double const u = 2 * z * w;
+    double const v = 2 * filter_damping * filter_radps;
+    double const f2 = filter_radps * filter_radps;
+    double const a3 = u + v;
+    double const a2 = w * w + u * v + f2;
+    double const a1 = u * f2 + v * w * w;
+    double const a0 = w * w * f2;
+    double const b2 = w * w;
+    return pi / 2 * (u * u * (a0 * a3 - a1 * a2) - a1 * b2 * b2) / (a0 * a3 * a3 + a1 * a1 - a1 * a2 * a3);
+}
+
+std::unique_ptr<WaveSource> make_filtered_noise(config::Table const& waves, InputFiles& /*files*/) {
+    FilteredNoiseInput input;
+    input.filter = read_filter(waves);
+    input.rms_mps2 = waves.number("rms", Dimension::acceleration, config::Range::positive());
+    input.time_step_s = waves.number("time_step", Dimension::time, {.low = 1e-4, .high = 0.1}, input.time_step_s);
+    input.samples = read_samples(waves, input.time_step_s);
+    input.gaussian = waves.choice("amplitudes", std::span<config::Entry<bool> const>(amplitude_kinds), true);
+    double const duration = input.time_step_s * static_cast<double>(input.samples - 1);
+    input.envelope = read_envelope(waves.child_or_empty("envelope"), duration);
+    return std::make_unique<FilteredNoise>(input);
+}
+
+}  // namespace overturn

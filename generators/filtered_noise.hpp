@@ -1,0 +1,32 @@
+/// Ground noise: white noise at depth through a filter that stands for the ground, under an envelope.
+#pragma once
+
+#include <memory>
+
+#include "generators/wave_source.hpp"
+
+namespace overturn {
+
+/// One-sided density of ground acceleration G(w) [m2/s3]. Kanai (1957) and Tajimi (1960), r = w / ground frequency:
+///     G0 (1 + 4 z^2 r^2) / ((1 - r^2)^2 + 4 z^2 r^2);
+/// Clough and Penzien (1975) multiply it by q^4 / ((1 - q^2)^2 + 4 zf^2 q^2), q = w / filter frequency, without which
+/// displacement has no bound.
+struct GroundFilter {
+    double ground_radps = 15.6;  ///< firm ground
+    double ground_damping = 0.6;
+    double filter_radps = 0;  ///< 0: Kanai-Tajimi
+    double filter_damping = 0.6;
+
+    [[nodiscard]] double shape(double w_radps) const;
+    /// The integral of shape over all frequencies in closed form: the variance for G0 = 1 [rad/s].
+    [[nodiscard]] double integral_radps() const;
+};
+
+/// Keys of [waves]: duration, time_step (default 0.01 s), model (kanai-tajimi | clough-penzien), ground_frequency (2.5
+/// Hz), ground_damping (0.6), filter_frequency (0.25 Hz) and filter_damping (0.6) for clough-penzien, rms (standard
+/// deviation of acceleration where the envelope is 1, all frequencies counted), amplitudes (gaussian | fixed). Table
+/// waves.envelope (read_envelope). Lines above the Nyquist frequency are left out, and with them their share of rms^2;
+/// baseline as for spectrum-compatible waves.
+[[nodiscard]] std::unique_ptr<WaveSource> make_filtered_noise(config::Table const& waves, InputFiles& files);
+
+}  // namespace overturn

@@ -1,0 +1,44 @@
+#include "campaign/wave_check.hpp"
+
+#include <cmath>
+
+namespace overturn {
+
+WaveCheck check_wave(GeneratedWave const& wave, std::vector<BodySpec> const& bodies, RadiusUnit radius_unit) {
+    WaveCheck check;
+    check.quality = wave_quality(wave.motion);
+    check.clauses = wave.clauses;
+    bool const asked = wave.rule.asks();
+    if (asked) {
+        for (auto& clause : wave_clauses(wave.rule, {.time_step_s = wave.motion.time_step_s,
+                                                    .duration_s = wave.motion.duration_s(),
+                                                    .end_velocity_ratio = check.quality.end_velocity_ratio,
+                                                    .correlation = std::abs(check.quality.correlation)})) {
+            check.clauses.push_back(std::move(clause));
+        }
+    }
+    for (auto const& body : bodies) {
+        auto const band = rocking_period_band(body.body.radius_m(), radius_unit);
+        check.bands.push_back(match_figures(wave.judged_periods_s, wave.ratios, band.t0_s, band.t1_s));
+        if (asked) {
+            check.clauses.push_back(band_clause(body.name, check.bands.back().mean_misfit));
+        }
+    }
+    return check;
+}
+
+void validate_bands(WaveSource const& source, std::vector<BodySpec> const& bodies, RadiusUnit radius_unit) {
+    auto const judged_to = source.judged_to_s();
+    if (source.acceptance() == "none" || !judged_to) {
+        return;
+    }
+    for (auto const& body : bodies) {
+        auto const band = rocking_period_band(body.body.radius_m(), radius_unit);
+        validate(band.t1_s <= *judged_to,
+                 "'{}' beside a body '{}' with T1 = {:.3g} s (waves are compared with their target to {:.3g} s only). "
+                 "Raise waves.target.longest or use a target that goes on",
+                 source.acceptance(), body.name, band.t1_s, *judged_to);
+    }
+}
+
+}  // namespace overturn

@@ -1,0 +1,64 @@
+// Requirement: the program says of each wave how right it is, clause by clause, and of a run how many waves it refused.
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/campaign_files.hpp"
+#include "support/command.hpp"
+
+namespace overturn::testing {
+namespace {
+
+class Acceptance : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        folder.write("target.csv", target_csv);
+        auto text = small_campaign();
+        text.replace(text.find("count=12"), 8, "count=4");
+        text.replace(text.find("match_iterations=3"), 18, "acceptance='japan'");
+        folder.write("c.toml", text);
+    }
+    Folder folder;
+};
+
+TEST_F(Acceptance, WaveReportsEveryClause) {
+    auto const ended = overturn(folder, {"wave", "c.toml", "--wave", "1", "--json"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    auto const json = nlohmann::json::parse(ended.out);
+    auto const& acceptance = json.at("acceptance");
+    EXPECT_EQ(acceptance.at("rule"), "japan");
+    bool all = true;
+    bool band = false;
+    for (auto const& clause : acceptance.at("clauses")) {
+        double const figure = clause.at("figure");
+        double const limit = clause.at("limit");
+        bool const met = clause.at("at_least").get<bool>() ? figure >= limit : figure <= limit;
+        EXPECT_EQ(clause.at("passed").get<bool>(), met) << clause;
+        all = all && met;
+        band = band || clause.at("name") == "rocking band [T0, T1] of type-b";
+    }
+    EXPECT_TRUE(band);
+    EXPECT_EQ(acceptance.at("accepted").get<bool>(), all);
+    EXPECT_EQ(json.at("bands").size(), 2U);
+    EXPECT_GT(json.at("vertical_match").at("mean_misfit").get<double>(), 0);
+    EXPECT_LT(std::abs(json.at("correlation").get<double>()), 0.16);
+
+    auto const written = overturn(folder, {"wave", "c.toml", "--wave", "1", "-o", "w.csv"});
+    EXPECT_NE(written.err.find("japan: SI ratio"), std::string::npos) << written.err;
+    EXPECT_NE(written.err.find(all ? "japan: accepted" : "japan: NOT accepted"), std::string::npos) << written.err;
+}
+
+TEST_F(Acceptance, RunPlanAndStatusCountRefusedWaves) {
+    std::string const starve = "waves.match_iterations=1";
+    auto const plan = overturn(folder, {"plan", "c.toml", "--set", starve});
+    EXPECT_NE(plan.out.find("4 waves, 4 not accepted by japan"), std::string::npos) << plan.out;
+    auto const run = overturn(folder, {"run", "c.toml", "--set", starve});
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_NE(run.out.find("4 waves, 4 not accepted by japan (their trials are failed rows)"), std::string::npos);
+    auto const status = overturn(folder, {"status", "c.h5"});
+    EXPECT_EQ(status.code, 0);
+    EXPECT_NE(status.out.find("4 not accepted by japan"), std::string::npos) << status.out;
+}
+
+}  // namespace
+}  // namespace overturn::testing
