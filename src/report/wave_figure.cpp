@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 constexpr double shortest_s = 0.02;
 constexpr double longest_s = 20;
 constexpr std::size_t period_count = 300;
-constexpr double energy_damping = 0.10;  // what the criterion's source plots
+constexpr double default_energy_damping = 0.10;  // what the criterion's source plots
 
 Json target_json(WaveFigure const& figure, std::vector<double> const& periods) {
     std::vector<double> within;
@@ -37,6 +37,21 @@ Json target_json(WaveFigure const& figure, std::vector<double> const& periods) {
     return {{"name", figure.target->name()}, {"period_s", within}, {"psa_mps2", psa}, {"bands", bands}};
 }
 
+// A target of energy velocity stands beside V_E, not beside the response.
+Json energy_target_json(TargetSpectrum const& target, std::vector<double> const& periods) {
+    std::vector<double> within;
+    std::vector<double> v_e;
+    within.reserve(periods.size());
+    v_e.reserve(periods.size());
+    for (double const period : periods) {
+        if (target.defined_at(period)) {
+            within.push_back(period);
+            v_e.push_back(target.psv_mps(period));
+        }
+    }
+    return {{"name", target.name()}, {"period_s", within}, {"v_e_mps", v_e}};
+}
+
 Json bodies_json(WaveFigure const& figure) {
     auto bodies = Json::array();
     for (auto const& body : figure.bodies) {
@@ -58,6 +73,8 @@ void draw_wave(WaveFigure const& figure, std::filesystem::path const& output) {
     double const step = motion.time_step_s;
     auto const periods = log_periods(shortest_s, longest_s, period_count);
     auto const intensity = intensity_of(motion.horizontal_mps2, step);
+    bool const energy_target = figure.target && figure.target->is_energy();
+    double const energy_damping = energy_target ? figure.target->damping() : default_energy_damping;
     Json data{{"title", figure.title},
               {"subtitle", figure.subtitle},
               {"pga_mps2", intensity.pga_mps2},
@@ -78,7 +95,9 @@ void draw_wave(WaveFigure const& figure, std::filesystem::path const& output) {
         data["vertical_mps2"] = motion.vertical_mps2;
         data["vertical_psa_mps2"] = response_spectrum(motion.vertical_mps2, step, periods, figure.damping).psa_mps2;
     }
-    if (figure.target) {
+    if (energy_target) {
+        data["energy_target"] = energy_target_json(*figure.target, periods);
+    } else if (figure.target) {
         data["target"] = target_json(figure, periods);
     }
     draw_figure("wave_figure.py", data, output);

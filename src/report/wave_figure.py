@@ -102,6 +102,10 @@ def draw_energy(axes, data, bodies):
                       ha="right", va="bottom", color=colour, fontsize=7)
     axes.plot(periods, data["v_e0_mps"], color=GREY, lw=0.6, label="Fourier amplitude = $V_{E0}$")
     axes.plot(periods, data["v_e_mps"], color=BLUE, lw=1.4, label=f"$V_E$, {100 * data['energy_damping']:g} % damping")
+    target = data.get("energy_target")
+    if target:
+        axes.plot(target["period_s"], target["v_e_mps"], color=INK, lw=1.0, ls="--", label=f"target {target['name']}")
+        top = max(top, 1.05 * max(target["v_e_mps"]))
     axes.set_ylim(0, top)
     axes.set_ylabel("equivalent velocity, m/s")
     axes.set_title("Fourier and input energy spectra", pad=17)

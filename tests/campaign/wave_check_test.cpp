@@ -34,7 +34,7 @@ Rows rows_of(CampaignSpec const& spec) {
         auto const prepared = prepare_wave(spec, plan, wave, seconds);
         rows.waves.push_back(prepared.row);
         rows.measures.insert(rows.measures.end(), prepared.measures.begin(), prepared.measures.end());
-        append_trials(spec, plan, prepared, rows.trials, seconds);
+        append_trials(spec, plan, std::span(&prepared, 1), rows.trials, seconds);
     }
     return rows;
 }
