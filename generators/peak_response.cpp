@@ -172,7 +172,7 @@ PeakSwing PeakResponse::peak(std::span<double const> series, Group const& group,
             double const v0 = (y - o.sample.yy * y0 - o.sample.ya0 * a0 - o.sample.ya1 * a1) / o.sample.yv;
             v = o.sample.vy * y0 + o.sample.vv * v0 + o.sample.va0 * a0 + o.sample.va1 * a1;
         }
-        double before = y, earlier = y;
+        double before = y;
         for (std::size_t n = first; n < std::min(first + Sweep::block_samples, series.size()); ++n) {
             double const rise = (series[n] - series[n - 1]) / o.steps;
             for (int s = 0; s < o.steps; ++s) {
@@ -180,7 +180,7 @@ PeakSwing PeakResponse::peak(std::span<double const> series, Group const& group,
                 double const a1 = series[n - 1] + rise * (s + 1);
                 double const next = o.fine.yy * y + o.fine.yv * v + (o.fine.ya0 * a0 + o.fine.ya1 * a1);
                 v = o.fine.vy * y + o.fine.vv * v + (o.fine.va0 * a0 + o.fine.va1 * a1);
-                earlier = before;
+                double const earlier = before;
                 before = y;
                 y = next;
                 if (std::abs(y) > best) {
