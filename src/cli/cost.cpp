@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include <fmt/format.h>
@@ -17,7 +18,7 @@ namespace {
 struct Options {
     std::string campaign, output, page;
     std::vector<std::string> settings;
-    std::int64_t waves = 0;
+    std::optional<std::int64_t> waves;
     bool json = false;
 };
 
@@ -43,7 +44,8 @@ class Remaining {
 };
 
 void check(Options const& options) {
-    validate(options.waves >= 0, "--waves {} (no sample). Give 1 or more, or leave it out", options.waves);
+    validate(options.waves.value_or(1) > 0, "--waves {} (no sample). Give 1 or more, or leave it out",
+             options.waves.value_or(1));
     if (!options.output.empty()) {
         validate(!std::filesystem::exists(options.output),
                  "-o {}: there already (it would be lost). Choose another name, or remove it", options.output);
@@ -59,8 +61,8 @@ int study(Options const& options) {
     check(options);
     auto const input = load_campaign(options.campaign, options.settings);
     Remaining remaining;
-    auto const found =
-        cost::run_study(input, {.waves = options.waves}, [&](double done, double left_s) { remaining(done, left_s); });
+    auto const found = cost::run_study(input, {.waves = options.waves.value_or(0)},
+                                       [&](double done, double left_s) { remaining(done, left_s); });
     fmt::print("{}", options.json ? cost::study_json(found).dump(2) + "\n" : cost::study_table(found));
     if (!options.output.empty()) {
         cost::write_study(options.output, input, found);

@@ -19,9 +19,9 @@ std::string quality(Measured const& row) {
 // The neighbour on the front, beyond the noise: the slowest of the faster ones, or the fastest of the more accurate.
 Measured const* neighbour(KnobResult const& result, Measured const& here, bool faster) {
     Measured const* best = nullptr;
-    auto const own = point_of(here);
+    auto const own = point_of(here, result.floor);
     for (auto const& row : result.rows) {
-        auto const point = point_of(row);
+        auto const point = point_of(row, result.floor);
         bool const wanted =
             row.on_front
             && (faster ? point.seconds * (1 + noise) < own.seconds : point.error * (1 + noise) < own.error);
@@ -47,10 +47,11 @@ std::string advice_of(KnobResult const& result) {
                             quality(*faster));
     }
     if (finer != nullptr && finer != faster) {
-        bool const slower = finer->seconds >= here.seconds;
-        text += fmt::format(" {}: {:.2g} times {}, {}.", finer->setting.label,
-                            slower ? finer->seconds / here.seconds : here.seconds / finer->seconds,
-                            slower ? "slower" : "faster", quality(*finer));
+        double const ratio = finer->seconds / here.seconds;
+        auto const pace = ratio > 1 + noise         ? fmt::format("{:.2g} times slower", ratio)
+                          : ratio * (1 + noise) < 1 ? fmt::format("{:.2g} times faster", 1 / ratio)
+                                                    : std::string("as fast");
+        text += fmt::format(" {}: {}, {}.", finer->setting.label, pace, quality(*finer));
     }
     if (faster == nullptr && finer == nullptr) {
         text += " Nothing else is faster or more accurate by more than the noise.";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <optional>
 
 #include "core/error.hpp"
 #include "spectra/response_spectrum.hpp"
@@ -126,6 +127,7 @@ Run run_energy(Sample const& sample, double panel_phase_rad, Acts acts) {
 Run run_matching(Sample const& sample, CampaignInput const& input, CampaignSpec const& variant, Depth depth) {
     Run run;
     std::vector<PreparedWave> waves;
+    std::optional<Judge> judge;
     PhaseSeconds ignored;
     for (auto const& wave : sample.waves) {
         if (!usable(wave)) {
@@ -136,7 +138,10 @@ Run run_matching(Sample const& sample, CampaignInput const& input, CampaignSpec 
         run.seconds += thread_cpu_seconds() - begin;
         ++run.units;
         if (depth == Depth::whole) {
-            run.values.push_back(Judge(input, made.motion).mean_misfit(made.motion));
+            if (!judge) {
+                judge.emplace(input, made.motion);
+            }
+            run.values.push_back(judge->mean_misfit(made.motion));
             waves.push_back(prepare_wave(variant, sample.plan, wave.number, ignored));
         }
     }
@@ -144,7 +149,7 @@ Run run_matching(Sample const& sample, CampaignInput const& input, CampaignSpec 
     return run;
 }
 
-Run run_spectra(Sample const& sample, double per_decade) {
+Run run_spectra(Sample const& sample, double per_decade, Depth depth) {
     Run run;
     for (auto const& wave : sample.waves) {
         if (!usable(wave)) {
@@ -157,6 +162,9 @@ Run run_spectra(Sample const& sample, double per_decade) {
         auto const spectrum = response_spectrum(motion.horizontal_mps2, motion.time_step_s, periods, damping);
         run.seconds += thread_cpu_seconds() - begin;
         ++run.units;
+        if (depth == Depth::times) {
+            continue;
+        }
         auto const dense = log_periods_per_decade(shortest, longest_s, reference_periods_per_decade);
         auto const read = read_between(spectrum.period_s, spectrum.psa_mps2, dense);
         run.values.insert(run.values.end(), read.begin(), read.end());

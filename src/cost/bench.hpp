@@ -47,6 +47,6 @@ enum class Depth { whole, times };
 
 /// Spectra of the sample's waves. values: per wave, ordinates at the periods of the reference, read between the
 /// computed ones along straight lines of the logarithms.
-[[nodiscard]] Run run_spectra(Sample const& sample, double per_decade);
+[[nodiscard]] Run run_spectra(Sample const& sample, double per_decade, Depth depth);
 
 }  // namespace overturn::cost

@@ -33,7 +33,7 @@ void fill(Knob& knob, std::vector<Value> values, Value own, bool rising, Make&& 
 Setting one_key(std::string const& key, double value, std::string const& unit = "") {
     // The shortest digits that bring back the very same number.
     auto const stated = unit.empty() ? fmt::format("{}", value) : fmt::format("\"{} {}\"", value, unit);
-    return {fmt::format("{:g}", value), {key + "=" + stated}, value};
+    return {fmt::format("{:g}{}{}", value, unit.empty() ? "" : " ", unit), {key + "=" + stated}, value};
 }
 
 Knob step_knob(RockingAccuracy const& own) {
@@ -197,6 +197,12 @@ std::vector<Knob> knobs_of(CampaignInput const& input, CampaignSpec const& spec)
 std::vector<std::string> reference_settings() {
     return {"accuracy.taylor_order=12", "accuracy.substeps=16", "accuracy.step_tolerance=1e-15",
             "accuracy.settle=1e-8"};
+}
+
+std::vector<std::string> second_reference_settings() {
+    auto settings = reference_settings();
+    settings.emplace_back("accuracy.substeps=12");
+    return settings;
 }
 
 std::vector<std::string> effects_reference_settings() {

@@ -36,7 +36,10 @@ struct Knob {
 /// What every trial is held against: order 12, 16 sub-steps, every tolerance near rounding.
 [[nodiscard]] std::vector<std::string> reference_settings();
 
-/// The same with every effect that the scene calls for.
+/// The same with 12 sub-steps: it differs in rounding only, so what differs is what rounding does to rocking.
+[[nodiscard]] std::vector<std::string> second_reference_settings();
+
+/// The reference with every effect that the scene calls for.
 [[nodiscard]] std::vector<std::string> effects_reference_settings();
 
 /// Phase per panel of the reference quadrature [rad].

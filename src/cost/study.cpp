@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace overturn::cost {
@@ -12,13 +13,17 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-constexpr int timings = 2;                    // a time is the best of them
-constexpr std::int64_t most_waves = 2000;     // of a sample: they are held in memory
-constexpr std::int64_t most_wave_units = 12;  // waves for the knobs that act on waves: one wave is much like another
+constexpr int timings = 2;                   // a time is the best of them
+constexpr std::int64_t fewest_waves = 4;     // unless stated
+constexpr std::int64_t most_waves = 2000;    // of a sample: they are held in memory
+constexpr std::int64_t most_wave_units = 8;  // waves for the knobs that act on waves: one wave is much like another
 
 // Relative errors of `values` against `exact`, `each` of them averaged into one.
 Spread relative_errors(std::vector<double> const& values, std::vector<double> const& exact, std::size_t each) {
     std::vector<double> errors;
+    if (each == 0) {
+        return {};
+    }
     for (std::size_t begin = 0; begin + each <= values.size(); begin += each) {
         double sum = 0;
         for (std::size_t i = begin; i < begin + each; ++i) {
@@ -46,15 +51,19 @@ struct Taken {
 /// The whole study as steps, each of them short, so that what is left can be told.
 class Runner {
   public:
-    Runner(CampaignInput const& input, std::int64_t waves, int rounds)
-        : input_(input), spec_(parse_campaign(input)), plan_(spec_), numbers_(spread_over(waves, plan_.waves())) {
+    Runner(CampaignInput const& input, std::int64_t waves, int rounds, double timing_s)
+        : input_(input),
+          timing_s_(timing_s),
+          spec_(parse_campaign(input)),
+          plan_(spec_),
+          numbers_(spread_over(waves, plan_.waves())) {
         study_.title = spec_.title.empty() ? input.name : spec_.title;
         study_.waves = static_cast<std::int64_t>(numbers_.size());
         study_.campaign_waves = plan_.waves();
         study_.campaign_trials = plan_.trials();
         study_.confidence = spec_.confidence;
         for (auto& knob : knobs_of(input, spec_)) {
-            study_.knobs.push_back({std::move(knob), {}, 0, {}});
+            study_.knobs.emplace_back().knob = std::move(knob);
         }
         list_steps(rounds);
     }
@@ -111,22 +120,22 @@ class Runner {
             spec_.effects.mode == EffectMode::automatic ? reference_ : exact(effects_reference_settings()).rows;
         exact_ou_v_e_ = run_energy(few_, reference_panel_phase_rad, Acts::ou_v_e).values;
         exact_v_wes_ = run_energy(few_, reference_panel_phase_rad, Acts::v_wes).values;
-        exact_spectra_ = run_spectra(few_, reference_periods_per_decade).values;
+        exact_spectra_ = run_spectra(few_, reference_periods_per_decade, Depth::whole).values;
+        study_.rounding = compare(exact(second_reference_settings()).rows, reference_);
         auto const own = run_trials(spec_, plan_, waves_.waves).rows;
         study_.trials = static_cast<std::int64_t>(own.size());
         study_.defaults = compare(own, reference_);
     }
 
-    [[nodiscard]] Run run_setting(Knob const& knob, Setting const& setting, bool first) const {
-        if (knob.acts == Acts::spectra) {
-            return run_spectra(few_, setting.value);
-        }
-        auto const variant = parse_campaign(with(input_, setting.settings));
+    [[nodiscard]] Run run_setting(Knob const& knob, Setting const& setting, CampaignSpec const& variant,
+                                  Depth depth) const {
         switch (knob.acts) {
+            case Acts::spectra:
+                return run_spectra(few_, setting.value, depth);
             case Acts::trials:
                 return run_trials(variant, plan_, waves_.waves);
             case Acts::waves:
-                return run_matching(few_, input_, variant, first ? Depth::whole : Depth::times);
+                return run_matching(few_, input_, variant, depth);
             default:
                 return run_energy(few_, variant.measures.panel_phase_rad, knob.acts);
         }
@@ -134,8 +143,16 @@ class Runner {
 
     void measure(KnobResult& result, std::size_t s, bool first) {
         auto& row = result.rows[s];
-        auto const run = run_setting(result.knob, result.knob.settings[s], first);
-        double const each = run.seconds / static_cast<double>(std::max<std::int64_t>(1, run.units));
+        auto const& setting = result.knob.settings[s];
+        auto const variant = parse_campaign(with(input_, setting.settings));
+        auto const run = run_setting(result.knob, setting, variant, first ? Depth::whole : Depth::times);
+        double best = run.seconds;
+        for (double spent = run.seconds; spent < timing_s_ && best > 0;) {
+            double const again = run_setting(result.knob, setting, variant, Depth::times).seconds;
+            best = std::min(best, again);
+            spent += std::max(again, 0.5 * run.seconds);
+        }
+        double const each = best / static_cast<double>(std::max<std::int64_t>(1, run.units));
         row.seconds = first ? each : std::min(row.seconds, each);
         if (!first) {
             return;
@@ -200,12 +217,33 @@ class Runner {
         }
     }
 
+    // The campaign as it stands is the same run in every knob that acts on the same: it has one time.
+    void share_own_times() {
+        for (auto const acts : {Acts::trials, Acts::waves}) {
+            double best = std::numeric_limits<double>::infinity();
+            for (int pass = 0; pass < 2; ++pass) {
+                for (auto& result : study_.knobs) {
+                    if (result.knob.acts == acts && result.knob.here) {
+                        auto& own = result.rows[*result.knob.here].seconds;
+                        best = std::min(best, own);
+                        own = best;
+                    }
+                }
+            }
+        }
+    }
+
     void conclude() {
+        share_own_times();
         for (auto& result : study_.knobs) {
+            constexpr double digits = 1e-14;
+            result.floor = result.knob.acts == Acts::trials && study_.rounding.peak.count > 0
+                               ? std::max(digits, study_.rounding.peak.p95)
+                               : digits;
             std::vector<Point> points;
             points.reserve(result.rows.size());
             for (auto const& row : result.rows) {
-                points.push_back(point_of(row));
+                points.push_back(point_of(row, result.floor));
             }
             auto const front = pareto_front(points, noise);
             for (std::size_t i = 0; i < front.size(); ++i) {
@@ -218,6 +256,7 @@ class Runner {
     }
 
     CampaignInput const& input_;
+    double timing_s_;
     CampaignSpec spec_;
     Plan plan_;
     std::vector<std::int64_t> numbers_;
@@ -231,15 +270,15 @@ class Runner {
 
 }  // namespace
 
-Point point_of(Measured const& row) {
-    constexpr double rounding = 1e-14;
-    return {row.seconds, std::isnan(row.error.p95) ? row.error.p95 : std::max(row.error.p95, rounding)};
+Point point_of(Measured const& row, double floor) {
+    return {row.seconds, std::isnan(row.error.p95) ? row.error.p95 : std::max(row.error.p95, floor)};
 }
 
 namespace {
 
 // Seconds of each step of a study of `waves` waves, from what a round of `probed` of them took.
-std::vector<double> expected_seconds(std::vector<Taken> const& taken, std::int64_t probed, std::int64_t waves) {
+std::vector<double> expected_seconds(std::vector<Taken> const& taken, std::int64_t probed, std::int64_t waves,
+                                     double timing_s) {
     constexpr std::size_t before = 2;  // the sample and its references
     constexpr std::size_t after = 2;   // the number of waves and the conclusions
     std::vector<Taken> steps(taken.begin(), taken.end() - after);
@@ -251,7 +290,7 @@ std::vector<double> expected_seconds(std::vector<Taken> const& taken, std::int64
     seconds.reserve(steps.size());
     for (auto const& step : steps) {
         auto const units = step.extent == Extent::few ? std::min(waves, most_wave_units) : waves;
-        seconds.push_back(step.seconds * static_cast<double>(units) / static_cast<double>(probed));
+        seconds.push_back(std::max(timing_s, step.seconds * static_cast<double>(units) / static_cast<double>(probed)));
     }
     return seconds;
 }
@@ -266,18 +305,20 @@ Study run_study(CampaignInput const& input, StudyOptions const& options, Tell co
     auto const probed = std::min<std::int64_t>(2, most);
     std::vector<Taken> taken;
     auto const begin = Clock::now();
-    (void)Runner(input, probed, 1).run([&](Extent extent, double seconds) { taken.push_back({extent, seconds}); });
+    (void)Runner(input, probed, 1, 0).run([&](Extent extent, double seconds) { taken.push_back({extent, seconds}); });
     double const budget_s = options.seconds - seconds_since(begin);
     auto waves = options.waves;
     if (waves == 0) {
-        for (waves = 1; waves < most && sum_of(expected_seconds(taken, probed, waves + 1)) < budget_s; ++waves) {}
+        for (waves = std::min(fewest_waves, most);
+             waves < most && sum_of(expected_seconds(taken, probed, waves + 1, options.timing_s)) < budget_s; ++waves) {
+        }
     }
-    auto const expected = expected_seconds(taken, probed, std::min(waves, most));
+    auto const expected = expected_seconds(taken, probed, std::min(waves, most), options.timing_s);
     double const all = sum_of(expected);
     double behind = 0;
     std::size_t step = 0;
     auto const start = Clock::now();
-    return Runner(input, std::min(waves, most), timings).run([&](Extent, double) {
+    return Runner(input, std::min(waves, most), timings, options.timing_s).run([&](Extent, double) {
         behind += expected[step++];
         double const done = step == expected.size() ? 1 : behind / all;
         tell(done, seconds_since(start) * (1 - done) / done);

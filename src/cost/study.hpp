@@ -29,6 +29,7 @@ struct KnobResult {
     Knob knob;
     std::vector<Measured> rows;
     std::int64_t units = 0;  ///< trials or waves behind every row
+    double floor = 0;        ///< errors up to here are what rounding does, and all the same
     std::string advice;      ///< where the campaign stands and what the next step would buy
 };
 
@@ -39,6 +40,7 @@ struct Study {
     double confidence = 0;
     double reference_seconds = 0;  ///< CPU per trial of the reference
     Comparison defaults;           ///< the campaign as it stands against the reference
+    Comparison rounding;           ///< a second reference against the first: what nothing can resolve
     std::vector<KnobResult> knobs;
     Sampling sampling;
     Balance balance;
@@ -46,8 +48,9 @@ struct Study {
 };
 
 struct StudyOptions {
-    std::int64_t waves = 0;  ///< of the sample; 0: as many as fit into `seconds`
+    std::int64_t waves = 0;  ///< of the sample; 0: as many as fit into `seconds`, but a few at least
     double seconds = 60;     ///< wanted wall time
+    double timing_s = 0.05;  ///< a setting that takes less CPU time is run again until it has had as much, twice
 };
 
 /// Told after every step: the share of the work that is done, and the seconds that are probably left.
@@ -57,10 +60,10 @@ using Tell = std::function<void(double done, double left_s)>;
 [[nodiscard]] Study run_study(CampaignInput const& input, StudyOptions const& options, Tell const& tell);
 
 /// Times and errors that differ by no more than this share are taken as equal.
-inline constexpr double noise = 0.1;
+inline constexpr double noise = 0.15;
 
-/// A row as a point of its knob's map. Errors below what rounding does are all the same.
-[[nodiscard]] Point point_of(Measured const& row);
+/// A row as a point of its knob's map: time against the 95 % quantile of the error, at least `floor`.
+[[nodiscard]] Point point_of(Measured const& row, double floor);
 
 /// "order 8 x 1 is on the front. Faster: order 6 x 1, 1.2 times, flips 0 of 960 verdicts, ..."
 [[nodiscard]] std::string advice_of(KnobResult const& result);

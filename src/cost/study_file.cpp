@@ -53,6 +53,7 @@ void write_knob(ResultsWriter& file, KnobResult const& result) {
     file.attribute(group, "error", result.knob.error);
     file.attribute(group, "timed", result.knob.timed);
     file.attribute(group, "advice", result.advice);
+    file.attribute(group, "floor", result.floor);
     write_labels(file, group, result);
     auto const& rows = result.rows;
     real(file, group, {"cpu", "s", "CPU time per " + result.knob.timed + ", best of a few"}, rows,

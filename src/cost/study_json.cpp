@@ -36,13 +36,10 @@ Json knob_json(KnobResult const& result) {
     for (std::size_t i = 0; i < result.rows.size(); ++i) {
         rows.push_back(row_json(result.rows[i], result.knob.here && *result.knob.here == i));
     }
-    return {{"name", result.knob.name},
-            {"title", result.knob.title},
-            {"error", result.knob.error},
-            {"timed", result.knob.timed},
-            {"units", result.units},
-            {"advice", result.advice},
-            {"settings", rows}};
+    return {{"name", result.knob.name},   {"title", result.knob.title},
+            {"error", result.knob.error}, {"timed", result.knob.timed},
+            {"units", result.units},      {"floor", result.floor},
+            {"advice", result.advice},    {"settings", rows}};
 }
 
 Json waves_json(Study const& study) {
@@ -71,6 +68,11 @@ Json study_json(Study const& study) {
               {"trials", study.trials},
               {"campaign_trials", study.campaign_trials},
               {"reference_cpu_s", study.reference_seconds},
+              {"rounding",
+               {{"error", spread_json(study.rounding.peak)},
+                {"trials", study.rounding.trials},
+                {"flips", study.rounding.flips},
+                {"ks_distance", number(study.rounding.ks)}}},
               {"knobs", Json::array()},
               {"sampling", waves_json(study)}};
     for (auto const& result : study.knobs) {

@@ -57,6 +57,11 @@ std::string study_table(Study const& study) {
     auto text =
         fmt::format("{}\nsample: {} of {} waves, {} of {} trials; reference {} a trial\n", study.title, study.waves,
                     study.campaign_waves, study.trials, study.campaign_trials, seconds_text(study.reference_seconds));
+    auto const& rounding = study.rounding;
+    text += fmt::format(
+        "rounding alone: two references differ by {} (median), {} (95 %), {} (worst), and in {} of {} verdicts\n",
+        error_text(rounding.peak.median), error_text(rounding.peak.p95), error_text(rounding.peak.worst),
+        rounding.flips, rounding.trials);
     text += "> where the campaign stands   * on the Pareto front: nothing is both faster and more accurate\n";
     for (auto const& result : study.knobs) {
         append_knob(text, result);

@@ -8,6 +8,7 @@ from style import BLUE, GREY, INK, PALE, VERMILION, number
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib import patheffects
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 SMALLEST = 1e-16  # an error of nothing, on a logarithmic axis
@@ -52,7 +53,8 @@ def place_labels(axes, points):
         for dx, dy, ha, va in around:
             label = axes.annotate(text, (x, y), xytext=(dx, dy), textcoords="offset points", ha=ha, va=va, zorder=6,
                                   fontsize=7.5, fontweight="bold" if wanted == 2 else "normal",
-                                  color=INK if wanted else GREY)
+                                  color=INK if wanted else GREY,
+                                  path_effects=[patheffects.withStroke(linewidth=2.2, foreground="white")])
             box = label.get_window_extent(renderer).expanded(1.02, 1.05)
             free = (not any(box.overlaps(other) for other in boxes) and
                     not any(box.contains(*at) for at in taken) and
@@ -74,7 +76,12 @@ def draw_knob(axes, knob):
     spread = np.maximum([[row["error"][key] for key in ("median", "p95", "worst")] for row in rows], SMALLEST)
     for t, (median, _, worst) in zip(time, spread):
         axes.plot([t, t], [median, worst], color=PALE, lw=3.5, solid_capstyle="round", zorder=2)
-    front = sorted(((row["cpu_s"], max(row["error"]["p95"], SMALLEST)) for row in rows if row["on_front"]))
+    floor = knob["floor"]
+    if floor > spread[:, 0].min() or floor > spread[:, 1].min():
+        axes.axhspan(SMALLEST / 1e3, floor, color=PALE, alpha=0.45, lw=0, zorder=0)
+        axes.annotate("shaded: what rounding does", (0, 0), xycoords="axes fraction", xytext=(4, 4), zorder=1,
+                      textcoords="offset points", ha="left", va="bottom", color=GREY, fontsize=7)
+    front = sorted((row["cpu_s"], max(row["error"]["p95"], SMALLEST)) for row in rows if row["on_front"])
     axes.plot(*zip(*front), color=BLUE, lw=1.1, ls="--", zorder=3)
     points = []
     for row, t, (_, p95, _) in zip(rows, time, spread):
@@ -87,6 +94,11 @@ def draw_knob(axes, knob):
     axes.set_xscale("log")
     axes.set_xlim(*widen(time, 0.16))
     axes.set_ylim(*widen(spread.ravel(), 0.08))
+    low, high = axes.get_ylim()
+    if high / low < 300:
+        axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+        axes.yaxis.set_minor_formatter(NullFormatter())
     log_time_axis(axes, f"CPU time per {knob['timed']}")
     axes.set_ylabel("error")
     place_labels(axes, points)

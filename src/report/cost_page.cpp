@@ -160,9 +160,11 @@ std::string cost_page(Json const& study) {
     page += fmt::format(
         "<p class=\"quiet\">{} trials of {} on {} waves, spread over the campaign. Every setting ran the same waves "
         "and was "
-        "held against a reference of {} a trial. Diamond: where the campaign stands. Full dots, dashed line: the "
+        "held against a reference of {} a trial; a second one, which differs in rounding only, is {} from it (95 %) "
+        "and flips "
+        "{} verdicts: nothing below that is resolved. Diamond: where the campaign stands. Full dots, dashed line: the "
         "Pareto "
-        "front, where nothing is both faster and more accurate; differences within a tenth decide nothing. Dots are "
+        "front, where nothing is both faster and more accurate; differences within 15 % decide nothing. Dots are "
         "the "
         "95 % quantile of the error, bars reach from the median to the worst. A flip is a verdict other than the "
         "reference's. Peak rotations are compared where the body rocks in both; rocking is chaotic near the boundary, "
@@ -170,7 +172,8 @@ std::string cost_page(Json const& study) {
         "histories are not, and the Kolmogorov-Smirnov distance KS compares the distributions of peak rotation (one "
         "trial moved by rounding makes it one over the number of trials). Point at a row to see the setting.</p>\n",
         study.at("trials").get<std::int64_t>(), study.at("campaign_trials").get<std::int64_t>(),
-        study.at("waves").get<std::int64_t>(), time_text(study.at("reference_cpu_s").get<double>()));
+        study.at("waves").get<std::int64_t>(), time_text(study.at("reference_cpu_s").get<double>()),
+        number(study.at("rounding").at("error").at("p95")), study.at("rounding").at("flips").get<std::int64_t>());
     for (auto const& knob : study.at("knobs")) {
         page += section_of(knob);
     }
