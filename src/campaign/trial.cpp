@@ -263,10 +263,13 @@ void append_trials(CampaignSpec const& spec, Plan const& plan, std::span<Prepare
     account(responses, taken, seconds);
 }
 
-BlockRows run_block(CampaignSpec const& spec, Plan const& plan, std::int64_t block, PhaseSeconds& seconds) {
-    // Enough trials at a time to fill the vector lanes to the end, few enough waves to hold.
+std::int64_t waves_together(Plan const& plan) {
     constexpr std::int64_t most_trials = 256;
-    auto const together = std::max<std::int64_t>(1, most_trials / plan.trials_per_wave());
+    return std::max<std::int64_t>(1, most_trials / plan.trials_per_wave());
+}
+
+BlockRows run_block(CampaignSpec const& spec, Plan const& plan, std::int64_t block, PhaseSeconds& seconds) {
+    auto const together = waves_together(plan);
     BlockRows rows;
     auto const [first, count] = plan.waves_of_block(block);
     for (auto next = first; next < first + count; next += together) {

@@ -46,6 +46,9 @@ struct PreparedWave {
 void append_trials(CampaignSpec const& spec, Plan const& plan, std::span<PreparedWave const> waves,
                    std::vector<TrialRow>& rows, PhaseSeconds& seconds);
 
+/// How many waves' trials go side by side: enough to fill the vector lanes to the end, few enough waves to hold.
+[[nodiscard]] std::int64_t waves_together(Plan const& plan);
+
 /// Rows of a block of waves: all wave rows, then all measure rows, then all trial rows, each in order.
 struct BlockRows {
     std::vector<WaveRow> waves;

@@ -18,6 +18,7 @@ void add_plan(CLI::App& app, Action& action);
 void add_status(CLI::App& app, Action& action);
 void add_replay(CLI::App& app, Action& action);
 void add_fit(CLI::App& app, Action& action);
+void add_cost(CLI::App& app, Action& action);
 void add_rock(CLI::App& app, Action& action);
 void add_spectrum(CLI::App& app, Action& action);
 void add_wave(CLI::App& app, Action& action);

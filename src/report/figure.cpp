@@ -131,9 +131,11 @@ void check_figure_name(fs::path const& output) {
              "{}: not the name of a figure (its ending says the kind). End it in .svg, .png or .pdf", output.string());
 }
 
-void draw_figure(std::string_view script, nlohmann::ordered_json const& data, fs::path const& output) {
-    check_figure_name(output);
-    TemporaryFolder const folder;
+namespace {
+
+// Runs a script within `folder`; the figure's place.
+fs::path drawn_in(TemporaryFolder const& folder, std::string_view script, nlohmann::ordered_json const& data,
+                  std::string const& extension) {
     std::string program;
     for (auto const& each : scripts()) {
         auto path = folder.write(each.name, each.text);
@@ -141,11 +143,26 @@ void draw_figure(std::string_view script, nlohmann::ordered_json const& data, fs
     }
     OVERTURN_EXPECT(!program.empty());
     auto const input = folder.write("data.json", data.dump());
-    auto const drawn = folder / ("figure" + extension_of(output));
+    auto const drawn = folder / ("figure" + extension);
     run_script({interpreter(), "-B", program, input, drawn.string()}, (folder / "errors").string());
+    return drawn;
+}
+
+}  // namespace
+
+void draw_figure(std::string_view script, nlohmann::ordered_json const& data, fs::path const& output) {
+    check_figure_name(output);
+    TemporaryFolder const folder;
+    auto const drawn = drawn_in(folder, script, data, extension_of(output));
     std::error_code error;
     fs::copy_file(drawn, output, fs::copy_options::overwrite_existing, error);
     validate(!error, "{}: cannot be written ({}). Choose another place", output.string(), error.message());
+}
+
+std::string figure_text(std::string_view script, nlohmann::ordered_json const& data) {
+    TemporaryFolder const folder;
+    std::ifstream file(drawn_in(folder, script, data, ".svg"), std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
 }
 
 }  // namespace overturn::report

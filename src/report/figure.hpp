@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include <nlohmann/json.hpp>
@@ -16,5 +17,8 @@ void check_figure_name(std::filesystem::path const& output);
 /// \throws SystemError if there is none, a module is missing or the script fails; InputError if `output` cannot be
 /// written
 void draw_figure(std::string_view script, nlohmann::ordered_json const& data, std::filesystem::path const& output);
+
+/// The same as the text of an svg, for pages. \throws SystemError
+[[nodiscard]] std::string figure_text(std::string_view script, nlohmann::ordered_json const& data);
 
 }  // namespace overturn::report

@@ -7,11 +7,15 @@
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "store/h5.hpp"
 
 namespace overturn::store {
+
+inline constexpr char const* format_name = "overturn-results";
+inline constexpr std::int64_t format_version = 1;
 
 /// How a column of 8-byte row fields is stored.
 enum class ColumnType { real, integer, category };
@@ -85,8 +89,8 @@ class ResultsWriter {
 /// A finished results file, read only. Names in messages are those of the file.
 class ResultsReader {
   public:
-    /// \throws InputError if it is missing, no results file, or of a newer format
-    explicit ResultsReader(std::filesystem::path const& path);
+    /// \throws InputError if it is missing, not of this format, or of a newer version of it
+    explicit ResultsReader(std::filesystem::path const& path, std::string_view format = format_name);
 
     [[nodiscard]] std::string text(std::string const& name) const;
     [[nodiscard]] std::int64_t integer(std::string const& name) const;
@@ -109,8 +113,5 @@ class ResultsReader {
 
 /// "1.10.8"
 [[nodiscard]] std::string hdf5_version();
-
-inline constexpr char const* format_name = "overturn-results";
-inline constexpr std::int64_t format_version = 1;
 
 }  // namespace overturn::store

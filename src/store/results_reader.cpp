@@ -41,12 +41,12 @@ Value read_one(Dataset const& dataset, std::string const& name, hid_t memory_typ
     return value;
 }
 
-bool is_ours(File const& file) {
+bool is_ours(File const& file, std::string_view format) {
     if (H5Aexists(file.id(), "format") <= 0 || H5Aexists(file.id(), "format_version") <= 0) {
         return false;
     }
     try {
-        return read_text_attribute(file.id(), "format") == format_name;
+        return read_text_attribute(file.id(), "format") == format;
     } catch (SystemError const&) {
         return false;  // no text, so somebody else's
     }
@@ -54,14 +54,14 @@ bool is_ours(File const& file) {
 
 }  // namespace
 
-ResultsReader::ResultsReader(std::filesystem::path const& path) : path_(path) {
+ResultsReader::ResultsReader(std::filesystem::path const& path, std::string_view format) : path_(path) {
     validate(std::filesystem::exists(path), "{}: no such file (nothing to read). Check the name", path.string());
     auto const id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
     validate(id >= 0, "{}: not an HDF5 file (or damaged). Give a results file of overturn run", path.string());
     file_ = File(id);
-    bool const ours = is_ours(file_);
+    bool const ours = is_ours(file_, format);
     validate(ours, "{}: not a results file (its format is not '{}'). Give a file of overturn run", path.string(),
-             format_name);
+             format);
     auto const version = read_integer_attribute(file_.id(), "format_version");
     validate(version <= format_version, "{}: format version {} (this program knows up to {}). Use a newer overturn",
              path.string(), version, format_version);

@@ -3,6 +3,7 @@
 #include "campaign/wave_check.hpp"
 
 #include <cmath>
+#include <span>
 
 #include "campaign/results.hpp"
 #include "support/campaigns.hpp"

@@ -1,0 +1,94 @@
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "campaign/progress.hpp"
+#include "cli/verbs.hpp"
+#include "cost/study_output.hpp"
+#include "report/cost_page.hpp"
+#include "store/durable.hpp"
+
+namespace overturn::cli {
+namespace {
+
+struct Options {
+    std::string campaign, output, page;
+    std::vector<std::string> settings;
+    std::optional<std::int64_t> waves;
+    bool json = false;
+};
+
+/// One line that rewrites itself on a terminal, a few plain ones elsewhere.
+class Remaining {
+  public:
+    void operator()(double done, double left_s) {
+        constexpr double terminal_step = 0.01;
+        constexpr double plain_step = 0.25;
+        bool const last = done >= 1 - 1e-9;
+        if (done - shown_ < (terminal_ ? terminal_step : plain_step) && !last) {
+            return;
+        }
+        shown_ = done;
+        auto const text = fmt::format("{:.0f} %{}", 100 * done, last ? "" : ", " + duration_text(left_s) + " left");
+        fmt::print(stderr, "{}{:<30}{}", terminal_ ? "\r" : "", text, terminal_ && !last ? "" : "\n");
+        std::fflush(stderr);
+    }
+
+  private:
+    bool terminal_ = isatty(STDERR_FILENO) != 0;
+    double shown_ = 0;
+};
+
+void check(Options const& options) {
+    validate(options.waves.value_or(1) > 0, "--waves {} (no sample). Give 1 or more, or leave it out",
+             options.waves.value_or(1));
+    if (!options.output.empty()) {
+        validate(!std::filesystem::exists(options.output),
+                 "-o {}: there already (it would be lost). Choose another name, or remove it", options.output);
+        store::require_writable(options.output);
+    }
+    if (!options.page.empty()) {
+        report::check_page_name(options.page);
+        store::require_writable(options.page);
+    }
+}
+
+int study(Options const& options) {
+    check(options);
+    auto const input = load_campaign(options.campaign, options.settings);
+    Remaining remaining;
+    auto const found = cost::run_study(input, {.waves = options.waves.value_or(0)},
+                                       [&](double done, double left_s) { remaining(done, left_s); });
+    fmt::print("{}", options.json ? cost::study_json(found).dump(2) + "\n" : cost::study_table(found));
+    if (!options.output.empty()) {
+        cost::write_study(options.output, input, found);
+        fmt::print(stderr, "study: {}\n", options.output);
+    }
+    if (!options.page.empty()) {
+        auto const page = report::cost_page(cost::study_json(found));
+        store::write_durably(options.page, std::as_bytes(std::span(page)));
+        fmt::print(stderr, "page: {}\n", options.page);
+    }
+    return done;
+}
+
+}  // namespace
+
+void add_cost(CLI::App& app, Action& action) {
+    auto* verb = app.add_subcommand("cost", "what accuracy costs in time, knob by knob, on a campaign's own waves");
+    auto options = std::make_shared<Options>();
+    verb->add_option("campaign", options->campaign, "campaign file (TOML)")->required();
+    verb->add_option("-o,--output", options->output, "write the study as HDF5 (its times never repeat exactly)");
+    verb->add_option("--html", options->page, "write a page with figures and tables that needs no network")
+        ->option_text("PAGE.html");
+    verb->add_option("--waves", options->waves, "waves of the sample; default: what fits into about a minute");
+    verb->add_option("--set", options->settings, "override a key: waves.count=50")->allow_extra_args(false);
+    verb->add_flag("--json", options->json, "as JSON");
+    verb->callback([options, &action] { action = [options] { return study(*options); }; });
+}
+
+}  // namespace overturn::cli

@@ -1,0 +1,220 @@
+#include "cost/knob.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "config/table.hpp"
+
+namespace overturn::cost {
+namespace {
+
+constexpr char const* peak_error = "peak rotation, relative, of trials that rock in both";
+
+// Puts the campaign's own value among those to try, keeping `settings` in the order of `precedes`.
+template <class Value, class Make>
+void fill(Knob& knob, std::vector<Value> values, Value own, bool rising, Make&& make) {
+    if (std::find(values.begin(), values.end(), own) == values.end()) {
+        values.push_back(own);
+    }
+    std::sort(values.begin(), values.end());
+    if (!rising) {
+        std::reverse(values.begin(), values.end());
+    }
+    for (auto const& value : values) {
+        if (value == own) {
+            knob.here = knob.settings.size();
+        }
+        knob.settings.push_back(make(value));
+    }
+}
+
+Setting one_key(std::string const& key, double value, std::string const& unit = "") {
+    // The shortest digits that bring back the very same number.
+    auto const stated = unit.empty() ? fmt::format("{}", value) : fmt::format("\"{} {}\"", value, unit);
+    return {fmt::format("{:g}{}{}", value, unit.empty() ? "" : " ", unit), {key + "=" + stated}, value};
+}
+
+Knob step_knob(RockingAccuracy const& own) {
+    Knob knob{"step", "Taylor order and sub-steps of a wave sample", peak_error, "trial", Acts::trials, {}, {}};
+    for (int const order : {4, 6, 8, 12}) {
+        std::vector<int> substeps{1, 2, 4};
+        if (order == own.taylor_order && std::find(substeps.begin(), substeps.end(), own.substeps) == substeps.end()) {
+            substeps.push_back(own.substeps);
+        }
+        for (int const each : substeps) {
+            if (order == own.taylor_order && each == own.substeps) {
+                knob.here = knob.settings.size();
+            }
+            knob.settings.push_back(
+                {fmt::format("order {} x {}", order, each),
+                 {fmt::format("accuracy.taylor_order={}", order), fmt::format("accuracy.substeps={}", each)},
+                 static_cast<double>(order)});
+        }
+    }
+    return knob;
+}
+
+Knob real_knob(std::string name, std::string title, std::string const& key, std::vector<double> const& values,
+               double own) {
+    Knob knob{std::move(name), std::move(title), peak_error, "trial", Acts::trials, {}, {}};
+    fill(knob, values, own, false, [&](double value) { return one_key(key, value); });
+    return knob;
+}
+
+Knob panel_knob(std::string name, std::string title, Acts acts, double own) {
+    Knob knob{std::move(name), std::move(title), "relative; flips are the criterion's", "wave", acts, {}, {}};
+    fill(knob, {40.0, 35.0, 30.0, 25.0, 20.0, 15.0, 10.0}, own, false,
+         [](double value) { return one_key("accuracy.panel_phase", value, "rad"); });
+    return knob;
+}
+
+std::string label_of(EffectRequest const& request) {
+    return request.mode == EffectMode::automatic ? "auto"
+           : request.mode == EffectMode::none    ? "none"
+                                                 : names_of_effects(request.include);
+}
+
+Setting effects_setting(EffectRequest const& request) {
+    if (request.mode != EffectMode::forced) {
+        return {label_of(request), {fmt::format("effects={{mode=\"{}\"}}", label_of(request))}, 0};
+    }
+    std::string list;
+    for (auto const& effect : effects()) {
+        if (has(request.include, effect.value)) {
+            list += fmt::format("{}\"{}\"", list.empty() ? "" : ",", effect.name);
+        }
+    }
+    return {label_of(request), {fmt::format("effects={{include=[{}]}}", list)}, 0};
+}
+
+bool states_vertical(CampaignSpec const& spec) {
+    try {
+        return !spec.source->make(spec.seed, 0).motion.vertical_mps2.empty();
+    } catch (InputError const&) {
+        return false;  // a wave that cannot be made is the campaign's to report, row by row
+    }
+}
+
+Knob effects_knob(CampaignSpec const& spec) {
+    Knob knob{"effects", "effects, rung by rung", peak_error, "trial", Acts::trials, {}, {}};
+    bool const vertical = states_vertical(spec);
+    bool const sliding = std::all_of(spec.bodies.begin(), spec.bodies.end(),
+                                     [](BodySpec const& body) { return body.friction.has_value(); });
+    auto const up = mask_of(Effect::vertical);
+    auto const along = mask_of(Effect::sliding);
+    std::vector<EffectRequest> requests{{EffectMode::none, 0}};
+    if (vertical) {
+        requests.push_back({EffectMode::forced, up});
+    }
+    if (sliding) {
+        requests.push_back({EffectMode::forced, along});
+    }
+    if (vertical && sliding) {
+        requests.push_back({EffectMode::forced, up | along});
+    }
+    requests.push_back({EffectMode::automatic, 0});
+    auto const own = label_of(spec.effects);
+    auto const known = [&](EffectRequest const& request) { return label_of(request) == own; };
+    if (std::none_of(requests.begin(), requests.end(), known)) {
+        requests.push_back(spec.effects);
+    }
+    for (auto const& request : requests) {
+        if (known(request)) {
+            knob.here = knob.settings.size();
+        }
+        knob.settings.push_back(effects_setting(request));
+    }
+    return knob;
+}
+
+// Whether the campaign understands a key: whatever it refuses, a user could not write either.
+bool takes(CampaignInput const& input, std::string const& setting) {
+    try {
+        (void)parse_campaign(with(input, {setting}));
+        return true;
+    } catch (InputError const&) {
+        return false;
+    }
+}
+
+void add_match_knobs(std::vector<Knob>& knobs, CampaignInput const& input) {
+    if (!takes(input, "waves.match_tolerance=0.05")) {
+        return;  // records, pulses, and waves that are left as drawn
+    }
+    constexpr double usual_tolerance = 0.05;
+    constexpr std::int64_t usual_iterations = 100;
+    auto const waves = config::Table::parse(input.text, input.name, input.settings).child("waves");
+    constexpr char const* misfit = "mean misfit to the target, 300 periods a decade; verdicts against the last setting";
+    Knob tolerance{"match_tolerance", "misfit at which matching stops", misfit, "wave", Acts::waves, {}, {}};
+    double const own = waves.number("match_tolerance", Dimension::none, config::Range::any(), usual_tolerance);
+    fill(tolerance, {0.2, 0.1, 0.05, 0.03, 0.02}, own, false,
+         [](double value) { return one_key("waves.match_tolerance", value); });
+    knobs.push_back(std::move(tolerance));
+    Knob iterations{"match_iterations", "iterations of matching at most", misfit, "wave", Acts::waves, {}, {}};
+    auto const most = waves.integer("match_iterations", 1, std::numeric_limits<std::int64_t>::max(), usual_iterations);
+    fill(iterations, {1.0, 2.0, 4.0, 8.0, 16.0, 100.0}, static_cast<double>(most), true, [](double value) {
+        return Setting{fmt::format("{:g}", value), {fmt::format("waves.match_iterations={:.0f}", value)}, value};
+    });
+    knobs.push_back(std::move(iterations));
+}
+
+Knob periods_knob() {
+    Knob knob{"spectrum_periods",
+              "periods per decade of a response spectrum",
+              "ordinates read between the periods, relative, mean of a wave",
+              "wave",
+              Acts::spectra,
+              {},
+              {}};
+    for (double const count : {10, 20, 40, 75, 100, 150, 300}) {
+        knob.settings.push_back({fmt::format("{:g}", count), {}, count});
+    }
+    return knob;
+}
+
+}  // namespace
+
+std::vector<Knob> knobs_of(CampaignInput const& input, CampaignSpec const& spec) {
+    std::vector<Knob> knobs;
+    knobs.push_back(step_knob(spec.rocking));
+    knobs.push_back(real_knob("step_tolerance", "last series term, over alpha, at which a step is shortened",
+                              "accuracy.step_tolerance", {1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13},
+                              spec.rocking.step_tolerance));
+    knobs.push_back(real_knob("settle", "bouncing speed, over p, below which a body settles", "accuracy.settle",
+                              {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7}, spec.rocking.settle));
+    knobs.push_back(effects_knob(spec));
+    knobs.push_back(
+        panel_knob("ou_v_e", "phase per panel of 16 nodes, ouV_E alone", Acts::ou_v_e, spec.measures.panel_phase_rad));
+    knobs.push_back(panel_knob("v_wes", "phase per panel of 16 nodes, V_WES and ouV_E", Acts::v_wes,
+                               spec.measures.panel_phase_rad));
+    add_match_knobs(knobs, input);
+    knobs.push_back(periods_knob());
+    return knobs;
+}
+
+std::vector<std::string> reference_settings() {
+    return {"accuracy.taylor_order=12", "accuracy.substeps=16", "accuracy.step_tolerance=1e-15",
+            "accuracy.settle=1e-8"};
+}
+
+std::vector<std::string> second_reference_settings() {
+    auto settings = reference_settings();
+    settings.emplace_back("accuracy.substeps=12");
+    return settings;
+}
+
+std::vector<std::string> effects_reference_settings() {
+    auto settings = reference_settings();
+    settings.emplace_back("effects={mode=\"auto\"}");
+    return settings;
+}
+
+CampaignInput with(CampaignInput const& input, std::vector<std::string> const& settings) {
+    auto varied = input;
+    varied.settings.insert(varied.settings.end(), settings.begin(), settings.end());
+    return varied;
+}
+
+}  // namespace overturn::cost

@@ -1,0 +1,54 @@
+/// What a study turns: the keys of a campaign that buy accuracy with time, and the values to try.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "campaign/campaign_spec.hpp"
+
+namespace overturn::cost {
+
+/// What a knob acts on, and so what is timed and what its error is.
+enum class Acts { trials, ou_v_e, v_wes, waves, spectra };
+
+/// One position of a knob.
+struct Setting {
+    std::string label;
+    std::vector<std::string> settings;  ///< what a user would write after --set
+    double value = 0;                   ///< of `label`, for what no key states
+};
+
+struct Knob {
+    std::string name;   ///< "step": its group in files
+    std::string title;  ///< "order and sub-steps of the integrator"
+    std::string error;  ///< what its error means
+    std::string timed;  ///< what its time is for: "trial"
+    Acts acts = Acts::trials;
+    std::vector<Setting> settings;
+    std::optional<std::size_t> here = {};  ///< where the campaign stands; empty if no key says
+};
+
+/// The knobs this campaign has, each with the campaign's own position among its settings.
+[[nodiscard]] std::vector<Knob> knobs_of(CampaignInput const& input, CampaignSpec const& spec);
+
+/// What every trial is held against: order 12, 16 sub-steps, every tolerance near rounding.
+[[nodiscard]] std::vector<std::string> reference_settings();
+
+/// The same with 12 sub-steps: it differs in rounding only, so what differs is what rounding does to rocking.
+[[nodiscard]] std::vector<std::string> second_reference_settings();
+
+/// The reference with every effect that the scene calls for.
+[[nodiscard]] std::vector<std::string> effects_reference_settings();
+
+/// Phase per panel of the reference quadrature [rad].
+inline constexpr double reference_panel_phase_rad = 4;
+
+/// Periods per decade of the reference spectrum.
+inline constexpr double reference_periods_per_decade = 1200;
+
+/// The campaign with `settings` on top of its own. \throws InputError
+[[nodiscard]] CampaignInput with(CampaignInput const& input, std::vector<std::string> const& settings);
+
+}  // namespace overturn::cost

@@ -1,0 +1,90 @@
+#include <array>
+#include <cmath>
+
+#include "cost/study_output.hpp"
+
+namespace overturn::cost {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json spread_json(Spread const& spread) {
+    return {{"count", spread.count},
+            {"median", number(spread.median)},
+            {"p95", number(spread.p95)},
+            {"worst", number(spread.worst)}};
+}
+
+Json row_json(Measured const& row, bool here) {
+    return {{"label", row.setting.label},
+            {"settings", row.setting.settings},
+            {"here", here},
+            {"on_front", row.on_front},
+            {"cpu_s", row.seconds},
+            {"error", spread_json(row.error)},
+            {"trials", row.trials},
+            {"flips", row.flips},
+            {"overturning_flips", row.overturning_flips},
+            {"probability_error", number(row.probability_error)},
+            {"ks_distance", number(row.ks)}};
+}
+
+Json knob_json(KnobResult const& result) {
+    Json rows = Json::array();
+    for (std::size_t i = 0; i < result.rows.size(); ++i) {
+        rows.push_back(row_json(result.rows[i], result.knob.here && *result.knob.here == i));
+    }
+    return {{"name", result.knob.name},   {"title", result.knob.title},
+            {"error", result.knob.error}, {"timed", result.knob.timed},
+            {"units", result.units},      {"floor", result.floor},
+            {"advice", result.advice},    {"settings", rows}};
+}
+
+Json waves_json(Study const& study) {
+    Json subsets = Json::array();
+    for (auto const& point : study.sampling.subsets) {
+        subsets.push_back({{"waves", point.waves},
+                           {"cpu_s", point.seconds},
+                           {"width", point.width},
+                           {"root_n_width", point.root_n_width}});
+    }
+    return {{"stripes", study.sampling.stripes},
+            {"confidence", study.confidence},
+            {"probability", study.sampling.probability},
+            {"campaign_waves", study.campaign_waves},
+            {"campaign_half_width", study.sampling.half_width},
+            {"campaign_cpu_s", study.sampling.seconds},
+            {"subsets", subsets}};
+}
+
+}  // namespace
+
+Json study_json(Study const& study) {
+    static constexpr std::array dominates{"sampling", "numerical", "unknown"};
+    Json json{{"title", study.title},
+              {"waves", study.waves},
+              {"trials", study.trials},
+              {"campaign_trials", study.campaign_trials},
+              {"reference_cpu_s", study.reference_seconds},
+              {"rounding",
+               {{"error", spread_json(study.rounding.peak)},
+                {"trials", study.rounding.trials},
+                {"flips", study.rounding.flips},
+                {"ks_distance", number(study.rounding.ks)}}},
+              {"knobs", Json::array()},
+              {"sampling", waves_json(study)}};
+    for (auto const& result : study.knobs) {
+        json["knobs"].push_back(knob_json(result));
+    }
+    json["balance"] = {{"dominates", dominates.at(static_cast<std::size_t>(study.balance.dominates))},
+                       {"numerical", study.balance.numerical},
+                       {"numerical_is_bound", study.balance.is_bound},
+                       {"sampling", study.balance.sampling},
+                       {"factor", number(study.balance.factor)},
+                       {"sentence", study.sentence}};
+    return json;
+}
+
+}  // namespace overturn::cost

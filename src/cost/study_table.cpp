@@ -1,0 +1,73 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "cost/study_output.hpp"
+
+namespace overturn::cost {
+namespace {
+
+std::string error_text(double value) { return std::isnan(value) ? "-" : fmt::format("{:.1e}", value); }
+
+std::string seconds_text(double seconds) {
+    constexpr double milli = 1e-3;
+    constexpr double micro = 1e-6;
+    return seconds >= milli ? fmt::format("{:.3g} ms", seconds / milli) : fmt::format("{:.3g} us", seconds / micro);
+}
+
+std::string flips_text(Measured const& row) {
+    return row.trials == 0 ? "-" : fmt::format("{} of {}", row.flips, row.trials);
+}
+
+void append_knob(std::string& text, KnobResult const& result) {
+    auto const& knob = result.knob;
+    text += fmt::format("\n{}: {}\nerror: {}\n", knob.name, knob.title, knob.error);
+    text += fmt::format("  {:<17} {:>11} {:>8} {:>8} {:>8} {:>14} {:>9} {:>8}\n", "", "CPU a " + knob.timed, "median",
+                        "95 %", "worst", "flips", "P error", "KS");
+    for (std::size_t i = 0; i < result.rows.size(); ++i) {
+        auto const& row = result.rows[i];
+        bool const here = knob.here && *knob.here == i;
+        text += fmt::format("{}{} {:<17} {:>11} {:>8} {:>8} {:>8} {:>14} {:>9} {:>8}\n", here ? ">" : " ",
+                            row.on_front ? "*" : " ", row.setting.label, seconds_text(row.seconds),
+                            error_text(row.error.median), error_text(row.error.p95), error_text(row.error.worst),
+                            flips_text(row),
+                            std::isnan(row.probability_error) ? "-" : fmt::format("{:+.5f}", row.probability_error),
+                            std::isnan(row.ks) ? "-" : fmt::format("{:.5f}", row.ks));
+    }
+    text += result.advice + "\n";
+}
+
+void append_sampling(std::string& text, Study const& study) {
+    text += fmt::format(
+        "\nwaves: how many\n"
+        "error: width of the {:g} % Clopper-Pearson interval of P(overturn), mean of {} stripes\n"
+        "  {:>6} {:>11} {:>8} {:>10}\n",
+        100 * study.confidence, study.sampling.stripes, "waves", "CPU", "width", "1/sqrt(n)");
+    for (auto const& point : study.sampling.subsets) {
+        text += fmt::format("  {:>6} {:>11} {:>8.4f} {:>10.4f}\n", point.waves, seconds_text(point.seconds),
+                            point.width, point.root_n_width);
+    }
+    text += fmt::format("The campaign's {} waves leave {:.4f} and take {:.3g} s of one core.\n", study.campaign_waves,
+                        2 * study.sampling.half_width, study.sampling.seconds);
+}
+
+}  // namespace
+
+std::string study_table(Study const& study) {
+    auto text =
+        fmt::format("{}\nsample: {} of {} waves, {} of {} trials; reference {} a trial\n", study.title, study.waves,
+                    study.campaign_waves, study.trials, study.campaign_trials, seconds_text(study.reference_seconds));
+    auto const& rounding = study.rounding;
+    text += fmt::format(
+        "rounding alone: two references differ by {} (median), {} (95 %), {} (worst), and in {} of {} verdicts\n",
+        error_text(rounding.peak.median), error_text(rounding.peak.p95), error_text(rounding.peak.worst),
+        rounding.flips, rounding.trials);
+    text += "> where the campaign stands   * on the Pareto front: nothing is both faster and more accurate\n";
+    for (auto const& result : study.knobs) {
+        append_knob(text, result);
+    }
+    append_sampling(text, study);
+    return text + "\n" + study.sentence + "\n";
+}
+
+}  // namespace overturn::cost

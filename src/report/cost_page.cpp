@@ -1,0 +1,183 @@
+#include "report/cost_page.hpp"
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "report/figure.hpp"
+
+namespace overturn::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr char const* style = R"css(
+:root { color-scheme: light; }
+body { font: 15px/1.5 system-ui, "DejaVu Sans", sans-serif; color: #1a1a1a; background: #fff; margin: 0 auto;
+       max-width: 76rem; padding: 1.5rem 1.5rem 4rem; }
+h1 { font-size: 1.5rem; margin: 0 0 .2rem; } h2 { font-size: 1.1rem; margin: 0; }
+p { margin: .3rem 0; } .quiet { color: #666; font-size: .88rem; }
+.answer { border-left: 4px solid #d55e00; background: #fdf3ec; padding: .7rem 1rem; margin: 1.1rem 0 .5rem;
+          font-size: 1.05rem; }
+section { border-top: 1px solid #ddd; margin-top: 1.6rem; padding-top: 1.1rem; display: grid; gap: .4rem 1.6rem;
+          grid-template-columns: minmax(20rem, 1fr) minmax(26rem, 1.15fr); align-items: start; }
+section > header { grid-column: 1 / -1; } figure { margin: 0; } svg { width: 100%; height: auto; display: block; }
+table { border-collapse: collapse; font-size: .82rem; font-variant-numeric: tabular-nums; width: 100%; }
+th { font-weight: 600; color: #666; } th, td { text-align: right; padding: .16rem .45rem; white-space: nowrap; }
+th:first-child, td:first-child { text-align: left; } tbody tr { border-top: 1px solid #eee; }
+tr.here td { background: #fdf3ec; font-weight: 600; } tr.front td:first-child::before { content: "\25cf\00a0"; color: #0072b2; }
+tr.here td:first-child::before { content: "\25c6\00a0"; color: #d55e00; }
+tr.plain td:first-child::before { content: "\25cb\00a0"; color: #888; }
+.scroll { overflow-x: auto; } code { font-size: .92em; }
+@media (max-width: 60rem) { section { grid-template-columns: 1fr; } }
+)css";
+
+std::string number(Json const& value, char const* unknown = "&ndash;") {
+    return value.is_null() ? unknown : fmt::format("{:.1e}", value.get<double>());
+}
+
+std::string time_text(double seconds) {
+    constexpr double milli = 1e-3;
+    constexpr double micro = 1e-6;
+    return seconds >= 1       ? fmt::format("{:.3g} s", seconds)
+           : seconds >= milli ? fmt::format("{:.3g} ms", seconds / milli)
+                              : fmt::format("{:.3g} &micro;s", seconds / micro);
+}
+
+// A figure's svg element, without the head that only a file of its own may have.
+std::string figure_of(char const* kind, Json const& data) {
+    auto const svg = figure_text("cost_figure.py", {{"kind", kind}, {"data", data}});
+    auto const begin = svg.find("<svg");
+    if (begin == std::string::npos) {
+        throw SystemError("no figure (Python drew something else than svg). Look at $OVERTURN_PYTHON");
+    }
+    return "<figure>" + svg.substr(begin) + "</figure>\n";
+}
+
+std::string row_of(Json const& row) {
+    auto const text = [&](char const* key) { return escaped(row.at(key).get<std::string>()); };
+    std::string title;
+    for (auto const& setting : row.at("settings")) {
+        title += (title.empty() ? "--set " : " --set ") + escaped(setting.get<std::string>());
+    }
+    bool const here = row.at("here").get<bool>();
+    auto const& error = row.at("error");
+    auto const trials = row.at("trials").get<std::int64_t>();
+    auto const& probability = row.at("probability_error");
+    auto const& ks = row.at("ks_distance");
+    return fmt::format(
+        "<tr class=\"{}\" title=\"{}\"><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
+        "<td>{}</td></tr>\n",
+        here                             ? "here"
+        : row.at("on_front").get<bool>() ? "front"
+                                         : "plain",
+        title, text("label"), time_text(row.at("cpu_s").get<double>()), number(error.at("median")),
+        number(error.at("p95")), number(error.at("worst")),
+        trials == 0 ? "&ndash;" : fmt::format("{} of {}", row.at("flips").get<std::int64_t>(), trials),
+        probability.is_null() ? "&ndash;" : fmt::format("{:+.4f}", probability.get<double>()),
+        ks.is_null() ? "&ndash;" : fmt::format("{:.4f}", ks.get<double>()));
+}
+
+std::string section_of(Json const& knob) {
+    auto const text = [&](char const* key) { return escaped(knob.at(key).get<std::string>()); };
+    auto section = fmt::format("<section id=\"{}\"><header><h2>{}</h2><p>{}</p></header>\n", text("name"),
+                               text("title"), text("advice"));
+    section += figure_of("knob", knob);
+    section += fmt::format(
+        "<div class=\"scroll\"><table><thead><tr><th>setting</th><th>CPU a {}</th><th>median</th>"
+        "<th>95 %</th><th>worst</th><th>flips</th><th>P error</th><th>KS</th></tr></thead><tbody>\n",
+        text("timed"));
+    for (auto const& row : knob.at("settings")) {
+        section += row_of(row);
+    }
+    return section
+           + fmt::format("</tbody></table><p class=\"quiet\">Error: {}. {} {}s behind every row.</p></div></section>\n",
+                         text("error"), knob.at("units").get<std::int64_t>(), text("timed"));
+}
+
+std::string waves_section(Json const& sampling) {
+    std::string section = "<section id=\"waves\"><header><h2>Number of waves</h2></header>\n";
+    section += figure_of("waves", sampling);
+    section +=
+        "<div class=\"scroll\"><table><thead><tr><th>waves</th><th>CPU</th><th>width</th><th>1/&radic;n</th></tr>"
+        "</thead><tbody>\n";
+    for (auto const& point : sampling.at("subsets")) {
+        section += fmt::format("<tr class=\"plain\"><td>{}</td><td>{}</td><td>{:.4f}</td><td>{:.4f}</td></tr>\n",
+                               point.at("waves").get<std::int64_t>(), time_text(point.at("cpu_s").get<double>()),
+                               point.at("width").get<double>(), point.at("root_n_width").get<double>());
+    }
+    section += fmt::format("<tr class=\"here\"><td>{}</td><td>{}</td><td>{:.4f}</td><td>&ndash;</td></tr>\n",
+                           sampling.at("campaign_waves").get<std::int64_t>(),
+                           time_text(sampling.at("campaign_cpu_s").get<double>()),
+                           2 * sampling.at("campaign_half_width").get<double>());
+    return section
+           + fmt::format(
+               "</tbody></table><p class=\"quiet\">Width of the {:g} % Clopper-Pearson interval of "
+               "P(overturn), mean of {} stripes; the campaign's own row is foretold from the sample."
+               "</p></div></section>\n",
+               100 * sampling.at("confidence").get<double>(), sampling.at("stripes").get<std::int64_t>());
+}
+
+}  // namespace
+
+std::string escaped(std::string const& text) {
+    std::string safe;
+    for (char const c : text) {
+        switch (c) {
+            case '&':
+                safe += "&amp;";
+                break;
+            case '<':
+                safe += "&lt;";
+                break;
+            case '>':
+                safe += "&gt;";
+                break;
+            case '"':
+                safe += "&quot;";
+                break;
+            default:
+                safe += c;
+        }
+    }
+    return safe;
+}
+
+void check_page_name(std::filesystem::path const& output) {
+    validate(output.extension() == ".html", "{}: not the name of a page (its ending says the kind). End it in .html",
+             output.string());
+}
+
+std::string cost_page(Json const& study) {
+    auto const title = escaped(study.at("title").get<std::string>());
+    auto const& balance = study.at("balance");
+    auto page = fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>What accuracy costs: "
+        "{0}</title>\n"
+        "<style>{1}</style></head><body>\n<h1>What accuracy costs</h1>\n<p>{0}</p>\n<p class=\"answer\">{2}</p>\n",
+        title, style, escaped(balance.at("sentence").get<std::string>()));
+    page += "<div style=\"max-width:44rem\">" + figure_of("balance", balance) + "</div>\n";
+    page += fmt::format(
+        "<p class=\"quiet\">{} trials of {} on {} waves, spread over the campaign. Every setting ran the same waves "
+        "and was "
+        "held against a reference of {} a trial; a second one, which differs in rounding only, is {} from it (95 %) "
+        "and flips "
+        "{} verdicts: nothing below that is resolved. Diamond: where the campaign stands. Full dots, dashed line: the "
+        "Pareto "
+        "front, where nothing is both faster and more accurate; differences within 15 % decide nothing. Dots are "
+        "the "
+        "95 % quantile of the error, bars reach from the median to the worst. A flip is a verdict other than the "
+        "reference's. Peak rotations are compared where the body rocks in both; rocking is chaotic near the boundary, "
+        "so "
+        "histories are not, and the Kolmogorov-Smirnov distance KS compares the distributions of peak rotation (one "
+        "trial moved by rounding makes it one over the number of trials). Point at a row to see the setting.</p>\n",
+        study.at("trials").get<std::int64_t>(), study.at("campaign_trials").get<std::int64_t>(),
+        study.at("waves").get<std::int64_t>(), time_text(study.at("reference_cpu_s").get<double>()),
+        number(study.at("rounding").at("error").at("p95")), study.at("rounding").at("flips").get<std::int64_t>());
+    for (auto const& knob : study.at("knobs")) {
+        page += section_of(knob);
+    }
+    return page + waves_section(study.at("sampling")) + "</body></html>\n";
+}
+
+}  // namespace overturn::report

@@ -1,0 +1,103 @@
+// Requirement: overturn cost ends with the sentence a user needs; its JSON, file and page say the same; what it cannot
+// do it says in one line before any work.
+#include <nlohmann/json.hpp>
+
+#include "cli/campaign_files.hpp"
+#include "support/command.hpp"
+
+namespace overturn::testing {
+namespace {
+
+using nlohmann::json;
+
+class Cost : public ::testing::Test {
+  protected:
+    Cost() {
+        folder.write("target.csv", target_csv);
+        folder.write("c.toml", small_campaign());
+    }
+    ~Cost() override { ::unsetenv("OVERTURN_PYTHON"); }
+
+    void refused(std::vector<std::string> const& arguments, std::string const& part) {
+        auto const ended = overturn(folder, arguments);
+        EXPECT_EQ(ended.code, 2) << part;
+        EXPECT_TRUE(is_one_error_line(ended.err));
+        EXPECT_NE(ended.err.find(part), std::string::npos) << ended.err;
+    }
+
+    Folder folder;
+};
+
+TEST_F(Cost, QuickstartEndsWithTheSentence) {
+    auto const ended =
+        overturn(folder, {"cost", OVERTURN_CAMPAIGNS "/quickstart.toml", "--waves", "2", "-o", "cost.h5"});
+
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    EXPECT_TRUE(folder.has("cost.h5"));
+    EXPECT_NE(ended.err.find("left"), std::string::npos) << "no word of the time that remains: " << ended.err;
+    EXPECT_NE(ended.out.find("sample: 2 of 40 waves, 48 of 960 trials"), std::string::npos) << ended.out;
+    EXPECT_NE(ended.out.find("The campaign stands on order 8 x 1"), std::string::npos) << ended.out;
+    auto const last = ended.out.substr(ended.out.rfind('\n', ended.out.size() - 2) + 1);
+    bool const known = last.starts_with("Sampling decides: ") || last.starts_with("Numerical error decides: ")
+                       || last.starts_with("Undecided: ");
+    EXPECT_TRUE(known) << last;
+}
+
+TEST_F(Cost, JsonHoldsEveryKnob) {
+    auto const ended = overturn(folder, {"cost", "c.toml", "--waves", "2", "--json"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    auto const study = json::parse(ended.out);
+
+    std::vector<std::string> names;
+    for (auto const& knob : study["knobs"]) {
+        names.push_back(knob["name"]);
+        int here = 0;
+        for (auto const& setting : knob["settings"]) {
+            here += setting["here"] ? 1 : 0;
+            EXPECT_GE(setting["trials"], setting["flips"]);
+        }
+        EXPECT_EQ(here, knob["name"] == "spectrum_periods" ? 0 : 1) << knob["name"];
+    }
+    EXPECT_EQ(names, (std::vector<std::string>{"step", "step_tolerance", "settle", "effects", "ou_v_e", "v_wes",
+                                               "match_tolerance", "match_iterations", "spectrum_periods"}));
+    EXPECT_EQ(study["waves"], 2);
+    EXPECT_EQ(study["trials"], 12);
+    EXPECT_EQ(study["sampling"]["campaign_waves"], 12);
+    EXPECT_FALSE(study["balance"]["sentence"].get<std::string>().empty());
+}
+
+TEST_F(Cost, PageNeedsNoNetwork) {
+    if (execute(folder, {OVERTURN_PYTHON, "-c", "import matplotlib"}).code != 0) {
+        GTEST_SKIP() << "no matplotlib to draw with (install python3-matplotlib)";
+    }
+    folder.write("odd.toml", "title = '<b>A & B</b>'\n" + small_campaign().substr(small_campaign().find("seed")));
+    auto const ended = overturn(folder, {"cost", "odd.toml", "--waves", "1", "--html", "p.html"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    auto const page = folder.read("p.html");
+
+    std::size_t figures = 0;
+    for (auto at = page.find("<svg"); at != std::string::npos; at = page.find("<svg", at + 1)) {
+        ++figures;
+    }
+    EXPECT_EQ(figures, 11U);  // nine knobs, the number of waves, the balance
+    EXPECT_NE(page.find("&lt;b&gt;A &amp; B&lt;/b&gt;"), std::string::npos);
+    EXPECT_EQ(page.find("<b>A"), std::string::npos);
+    for (char const* loads : {"src=", "<link", "@import", "url(http", "<?xml"}) {
+        EXPECT_EQ(page.find(loads), std::string::npos) << loads;
+    }
+    EXPECT_TRUE(page.ends_with("</html>\n"));
+}
+
+TEST_F(Cost, WhatCannotBeIsSaidFirst) {
+    refused({"cost", "none.toml"}, "none.toml: cannot be read");
+    refused({"cost", "c.toml", "--waves", "0"}, "--waves 0 (no sample)");
+    refused({"cost", "c.toml", "--html", "p.htm"}, "End it in .html");
+    refused({"cost", "c.toml", "-o", "no/folder/cost.h5"}, "no/folder");
+    refused({"cost", "c.toml", "--set", "accuracy.taylor_ordr=4"}, "taylor_order");
+    folder.write("cost.h5", "something");
+    refused({"cost", "c.toml", "-o", "cost.h5"}, "there already");
+    EXPECT_EQ(folder.read("cost.h5"), "something");
+}
+
+}  // namespace
+}  // namespace overturn::testing

@@ -1,0 +1,93 @@
+// Requirement: every setting is what a user could write, and the campaign's own position is among them.
+#include "cost/knob.hpp"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "support/campaigns.hpp"
+
+namespace overturn::cost {
+namespace {
+
+using testing::input_from;
+using testing::levels;
+using testing::quick_waves;
+using testing::type_b;
+
+std::string const text = quick_waves + type_b + levels("values=[4,6]\n");
+
+Knob const* knob_named(std::vector<Knob> const& knobs, std::string const& name) {
+    auto const found = std::find_if(knobs.begin(), knobs.end(), [&](Knob const& knob) { return knob.name == name; });
+    return found == knobs.end() ? nullptr : &*found;
+}
+
+std::string here(std::vector<Knob> const& knobs, std::string const& name) {
+    auto const* knob = knob_named(knobs, name);
+    return knob != nullptr && knob->here ? knob->settings.at(*knob->here).label : "none";
+}
+
+std::vector<Knob> knobs_from(std::string const& toml) {
+    auto const input = input_from(toml);
+    return knobs_of(input, parse_campaign(input));
+}
+
+TEST(Knobs, EverySettingIsUnderstood) {
+    auto const input = input_from(text);
+    for (auto const& knob : knobs_of(input, parse_campaign(input))) {
+        for (auto const& setting : knob.settings) {
+            EXPECT_NO_THROW((void)parse_campaign(with(input, setting.settings))) << knob.name << ": " << setting.label;
+        }
+    }
+    auto const exact = parse_campaign(with(input, reference_settings())).rocking;
+    EXPECT_EQ(exact.taylor_order, 12);
+    EXPECT_EQ(exact.substeps, 16);
+    EXPECT_EQ(exact.step_tolerance, 1e-15);
+    EXPECT_EQ(exact.settle, 1e-8);
+}
+
+TEST(Knobs, StandWhereTheDefaultsDo) {
+    auto const knobs = knobs_from(text);
+
+    EXPECT_EQ(here(knobs, "step"), "order 8 x 1");
+    EXPECT_EQ(here(knobs, "step_tolerance"), "1e-11");
+    EXPECT_EQ(here(knobs, "settle"), "1e-05");
+    EXPECT_EQ(here(knobs, "v_wes"), "20 rad");
+    EXPECT_EQ(here(knobs, "effects"), "auto");
+    EXPECT_EQ(knob_named(knobs, "match_tolerance"), nullptr) << "these waves are left as drawn";
+}
+
+TEST(Knobs, StandWhereTheCampaignSays) {
+    auto const matched = text.substr(0, text.find("match='none'")) + "match='each'\nmatch_tolerance=0.07\n"
+                         + text.substr(text.find("[waves.target]"));
+    auto const knobs = knobs_from(matched
+                                  + "[accuracy]\ntaylor_order=6\nsubsteps=3\nsettle=3e-4\npanel_phase='17 rad'\n"
+                                    "[effects]\nmode='none'\n");
+
+    EXPECT_EQ(here(knobs, "step"), "order 6 x 3");
+    EXPECT_EQ(here(knobs, "settle"), "0.0003");
+    EXPECT_EQ(here(knobs, "ou_v_e"), "17 rad");
+    EXPECT_EQ(here(knobs, "effects"), "none");
+    EXPECT_EQ(here(knobs, "match_tolerance"), "0.07");
+    EXPECT_EQ(here(knobs, "match_iterations"), "100");
+}
+
+TEST(Knobs, EffectsAreThoseThatApply) {
+    auto const with_all =
+        quick_waves + "[waves.vertical]\nratio=0.6\n" + type_b + "friction=0.5\n" + levels("values=[4]\n");
+    auto const labels = [](std::vector<Knob> const& knobs) {
+        std::vector<std::string> found;
+        for (auto const& setting : knob_named(knobs, "effects")->settings) {
+            found.push_back(setting.label);
+        }
+        return found;
+    };
+
+    EXPECT_EQ(labels(knobs_from(with_all)),
+              (std::vector<std::string>{"none", "vertical", "sliding", "vertical, sliding", "auto"}));
+    EXPECT_EQ(labels(knobs_from(text)), (std::vector<std::string>{"none", "auto"}));
+    EXPECT_EQ(here(knobs_from(with_all + "[effects]\ninclude=['sliding']\n"), "effects"), "sliding");
+}
+
+}  // namespace
+}  // namespace overturn::cost

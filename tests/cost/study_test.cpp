@@ -1,0 +1,171 @@
+// Requirement: a study tells a coarse setting from a fine one on real waves, repeats in all but times, and is read back
+// from its file as it was.
+#include "cost/study.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "campaign/results.hpp"
+#include "cost/bench.hpp"
+#include "cost/study_output.hpp"
+#include "store/results_file.hpp"
+#include "support/campaigns.hpp"
+#include "support/expect_input_error.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace overturn::cost {
+namespace {
+
+using testing::input_from;
+
+std::string const text =
+    testing::quick_waves + testing::type_a + testing::type_b + testing::levels("values=[5,6,7,8,9,10]\n");
+
+/// Without step control a step is a wave sample for every order, and truncation falls with the order: Taylor's theorem.
+TEST(Bench, HigherOrderErrsLess) {
+    auto const input = input_from(text);
+    auto const spec = parse_campaign(input);
+    Plan const plan(spec);
+    PhaseSeconds ignored;
+    std::vector<PreparedWave> waves;
+    for (std::int64_t wave = 0; wave < plan.waves(); ++wave) {
+        waves.push_back(prepare_wave(spec, plan, wave, ignored));
+    }
+    auto const rows = [&](std::vector<std::string> const& settings) {
+        return run_trials(parse_campaign(with(input, settings)), plan, waves).rows;
+    };
+    auto const reference = rows(reference_settings());
+    double last = 1;
+    for (char const* order : {"4", "6", "8"}) {
+        auto const found =
+            compare(rows({std::string("accuracy.taylor_order=") + order, "accuracy.step_tolerance=1e-3"}), reference);
+        ASSERT_GE(found.peak.count, 10) << "too few trials rock for this to mean anything";
+        EXPECT_LT(found.peak.median, last) << "order " << order;
+        last = found.peak.median;
+    }
+    EXPECT_LT(last, 1e-9);
+}
+
+TEST(Bench, RunsWhatACampaignRuns) {
+    auto const spec = parse_campaign(input_from(text));
+    Plan const plan(spec);
+    PhaseSeconds ignored;
+    std::vector<PreparedWave> const waves{prepare_wave(spec, plan, 0, ignored), prepare_wave(spec, plan, 2, ignored)};
+    auto const run = run_trials(spec, plan, waves);
+
+    ASSERT_EQ(run.units, 2 * plan.trials_per_wave());
+    for (std::size_t i = 0; i < run.rows.size(); ++i) {
+        auto const& at = run.rows[i];
+        auto const alone =
+            run_trial(spec, waves[i / static_cast<std::size_t>(plan.trials_per_wave())], at.body, at.level);
+        EXPECT_TRUE(differing_columns(at, alone).empty()) << "trial " << i;
+    }
+}
+
+TEST(Bench, SamplesAreSpreadOverTheCampaign) {
+    EXPECT_EQ(spread_over(4, 8), (std::vector<std::int64_t>{0, 2, 4, 6}));
+    EXPECT_EQ(spread_over(3, 10), (std::vector<std::int64_t>{0, 3, 6}));
+    EXPECT_EQ(spread_over(9, 2), (std::vector<std::int64_t>{0, 1}));
+}
+
+class StudyOfThree : public ::testing::Test {
+  protected:
+    static Study const& study() {
+        static Study const once = run_study(input_from(text), {.waves = 3, .timing_s = 0}, [](double, double) {});
+        return once;
+    }
+    static KnobResult const& knob(std::string const& name) {
+        for (auto const& result : study().knobs) {
+            if (result.knob.name == name) {
+                return result;
+            }
+        }
+        throw std::logic_error(name);
+    }
+};
+
+TEST_F(StudyOfThree, EveryKnobHasAFrontAndErrorsShrink) {
+    EXPECT_EQ(study().waves, 3);
+    EXPECT_EQ(study().trials, 36);
+    for (auto const& result : study().knobs) {
+        std::int64_t on_front = 0;
+        for (auto const& row : result.rows) {
+            on_front += row.on_front ? 1 : 0;
+            EXPECT_GT(row.seconds, 0) << result.knob.name;
+        }
+        EXPECT_GT(on_front, 0) << result.knob.name;
+        EXPECT_FALSE(result.advice.empty());
+    }
+    auto const& quadrature = knob("ou_v_e").rows;
+    EXPECT_GT(quadrature.front().error.median, 100 * quadrature[3].error.median);  // 40 rad against 25
+    auto const& spectrum = knob("spectrum_periods").rows;
+    EXPECT_GT(spectrum.front().error.median, 5 * spectrum.back().error.median);
+}
+
+/// The defaults are one run: what a knob says at its own position is what the study says of the defaults.
+TEST_F(StudyOfThree, TheOwnPositionIsTheDefaults) {
+    for (char const* name : {"step", "step_tolerance", "settle", "effects"}) {
+        auto const& result = knob(name);
+        ASSERT_TRUE(result.knob.here.has_value()) << name;
+        auto const& own = result.rows[*result.knob.here];
+        EXPECT_EQ(own.flips, study().defaults.flips) << name;
+        EXPECT_EQ(own.error.worst, study().defaults.peak.worst) << name;
+        EXPECT_EQ(own.seconds, knob("step").rows[*knob("step").knob.here].seconds) << name;
+    }
+}
+
+TEST_F(StudyOfThree, MoreWavesNarrowTheInterval) {
+    auto const& subsets = study().sampling.subsets;
+    ASSERT_EQ(subsets.size(), 2U);
+    EXPECT_EQ(subsets[0].waves, 1);
+    EXPECT_EQ(subsets[1].waves, 3);
+    EXPECT_LT(subsets[1].width, subsets[0].width);
+    EXPECT_DOUBLE_EQ(subsets[0].root_n_width, subsets[1].width * std::sqrt(3.0));
+    // All of the campaign's waves are in the sample, so what is foretold is what was found.
+    EXPECT_DOUBLE_EQ(study().sampling.half_width, subsets[1].width / 2);
+}
+
+TEST_F(StudyOfThree, RepeatsInAllButTimes) {
+    auto const again = run_study(input_from(text), {.waves = 3, .timing_s = 0}, [](double, double) {});
+    ASSERT_EQ(again.knobs.size(), study().knobs.size());
+    for (std::size_t k = 0; k < again.knobs.size(); ++k) {
+        for (std::size_t i = 0; i < again.knobs[k].rows.size(); ++i) {
+            auto const& a = again.knobs[k].rows[i];
+            auto const& b = study().knobs[k].rows[i];
+            EXPECT_EQ(a.setting.label, b.setting.label);
+            EXPECT_EQ(a.error.count, b.error.count);
+            EXPECT_EQ(a.error.worst, b.error.worst);
+            EXPECT_EQ(a.flips, b.flips);
+        }
+    }
+    EXPECT_EQ(again.sentence, study().sentence);
+}
+
+TEST_F(StudyOfThree, FileHoldsWhatWasFound) {
+    testing::TemporaryFolder const folder;
+    write_study(folder / "cost.h5", input_from(text), study());
+
+    testing::expect_input_error([&] { store::ResultsReader const wrong(folder / "cost.h5"); }, "not a results file");
+    store::ResultsReader const file(folder / "cost.h5", format_name);
+    for (auto const& result : study().knobs) {
+        auto const group = "cost/" + result.knob.name + "/";
+        auto const times = file.reals(group + "cpu");
+        auto const errors = file.reals(group + "error_p95");
+        auto const flips = file.integers(group + "flips");
+        ASSERT_EQ(times.size(), result.rows.size());
+        EXPECT_EQ(file.note(group + "cpu", "units"), "s");
+        EXPECT_FALSE(file.note(group + "error_p95", "description").empty());
+        for (std::size_t i = 0; i < times.size(); ++i) {
+            EXPECT_EQ(times[i], result.rows[i].seconds);
+            EXPECT_EQ(errors[i], result.rows[i].error.p95);
+            EXPECT_EQ(flips[i], result.rows[i].flips);
+            EXPECT_EQ(file.integers(group + "setting")[i], static_cast<std::int64_t>(i));
+        }
+    }
+    EXPECT_EQ(file.integers("cost/waves/waves"), (std::vector<std::int64_t>{1, 3}));
+    EXPECT_EQ(file.note("cost", "sentence"), study().sentence);
+}
+
+}  // namespace
+}  // namespace overturn::cost
