@@ -50,7 +50,7 @@ struct Study {
 struct StudyOptions {
     std::int64_t waves = 0;  ///< of the sample; 0: as many as fit into `seconds`, but a few at least
     double seconds = 60;     ///< wanted wall time
-    double timing_s = 0.05;  ///< a setting that takes less CPU time is run again until it has had as much, twice
+    double timing_s = 0.03;  ///< a setting that takes less CPU time is run again until it has had as much, twice
 };
 
 /// Told after every step: the share of the work that is done, and the seconds that are probably left.
