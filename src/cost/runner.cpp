@@ -48,10 +48,10 @@ Runner::Runner(CampaignInput const& input, std::int64_t waves, int rounds, doubl
 }
 
 Study Runner::run(std::function<void(Extent, double)> const& done) {
-    for (std::size_t i = 0; i < steps_.size(); ++i) {
+    for (auto const& step : steps_) {
         auto const begin = Clock::now();
-        steps_[i].action();
-        done(steps_[i].extent, seconds_since(begin));
+        step.action();
+        done(step.extent, seconds_since(begin));
     }
     return std::move(study_);
 }
