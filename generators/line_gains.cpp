@@ -142,9 +142,12 @@ LineGains::Matrix LineGains::contributions(std::span<std::complex<double> const>
     return matrix;
 }
 
-std::vector<double> LineGains::solve(Matrix const& matrix, std::vector<double> residual) const {
-    constexpr double damping = 0.002;  // of the normal equations, whose diagonal is about 0.1 to 1
-    constexpr int steps = 24;
+std::vector<double> LineGains::solve(Matrix const& matrix, std::vector<double> residual, Trust trust) const {
+    // Of the normal equations, whose diagonal is about 0.1 to 1. Little damping fits better, at the price of the
+    // wave's own phases and envelope: only waves that would fail otherwise pay it.
+    bool const much = trust == Trust::much;
+    double const damping = much ? 0.002 : 0.02;
+    int const steps = much ? 24 : 12;
     auto const bands = band_end_.size();
     auto const rows = residual.size();
     std::vector<double> gains(bands, 0.0);
@@ -190,13 +193,13 @@ std::vector<double> LineGains::solve(Matrix const& matrix, std::vector<double> r
 }
 
 void LineGains::apply(std::span<std::complex<double>> lines, std::span<PeakSwing const> swings,
-                      std::span<double const> envelope, std::span<double const> ratios) const {
+                      std::span<double const> envelope, std::span<double const> ratios, Trust trust) const {
     constexpr double most = 0.4;  // no step changes a band by more: the sum is of first order
     std::vector<double> residual(ratios.begin(), ratios.end());
     for (double& value : residual) {
         value = std::clamp(value - 1, -most, most);
     }
-    auto const gains = solve(contributions(lines, swings, envelope), std::move(residual));
+    auto const gains = solve(contributions(lines, swings, envelope), std::move(residual), trust);
     std::size_t k = first_line_;
     for (std::size_t band = 0; band < gains.size(); ++band) {
         for (; k < band_end_[band]; ++k) {

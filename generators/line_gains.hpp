@@ -21,10 +21,13 @@ class LineGains {
     LineGains(std::vector<double> periods_s, double damping, double spacing_radps, std::size_t first_line,
               std::size_t last_line);
 
+    /// In the linear step: how far it may leave the wave's own phases and envelope for a better fit.
+    enum class Trust { little, much };
+
     /// Multiplies `lines` by the gains. \param ratios wanted over present swing, per period \param envelope at the
     /// swings
     void apply(std::span<std::complex<double>> lines, std::span<PeakSwing const> swings,
-               std::span<double const> envelope, std::span<double const> ratios) const;
+               std::span<double const> envelope, std::span<double const> ratios, Trust trust) const;
 
   private:
     // What each band of lines puts into each swing, in parts of it; bands beyond an oscillator's reach are left out.
@@ -34,7 +37,7 @@ class LineGains {
     };
     [[nodiscard]] Matrix contributions(std::span<std::complex<double> const> lines, std::span<PeakSwing const> swings,
                                        std::span<double const> envelope) const;
-    [[nodiscard]] std::vector<double> solve(Matrix const& matrix, std::vector<double> residual) const;
+    [[nodiscard]] std::vector<double> solve(Matrix const& matrix, std::vector<double> residual, Trust trust) const;
 
     std::vector<double> periods_s_;
     double damping_, spacing_radps_;

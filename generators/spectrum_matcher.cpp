@@ -160,7 +160,7 @@ SpectrumMatcher::Component SpectrumMatcher::judged(std::vector<double> accelerat
 }
 
 void SpectrumMatcher::step_lines(Lines& lines, std::span<PeakSwing const> swings, std::span<double const> ratios,
-                                 std::span<double const> envelope) const {
+                                 std::span<double const> envelope, LineGains::Trust trust) const {
     std::vector<double> wanted(swept_.size());
     std::vector<double> strength(swept_.size());
     for (std::size_t s = 0; s < swept_.size(); ++s) {
@@ -168,7 +168,7 @@ void SpectrumMatcher::step_lines(Lines& lines, std::span<PeakSwing const> swings
         auto const sample = static_cast<std::size_t>(swings[s].time_s / input_.time_step_s);
         strength[s] = envelope[std::min(sample, envelope.size() - 1)];
     }
-    gains_->apply(lines, swings, strength, wanted);
+    gains_->apply(lines, swings, strength, wanted, trust);
 }
 
 SpectrumMatcher::Component SpectrumMatcher::matched(Lines lines, Steps const& steps) const {
@@ -200,7 +200,9 @@ SpectrumMatcher::Component SpectrumMatcher::matched(Lines lines, Steps const& st
         if (iteration < steps.plain || swings.empty()) {
             scale_lines(lines, seen);
         } else {
-            step_lines(lines, swings, seen, envelope);
+            constexpr int patience = 10;  // nearly every wave is there after half of them
+            step_lines(lines, swings, seen, envelope,
+                       iteration < steps.plain + patience ? LineGains::Trust::little : LineGains::Trust::much);
         }
     }
 }

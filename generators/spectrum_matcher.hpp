@@ -70,7 +70,7 @@ class SpectrumMatcher {
     [[nodiscard]] double shortfall(std::span<double const> ratios) const;
     void scale_lines(Lines& lines, std::span<double const> ratios) const;
     void step_lines(Lines& lines, std::span<PeakSwing const> swings, std::span<double const> ratios,
-                    std::span<double const> envelope) const;
+                    std::span<double const> envelope, LineGains::Trust trust) const;
 
     SpectrumMatcherInput input_;
     NoiseLines noise_;
