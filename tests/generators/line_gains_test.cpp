@@ -73,7 +73,7 @@ TEST(LineGains, ResponsesAtThePeaksMoveAsAsked) {
     }
     auto const phases = lines;
 
-    gains.apply(lines, before, std::vector<double>(periods.size(), 1.0), wanted);
+    gains.apply(lines, before, std::vector<double>(periods.size(), 1.0), wanted, LineGains::Trust::little);
 
     auto const after = wave_of();
     double left = 0, asked = 0;
