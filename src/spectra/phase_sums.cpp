@@ -58,7 +58,7 @@ std::vector<std::complex<double>> fast_phase_sums(std::span<double const> sample
         size *= 2;
     }
     Grid const grid(sharpened(samples, size));
-    std::array<double, 2 * reach> bell{};  // exp(-q^2 / breadth)
+    std::array<double, std::size_t{2} * reach> bell{};  // exp(-q^2 / breadth)
     for (int q = 1 - reach; q <= reach; ++q) {
         bell.at(static_cast<std::size_t>(q + reach - 1)) = std::exp(-q * q / breadth);
     }
