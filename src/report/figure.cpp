@@ -143,7 +143,7 @@ fs::path drawn_in(TemporaryFolder const& folder, std::string_view script, nlohma
     }
     OVERTURN_EXPECT(!program.empty());
     auto const input = folder.write("data.json", data.dump());
-    auto const drawn = folder / ("figure" + extension);
+    auto drawn = folder / ("figure" + extension);
     run_script({interpreter(), "-B", program, input, drawn.string()}, (folder / "errors").string());
     return drawn;
 }
