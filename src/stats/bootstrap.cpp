@@ -8,6 +8,7 @@
 #include <gsl/gsl_randist.h>
 
 #include "core/random_stream.hpp"
+#include "stats/quantile.hpp"
 
 namespace overturn {
 namespace {
@@ -32,30 +33,21 @@ Replicate refit(std::span<FragilityPoint const> points, ProbitSolver& solver) {
     return line && line->slope > 0 ? Replicate{line->log_median(), line->beta()} : Replicate{unknown, unknown};
 }
 
-// Ends of the middle `confidence` of the values; an unknown one counts as whatever makes the interval wider.
 template <class Value>
-Interval middle(std::vector<Replicate> const& replicates, double confidence, Value const& value) {
-    std::vector<double> lows, highs;
-    lows.reserve(replicates.size());
-    highs.reserve(replicates.size());
+Interval middle(std::vector<Replicate> const& replicates, double confidence, Interval const& widest,
+                Value const& value) {
+    std::vector<double> values;
+    values.reserve(replicates.size());
     for (auto const& replicate : replicates) {
-        double const x = value(replicate);
-        lows.push_back(std::isnan(x) ? -infinite : x);
-        highs.push_back(std::isnan(x) ? infinite : x);
+        values.push_back(value(replicate));
     }
-    std::sort(lows.begin(), lows.end());
-    std::sort(highs.begin(), highs.end());
-    // Outwards to a whole replicate.
-    auto const outside =
-        static_cast<std::size_t>(std::floor((1 - confidence) / 2 * static_cast<double>(replicates.size() + 1)));
-    auto const rank = std::max<std::size_t>(outside, 1) - 1;
-    return {lows[rank], highs[highs.size() - 1 - rank]};
+    return middle_of(values, confidence, widest);
 }
 
 }  // namespace
 
 Bootstrap::Bootstrap(std::vector<Replicate> replicates, ProbitLine const& line, ProbitLine const& centre)
-    : replicates_(std::move(replicates)), line_(line) {
+    : replicates_(std::move(replicates)) {
     for (auto& replicate : replicates_) {
         without_curve_ += replicate.beta > 0 && std::isfinite(replicate.log_median) ? 0 : 1;
         replicate.log_median += line.log_median() - centre.log_median();
@@ -64,13 +56,12 @@ Bootstrap::Bootstrap(std::vector<Replicate> replicates, ProbitLine const& line, 
 }
 
 Interval Bootstrap::beta(double confidence) const {
-    auto const ends = middle(replicates_, confidence, [](Replicate const& r) { return r.beta; });
-    return {std::max(ends.lower, 0.0), ends.upper};
+    return middle(replicates_, confidence, {0, infinite}, [](Replicate const& r) { return r.beta; });
 }
 
 Interval Bootstrap::intensity(double probability, double confidence) const {
     double const q = gsl_cdf_ugaussian_Pinv(probability);
-    auto const ends = middle(replicates_, confidence, [q](Replicate const& r) {
+    auto const ends = middle(replicates_, confidence, {-infinite, infinite}, [q](Replicate const& r) {
         return std::isinf(r.log_median) ? r.log_median : r.log_median + q * r.beta;
     });
     return {std::exp(ends.lower), std::exp(ends.upper)};
@@ -78,7 +69,7 @@ Interval Bootstrap::intensity(double probability, double confidence) const {
 
 Interval Bootstrap::probability(double intensity, double confidence) const {
     double const at = std::log(intensity);
-    auto const ends = middle(replicates_, confidence, [at](Replicate const& r) {
+    return middle(replicates_, confidence, {0, 1}, [at](Replicate const& r) {
         if (std::isinf(r.log_median)) {
             return r.log_median > 0 ? 0.0 : 1.0;
         }
@@ -87,7 +78,6 @@ Interval Bootstrap::probability(double intensity, double confidence) const {
         }
         return gsl_cdf_ugaussian_P((at - r.log_median) / r.beta);
     });
-    return {std::max(ends.lower, 0.0), std::min(ends.upper, 1.0)};
 }
 
 Bootstrap bootstrap_waves(std::span<SingleTrial const> trials, ProbitLine const& line, BootstrapKey const& key) {

@@ -31,7 +31,6 @@ class Bootstrap {
 
   private:
     std::vector<Replicate> replicates_;
-    ProbitLine line_;
     std::size_t without_curve_ = 0;
 };
 

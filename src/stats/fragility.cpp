@@ -70,6 +70,8 @@ void describe(FragilityFit& fit, FragilityData const& data) {
     fit.overturned = sum.overturned;
     fit.undecided = sum.undecided;
     fit.waves = waves_of(data.trials);
+    fit.method =
+        data.waves_shared ? FragilityFit::Method::bootstrap_by_waves : FragilityFit::Method::profile_likelihood;
     raise_if(fit, fit.undecided > 0, FragilityFlag::undecided_trials);
     constexpr std::int64_t few = 30;
     raise_if(fit, fit.waves > 0 && fit.waves < few, FragilityFlag::few_waves);
@@ -115,8 +117,6 @@ void fit_line(FragilityFit& fit, FragilityData const& data, FragilityRequest con
                      lowered(bootstrap.intensity(five_percent, request.confidence))};
     fit.replicates = bootstrap.size();
     fit.replicates_without_curve = bootstrap.without_curve();
-    fit.method =
-        data.waves_shared ? FragilityFit::Method::bootstrap_by_waves : FragilityFit::Method::profile_likelihood;
     fit.goodness = goodness_of_fit(data.points, *line);
     for (auto& quoted : fit.quotes) {
         quoted.probability = gsl_cdf_ugaussian_P(line->at(std::log(quoted.quote.intensity)));
