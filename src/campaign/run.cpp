@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "campaign/analysis.hpp"
 #include "campaign/output_place.hpp"
 #include "campaign/progress.hpp"
 #include "campaign/results.hpp"
@@ -228,11 +229,11 @@ RunEnd run_campaign(CampaignInput const& input, RunOptions const& options, paral
         if (whole) {
             auto const begin = Clock::now();
             Statistics statistics(spec);
-            write_results(
+            auto const analysis = write_results(
                 options.output, input, spec, plan, [&](std::int64_t block) { return shards.read(block); }, statistics);
             shards.remove();
             worker.seconds().store += seconds_since(begin);
-            fmt::print("{}", stripe_table(spec, statistics));
+            fmt::print("{}{}", stripe_table(spec, statistics), analysis_table(analysis, spec.confidence));
         } else {
             fmt::print(stderr,
                        "stopped early: {} of {} blocks are done and safe. Go on with the same command and --resume\n",
