@@ -277,6 +277,11 @@ std::int64_t waves_together(Plan const& plan) {
 }
 
 BlockRows run_block(CampaignSpec const& spec, Plan const& plan, std::int64_t block, PhaseSeconds& seconds) {
+    return *run_block(spec, plan, block, seconds, [] { return true; });
+}
+
+std::optional<BlockRows> run_block(CampaignSpec const& spec, Plan const& plan, std::int64_t block,
+                                   PhaseSeconds& seconds, std::function<bool()> const& goes_on) {
     auto const together = waves_together(plan);
     BlockRows rows;
     auto const [first, count] = plan.waves_of_block(block);
@@ -285,6 +290,9 @@ BlockRows run_block(CampaignSpec const& spec, Plan const& plan, std::int64_t blo
         auto const end = std::min(next + together, first + count);
         waves.reserve(static_cast<std::size_t>(end - next));
         for (auto wave = next; wave < end; ++wave) {
+            if (!goes_on()) {
+                return std::nullopt;
+            }
             waves.push_back(prepare_wave(spec, plan, wave, seconds));
             rows.waves.push_back(waves.back().row);
             rows.measures.insert(rows.measures.end(), waves.back().measures.begin(), waves.back().measures.end());
