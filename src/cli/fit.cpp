@@ -38,30 +38,6 @@ void check(Options const& options) {
              "--design-basis beside a results file (its campaign names the level). Leave it out");
 }
 
-Json file_json(CampaignSpec const& spec, Statistics const& statistics, std::vector<BodyAnalysis> const& analysis,
-               double confidence) {
-    Json json{{"stripes", Json::array()},
-              {"fragility", Json::array()},
-              {"criterion", Json::array()},
-              {"verdict", Json::array()}};
-    auto const* const radius_unit = spec.measures.radius_unit == RadiusUnit::centimetre ? "cm" : "m";
-    for (auto const& body : statistics.bodies()) {
-        for (std::size_t l = 0; l < body.stripes.size(); ++l) {
-            json["stripes"].push_back(stripe_json(body.body, l, body.stripes[l], confidence));
-        }
-    }
-    for (auto const& body : analysis) {
-        for (auto const& measured : body.fragility) {
-            json["fragility"].push_back(fragility_json(body.body, measured, confidence));
-        }
-        for (auto const& criterion : body.criterion) {
-            json["criterion"].push_back(criterion_json(body.body, criterion, radius_unit));
-        }
-        json["verdict"].push_back(verdict_json(body.body, body.verdict));
-    }
-    return json;
-}
-
 int fit_file(Options const& options) {
     store::ResultsReader const file(options.file);
     auto const spec = parse_campaign(input_of(file));
@@ -69,7 +45,7 @@ int fit_file(Options const& options) {
     double const confidence = options.confidence > 0 ? options.confidence : spec.confidence;
     auto const analysis = analyse(spec, statistics, {.confidence = confidence, .beta_u = options.beta_u});
     if (options.json) {
-        fmt::print("{}\n", file_json(spec, statistics, analysis, confidence).dump(2));
+        fmt::print("{}\n", fit_json(spec, statistics, analysis, confidence).dump(2));
     } else {
         fmt::print("{}{}", stripe_table(spec, statistics), analysis_table(analysis, confidence));
     }

@@ -191,4 +191,28 @@ Json verdict_json(std::string const& body, CriterionVerdict const& verdict) {
     return {{"body", body}, {"supports", verdict.supports}, {"against", verdict.against}, {"open", verdict.open}};
 }
 
+Json fit_json(CampaignSpec const& spec, Statistics const& statistics, std::vector<BodyAnalysis> const& analysis,
+              double confidence) {
+    Json json{{"stripes", Json::array()},
+              {"fragility", Json::array()},
+              {"criterion", Json::array()},
+              {"verdict", Json::array()}};
+    auto const* const radius_unit = spec.measures.radius_unit == RadiusUnit::centimetre ? "cm" : "m";
+    for (auto const& body : statistics.bodies()) {
+        for (std::size_t l = 0; l < body.stripes.size(); ++l) {
+            json["stripes"].push_back(stripe_json(body.body, l, body.stripes[l], confidence));
+        }
+    }
+    for (auto const& body : analysis) {
+        for (auto const& measured : body.fragility) {
+            json["fragility"].push_back(fragility_json(body.body, measured, confidence));
+        }
+        for (auto const& criterion : body.criterion) {
+            json["criterion"].push_back(criterion_json(body.body, criterion, radius_unit));
+        }
+        json["verdict"].push_back(verdict_json(body.body, body.verdict));
+    }
+    return json;
+}
+
 }  // namespace overturn::cli

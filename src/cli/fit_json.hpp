@@ -16,4 +16,8 @@ namespace overturn::cli {
                                                     std::string const& radius_unit);
 [[nodiscard]] nlohmann::ordered_json verdict_json(std::string const& body, CriterionVerdict const& verdict);
 
+/// All of them: stripes, fragility, criterion, verdict.
+[[nodiscard]] nlohmann::ordered_json fit_json(CampaignSpec const& spec, Statistics const& statistics,
+                                              std::vector<BodyAnalysis> const& analysis, double confidence);
+
 }  // namespace overturn::cli
