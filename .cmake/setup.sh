@@ -8,7 +8,8 @@ packages=(g++ cmake ninja-build git ca-certificates libopenmpi-dev openmpi-bin l
           libfmt-dev libgtest-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libssl-dev librandom123-dev libhwy-dev)
 for wish in "$@"; do
     case $wish in
-        tests) packages+=(python3-h5py python3-numpy python3-matplotlib) ;;  # another reading of our files; figures
+        tests) packages+=(python3-h5py python3-numpy python3-matplotlib  # another reading of our files; figures
+                          slurmctld slurmd slurm-client slurm-wlm-basic-plugins munge) ;;  # a cluster to test on
         ci) packages+=(clang-format clang-tidy) ;;
         *) echo "setup: '$wish' (unknown). Use tests or ci" >&2; exit 2 ;;
     esac

@@ -1,6 +1,7 @@
 #include "campaign/output_place.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,39 +18,81 @@ void refuse_other(CampaignInput const& begun, CampaignInput const& now, std::str
              fmt::join(differences, "; "));
 }
 
-}  // namespace
+// A whole run holds all blocks there could ever be, so that no part can start beside it.
+store::BlockRange claimed(Plan const& plan, Part part) {
+    return part.is_whole() ? store::BlockRange{0, std::numeric_limits<std::int64_t>::max()} : plan.blocks_of(part);
+}
 
-OutputState take_output(std::filesystem::path const& output, store::ShardFolder const& shards,
-                        CampaignInput const& input, Plan const& plan, bool resume) {
-    OutputState state;
-    validate(!std::filesystem::is_directory(output), "output {} (is a folder). Name a file with -o", output.string());
-    store::require_writable(output);
-    if (std::filesystem::exists(output)) {
-        validate(resume, "output {} (is there already and would be lost). Remove it, or name another with -o",
-                 output.string());
-        store::ResultsReader const file(output);
-        refuse_other({file.text("campaign_name"), file.text("campaign"), {}, {}},
-                     {file.text("campaign_name"), input.text, {}, {}}, output.string());
-        validate(file.text("input_sha256") == input.sha256(),
-                 "output {} (made with other settings or input files). Name another with -o", output.string());
-        state.complete = true;
-        return state;
-    }
-    if (!shards.exists() || shards.begun_with().empty()) {
-        shards.begin(input.serialise());
-        return state;
-    }
-    validate(resume, "{} (an unfinished run lies there). Go on with --resume, or remove it", shards.folder().string());
+// Two parts may begin at the same time; the campaign that is on record afterwards counts.
+void begin(store::ShardFolder const& shards, CampaignInput const& input) {
+    shards.begin(input.serialise());
     refuse_other(CampaignInput::deserialise(shards.begun_with()), input, shards.folder().string());
+}
+
+std::vector<std::int64_t> sound_blocks(store::ShardFolder const& shards, Plan const& plan, Part part) {
+    auto const range = plan.blocks_of(part);
+    shards.remove_unfinished(range);
     std::vector<std::string> notes;
-    state.committed = shards.committed(notes);
-    std::erase_if(state.committed, [&](std::int64_t block) { return block >= plan.blocks(); });
+    auto committed = shards.committed(range, notes);
     for (auto const& note : notes) {
         fmt::print(stderr, "{}\n", note);
     }
-    fmt::print(stderr, "resuming {}: {} of {} blocks are done, {} are left\n", output.string(), state.committed.size(),
-               plan.blocks(), plan.blocks() - static_cast<std::int64_t>(state.committed.size()));
-    return state;
+    return committed;
+}
+
+}  // namespace
+
+void check_complete(std::filesystem::path const& output, CampaignInput const& input) {
+    store::ResultsReader const file(output);
+    refuse_other({file.text("campaign_name"), file.text("campaign"), {}, {}},
+                 {file.text("campaign_name"), input.text, {}, {}}, output.string());
+    validate(file.text("input_sha256") == input.sha256(),
+             "output {} (made with other settings or input files). Name another with -o", output.string());
+    store::ShardFolder const shards(output, input.sha256());
+    auto const begun = shards.begun_with();
+    if (!begun.empty() && !store::Claim::held(shards.folder())
+        && CampaignInput::deserialise(begun).sha256() == input.sha256()) {
+        shards.remove();
+        fmt::print(stderr, "{}: blocks left over from {} (merged already). Removed\n", shards.folder().string(),
+                   output.string());
+    }
+}
+
+OutputState take_output(std::filesystem::path const& output, store::ShardFolder const& shards,
+                        CampaignInput const& input, Plan const& plan, OutputWish const& wish,
+                        std::optional<store::Claim>& claim) {
+    validate(!std::filesystem::is_directory(output), "output {} (is a folder). Name a file with -o", output.string());
+    store::require_writable(output);
+    auto const refuse_taken = [&] {
+        validate(wish.resume || !std::filesystem::exists(output),
+                 "output {} (is there already and would be lost). Remove it, or name another with -o", output.string());
+    };
+    refuse_taken();
+    if (!std::filesystem::exists(output)) {
+        claim.emplace(shards.folder(), claimed(plan, wish.part));
+    }
+    refuse_taken();  // another run may have finished meanwhile
+    if (std::filesystem::exists(output)) {
+        check_complete(output, input);
+        return {true, {}};
+    }
+    if (shards.begun_with().empty()) {
+        begin(shards, input);
+        return {};
+    }
+    validate(wish.resume || !wish.part.is_whole(),
+             "{} (an unfinished run lies there). Go on with --resume, or remove it", shards.folder().string());
+    refuse_other(CampaignInput::deserialise(shards.begun_with()), input, shards.folder().string());
+    auto committed = sound_blocks(shards, plan, wish.part);
+    validate(wish.resume || committed.empty(),
+             "{}: part {}/{} (has been begun there). Go on with --resume, or remove the folder",
+             shards.folder().string(), wish.part.number, wish.part.of);
+    if (wish.resume) {
+        fmt::print(stderr, "resuming {}: {} of {} blocks are done, {} are left\n", output.string(), committed.size(),
+                   plan.blocks_of(wish.part).count(),
+                   plan.blocks_of(wish.part).count() - static_cast<std::int64_t>(committed.size()));
+    }
+    return {false, std::move(committed)};
 }
 
 }  // namespace overturn

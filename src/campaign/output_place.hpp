@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "campaign/campaign_input.hpp"
@@ -14,12 +15,26 @@ namespace overturn {
 /// What a run finds when it starts.
 struct OutputState {
     bool complete = false;                ///< the finished file of this very campaign is there
-    std::vector<std::int64_t> committed;  ///< blocks an earlier run left behind
+    std::vector<std::int64_t> committed;  ///< blocks of the part that an earlier run left behind
 };
 
-/// Looks at the place, refuses what must not be touched, says on stderr what is reused, and begins the shard folder.
-/// \throws InputError if something is there and `resume` is off, or it belongs to another campaign
+/// What a run wants to do there.
+struct OutputWish {
+    bool resume = false;
+    Part part;
+};
+
+/// Looks at the place, refuses what must not be touched, says on stderr what is reused, claims the part's blocks and
+/// begins the shard folder. Parts of one campaign share the folder.
+/// \param claim holds the blocks from here on
+/// \throws InputError if something is there and `resume` is off, it belongs to another campaign, or another run is
+/// writing there
 [[nodiscard]] OutputState take_output(std::filesystem::path const& output, store::ShardFolder const& shards,
-                                      CampaignInput const& input, Plan const& plan, bool resume);
+                                      CampaignInput const& input, Plan const& plan, OutputWish const& wish,
+                                      std::optional<store::Claim>& claim);
+
+/// The finished file at `output` is that of this campaign: what is left of its shards goes.
+/// \throws InputError if it is another's, or no results file
+void check_complete(std::filesystem::path const& output, CampaignInput const& input);
 
 }  // namespace overturn

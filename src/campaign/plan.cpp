@@ -8,8 +8,15 @@ namespace overturn {
 namespace {
 
 constexpr std::int64_t ids_per_level = 1'000'000'000;
-constexpr std::int64_t blocks_wanted = 256;  // enough for any schedule to balance, few enough to merge at once
-constexpr std::int64_t largest_block = 256;  // waves lost at most when a rank is killed
+// See worker.hpp for what a block's length costs and saves.
+constexpr std::int64_t blocks_wanted = 256;     // enough for a workstation to balance, few enough to merge at once
+constexpr std::int64_t largest_block = 64;      // waves: some seconds, which a killed rank loses
+constexpr std::int64_t most_blocks = 1 << 20U;  // files in one folder
+
+std::int64_t waves_per_block(std::int64_t waves) {
+    return std::max(std::clamp(waves / blocks_wanted, std::int64_t{1}, largest_block),
+                    (waves + most_blocks - 1) / most_blocks);
+}
 
 }  // namespace
 
@@ -19,7 +26,7 @@ Plan::Plan(CampaignSpec const& spec)
       waves_(independent_ ? spec.wave_count * static_cast<std::int64_t>(spec.levels.levels.size()) : spec.wave_count),
       bodies_(static_cast<std::int64_t>(spec.bodies.size())),
       levels_per_wave_(independent_ ? 1 : static_cast<std::int64_t>(spec.levels.levels.size())),
-      block_size_(std::clamp(waves_ / blocks_wanted, std::int64_t{1}, largest_block)) {
+      block_size_(waves_per_block(waves_)) {
     for (auto const& level : spec.levels.levels) {
         level_keys_.push_back(level.key());
     }
@@ -33,11 +40,41 @@ std::uint64_t Plan::wave_id(std::int64_t wave) const {
     return static_cast<std::uint64_t>(key * ids_per_level + wave % waves_per_level_);
 }
 
+DrawnFor Plan::drawn_for(CampaignSpec const& spec, std::int64_t wave) const {
+    auto const group = independent_ ? level_keys_.at(static_cast<std::size_t>(wave / waves_per_level_)) : 0;
+    return {.seed = spec.seed,
+            .wave = wave_id(wave),
+            .sampling = spec.sampling,
+            .place = static_cast<std::uint64_t>(wave % waves_per_level_),
+            .count = static_cast<std::uint64_t>(waves_per_level_),
+            .group = static_cast<std::uint64_t>(group)};
+}
+
 std::int64_t Plan::first_level(std::int64_t wave) const { return independent_ ? wave / waves_per_level_ : 0; }
 
 Plan::Waves Plan::waves_of_block(std::int64_t block) const {
     auto const first = block * block_size_;
     return {first, std::min(block_size_, waves_ - first)};
+}
+
+store::BlockRange Plan::blocks_of(Part part) const {
+    OVERTURN_EXPECT(part.number >= 1 && part.number <= part.of);
+    return {blocks() * (part.number - 1) / part.of, blocks() * part.number / part.of};
+}
+
+std::string Plan::waves_text(std::vector<std::int64_t> const& blocks) const {
+    std::string text;
+    for (std::size_t i = 0; i < blocks.size();) {
+        auto last = i;
+        while (last + 1 < blocks.size() && blocks[last + 1] == blocks[last] + 1) {
+            ++last;
+        }
+        auto const end = waves_of_block(blocks[last]);
+        text += fmt::format("{}{} to {}", text.empty() ? "" : ", ", waves_of_block(blocks[i]).first,
+                            end.first + end.count - 1);
+        i = last + 1;
+    }
+    return text;
 }
 
 Plan::Trial Plan::trial(std::int64_t number) const {

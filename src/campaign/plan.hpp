@@ -2,11 +2,20 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "campaign/campaign_spec.hpp"
+#include "store/claim.hpp"
 
 namespace overturn {
+
+/// One of the parts that an array job splits a campaign into, counted from 1.
+struct Part {
+    std::int64_t number = 1, of = 1;
+
+    [[nodiscard]] bool is_whole() const { return of == 1; }
+};
 
 /// Waves are counted from 0 over the whole campaign; trials likewise, wave by wave, then body, then level.
 class Plan {
@@ -27,11 +36,17 @@ class Plan {
     /// The levels at which a wave is tried: [first, first + count).
     [[nodiscard]] std::int64_t first_level(std::int64_t wave) const;
     [[nodiscard]] std::int64_t level_count() const { return levels_per_wave_; }
+    /// What a body under the wave is drawn by; waves of one level are sliced together where levels have their own.
+    [[nodiscard]] DrawnFor drawn_for(CampaignSpec const& spec, std::int64_t wave) const;
 
     struct Waves {
         std::int64_t first, count;
     };
     [[nodiscard]] Waves waves_of_block(std::int64_t block) const;
+    /// The blocks of one of several equal parts: [first, last). Together the parts are all blocks, each once.
+    [[nodiscard]] store::BlockRange blocks_of(Part part) const;
+    /// "0 to 5, 18 to 23": the waves of the blocks, given in rising order.
+    [[nodiscard]] std::string waves_text(std::vector<std::int64_t> const& blocks) const;
 
     struct Trial {
         std::int64_t wave, body, level;

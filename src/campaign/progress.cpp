@@ -28,7 +28,6 @@ Progress::Progress(std::int64_t total, std::int64_t done, double trials_per_bloc
     : terminal_(isatty(STDERR_FILENO) != 0),
       total_(total),
       before_(done),
-      done_(done),
       trials_per_block_(trials_per_block),
       begin_(std::chrono::steady_clock::now()) {}
 
@@ -36,24 +35,23 @@ double Progress::elapsed_s() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
 }
 
-void Progress::block_done() {
-    ++done_;
+bool Progress::is_due() const {
     constexpr double terminal_every_s = 0.2;
     constexpr double plain_every_s = 10;
-    double const now = elapsed_s();
-    if (now - shown_s_ >= (terminal_ ? terminal_every_s : plain_every_s) || done_ == total_) {
-        shown_s_ = now;
-        show(done_ == total_);
-    }
+    return elapsed_s() - shown_s_ >= (terminal_ ? terminal_every_s : plain_every_s);
 }
 
-void Progress::show(bool last) const {
+void Progress::show(std::int64_t fresh) {
     double const seconds = elapsed_s();
-    auto const fresh = static_cast<double>(done_ - before_);
-    double const per_second = fresh * trials_per_block_ / seconds;
-    double const left_s = seconds / fresh * static_cast<double>(total_ - done_);
-    auto const line = fmt::format("{} of {} blocks, {:.0f} trials/s, {}", done_, total_, per_second,
-                                  last ? "took " + duration_text(seconds) : duration_text(left_s) + " left");
+    if (fresh == 0) {
+        return;
+    }
+    shown_s_ = seconds;
+    auto const done = before_ + fresh;
+    double const per_second = static_cast<double>(fresh) * trials_per_block_ / seconds;
+    double const left_s = seconds / static_cast<double>(fresh) * static_cast<double>(total_ - done);
+    auto const line = fmt::format("{} of {} blocks, {:.0f} trials/s, {}", done, total_, per_second,
+                                  done == total_ ? "took " + duration_text(seconds) : duration_text(left_s) + " left");
     fmt::print(stderr, "{}{:<70}{}", terminal_ ? "\r" : "", line, terminal_ ? "" : "\n");
     std::fflush(stderr);
 }

@@ -13,16 +13,17 @@ class Progress {
     /// average
     Progress(std::int64_t total, std::int64_t done, double trials_per_block);
 
-    void block_done();
+    /// Is it time to show something again?
+    [[nodiscard]] bool is_due() const;
+    /// \param fresh blocks that this run has done so far
+    void show(std::int64_t fresh);
     /// Ends the rewriting line.
     void finish() const;
     [[nodiscard]] double elapsed_s() const;
 
   private:
-    void show(bool last) const;
-
     bool terminal_;
-    std::int64_t total_, before_, done_;
+    std::int64_t total_, before_;
     double trials_per_block_;
     std::chrono::steady_clock::time_point begin_;
     double shown_s_ = -1;

@@ -1,180 +1,22 @@
 #include "campaign/run.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <csignal>
-#include <cstdio>
-#include <cstring>
 
 #include <nlohmann/json.hpp>
 
-#include "campaign/analysis.hpp"
+#include "campaign/agreement.hpp"
+#include "campaign/merge.hpp"
 #include "campaign/output_place.hpp"
 #include "campaign/progress.hpp"
-#include "campaign/results.hpp"
-#include "store/durable.hpp"
+#include "campaign/runtime_file.hpp"
+#include "campaign/worker.hpp"
 
 namespace overturn {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-// A signal handler can reach nothing else: the one global of the program.
-volatile std::sig_atomic_t stop_requested = 0;
-
-void request_stop(int signal) {
-    if (stop_requested != 0) {
-        std::signal(signal, SIG_DFL);  // a second request leaves at once; blocks on disk stay good
-        std::raise(signal);
-    }
-    stop_requested = 1;
-}
-
-double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
-
-// Runs `action` on rank 0 and gives its text to all; an InputError there becomes one everywhere.
-template <class Action> std::string from_root(parallel::Communicator const& comm, Action&& action) {
-    std::string text;
-    if (comm.is_root()) {
-        try {
-            text = "+" + action();
-        } catch (InputError const& error) {
-            text = std::string("-") + error.what();
-        }
-    }
-    comm.broadcast(text);
-    if (text.front() == '-') {
-        throw InputError(text.substr(1));
-    }
-    return text.substr(1);
-}
-
-std::vector<std::byte> labelled(std::int64_t block, std::vector<std::byte> const& rows) {
-    std::vector<std::byte> message(sizeof block + rows.size());
-    std::memcpy(message.data(), &block, sizeof block);
-    std::copy(rows.begin(), rows.end(), message.begin() + sizeof block);
-    return message;
-}
-
-/// One rank's share of the work; rank 0's also commits what all ranks send.
-class Worker {
-  public:
-    Worker(CampaignSpec const& spec, Plan const& plan, std::vector<std::int64_t> const& left, RunOptions const& options,
-           parallel::Communicator const& comm, store::ShardFolder const& shards, Progress& progress)
-        : spec_(spec), plan_(plan), left_(left), options_(options), comm_(comm), shards_(shards), progress_(progress) {}
-
-    void work() {
-        parallel::SharedCounter counter(comm_);
-        parallel::Outbox outbox;
-        auto const begin = Clock::now();
-        auto const count = static_cast<std::int64_t>(left_.size());
-        while (true) {
-            if (stop_requested != 0 || seconds_since(begin) > options_.max_walltime_s) {
-                (void)counter.take(count);  // nobody gets another block
-                break;
-            }
-            auto const turn = counter.take();
-            if (turn >= count) {
-                break;
-            }
-            auto const block = left_[static_cast<std::size_t>(turn)];
-            auto const rows = run_block(spec_, plan_, block, seconds_).pack();
-            if (comm_.is_root()) {
-                commit(block, rows);
-                drain();
-            } else {
-                outbox.post(labelled(block, rows));
-            }
-        }
-        if (!comm_.is_root()) {
-            outbox.post({});  // nothing more from here
-        } else {
-            while (finished_ < comm_.size() - 1) {
-                take(comm_.receive());
-            }
-        }
-    }
-
-    [[nodiscard]] std::int64_t committed() const { return committed_; }
-    [[nodiscard]] PhaseSeconds& seconds() { return seconds_; }
-
-  private:
-    void commit(std::int64_t block, std::span<std::byte const> rows) {
-        auto const begin = Clock::now();
-        shards_.commit(block, rows);
-        seconds_.store += seconds_since(begin);
-        ++committed_;
-        progress_.block_done();
-    }
-    void take(parallel::Message const& message) {
-        if (message.bytes.empty()) {
-            ++finished_;
-            return;
-        }
-        std::int64_t block = 0;
-        std::memcpy(&block, message.bytes.data(), sizeof block);
-        commit(block, std::span(message.bytes).subspan(sizeof block));
-    }
-    void drain() {
-        while (auto const message = comm_.poll()) {
-            take(*message);
-        }
-    }
-
-    CampaignSpec const& spec_;
-    Plan const& plan_;
-    std::vector<std::int64_t> const& left_;
-    RunOptions const& options_;
-    parallel::Communicator const& comm_;
-    store::ShardFolder const& shards_;
-    Progress& progress_;
-    PhaseSeconds seconds_;
-    std::int64_t committed_ = 0;
-    int finished_ = 0;
-};
-
-// The rungs of all ranks, from what they sent.
-PhaseSeconds sum_of(std::vector<std::string> const& ranks) {
-    PhaseSeconds sum;
-    for (auto const& rank : ranks) {
-        auto const rungs = nlohmann::json::parse(rank).at("rungs");
-        for (std::size_t r = 0; r < sum.rungs.size(); ++r) {
-            auto const& rung = rungs.at(rung_names()[r]);
-            sum.rungs[r].trials += rung.at("trials").get<std::int64_t>();
-            sum.rungs[r].seconds += rung.at("seconds").get<double>();
-        }
-    }
-    return sum;
-}
-
-void write_runtime(std::filesystem::path const& output, std::vector<std::string> const& ranks, double wall_s,
-                   std::int64_t trials) {
-    nlohmann::ordered_json json;
-    json["wall_s"] = wall_s;
-    json["trials"] = trials;
-    json["trials_per_s"] = wall_s > 0 ? static_cast<double>(trials) / wall_s : 0.0;
-    json["ranks"] = nlohmann::ordered_json::array();
-    for (auto const& rank : ranks) {
-        json["ranks"].push_back(nlohmann::ordered_json::parse(rank));
-    }
-    auto path = output;
-    path.replace_extension(".runtime.json");
-    auto const text = json.dump(2) + "\n";
-    store::write_durably(path, std::as_bytes(std::span(text)));
-}
-
-std::string seconds_json(parallel::Communicator const& comm, PhaseSeconds const& s) {
-    nlohmann::ordered_json json{{"rank", comm.rank()},      {"host", comm.host()},      {"waves_s", s.waves},
-                                {"measures_s", s.measures}, {"response_s", s.response}, {"store_s", s.store}};
-    for (std::size_t r = 0; r < s.rungs.size(); ++r) {
-        json["rungs"][rung_names()[r]] = {{"trials", s.rungs[r].trials}, {"seconds", s.rungs[r].seconds}};
-    }
-    return json.dump();
-}
-
-std::vector<std::int64_t> blocks_left(Plan const& plan, std::vector<std::int64_t> const& committed) {
+std::vector<std::int64_t> blocks_left(store::BlockRange const& range, std::vector<std::int64_t> const& committed) {
     std::vector<std::int64_t> left;
-    for (std::int64_t block = 0; block < plan.blocks(); ++block) {
+    for (auto block = range.first; block < range.last; ++block) {
         if (!std::binary_search(committed.begin(), committed.end(), block)) {
             left.push_back(block);
         }
@@ -182,13 +24,123 @@ std::vector<std::int64_t> blocks_left(Plan const& plan, std::vector<std::int64_t
     return left;
 }
 
-}  // namespace
-
-void stop_on_signals() {
-    for (int const signal : {SIGUSR1, SIGTERM, SIGINT}) {
-        std::signal(signal, &request_stop);
+// Every rank writes, so every node has to see the folder.
+void require_shared(store::ShardFolder const& shards, parallel::Communicator const& comm) {
+    bool const seen = !shards.begun_with().empty();
+    if (comm.largest(seen ? 0 : 1) == 0) {
+        return;
     }
+    std::string blind;
+    for (auto const& host : comm.gather(seen ? "" : comm.host())) {
+        blind = blind.empty() ? host : blind;
+    }
+    comm.broadcast(blind);
+    throw InputError(
+        fmt::format("{} (not seen from {}: every rank writes its own blocks). Choose an output that all "
+                    "nodes share with -o",
+                    shards.folder().string(), blind));
 }
+
+// What a stopped run, or a finished part, has to say.
+void tell_what_is_left(CampaignInput const& input, RunOptions const& options, std::int64_t done, std::int64_t blocks) {
+    auto const again = resume_command(input, options.output);
+    if (options.part.is_whole()) {
+        fmt::print(stderr, "stopped early: {} of {} blocks are done and safe. Go on with: {}\n", done, blocks, again);
+        return;
+    }
+    auto const name = fmt::format("part {}/{}", options.part.number, options.part.of);
+    if (done < blocks) {
+        fmt::print(stderr, "stopped early: {} of {} blocks of {} are done and safe. Go on with: {} --part {}/{}\n",
+                   done, blocks, name, again, options.part.number, options.part.of);
+        return;
+    }
+    fmt::print("{}: all {} blocks are done. When all parts are: overturn merge {}\n", name, blocks,
+               options.output.string());
+}
+
+class Run {
+  public:
+    Run(CampaignInput const& input, RunOptions const& options, parallel::Communicator const& comm)
+        : input_(input),
+          options_(options),
+          comm_(comm),
+          leave_(options.max_walltime_s),
+          spec_(parse_campaign(input)),
+          plan_(spec_),
+          shards_(options.output, input.sha256()) {}
+
+    RunEnd run() {
+        auto const found = nlohmann::json::parse(from_root(comm_, [&] {
+            auto const state =
+                take_output(options_.output, shards_, input_, plan_, {options_.resume, options_.part}, claim_);
+            return nlohmann::json{{"complete", state.complete}, {"committed", state.committed}}.dump();
+        }));
+        if (found.at("complete").get<bool>()) {
+            if (comm_.is_root()) {
+                fmt::print("{}: complete already, nothing to do\n", options_.output.string());
+            }
+            return RunEnd::complete;
+        }
+        require_shared(shards_, comm_);
+        auto const committed = found.at("committed").get<std::vector<std::int64_t>>();
+        auto const range = plan_.blocks_of(options_.part);
+        auto const before = static_cast<std::int64_t>(committed.size());
+        if (comm_.is_root()) {
+            fmt::print(stderr, "waves: {}\n", spec_.source->describe());
+        }
+        Progress progress(range.count(), before,
+                          static_cast<double>(plan_.trials()) / static_cast<double>(plan_.blocks()));
+        auto done = work(spec_, plan_, blocks_left(range, committed), shards_, leave_, comm_, progress);
+        if (comm_.is_root() && done.committed > 0) {
+            progress.show(done.committed);
+            progress.finish();
+        }
+        bool const whole = comm_.largest(comm_.is_root() && before + done.committed < range.count() ? 1 : 0) == 0;
+        auto const end = whole && options_.part.is_whole() ? merge(done.seconds)
+                         : whole                           ? RunEnd::complete
+                                                           : RunEnd::stopped;
+        if (comm_.is_root() && (end == RunEnd::stopped || !options_.part.is_whole())) {
+            tell_what_is_left(input_, options_, before + done.committed, range.count());
+        }
+        account(done, progress.elapsed_s());
+        return end;
+    }
+
+  private:
+    RunEnd merge(PhaseSeconds& seconds) {
+        auto const table = from_root(comm_, [&] {
+            auto const begin = std::chrono::steady_clock::now();
+            auto const tables =
+                merge_blocks(options_.output, input_, spec_, plan_, shards_, [&] { return leave_.may_go_on(); });
+            seconds.store += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+            return tables.value_or("");
+        });
+        if (comm_.is_root() && !table.empty()) {
+            fmt::print("{}results: {}\n", table, options_.output.string());
+        }
+        return table.empty() ? RunEnd::stopped : RunEnd::complete;
+    }
+
+    void account(WorkDone const& done, double wall_s) {
+        auto const ranks = comm_.gather(seconds_text(comm_, done.seconds));
+        if (comm_.is_root()) {
+            fmt::print(stderr, "cost: {}\n", rung_costs(sum_of_rungs(ranks)));
+            write_runtime(options_.output, options_.part, ranks, wall_s,
+                          done.committed * plan_.trials() / plan_.blocks());
+        }
+    }
+
+    CampaignInput const& input_;
+    RunOptions const& options_;
+    parallel::Communicator const& comm_;
+    Leave leave_;
+    CampaignSpec spec_;
+    Plan plan_;
+    store::ShardFolder shards_;
+    std::optional<store::Claim> claim_;
+};
+
+}  // namespace
 
 std::filesystem::path default_output(std::filesystem::path const& campaign) {
     return campaign.stem().replace_extension(".h5");
@@ -200,55 +152,7 @@ CampaignInput load_campaign_everywhere(std::filesystem::path const& path, std::s
 }
 
 RunEnd run_campaign(CampaignInput const& input, RunOptions const& options, parallel::Communicator const& comm) {
-    auto const spec = parse_campaign(input);
-    Plan const plan(spec);
-    store::ShardFolder const shards(options.output, input.sha256());
-    auto const found = nlohmann::json::parse(from_root(comm, [&] {
-        auto const state = take_output(options.output, shards, input, plan, options.resume);
-        return nlohmann::json{{"complete", state.complete}, {"committed", state.committed}}.dump();
-    }));
-    if (found.at("complete").get<bool>()) {
-        if (comm.is_root()) {
-            fmt::print("{}: complete already, nothing to do\n", options.output.string());
-        }
-        return RunEnd::complete;
-    }
-    auto const committed = found.at("committed").get<std::vector<std::int64_t>>();
-    auto const left = blocks_left(plan, committed);
-    if (comm.is_root()) {
-        fmt::print(stderr, "waves: {}\n", spec.source->describe());
-    }
-    Progress progress(plan.blocks(), static_cast<std::int64_t>(committed.size()),
-                      static_cast<double>(plan.trials()) / static_cast<double>(plan.blocks()));
-    Worker worker(spec, plan, left, options, comm, shards, progress);
-    worker.work();
-    bool const whole =
-        comm.largest(comm.is_root() && worker.committed() < static_cast<std::int64_t>(left.size()) ? 1 : 0) == 0;
-    if (comm.is_root()) {
-        progress.finish();
-        if (whole) {
-            auto const begin = Clock::now();
-            Statistics statistics(spec);
-            auto const analysis = write_results(
-                options.output, input, spec, plan, [&](std::int64_t block) { return shards.read(block); }, statistics);
-            shards.remove();
-            worker.seconds().store += seconds_since(begin);
-            fmt::print("{}{}", stripe_table(spec, statistics), analysis_table(analysis, spec.confidence));
-        } else {
-            fmt::print(stderr,
-                       "stopped early: {} of {} blocks are done and safe. Go on with the same command and --resume\n",
-                       static_cast<std::int64_t>(committed.size()) + worker.committed(), plan.blocks());
-        }
-    }
-    auto const ranks = comm.gather(seconds_json(comm, worker.seconds()));
-    if (comm.is_root()) {
-        fmt::print(stderr, "cost: {}\n", rung_costs(sum_of(ranks)));
-        write_runtime(options.output, ranks, progress.elapsed_s(), worker.committed() * plan.trials() / plan.blocks());
-        if (whole) {
-            fmt::print("results: {}\n", options.output.string());
-        }
-    }
-    return whole ? RunEnd::complete : RunEnd::stopped;
+    return Run(input, options, comm).run();
 }
 
 }  // namespace overturn

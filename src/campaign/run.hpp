@@ -1,10 +1,11 @@
-/// Running a campaign on all ranks: blocks from a shared counter, every rank computes, rank 0 writes.
+/// Running a campaign on all ranks: blocks from a shared counter, every rank computes and commits, rank 0 merges.
 #pragma once
 
 #include <filesystem>
 #include <limits>
 
 #include "campaign/campaign_input.hpp"
+#include "campaign/plan.hpp"
 #include "parallel/communicator.hpp"
 
 namespace overturn {
@@ -13,12 +14,15 @@ struct RunOptions {
     std::filesystem::path output;
     bool resume = false;
     double max_walltime_s = std::numeric_limits<double>::infinity();
+    Part part;  ///< the whole, or one part of an array job, whose blocks wait for merge_parts
 };
 
+/// A part that is done is complete.
 enum class RunEnd { complete, stopped };
 
 /// Collective. Prints progress on stderr and the stripe table on stdout, both from rank 0.
-/// \throws InputError on every rank if the output is taken, not writable, or belongs to another campaign.
+/// \throws InputError on every rank if the output is taken, not writable, not shared by all nodes, or belongs to
+/// another campaign. \throws AgreedError on every rank if one cannot write
 [[nodiscard]] RunEnd run_campaign(CampaignInput const& input, RunOptions const& options,
                                   parallel::Communicator const& comm);
 
@@ -26,9 +30,6 @@ enum class RunEnd { complete, stopped };
 [[nodiscard]] CampaignInput load_campaign_everywhere(std::filesystem::path const& path,
                                                      std::span<std::string const> settings,
                                                      parallel::Communicator const& comm);
-
-/// Makes SIGUSR1, SIGTERM and SIGINT ask the run to stop after the current block instead of killing it.
-void stop_on_signals();
 
 /// Where a campaign's results go unless stated: its own name with .h5, in the current folder.
 [[nodiscard]] std::filesystem::path default_output(std::filesystem::path const& campaign);

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,7 +32,7 @@ struct PreparedWave {
     Intensity intensity;
     WaveRow row;
     std::vector<MeasureRow> measures;  ///< one per body
-    std::vector<RigidBody> bodies;     ///< as they are under this wave
+    std::vector<DrawnBody> bodies;     ///< as they are under this wave
     rocking::PagePeaks pages;
 };
 
@@ -60,6 +62,10 @@ struct BlockRows {
     [[nodiscard]] static BlockRows unpack(std::span<std::byte const> bytes, Plan const& plan, std::int64_t waves);
 };
 
+/// \param goes_on asked before every wave; nothing comes of the block once it says no
+[[nodiscard]] std::optional<BlockRows> run_block(CampaignSpec const& spec, Plan const& plan, std::int64_t block,
+                                                 PhaseSeconds& seconds, std::function<bool()> const& goes_on);
+/// The whole block, come what may.
 [[nodiscard]] BlockRows run_block(CampaignSpec const& spec, Plan const& plan, std::int64_t block,
                                   PhaseSeconds& seconds);
 

@@ -25,6 +25,7 @@ int start(int argc, char** argv) {
     cli::Action action;
     cli::add_run(app, action);
     cli::add_plan(app, action);
+    cli::add_merge(app, action);
     cli::add_status(app, action);
     cli::add_replay(app, action);
     cli::add_fit(app, action);

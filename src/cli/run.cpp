@@ -1,8 +1,11 @@
 #include "campaign/run.hpp"
 
+#include <charconv>
 #include <filesystem>
 #include <memory>
 
+#include "campaign/agreement.hpp"
+#include "campaign/stop.hpp"
 #include "cli/say.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
@@ -16,6 +19,7 @@ struct Options {
     std::string output;
     std::vector<std::string> settings;
     std::string max_walltime;
+    std::string part;
     bool resume = false;
 };
 
@@ -27,6 +31,24 @@ double read_walltime(std::string const& text) {
     } catch (InputError const& error) {
         throw InputError(fmt::format("--max-walltime: {}", error.what()));
     }
+}
+
+// "2/8"
+Part read_part(std::string const& text) {
+    constexpr std::int64_t most = 1'000'000;
+    Part part{0, 0};
+    char const* const end = text.data() + text.size();
+    auto const [slash, bad_number] = std::from_chars(text.data(), end, part.number);
+    bool good = bad_number == std::errc() && slash != end && *slash == '/';
+    if (good) {
+        auto const [last, bad_count] = std::from_chars(slash + 1, end, part.of);
+        good = bad_count == std::errc() && last == end;
+    }
+    validate(good && part.number >= 1 && part.number <= part.of && part.of <= most,
+             "--part '{}' (must be I/N, I from 1 to N). In an array job: $SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT "
+             "of an array from 1",
+             text);
+    return part;
 }
 
 int run(Options const& options) {
@@ -42,6 +64,9 @@ int run(Options const& options) {
         if (!options.max_walltime.empty()) {
             run_options.max_walltime_s = read_walltime(options.max_walltime);
         }
+        if (!options.part.empty()) {
+            run_options.part = read_part(options.part);
+        }
         stop_on_signals();
         return run_campaign(input, run_options, comm) == RunEnd::complete ? done : resumable;
     } catch (InputError const& error) {
@@ -49,6 +74,11 @@ int run(Options const& options) {
             say(error.what());
         }
         return bad_input;
+    } catch (AgreedError const& error) {
+        if (comm.is_root()) {
+            say(error.what());
+        }
+        return other_failure;
     } catch (std::exception const& error) {
         say(error.what());
         if (comm.size() > 1) {
@@ -69,6 +99,8 @@ void add_run(CLI::App& app, Action& action) {
     verb->add_option("--set", options->settings, "override a key: waves.count=50, bodies.0.friction=0.4")
         ->allow_extra_args(false);
     verb->add_option("--max-walltime", options->max_walltime, "stop in time to be resumed, e.g. \"50 min\"");
+    verb->add_option("--part", options->part,
+                     "I/N: only the I-th of N parts, for array jobs; merge puts them together");
     verb->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 

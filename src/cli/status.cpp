@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
 #include <fmt/format.h>
 
+#include "campaign/merge.hpp"
 #include "campaign/plan.hpp"
 #include "campaign/results.hpp"
 #include "cli/verbs.hpp"
@@ -29,7 +31,7 @@ int status(std::string const& path) {
     Plan const plan(spec);
     std::vector<std::string> notes;
     store::ShardFolder const shards(path, input.sha256());
-    auto const committed = shards.committed(notes);
+    auto const committed = shards.committed({0, plan.blocks()}, notes);
     for (auto const& note : notes) {
         fmt::print(stderr, "{}\n", note);
     }
@@ -42,13 +44,21 @@ int status(std::string const& path) {
     if (auto const text = waves.text(spec.source->acceptance()); !text.empty()) {
         fmt::print("{} so far\n", text);
     }
-    auto const left = plan.blocks() - static_cast<std::int64_t>(committed.size());
-    std::string settings;
-    for (auto const& setting : input.settings) {
-        settings += fmt::format(" --set '{}'", setting);
+    std::vector<std::int64_t> left;
+    for (std::int64_t block = 0; block < plan.blocks(); ++block) {
+        if (!std::binary_search(committed.begin(), committed.end(), block)) {
+            left.push_back(block);
+        }
     }
-    fmt::print("{}: not complete, {} of {} blocks are done, {} left. Go on with: overturn run {} -o {} --resume{}\n",
-               path, committed.size(), plan.blocks(), left, input.name, path, settings);
+    auto const progress = fmt::format("{}: not complete, {} of {} blocks are done, {} left", path, committed.size(),
+                                      plan.blocks(), left.size());
+    if (store::Claim::held(shards.folder())) {
+        fmt::print("{}; a run is under way\n", progress);
+    } else if (left.empty()) {
+        fmt::print("{}; not merged yet. Go on with: overturn merge {}\n", progress, path);
+    } else {
+        fmt::print("{} (waves {}). Go on with: {}\n", progress, plan.waves_text(left), resume_command(input, path));
+    }
     return resumable;
 }
 

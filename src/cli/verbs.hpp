@@ -15,6 +15,7 @@ using Action = std::function<int()>;
 
 void add_run(CLI::App& app, Action& action);
 void add_plan(CLI::App& app, Action& action);
+void add_merge(CLI::App& app, Action& action);
 void add_status(CLI::App& app, Action& action);
 void add_replay(CLI::App& app, Action& action);
 void add_fit(CLI::App& app, Action& action);

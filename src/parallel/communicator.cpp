@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstdlib>
+#include <exception>
+#include <thread>
 
 #include <fmt/format.h>
 #include <mpi.h>
@@ -12,25 +15,17 @@
 namespace overturn::parallel {
 namespace {
 
-constexpr int result_tag = 1;
-
 void check(int code, char const* what) {
     if (code != MPI_SUCCESS) {
         throw SystemError(fmt::format("MPI: {} failed with code {} (see the lines above)", what, code));
     }
 }
 
-Message receive_matched(MPI_Message& handle, MPI_Status const& status) {
-    int bytes = 0;
-    check(MPI_Get_count(&status, MPI_BYTE, &bytes), "counting a message");
-    Message message{status.MPI_SOURCE, std::vector<std::byte>(static_cast<std::size_t>(bytes))};
-    check(MPI_Mrecv(message.bytes.data(), bytes, MPI_BYTE, &handle, MPI_STATUS_IGNORE), "receiving a message");
-    return message;
-}
-
 }  // namespace
 
 Environment::Environment() {
+    // Open MPI 4.1's first choice for one-sided calls cannot make a window over TCP ("invalid window"); its others can.
+    ::setenv("OMPI_MCA_osc", "^rdma", 0);
     int provided = 0;
     check(MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided), "starting up");
 }
@@ -88,22 +83,24 @@ int Communicator::largest(int value) const {
     return result;
 }
 
-std::optional<Message> Communicator::poll() const {
+void Communicator::serve() const {
     int found = 0;
-    MPI_Message handle = MPI_MESSAGE_NULL;
-    MPI_Status status;
-    check(MPI_Improbe(MPI_ANY_SOURCE, result_tag, MPI_COMM_WORLD, &found, &handle, &status), "looking for a message");
-    if (found == 0) {
-        return std::nullopt;
-    }
-    return receive_matched(handle, status);
+    check(MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &found, MPI_STATUS_IGNORE), "serving");
 }
 
-Message Communicator::receive() const {
-    MPI_Message handle = MPI_MESSAGE_NULL;
-    MPI_Status status;
-    check(MPI_Mprobe(MPI_ANY_SOURCE, result_tag, MPI_COMM_WORLD, &handle, &status), "waiting for a message");
-    return receive_matched(handle, status);
+void Communicator::wait_for_all(std::function<void()> const& meanwhile) const {
+    constexpr auto pause = std::chrono::microseconds(200);  // a rank that still works may need this core
+    MPI_Request request = MPI_REQUEST_NULL;
+    check(MPI_Ibarrier(MPI_COMM_WORLD, &request), "waiting for all");
+    while (true) {
+        int done = 0;
+        check(MPI_Test(&request, &done, MPI_STATUS_IGNORE), "waiting for all");
+        if (done != 0) {
+            return;
+        }
+        meanwhile();
+        std::this_thread::sleep_for(pause);
+    }
 }
 
 void Communicator::abort(int code) const {
@@ -111,42 +108,7 @@ void Communicator::abort(int code) const {
     std::abort();
 }
 
-struct Outbox::Letter {
-    std::vector<std::byte> bytes;
-    MPI_Request request = MPI_REQUEST_NULL;
-};
-
-Outbox::Outbox() = default;
-Outbox::~Outbox() {
-    for (auto& letter : letters_) {
-        MPI_Wait(&letter.request, MPI_STATUS_IGNORE);
-    }
-}
-
-void Outbox::post(std::vector<std::byte> bytes) {
-    constexpr std::size_t most_under_way = 4;
-    deliver(most_under_way - 1);
-    auto& letter = letters_.emplace_back(Letter{std::move(bytes), MPI_REQUEST_NULL});
-    check(MPI_Isend(letter.bytes.data(), static_cast<int>(letter.bytes.size()), MPI_BYTE, 0, result_tag, MPI_COMM_WORLD,
-                    &letter.request),
-          "sending");
-}
-
-void Outbox::deliver(std::size_t most_left) {
-    while (!letters_.empty()) {
-        int done = 0;
-        check(MPI_Test(&letters_.front().request, &done, MPI_STATUS_IGNORE), "sending");
-        if (done == 0 && letters_.size() <= most_left) {
-            return;
-        }
-        if (done == 0) {
-            check(MPI_Wait(&letters_.front().request, MPI_STATUS_IGNORE), "sending");
-        }
-        letters_.pop_front();
-    }
-}
-
-// One-sided, so that a rank takes its next block without waiting for rank 0 to look up from its own.
+// One-sided, so that a rank takes its next piece without waiting for rank 0 to look up from its own.
 struct SharedCounter::Window {
     MPI_Win handle = MPI_WIN_NULL;
     std::int64_t* value = nullptr;
@@ -165,7 +127,11 @@ SharedCounter::SharedCounter(Communicator const& comm) : window_(std::make_uniqu
     check(MPI_Barrier(MPI_COMM_WORLD), "waiting for the shared counter");
 }
 
-SharedCounter::~SharedCounter() { MPI_Win_free(&window_->handle); }
+SharedCounter::~SharedCounter() {
+    if (std::uncaught_exceptions() == 0) {  // else the others may never come here, and freeing would wait for them
+        MPI_Win_free(&window_->handle);
+    }
+}
 
 std::int64_t SharedCounter::take(std::int64_t step) {
     std::int64_t before = 0;

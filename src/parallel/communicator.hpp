@@ -1,13 +1,10 @@
-/// The only room that calls MPI: who we are, bytes from rank to rank, and one counter that all ranks share.
+/// The only room that calls MPI: who we are, texts from and to rank 0, and counters that all ranks share.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <deque>
+#include <functional>
 #include <memory>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace overturn::parallel {
@@ -21,11 +18,6 @@ class Environment {
     Environment& operator=(Environment const&) = delete;
     Environment(Environment&&) = delete;
     Environment& operator=(Environment&&) = delete;
-};
-
-struct Message {
-    int from = 0;
-    std::vector<std::byte> bytes;
 };
 
 /// All ranks of the job.
@@ -46,10 +38,10 @@ class Communicator {
     /// The largest of all ranks' values. Collective.
     [[nodiscard]] int largest(int value) const;
 
-    /// A message that has arrived, or nothing. Also gives MPI time to serve the other ranks.
-    [[nodiscard]] std::optional<Message> poll() const;
-    /// Waits for a message.
-    [[nodiscard]] Message receive() const;
+    /// Gives MPI a moment to serve other ranks; for long work on the rank that holds a shared counter.
+    void serve() const;
+    /// Waits until every rank has come here, without burning its core; `meanwhile` runs now and then. Collective.
+    void wait_for_all(std::function<void()> const& meanwhile) const;
 
     /// Ends every rank at once; for an error only one rank knows of.
     [[noreturn]] void abort(int code) const;
@@ -57,25 +49,6 @@ class Communicator {
   private:
     int rank_ = 0;
     int size_ = 1;
-};
-
-/// Messages on their way to rank 0, so that a rank computes on while rank 0 is busy. Destruction waits for all of them.
-class Outbox {
-  public:
-    Outbox();
-    ~Outbox();
-    Outbox(Outbox const&) = delete;
-    Outbox& operator=(Outbox const&) = delete;
-    Outbox(Outbox&&) = delete;
-    Outbox& operator=(Outbox&&) = delete;
-
-    /// Sends bytes; waits only while too many earlier messages are still under way.
-    void post(std::vector<std::byte> bytes);
-
-  private:
-    struct Letter;
-    void deliver(std::size_t most_left);
-    std::deque<Letter> letters_;
 };
 
 /// A number on rank 0 from which every rank takes the next value. Construction and destruction are collective.
@@ -90,6 +63,8 @@ class SharedCounter {
 
     /// The value before adding `step`; no two calls anywhere return the same for step 1.
     [[nodiscard]] std::int64_t take(std::int64_t step = 1);
+    /// The value now.
+    [[nodiscard]] std::int64_t look() { return take(0); }
 
   private:
     struct Window;

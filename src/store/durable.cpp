@@ -1,6 +1,7 @@
 #include "store/durable.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 
@@ -13,10 +14,29 @@
 namespace overturn::store {
 namespace {
 
+char const* advice_on(int reason) {
+    switch (reason) {
+        case ENOSPC:
+        case EDQUOT:
+        case EFBIG:
+            return "Free space or choose another place, then go on with --resume";
+        case ENOENT:
+        case ENOTDIR:
+        case ESTALE:
+            return "Bring the folder back, then go on with --resume";
+        case EROFS:
+        case EACCES:
+        case EPERM:
+            return "Make it writable, then go on with --resume";
+        default:
+            return "Look after the disk, then go on with --resume";
+    }
+}
+
 [[noreturn]] void fail(char const* what, std::filesystem::path const& path) {
     int const reason = errno;
-    throw SystemError(fmt::format("cannot {} {} ({}). Free space or choose another place, then go on with --resume",
-                                  what, path.string(), std::strerror(reason)));
+    throw SystemError(
+        fmt::format("cannot {} {} ({}). {}", what, path.string(), std::strerror(reason), advice_on(reason)));
 }
 
 class Descriptor {
@@ -72,6 +92,13 @@ class Descriptor {
     int fd_;
 };
 
+// Of this process alone, wherever in the cluster others write the same file.
+std::string own_ending() {
+    std::array<char, 65> host{};
+    ::gethostname(host.data(), host.size() - 1);
+    return fmt::format("{}-{}-{}", unfinished_mark, host.data(), ::getpid());
+}
+
 std::filesystem::path folder_of(std::filesystem::path const& path) {
     return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
 }
@@ -89,7 +116,7 @@ void rename_durably(std::filesystem::path const& from, std::filesystem::path con
 
 void write_durably(std::filesystem::path const& path, std::span<std::byte const> content) {
     auto beside = path;
-    beside += ".tmp";
+    beside += own_ending();
     try {
         Descriptor const file(beside, O_WRONLY | O_CREAT | O_TRUNC);
         file.write(content);
@@ -98,7 +125,12 @@ void write_durably(std::filesystem::path const& path, std::span<std::byte const>
         ::unlink(beside.c_str());  // half a file would only keep a full disk full
         throw;
     }
-    rename_durably(beside, path);
+    try {
+        rename_durably(beside, path);
+    } catch (SystemError const&) {
+        ::unlink(beside.c_str());
+        throw;
+    }
 }
 
 std::string read_file(std::filesystem::path const& path) {

@@ -13,8 +13,11 @@ void make_durable(std::filesystem::path const& path);
 /// Renames within one folder and forces the folder to disk. \throws SystemError
 void rename_durably(std::filesystem::path const& from, std::filesystem::path const& to);
 
-/// Writes `content` under `path`, whole or not at all. \throws SystemError saying what failed (full disk, no right,
-/// ...)
+/// What follows a file's name while it is being written by write_durably, before what tells the writers apart.
+inline constexpr char const* unfinished_mark = ".tmp";
+
+/// Writes `content` under `path`, whole or not at all, whoever else writes it.
+/// \throws SystemError saying what failed (full disk, no right, ...)
 void write_durably(std::filesystem::path const& path, std::span<std::byte const> content);
 
 /// The bytes of a file. \throws SystemError

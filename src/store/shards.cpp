@@ -16,7 +16,6 @@ namespace {
 
 constexpr std::string_view magic = "overturn-block 1\n";
 constexpr std::string_view ending = ".block";
-constexpr std::string_view unfinished = ".tmp";  // as write_durably names it
 constexpr std::string_view record_name = "campaign.record";
 constexpr std::size_t hash_length = 64;
 
@@ -38,6 +37,11 @@ std::optional<std::int64_t> block_of(std::string_view name) {
     std::from_chars(name.data(), name.data() + name.size(), block);
     return block >= 0 && name == name_of(block) ? std::optional(block) : std::nullopt;
 }
+
+bool is_unfinished(std::string_view name) { return name.find(unfinished_mark) != std::string_view::npos; }
+
+// What the file is, or was to become.
+std::string_view finished_name(std::string_view name) { return name.substr(0, name.find(unfinished_mark)); }
 
 }  // namespace
 
@@ -104,7 +108,7 @@ std::vector<std::byte> ShardFolder::read(std::int64_t block) const {
     return {rows.begin(), rows.end()};
 }
 
-std::vector<std::int64_t> ShardFolder::committed(std::vector<std::string>& notes) const {
+std::vector<std::int64_t> ShardFolder::committed(BlockRange range, std::vector<std::string>& notes) const {
     std::vector<std::int64_t> blocks;
     if (!exists()) {
         return blocks;
@@ -119,6 +123,9 @@ std::vector<std::int64_t> ShardFolder::committed(std::vector<std::string>& notes
             notes.push_back(fmt::format("{}: not a block of ours (left alone)", entry.path().string()));
             continue;
         }
+        if (!range.holds(*block)) {
+            continue;
+        }
         try {
             (void)read(*block);
             blocks.push_back(*block);
@@ -131,13 +138,23 @@ std::vector<std::int64_t> ShardFolder::committed(std::vector<std::string>& notes
     return blocks;
 }
 
+void ShardFolder::remove_unfinished(BlockRange range) const {
+    std::error_code ignored;
+    for (auto const& entry : std::filesystem::directory_iterator(folder_, ignored)) {
+        auto const name = entry.path().filename().string();
+        auto const block = block_of(finished_name(name));
+        if (is_unfinished(name) && block && range.holds(*block)) {
+            std::filesystem::remove(entry.path(), ignored);
+        }
+    }
+}
+
 void ShardFolder::remove() const {
     std::error_code ignored;
     for (auto const& entry : std::filesystem::directory_iterator(folder_, ignored)) {
         auto const file = entry.path().filename().string();
-        auto const name =
-            std::string_view(file).substr(0, file.size() - (file.ends_with(unfinished) ? unfinished.size() : 0));
-        if (name == record_name || block_of(name)) {
+        auto const name = finished_name(file);
+        if (name == record_name || name == Claim::file_name || block_of(name)) {
             std::filesystem::remove(entry.path(), ignored);
         }
     }

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "store/claim.hpp"
+
 namespace overturn::store {
 
 /// SHA-256 of some bytes, as 64 hexadecimal digits.
@@ -27,11 +29,13 @@ class ShardFolder {
 
     /// Writes one block, whole and durable. \throws SystemError
     void commit(std::int64_t block, std::span<std::byte const> rows) const;
-    /// The blocks that are there and sound, in rising order. Damaged or foreign files are named in `notes` and left
-    /// out.
-    [[nodiscard]] std::vector<std::int64_t> committed(std::vector<std::string>& notes) const;
+    /// The blocks of `range` that are there and sound, in rising order. Damaged or foreign files are named in `notes`
+    /// and left out.
+    [[nodiscard]] std::vector<std::int64_t> committed(BlockRange range, std::vector<std::string>& notes) const;
     /// The rows of a committed block. \throws SystemError if it is missing or damaged
     [[nodiscard]] std::vector<std::byte> read(std::int64_t block) const;
+    /// Removes what killed writers of these blocks left half done. \pre nobody else writes them now
+    void remove_unfinished(BlockRange range) const;
     /// Removes the folder and everything this class put into it.
     void remove() const;
 

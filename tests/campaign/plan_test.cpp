@@ -96,6 +96,42 @@ TEST(Plan, BlocksCoverTheWavesOnce) {
     }
 }
 
+// Requirement: the parts of an array job are all blocks, each once, whatever their number.
+TEST(Plan, PartsCoverTheBlocksOnce) {
+    auto const spec = campaign(600, "[3]");
+    Plan const plan(spec);
+    for (std::int64_t const of : {1, 2, 7, 299, 300, 1000}) {
+        std::int64_t next = 0;
+        for (std::int64_t number = 1; number <= of; ++number) {
+            auto const part = plan.blocks_of({number, of});
+            EXPECT_EQ(part.first, next);
+            EXPECT_GE(part.last, part.first);
+            EXPECT_LE(part.count(), plan.blocks() / of + 1);
+            next = part.last;
+        }
+        EXPECT_EQ(next, plan.blocks());
+    }
+}
+
+TEST(Plan, MissingWavesAreNamedByRange) {
+    auto const spec = campaign(600, "[3]");
+    Plan const plan(spec);
+    ASSERT_EQ(plan.block_size(), 2);
+
+    EXPECT_EQ(plan.waves_text({}), "");
+    EXPECT_EQ(plan.waves_text({0, 1, 2, 9, 298, 299}), "0 to 5, 18 to 19, 596 to 599");
+}
+
+// Requirement: a block is short enough to lose and a folder of blocks small enough for a file system.
+TEST(Plan, BlocksAreFewAndShort) {
+    for (std::int64_t const waves : {1, 1000, 100'000, 10'000'000, 1'000'000'000}) {
+        auto const spec = campaign(static_cast<int>(waves), "[3]");
+        Plan const plan(spec);
+        EXPECT_LE(plan.blocks(), 1 << 20) << waves;
+        EXPECT_LE(plan.block_size(), std::max<std::int64_t>(64, waves / 1'000'000)) << waves;
+    }
+}
+
 // Bodies, levels and seed do not enter the block size, and nothing from outside can: it is a function of the campaign.
 TEST(Plan, BlockSizeFollowsTheWavesOnly) {
     auto const one = campaign(600, "[3]", false, false);

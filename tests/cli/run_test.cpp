@@ -40,6 +40,14 @@ TEST_F(Run, RanksDoNotMatter) {
     EXPECT_TRUE(folder.has("shared3.runtime.json"));
 }
 
+// Requirement: nor on there being far more ranks than cores, or than blocks.
+TEST_F(Run, SixteenRanksDoNotMatter) {
+    folder.write("c.toml", small_campaign("shared", 20));
+    auto const alone = bytes({OVERTURN_PROGRAM, "run", "c.toml", "-o", "alone.h5"}, "alone.h5");
+    auto const many = bytes(mpirun(16, {"run", "c.toml", "-o", "many.h5"}), "many.h5");
+    expect_same(alone, many, "the file of 16 ranks");
+}
+
 TEST_F(Run, TheSeedMatters) {
     folder.write("c.toml", small_campaign("shared", 2));
     auto const one = bytes({OVERTURN_PROGRAM, "run", "c.toml"}, "c.h5");

@@ -1,10 +1,10 @@
-// Requirement: bytes reach every rank whole and in order, and no piece of work is given out twice or lost.
+// Requirement: texts reach every rank whole and in order, and no piece of work is given out twice or lost.
 #include "parallel/communicator.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstring>
-#include <numeric>
-#include <span>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -17,11 +17,6 @@ std::string long_text(std::size_t length, int salt) {
         text[i] = static_cast<char>((i * 31 + static_cast<std::size_t>(salt)) % 251);  // zeros among them
     }
     return text;
-}
-
-std::vector<std::byte> bytes_of(std::string const& text) {
-    auto const bytes = std::as_bytes(std::span(text));
-    return {bytes.begin(), bytes.end()};
 }
 
 std::string packed(std::vector<std::int64_t> const& values) {
@@ -69,13 +64,6 @@ TEST(Communicator, AgreesOnTheLargest) {
 
     EXPECT_EQ(comm.largest(-comm.rank()), 0);
     EXPECT_EQ(comm.largest(comm.rank()), comm.size() - 1);
-}
-
-TEST(Communicator, PollFindsNothingWhereNothingWasSent) {
-    Communicator const comm;
-
-    EXPECT_FALSE(comm.poll());
-    (void)comm.largest(0);  // nobody goes on to send before all have looked
 }
 
 class Counting : public ::testing::TestWithParam<std::int64_t> {};
@@ -127,63 +115,34 @@ TEST(SharedCounter, ABigStepLeavesNothingForAnybody) {
     EXPECT_GE(counter.take(), work);
 }
 
-constexpr int messages = 40;
-
-/// Small enough to go at once and large enough to wait for their receiver, more than may be under way.
-std::vector<std::byte> message_of(int rank, int number) {
-    auto const length = static_cast<std::size_t>(number % 4 == 3 ? 300000 : number * 11);
-    return bytes_of(long_text(length, rank + number));
-}
-
-void post_all(Communicator const& comm) {
-    Outbox outbox;
-    for (int number = 0; number < messages; ++number) {
-        outbox.post(message_of(comm.rank(), number));
-    }
-}
-
-void receive_all(Communicator const& comm) {
-    std::vector<int> next(static_cast<std::size_t>(comm.size()), 0);
-    for (int left = messages * (comm.size() - 1); left > 0; --left) {
-        auto const message = comm.receive();
-        ASSERT_GT(message.from, 0);
-        ASSERT_LT(message.from, comm.size());
-        int const number = next[static_cast<std::size_t>(message.from)]++;
-        EXPECT_EQ(message.bytes, message_of(message.from, number))
-            << "message " << number << " of rank " << message.from;
-    }
-}
-
-TEST(Outbox, DeliversEverythingInOrder) {
+TEST(SharedCounter, LookingTakesNothing) {
     Communicator const comm;
-    if (comm.is_root()) {
-        receive_all(comm);
-    } else {
-        post_all(comm);
-    }
-    (void)comm.largest(0);  // nobody goes on to the next test's messages before all of these are there
-    EXPECT_FALSE(comm.poll());
-    (void)comm.largest(0);
+    SharedCounter counter(comm);
+    (void)counter.take(2);
+    comm.wait_for_all([] {});
+
+    EXPECT_EQ(counter.look(), 2 * comm.size());
+    EXPECT_EQ(counter.look(), 2 * comm.size());
+    comm.wait_for_all([] {});
 }
 
-TEST(Outbox, PollBringsWhatHasArrived) {
+/// Nobody passes before the last has come, and those who wait may go on serving.
+TEST(Communicator, WaitsForTheLast) {
     Communicator const comm;
-    {
-        Outbox outbox;
-        outbox.post(bytes_of("from " + std::to_string(comm.rank())));
-        if (comm.is_root()) {
-            std::vector<int> heard(static_cast<std::size_t>(comm.size()), 0);
-            for (int left = comm.size(); left > 0;) {
-                if (auto const message = comm.poll()) {
-                    EXPECT_EQ(message->bytes, bytes_of("from " + std::to_string(message->from)));
-                    ++heard.at(static_cast<std::size_t>(message->from));
-                    --left;
-                }
-            }
-            EXPECT_EQ(std::count(heard.begin(), heard.end(), 1), comm.size());
-        }
+    SharedCounter arrived(comm);
+    if (comm.rank() == comm.size() - 1) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(30));
     }
-    (void)comm.largest(0);
+    (void)arrived.take();
+    int turns = 0;
+    comm.wait_for_all([&] {
+        comm.serve();
+        ++turns;
+    });
+
+    EXPECT_EQ(arrived.look(), comm.size());
+    EXPECT_TRUE(comm.size() == 1 || comm.rank() == comm.size() - 1 || turns > 0);
+    comm.wait_for_all([] {});
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ using testing::slurp;
 using testing::spill;
 using testing::TemporaryFolder;
 
+constexpr BlockRange all{0, 100};
 std::string const ours = sha256("this campaign");
 
 std::vector<std::byte> rows_of(std::size_t count, int salt) {
@@ -41,7 +42,7 @@ class Shards : public ::testing::Test {
     /// The sound blocks; everything else must be named in one note that holds `note`.
     std::vector<std::int64_t> sound(std::string const& named, std::string const& note) const {
         std::vector<std::string> notes;
-        auto const blocks = shards.committed(notes);
+        auto const blocks = shards.committed(all, notes);
         EXPECT_EQ(notes.size(), 1U);
         for (auto const& text : notes) {
             EXPECT_NE(text.find(named), std::string::npos) << text;
@@ -65,7 +66,7 @@ TEST(Sha256, IsTheStandardOne) {
 TEST_F(Shards, ComeBackBitForBit) {
     std::vector<std::string> notes;
 
-    EXPECT_EQ(shards.committed(notes), (Blocks{0, 1, 2, 3}));
+    EXPECT_EQ(shards.committed(all, notes), (Blocks{0, 1, 2, 3}));
     EXPECT_TRUE(notes.empty());
     for (int block = 0; block < 4; ++block) {
         EXPECT_EQ(shards.read(block), rows_of(1000, block));
@@ -142,15 +143,37 @@ TEST_F(Shards, FolderInPlaceOfABlockIsNamed) {
 }
 
 TEST_F(Shards, UnfinishedWriteIsIgnored) {
-    spill(file("0000000004.block.tmp"), "half a blo");
+    spill(file("0000000004.block.tmp-here-17"), "half a blo");
     std::vector<std::string> notes;
 
-    EXPECT_EQ(shards.committed(notes), (Blocks{0, 1, 2, 3}));
+    EXPECT_EQ(shards.committed(all, notes), (Blocks{0, 1, 2, 3}));
+    EXPECT_TRUE(notes.empty());
+}
+
+TEST_F(Shards, UnfinishedWritesOfOurBlocksGoAndOfOthersStay) {
+    for (std::string const name : {"0000000004.block.tmp-here-17", "0000000009.block.tmp-there-3", "notes.tmp"}) {
+        spill(file(name), "half a blo");
+    }
+    shards.remove_unfinished({4, 9});
+
+    EXPECT_FALSE(std::filesystem::exists(file("0000000004.block.tmp-here-17")));
+    EXPECT_TRUE(std::filesystem::exists(file("0000000009.block.tmp-there-3")));
+    EXPECT_TRUE(std::filesystem::exists(file("notes.tmp")));
+    EXPECT_EQ(shards.read(3), rows_of(1000, 3));
+}
+
+TEST_F(Shards, OnlyThoseAskedForAreLookedAt) {
+    spill(file("0000000003.block"), "damaged");
+    std::vector<std::string> notes;
+
+    EXPECT_EQ(shards.committed({1, 3}, notes), (Blocks{1, 2}));
     EXPECT_TRUE(notes.empty());
 }
 
 TEST_F(Shards, RemoveTakesEverythingOfOurs) {
-    spill(file("0000000004.block.tmp"), "half a blo");
+    spill(file("0000000004.block.tmp-here-17"), "half a blo");
+    spill(file("campaign.record.tmp-here-17"), "half a rec");
+    spill(file(Claim::file_name), "");
     shards.remove();
 
     EXPECT_FALSE(shards.exists());
@@ -189,7 +212,7 @@ TEST(ShardFolderPlace, MissingFolderHasNoBlocks) {
     std::vector<std::string> notes;
 
     EXPECT_FALSE(shards.exists());
-    EXPECT_TRUE(shards.committed(notes).empty());
+    EXPECT_TRUE(shards.committed(all, notes).empty());
     EXPECT_TRUE(notes.empty());
 }
 

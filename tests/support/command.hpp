@@ -159,9 +159,26 @@ inline int blocks_done(Folder const& folder, std::string const& output) {
     std::error_code error;
     for (auto const& file : std::filesystem::directory_iterator(folder / (output + ".parts"), error)) {
         auto const name = file.path().filename().string();
-        count += name[0] >= '0' && name[0] <= '9' && file.path().extension() != ".tmp" ? 1 : 0;
+        count += name.ends_with(".block") ? 1 : 0;
     }
     return count;
+}
+
+/// The processes that `parent` started: the ranks of a local mpirun.
+inline std::vector<pid_t> children_of(pid_t parent) {
+    std::vector<pid_t> children;
+    std::error_code error;
+    for (auto const& entry : std::filesystem::directory_iterator("/proc", error)) {
+        if (!std::isdigit(entry.path().filename().string()[0])) {
+            continue;
+        }
+        auto const stat = read_text(entry.path() / "stat");
+        auto const name_end = stat.rfind(')');
+        if (name_end != std::string::npos && std::atoi(stat.c_str() + name_end + 4) == parent) {
+            children.push_back(std::atoi(stat.c_str()));
+        }
+    }
+    return children;
 }
 
 /// Exactly one line, of the form `overturn: problem (why) what to do`.

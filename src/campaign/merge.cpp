@@ -1,0 +1,89 @@
+#include "campaign/merge.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "campaign/analysis.hpp"
+#include "campaign/output_place.hpp"
+#include "store/durable.hpp"
+
+namespace overturn {
+namespace {
+
+struct Interrupted {};
+
+std::vector<std::int64_t> missing_blocks(Plan const& plan, std::vector<std::int64_t> const& sound) {
+    std::vector<std::int64_t> missing;
+    for (std::int64_t block = 0; block < plan.blocks(); ++block) {
+        if (!std::binary_search(sound.begin(), sound.end(), block)) {
+            missing.push_back(block);
+        }
+    }
+    return missing;
+}
+
+}  // namespace
+
+std::optional<std::string> merge_blocks(std::filesystem::path const& output, CampaignInput const& input,
+                                        CampaignSpec const& spec, Plan const& plan, store::ShardFolder const& shards,
+                                        std::function<bool()> const& goes_on) {
+    Statistics statistics(spec);
+    auto const block = [&](std::int64_t number) {
+        if (!goes_on()) {
+            throw Interrupted();
+        }
+        return shards.read(number);
+    };
+    std::vector<BodyAnalysis> analysis;
+    try {
+        analysis = write_results(output, input, spec, plan, block, statistics);
+    } catch (Interrupted const&) {
+        return std::nullopt;
+    }
+    shards.remove();
+    return stripe_table(spec, statistics) + analysis_table(analysis, spec.confidence);
+}
+
+std::string resume_command(CampaignInput const& input, std::filesystem::path const& output) {
+    std::string settings;
+    for (auto const& setting : input.settings) {
+        settings += fmt::format(" --set '{}'", setting);
+    }
+    return fmt::format("overturn run {} -o {} --resume{}", input.name, output.string(), settings);
+}
+
+MergeEnd merge_parts(std::filesystem::path const& output) {
+    if (std::filesystem::exists(output)) {
+        store::ResultsReader const file(output);
+        check_complete(output, input_of(file));
+        fmt::print("{}: complete already, nothing to do\n", output.string());
+        return MergeEnd::complete;
+    }
+    store::ShardFolder const unnamed(output, "");
+    validate(!unnamed.begun_with().empty(), "{}: nothing to merge (no blocks in {}). Run its parts first",
+             output.string(), unnamed.folder().string());
+    store::require_writable(output);
+    store::Claim const claim(unnamed.folder(), {0, std::numeric_limits<std::int64_t>::max()});
+    auto const input = CampaignInput::deserialise(unnamed.begun_with());
+    auto const spec = parse_campaign(input);
+    Plan const plan(spec);
+    store::ShardFolder const shards(output, input.sha256());
+    std::vector<std::string> notes;
+    auto const missing = missing_blocks(plan, shards.committed({0, plan.blocks()}, notes));
+    for (auto const& note : notes) {
+        fmt::print(stderr, "{}\n", note);
+    }
+    if (!missing.empty()) {
+        fmt::print(stderr, "{}: waves {} are missing ({} of {} blocks). Run their parts again with --resume, or: {}\n",
+                   shards.folder().string(), plan.waves_text(missing), missing.size(), plan.blocks(),
+                   resume_command(input, output));
+        return MergeEnd::missing;
+    }
+    auto const tables = merge_blocks(output, input, spec, plan, shards, [] { return true; });
+    fmt::print("{}results: {}\n", *tables, output.string());
+    return MergeEnd::complete;
+}
+
+}  // namespace overturn

@@ -1,0 +1,69 @@
+#include "campaign/stop.hpp"
+
+#include <algorithm>
+#include <csignal>
+
+#include <time.h>
+
+namespace overturn {
+namespace {
+
+constexpr long ms_per_s = 1000;
+constexpr long ns_per_ms = 1'000'000;
+constexpr long grace_ms = 500;
+
+long now_ms() {
+    timespec now{};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return now.tv_sec * ms_per_s + now.tv_nsec / ns_per_ms;
+}
+
+// A signal handler can reach nothing else: the only globals of the program.
+volatile std::sig_atomic_t requested = 0;
+volatile std::sig_atomic_t urgent = 0;
+long volatile requested_ms = 0;
+long volatile urgent_ms = 0;
+
+void request(int signal) {
+    auto const now = now_ms();
+    if (requested != 0 && now - requested_ms >= grace_ms) {
+        std::signal(signal, SIG_DFL);  // leaves at once; blocks on disk stay good
+        std::raise(signal);
+        return;
+    }
+    if (requested == 0) {
+        requested_ms = now;
+        requested = 1;
+    }
+    if (signal != SIGUSR1 && urgent == 0) {
+        urgent_ms = now;
+        urgent = 1;
+    }
+}
+
+}  // namespace
+
+void stop_on_signals() {
+    for (int const signal : {SIGUSR1, SIGTERM, SIGINT}) {
+        std::signal(signal, &request);
+    }
+}
+
+Leave::Leave(double after_s) : begin_(std::chrono::steady_clock::now()), after_s_(after_s) {}
+
+double Leave::elapsed_s() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+}
+
+bool Leave::may_begin() const { return requested == 0 && elapsed_s() + longest_s_ <= after_s_; }
+
+bool Leave::may_go_on() const {
+    if (urgent != 0 && now_ms() - urgent_ms >= grace_ms) {
+        return false;
+    }
+    return elapsed_s() <= after_s_;
+}
+
+void Leave::block_took(double seconds) { longest_s_ = std::max(longest_s_, seconds); }
+
+}  // namespace overturn

@@ -1,0 +1,93 @@
+// Requirement: a run leaves when it is asked to, soon, with everything committed, and says how to go on.
+#include "cli/campaign_files.hpp"
+#include "support/command.hpp"
+
+namespace overturn::testing {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+class Leaving : public ::testing::Test {
+  protected:
+    Leaving() { folder.write("target.csv", target_csv); }
+
+    /// Blocks of 382 waves: some seconds each.
+    void write_long_blocks() const { folder.write("c.toml", small_campaign("shared", 400'000'000)); }
+    void write_short_blocks() const { folder.write("c.toml", small_campaign("independent", 100)); }
+
+    Folder folder;
+};
+
+/// The one line on stderr that says how to go on.
+void expect_told(Ended const& ended, std::string const& command) {
+    EXPECT_EQ(ended.code, 3) << ended.err;
+    auto const at = ended.err.find("stopped early: ");
+    ASSERT_NE(at, std::string::npos) << ended.err;
+    auto const line = ended.err.substr(at, ended.err.find('\n', at) - at);
+    EXPECT_NE(line.find("Go on with: " + command), std::string::npos) << line;
+}
+
+// Requirement: SIGTERM leaves within a second, however long a block is.
+TEST_F(Leaving, WithinASecondOfSigterm) {
+    write_long_blocks();
+    Running running(folder, {OVERTURN_PROGRAM, "run", "c.toml"});
+    ASSERT_TRUE(comes_true([&] { return folder.has("c.h5.parts/campaign.record"); }));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    auto const begin = Clock::now();
+    running.signal(SIGTERM);
+
+    expect_told(running.wait(), "overturn run c.toml -o c.h5 --resume");
+    EXPECT_LT(seconds_since(begin), 2) << "a second, and another for a busy machine";
+    EXPECT_EQ(blocks_done(folder, "c.h5"), 0);
+}
+
+// Requirement: a launcher that delivers one request twice is no second request; a real second one leaves at once, and
+// nothing is damaged.
+TEST_F(Leaving, AtOnceOnASecondSignal) {
+    write_long_blocks();
+    Running running(folder, {OVERTURN_PROGRAM, "run", "c.toml"});
+    ASSERT_TRUE(comes_true([&] { return folder.has("c.h5.parts/campaign.record"); }));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    running.signal(SIGUSR1);
+    running.signal(SIGUSR1);
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    running.signal(SIGUSR1);
+
+    EXPECT_EQ(running.wait().code, 128 + SIGUSR1);
+    auto const resumed = overturn(folder, {"run", "c.toml", "--resume", "--max-walltime", "0.1 s"});
+    expect_told(resumed, "overturn run c.toml -o c.h5 --resume");
+    EXPECT_NE(resumed.err.find("0 of 1047121 blocks"), std::string::npos) << resumed.err;
+}
+
+// Requirement: no block is begun that would not end in time.
+TEST_F(Leaving, BeforeTheWalltimeIsUp) {
+    write_short_blocks();
+    auto const begin = Clock::now();
+    auto const ended = execute(folder, mpirun(2, {"run", "c.toml", "--max-walltime", "0.5 s", "--part", "1/2"}));
+
+    expect_told(ended, "overturn run c.toml -o c.h5 --resume --part 1/2");
+    EXPECT_LT(seconds_since(begin), 3);
+    EXPECT_GT(blocks_done(folder, "c.h5"), 0);
+}
+
+// Requirement: a rank that dies takes the job down within seconds, and what is committed stays.
+TEST_F(Leaving, WithinSecondsOfADeadRank) {
+    write_short_blocks();
+    Running running(folder, mpirun(3, {"run", "c.toml"}));
+    ASSERT_TRUE(comes_true([&] { return blocks_done(folder, "c.h5") > 3; }));
+    auto const before = blocks_done(folder, "c.h5");
+    auto const ranks = children_of(running.pid());
+    ASSERT_EQ(ranks.size(), 3U);
+    auto const begin = Clock::now();
+    ::kill(ranks[1], SIGKILL);
+
+    EXPECT_NE(running.wait().code, 0);
+    EXPECT_LT(seconds_since(begin), 6) << "2 s, and more on a busy machine";
+    EXPECT_GE(blocks_done(folder, "c.h5"), before);
+    EXPECT_EQ(execute(folder, mpirun(2, {"run", "c.toml", "--resume"})).code, 0);
+}
+
+}  // namespace
+}  // namespace overturn::testing

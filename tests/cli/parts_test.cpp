@@ -1,0 +1,168 @@
+// Requirement: one campaign split over array tasks and merged gives the bytes of one run; what is missing, foreign or
+// in use is said.
+#include "cli/campaign_files.hpp"
+#include "support/command.hpp"
+
+namespace overturn::testing {
+namespace {
+
+class Parts : public ::testing::Test {
+  protected:
+    Parts() {
+        folder.write("target.csv", target_csv);
+        folder.write("c.toml", small_campaign("independent", 7));
+    }
+
+    Ended part(std::string const& which, std::vector<std::string> const& more = {}) const {
+        return overturn(folder, joined({"run", "c.toml", "--part", which}, more));
+    }
+    Ended merge() const { return overturn(folder, {"merge", "c.h5"}); }
+    void expect_part_done(Ended const& ended) const {
+        EXPECT_EQ(ended.code, 0) << ended.err;
+        EXPECT_NE(ended.out.find("overturn merge c.h5"), std::string::npos) << ended.out;
+        EXPECT_FALSE(folder.has("c.h5"));
+    }
+    void expect_as_one_run() const {
+        auto const one = overturn(folder, {"run", "c.toml", "-o", "one.h5"});
+        EXPECT_EQ(one.code, 0) << one.err;
+        EXPECT_TRUE(folder.read("c.h5") == folder.read("one.h5"));
+    }
+
+    Folder folder;
+};
+
+TEST_F(Parts, MergedAreTheBytesOfOneRun) {
+    expect_part_done(part("2/3"));
+    expect_part_done(execute(folder, mpirun(2, {"run", "c.toml", "--part", "3/3"})));
+    expect_part_done(part("1/3"));
+    EXPECT_TRUE(folder.has("c.part-2-of-3.runtime.json"));
+
+    auto const merged = merge();
+    EXPECT_EQ(merged.code, 0) << merged.err;
+    EXPECT_NE(merged.out.find("results: c.h5"), std::string::npos) << merged.out;
+    EXPECT_FALSE(folder.has("c.h5.parts"));
+    expect_as_one_run();
+
+    auto const again = merge();  // a job that is requeued
+    EXPECT_EQ(again.code, 0) << again.err;
+    EXPECT_NE(again.out.find("complete already"), std::string::npos) << again.out;
+}
+
+/// More parts than blocks, all at once, as an array starts them.
+TEST_F(Parts, StartedTogetherDoNotDisturbEachOther) {
+    folder.write("c.toml", small_campaign("shared", 3));
+    std::vector<std::unique_ptr<Running>> tasks;
+    for (std::string const which : {"1/4", "2/4", "3/4", "4/4"}) {
+        tasks.push_back(std::make_unique<Running>(
+            folder, std::vector<std::string>{OVERTURN_PROGRAM, "run", "c.toml", "--part", which}));
+    }
+    for (auto& task : tasks) {
+        expect_part_done(task->wait());
+    }
+    EXPECT_EQ(merge().code, 0);
+    expect_as_one_run();
+}
+
+// Requirement: missing parts are named by their waves, with exit code 3, and can be run then.
+TEST_F(Parts, MissingOnesAreNamed) {
+    expect_part_done(part("1/3"));
+    expect_part_done(part("3/3"));
+
+    auto const missing = merge();
+    EXPECT_EQ(missing.code, 3);
+    EXPECT_NE(missing.err.find("waves 7 to 13 are missing (7 of 21 blocks)"), std::string::npos) << missing.err;
+    EXPECT_NE(missing.err.find("overturn run c.toml -o c.h5 --resume"), std::string::npos) << missing.err;
+    EXPECT_FALSE(folder.has("c.h5"));
+    auto const status = overturn(folder, {"status", "c.h5"});
+    EXPECT_EQ(status.code, 3);
+    EXPECT_NE(status.out.find("waves 7 to 13"), std::string::npos) << status.out;
+
+    auto const rest = execute(folder, mpirun(2, {"run", "c.toml", "--resume"}));  // the whole, without merge
+    EXPECT_EQ(rest.code, 0) << rest.err;
+    expect_as_one_run();
+}
+
+// Requirement: a damaged block counts as missing and is said.
+TEST_F(Parts, DamagedBlockIsComputedAgain) {
+    for (auto const* which : {"1/2", "2/2"}) {
+        expect_part_done(part(which));
+    }
+    auto block = folder.read("c.h5.parts/0000000004.block");
+    block[block.size() / 2] ^= 1;
+    folder.write("c.h5.parts/0000000004.block", block);
+    folder.write("c.h5.parts/notes.block", "shopping list");
+
+    auto const refused = merge();
+    EXPECT_EQ(refused.code, 3);
+    EXPECT_NE(refused.err.find("0000000004.block: damaged"), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("notes.block: not a block of ours"), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("waves 4 to 4 are missing"), std::string::npos) << refused.err;
+
+    expect_part_done(part("1/2", {"--resume"}));
+    EXPECT_EQ(merge().code, 0);
+    EXPECT_EQ(folder.read("c.h5.parts/notes.block"), "shopping list");
+    expect_as_one_run();
+}
+
+// Requirement: parts of different campaigns never come together, and nothing is done twice silently.
+TEST_F(Parts, OthersAreRefused) {
+    expect_part_done(part("1/2"));
+
+    auto const twice = part("1/2");
+    EXPECT_EQ(twice.code, 2);
+    EXPECT_TRUE(is_one_error_line(twice.err));
+    EXPECT_NE(twice.err.find("part 1/2 (has been begun there)"), std::string::npos) << twice.err;
+    auto const other = part("2/2", {"--set", "seed=3"});
+    EXPECT_EQ(other.code, 2);
+    EXPECT_TRUE(is_one_error_line(other.err));
+    EXPECT_NE(other.err.find("seed=3"), std::string::npos) << other.err;
+    auto const whole = overturn(folder, {"run", "c.toml"});
+    EXPECT_EQ(whole.code, 2);
+    EXPECT_TRUE(is_one_error_line(whole.err));
+
+    for (auto const* odd : {"0/2", "3/2", "1", "1/", "/2", "1/2/3", "a/b", "-1/2", "1/99999999999999999999"}) {
+        auto const ended = part(odd);
+        EXPECT_EQ(ended.code, 2) << odd;
+        EXPECT_TRUE(is_one_error_line(ended.err)) << odd;
+        EXPECT_NE(ended.err.find("--part"), std::string::npos) << ended.err;
+    }
+    auto const nothing = overturn(folder, {"merge", "none.h5"});
+    EXPECT_EQ(nothing.code, 2);
+    EXPECT_TRUE(is_one_error_line(nothing.err));
+}
+
+// Requirement: of two campaigns that write one output at once, the second is refused in one line.
+TEST_F(Parts, TheSecondRunOnOneOutputIsRefused) {
+    folder.write("c.toml", small_campaign("independent", 200));
+    Running first(folder, mpirun(2, {"run", "c.toml"}));
+    ASSERT_TRUE(comes_true([&] { return blocks_done(folder, "c.h5") > 2; }));
+
+    for (auto const& second : {overturn(folder, {"run", "c.toml"}), overturn(folder, {"run", "c.toml", "--resume"}),
+                               part("2/2"), execute(folder, mpirun(2, {"run", "c.toml", "--resume"})), merge()}) {
+        EXPECT_EQ(second.code, 2) << second.err;
+        EXPECT_TRUE(is_one_error_line(second.err));
+        EXPECT_NE(second.err.find("another run is writing there now"), std::string::npos) << second.err;
+    }
+    auto const status = overturn(folder, {"status", "c.h5"});
+    EXPECT_EQ(status.code, 3);
+    EXPECT_NE(status.out.find("a run is under way"), std::string::npos) << status.out;
+    EXPECT_EQ(first.wait().code, 0);
+    expect_as_one_run();
+}
+
+// Requirement: blocks that a run left after its file was durable are recognised and said.
+TEST_F(Parts, LeftoverBlocksAreCleanedUp) {
+    expect_part_done(part("1/1000"));
+    std::filesystem::rename(folder / "c.h5.parts", folder / "kept");
+    ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
+    std::filesystem::rename(folder / "kept", folder / "c.h5.parts");
+
+    auto const resumed = overturn(folder, {"run", "c.toml", "--resume"});
+    EXPECT_EQ(resumed.code, 0) << resumed.err;
+    EXPECT_NE(resumed.err.find("blocks left over"), std::string::npos) << resumed.err;
+    EXPECT_FALSE(folder.has("c.h5.parts"));
+    expect_as_one_run();
+}
+
+}  // namespace
+}  // namespace overturn::testing

@@ -1,0 +1,24 @@
+#!/bin/bash
+# Requirement: told to leave by SIGUSR1, a job goes back into the queue and completes to the bytes of an unbroken run.
+# requeue_test.sh PROGRAM SLURM_FOLDER
+set -u
+OVERTURN=$1 OVERTURN_SLURM=$2
+export OVERTURN OVERTURN_SLURM
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/cluster.sh"
+. "$here/campaigns.sh"
+cluster_start 1 2
+cd "$cluster/work" || exit 1
+campaign c 250 7
+
+job=$(sbatch --parsable -n 2 -t 10 "$OVERTURN_SLURM/campaign.sbatch" c.toml) || fail "sbatch"
+within 30 more_blocks_than c 5 || fail "no block was committed"
+scancel --batch --signal=USR1 "$job"
+within 30 grep -q "stopped early" overturn-"$job".log || fail "the run did not leave"
+before=$(blocks_of c)
+[ "$before" -lt 250 ] || fail "nothing was left to do"
+within 60 queue_is_empty || fail "the job does not end"
+
+[ "$(state_of "$job")" = COMPLETED ] || fail "the job ended as $(state_of "$job")"
+grep -q "resuming c.h5: $before of 250 blocks are done" overturn-"$job".log || fail "the second leg did not resume"
+expect_same c

@@ -1,0 +1,98 @@
+// Requirement: no two runs write the same blocks at once, and a run that died holds nothing.
+#include "store/claim.hpp"
+
+#include <limits>
+#include <optional>
+
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "support/expect_input_error.hpp"
+#include "support/expect_system_error.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace overturn::store {
+namespace {
+
+using testing::expect_input_error;
+using testing::expect_system_error;
+using testing::spill;
+using testing::TemporaryFolder;
+
+constexpr BlockRange everything{0, std::numeric_limits<std::int64_t>::max()};
+
+class Claims : public ::testing::Test {
+  protected:
+    void expect_refused(BlockRange range) const {
+        expect_input_error([&] { Claim const second(place, range); }, place.string(), "another run is writing there");
+    }
+
+    TemporaryFolder folder;
+    std::filesystem::path place = folder / "out.h5.parts";
+};
+
+TEST_F(Claims, TheSecondIsRefusedUntilTheFirstEnds) {
+    EXPECT_FALSE(Claim::held(place));
+    {
+        Claim const first(place, everything);
+        EXPECT_TRUE(Claim::held(place));
+        expect_refused(everything);
+        expect_refused({3, 4});
+    }
+    EXPECT_FALSE(Claim::held(place));
+    Claim const again(place, everything);
+}
+
+TEST_F(Claims, PartsThatShareNoBlockLiveSideBySide) {
+    Claim const first(place, {0, 10});
+    Claim const second(place, {10, 20});
+    Claim const nothing(place, {5, 5});
+
+    expect_refused({9, 11});
+    expect_refused(everything);
+    EXPECT_TRUE(Claim::held(place));
+}
+
+/// The folder may go while the lock is held: whoever comes next holds a lock that counts.
+TEST_F(Claims, ARemovedFolderIsMadeAgain) {
+    std::optional<Claim> first(std::in_place, place, everything);
+    std::filesystem::remove_all(place);
+    Claim const second(place, everything);
+    first.reset();
+
+    expect_refused(everything);
+}
+
+// Requirement: SIGKILL leaves no stale lock.
+TEST_F(Claims, EndWithTheProcess) {
+    int ready[2];
+    ASSERT_EQ(::pipe(ready), 0);
+    auto const child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        Claim const theirs(place, everything);
+        (void)!::write(ready[1], "x", 1);
+        ::pause();
+        ::_exit(0);
+    }
+    char byte = 0;
+    ASSERT_EQ(::read(ready[0], &byte, 1), 1);
+    expect_refused(everything);
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+
+    Claim const ours(place, everything);
+    ::close(ready[0]);
+    ::close(ready[1]);
+}
+
+TEST_F(Claims, PlaceThatIsAFileIsNamed) {
+    spill(folder / "taken", "");
+
+    expect_system_error([&] { Claim const claim(folder / "taken" / "out.h5.parts", everything); }, "taken/out.h5.parts",
+                        "Choose another place with -o");
+}
+
+}  // namespace
+}  // namespace overturn::store
