@@ -58,6 +58,8 @@ Json quotes_json(MeasuredFragility const& measured) {
                         {"bounds_from", source_name(q.source)},
                         {"trials", q.trials},
                         {"overturned", q.overturned},
+                        {"observed", or_null(q.trials > 0, q.trials > 0 ? q.overturned / q.trials : 0)},
+                        {"observed_interval", or_null(q.trials > 0, ends(q.seen))},
                         {"outside_data", q.outside_data},
                         {"in_tail", q.in_tail}});
     }

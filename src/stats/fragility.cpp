@@ -16,6 +16,7 @@ constexpr std::size_t groups_of_singles = 10;  // for what needs proportions
 constexpr double hclpf_score = 1.645;          // 5 % of a normal variable, as HCLPF is defined
 constexpr double one_percent_score = 2.326347874040841;
 constexpr double decade = 0.1;
+constexpr double chance = 0.05;  // below it a misfit is called one
 
 std::vector<FragilityPoint> proportions_of(FragilityData const& data) {
     return data.kind == FragilityData::Kind::stripes ? data.points : grouped(data.points, groups_of_singles);
@@ -87,7 +88,6 @@ void describe(FragilityFit& fit, FragilityData const& data) {
     fit.isotonic = isotonic_estimate(data.points);
     fit.isotonic_median = isotonic_median(fit.isotonic);
     fit.monotone = test_monotone(proportions);
-    constexpr double chance = 0.05;
     raise_if(fit, fit.monotone.p_value < chance, FragilityFlag::non_monotone);
 }
 
@@ -119,13 +119,18 @@ void fit_line(FragilityFit& fit, FragilityData const& data, FragilityRequest con
     fit.replicates_without_curve = bootstrap.without_curve();
     fit.goodness = goodness_of_fit(data.points, *line);
     for (auto& quoted : fit.quotes) {
-        quoted.probability = gsl_cdf_ugaussian_P(line->at(std::log(quoted.quote.intensity)));
+        double const at = quoted.quote.intensity;
+        quoted.probability = gsl_cdf_ugaussian_P(line->at(std::log(at)));
         quoted.in_tail = *quoted.probability < decade * fit.lowest_proportion;
-        if (quoted.source == QuotedProbability::Source::none) {
-            quoted.source = QuotedProbability::Source::curve;
-            quoted.bounds = data.waves_shared ? bootstrap.probability(quoted.quote.intensity, request.confidence)
-                                              : profile.probability(quoted.quote.intensity);
+        if (quoted.source == QuotedProbability::Source::stripe) {
+            continue;
         }
+        // A curve that does not describe the proportions is sure of what is not so.
+        bool const trusted = fit.goodness->p_value >= chance || quoted.trials == 0;
+        quoted.source = trusted ? QuotedProbability::Source::curve : QuotedProbability::Source::stripe;
+        quoted.bounds = !trusted            ? quoted.seen
+                        : data.waves_shared ? bootstrap.probability(at, request.confidence)
+                                            : profile.probability(at);
     }
 }
 
@@ -143,10 +148,11 @@ QuotedProbability seen_at(Quote const& quote, FragilityFit const& fit, Fragility
         }
         quoted.trials = point.trials;
         quoted.overturned = point.overturned;
+        quoted.seen = interval_of(point.overturned, point.trials, point.undecided, confidence);
         bool const alike = point.overturned == 0 || point.overturned == point.trials;
         if (alike || fit.state != FragilityState::fitted) {
             quoted.source = QuotedProbability::Source::stripe;
-            quoted.bounds = interval_of(point.overturned, point.trials, point.undecided, confidence);
+            quoted.bounds = quoted.seen;
         }
     }
     return quoted;
@@ -176,7 +182,6 @@ void judge(FragilityFit& fit) {
             fit.flags |= bit(FragilityFlag::not_converged);
             break;
         case FragilityState::fitted: {
-            constexpr double chance = 0.05;
             double const median = std::exp(fit.line->log_median());
             raise_if(fit, fit.goodness->p_value < chance, FragilityFlag::poor_fit);
             raise_if(fit, median < fit.lowest || median > fit.highest, FragilityFlag::median_outside_data);

@@ -70,8 +70,10 @@ struct QuotedProbability {
     std::optional<double> probability;  ///< of the curve
     Interval bounds;                    ///< [0, 1] where nothing is known
     enum class Source { none, curve, stripe };
-    Source source = Source::none;  ///< of the bounds: stripe where all trials there ended alike, or there is no curve
+    /// Of the bounds: stripe where all trials there ended alike, or no curve describes the data.
+    Source source = Source::none;
     double trials = 0, overturned = 0;  ///< seen right there
+    Interval seen;                      ///< their exact interval
     bool outside_data = false;          ///< below or above all intensities that were tried
     bool in_tail = false;               ///< P below a tenth of the lowest proportion that is not zero
 };

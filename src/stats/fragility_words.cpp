@@ -137,6 +137,12 @@ std::vector<std::string> warnings_of(FragilityFit const& fit, std::string const&
            fmt::format("{} waves only: intervals from resampling them are too short", fit.waves));
     add_if(FragilityFlag::interval_unbounded, "an interval is open: the data do not bound it");
     for (auto const& quoted : fit.quotes) {
+        if (has(fit.flags, FragilityFlag::poor_fit) && quoted.source == QuotedProbability::Source::curve) {
+            texts.push_back(
+                fmt::format("P at {} comes from a curve that does not describe the data: its bounds are too "
+                            "narrow",
+                            with(quoted.quote.intensity, units)));
+        }
         if (quoted.in_tail) {
             texts.push_back(
                 fmt::format("P = {:.2g} at {} lies more than a decade under the lowest proportion seen ({:.2g}): a "

@@ -132,6 +132,22 @@ TEST(Degenerate, NonMonotoneStripes) {
     EXPECT_EQ(fit.isotonic[1].points, 2U);
 }
 
+/// Where the curve does not describe the proportions the stripe's own exact interval is quoted, not the curve's, which
+/// would be sure of what is not so.
+TEST(Degenerate, APoorCurveDoesNotOutvoteItsStripe) {
+    auto const fit =
+        fit_of(table_of({{2, 500, 1}, {3, 500, 300}, {4, 500, 310}, {6, 500, 450}, {8, 500, 470}}), {{2, 1}, {5, 2.5}});
+
+    ASSERT_TRUE(has(fit.flags, FragilityFlag::poor_fit));
+    EXPECT_EQ(fit.quotes[0].source, QuotedProbability::Source::stripe);
+    EXPECT_EQ(fit.quotes[0].bounds.upper, clopper_pearson(1, 500, 0.95).upper);
+    EXPECT_GT(*fit.quotes[0].probability, 10 * fit.quotes[0].bounds.upper);
+    EXPECT_EQ(fit.quotes[1].source, QuotedProbability::Source::curve) << "no stripe there";
+    auto const warnings = warnings_of(fit, "m/s2", 0.95);
+    EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(),
+                            [](auto const& text) { return text.find("P at 5 m/s2") != std::string::npos; }));
+}
+
 /// A dip that chance explains is no alarm.
 TEST(Degenerate, ADipByChanceIsNone) {
     auto const fit = fit_of(table_of({{2, 50, 5}, {3, 50, 4}, {4, 50, 25}, {6, 50, 45}}));
