@@ -1,7 +1,8 @@
 #include "campaign/analysis.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
+#include <map>
 
 #include "stats/quantile.hpp"
 #include "stats/rank.hpp"
@@ -65,6 +66,34 @@ FragilityData stripes_with_waves(BodyStatistics const& body, std::vector<SingleT
     return data;
 }
 
+// From half the lowest level to 1.6 times the highest: what a figure shows beside the data.
+std::vector<double> band_over(LevelSpec const& levels, int points) {
+    constexpr double below = 0.5;
+    constexpr double above = 1.6;
+    std::vector<double> at;
+    double const low = std::log(below * levels.levels.front().value);
+    double const high = std::log(above * levels.levels.back().value);
+    for (int i = 0; i < points; ++i) {
+        at.push_back(std::exp(low + (high - low) * i / (points - 1)));
+    }
+    return at;
+}
+
+// The scores of what was drawn for the body, wave by wave; empty if nothing scatters.
+std::map<std::int64_t, std::vector<double>> scores_of(CampaignSpec const& spec, std::size_t b) {
+    std::map<std::int64_t, std::vector<double>> scores;
+    auto const& body = spec.bodies[b];
+    if (body.scattering().empty()) {
+        return scores;
+    }
+    Plan const plan(spec);
+    for (std::int64_t wave = 0; wave < plan.waves(); ++wave) {
+        scores[static_cast<std::int64_t>(plan.wave_id(wave))] =
+            body.scores(body.for_wave(plan.drawn_for(spec, wave), b));
+    }
+    return scores;
+}
+
 class Analyst {
   public:
     Analyst(CampaignSpec const& spec, Statistics const& statistics, AnalysisOptions const& options)
@@ -73,8 +102,9 @@ class Analyst {
     [[nodiscard]] BodyAnalysis of(std::size_t b) const {
         BodyAnalysis body;
         body.body = spec_.bodies[b].name;
+        auto const scores = scores_of(spec_, b);
         for (auto const measure : measures_of(spec_.levels)) {
-            body.fragility.push_back(fragility(b, measure, measure == measures_of(spec_.levels).front()));
+            body.fragility.push_back(fragility(b, measure, measure == measures_of(spec_.levels).front(), scores));
         }
         for (auto const measure : {FragilityMeasure::v_wes, FragilityMeasure::ou_v_e}) {
             body.criterion.push_back({measure, study_criterion(statistics_.measured().criterion_trials(
@@ -86,7 +116,22 @@ class Analyst {
     }
 
   private:
-    [[nodiscard]] MeasuredFragility fragility(std::size_t b, FragilityMeasure measure, bool levels) const {
+    using Scores = std::map<std::int64_t, std::vector<double>>;
+
+    [[nodiscard]] static std::optional<BetaSplit> split(std::vector<SingleTrial> const& singles, Scores const& scores) {
+        if (scores.empty()) {
+            return std::nullopt;
+        }
+        std::vector<DrawnTrial> drawn;
+        drawn.reserve(singles.size());
+        for (auto const& trial : singles) {
+            drawn.push_back({std::log(trial.intensity), scores.at(trial.wave), trial.overturned});
+        }
+        return split_beta(drawn);
+    }
+
+    [[nodiscard]] MeasuredFragility fragility(std::size_t b, FragilityMeasure measure, bool levels,
+                                              Scores const& scores) const {
         auto const number = static_cast<std::int64_t>(b);
         bool const shared = !spec_.levels.independent_waves && spec_.levels.levels.size() > 1;
         // The level itself, not the scaled wave's peak, which differs from it in the last digit.
@@ -97,8 +142,18 @@ class Analyst {
         result.name = measure == FragilityMeasure::level ? spec_.levels.measure_name()
                                                          : fragility_measure_names()[static_cast<std::size_t>(measure)];
         result.units = units_of(measure, spec_.levels);
-        FragilityRequest request{options_.confidence, options_.beta_u, {}, {spec_.seed, b, options_.replicates}};
+        FragilityRequest request;
+        request.confidence = options_.confidence;
+        request.beta_u = options_.beta_u;
+        request.bootstrap = {spec_.seed, b, options_.replicates};
+        result.split = split(singles, scores);
+        result.drawn = spec_.bodies[b].scattering();
+        if (result.split && options_.beta_u == 0) {
+            request.beta_u = result.split->beta_u;
+            request.beta_u_in_trials = true;
+        }
         if (levels) {
+            request.band_at = band_over(spec_.levels, options_.band_points);
             request.quotes = quotes_of(spec_.levels);
             result.quote_base = request.quotes.empty() ? "" : "design-basis";
         } else if (measure == FragilityMeasure::v_wes_ratio) {

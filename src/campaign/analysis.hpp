@@ -3,12 +3,14 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "campaign/campaign_spec.hpp"
 #include "campaign/measured_trials.hpp"
 #include "campaign/results.hpp"
+#include "stats/beta_split.hpp"
 #include "stats/fragility.hpp"
 
 namespace overturn {
@@ -20,6 +22,8 @@ struct MeasuredFragility {
     std::string units;       ///< of the measure
     std::string quote_base;  ///< what quoted multiples are of: "design-basis", "v_ereq"; empty without quotes
     FragilityFit fit;
+    std::optional<BetaSplit> split;                               ///< where the bodies were drawn
+    std::vector<std::string> drawn;                               ///< the quantities its scores are of
     double rank_area = std::numeric_limits<double>::quiet_NaN();  ///< NaN where all trials ended alike
     Interval rank_interval{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 };
@@ -50,8 +54,9 @@ inline constexpr std::array quoted_multiples{1.0, 1.5, 2.0, 3.0};
 
 struct AnalysisOptions {
     double confidence = 0.95;
-    double beta_u = 0;
+    double beta_u = 0;  ///< 0: what the bodies' scatter says, if they have any
     int replicates = 1000;
+    int band_points = 0;  ///< of the curve over the levels' own measure
 };
 
 [[nodiscard]] std::vector<BodyAnalysis> analyse(CampaignSpec const& spec, Statistics const& statistics,

@@ -30,6 +30,22 @@ std::string fit_line(MeasuredFragility const& m) {
                        m.fit.hclpf(), rank, fmt::join(names_of(m.fit.flags), " "));
 }
 
+// What the draws of the body's quantities add, where they were drawn.
+std::string split_line(MeasuredFragility const& m) {
+    if (!m.split || !m.fit.identifiable()) {
+        return {};
+    }
+    auto const& s = *m.split;
+    std::string shifts;
+    for (std::size_t k = 0; k < s.per_score.size(); ++k) {
+        shifts += fmt::format("{}{} {:+.3f} +- {:.3f}", k == 0 ? "" : ", ", m.drawn.at(k), s.per_score[k],
+                              s.per_score_error[k]);
+    }
+    return fmt::format(
+        "  beta {:.3f} is beta_R {:.3f} (waves) with beta_U {:.3f} (the body); ln median per deviation of: {}\n",
+        m.fit.line->beta(), m.fit.beta_r(), m.fit.beta_u, shifts);
+}
+
 std::string quote_line(MeasuredFragility const& m, QuotedProbability const& q) {
     using Source = QuotedProbability::Source;
     auto const at = m.quote_base == "v_ereq"
@@ -93,6 +109,7 @@ std::string fragility_table(std::vector<MeasuredFragility> const& fits, double c
     for (auto const& m : fits) {
         text += fit_line(m);
     }
+    text += split_line(fits.front());
     for (auto const& m : fits) {
         for (auto const& quoted : m.fit.quotes) {
             text += quote_line(m, quoted);

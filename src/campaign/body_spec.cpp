@@ -202,6 +202,34 @@ BodySpec read_body(Table const& table, InputFiles& files) {
     return spec;
 }
 
+std::vector<std::string> BodySpec::scattering() const {
+    std::vector<std::string> names;
+    for (auto const& [key, quantity] :
+         {std::pair{"mass", &scatter.mass}, std::pair{"centre_height", &scatter.centre_height},
+          std::pair{"restitution", &scatter.restitution}, std::pair{"friction", &scatter.friction}}) {
+        if (*quantity && (*quantity)->scatters()) {
+            names.emplace_back(key);
+        }
+    }
+    return names;
+}
+
+std::vector<double> BodySpec::scores(DrawnBody const& drawn) const {
+    // As stated, that is before the similarity law, which multiplies.
+    double const mass = stated.mass_kg * (drawn.body.mass_kg() / body.mass_kg());
+    double const height = stated.centre_height_m * (drawn.body.centre_height_m() / body.centre_height_m());
+    double const held = drawn.friction ? drawn.friction->static_coefficient : 0;
+    std::vector<double> scores;
+    for (auto const& [quantity, value] :
+         {std::pair{&scatter.mass, mass}, std::pair{&scatter.centre_height, height},
+          std::pair{&scatter.restitution, drawn.body.restitution()}, std::pair{&scatter.friction, held}}) {
+        if (*quantity && (*quantity)->scatters()) {
+            scores.push_back((*quantity)->score(value));
+        }
+    }
+    return scores;
+}
+
 DrawnBody BodySpec::for_wave(DrawnFor const& wave, std::uint64_t index) const {
     DrawnBody one{body, friction};
     auto input = stated;

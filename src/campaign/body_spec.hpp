@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "body/rigid_body.hpp"
 #include "body/similarity.hpp"
@@ -34,6 +35,10 @@ struct BodySpec {
     std::optional<Friction> friction;  ///< likewise central; empty: no slip
     BodyScatter scatter;
 
+    /// Which of mass, centre_height, restitution and friction scatter, in that order.
+    [[nodiscard]] std::vector<std::string> scattering() const;
+    /// The standard normal scores of a draw of these.
+    [[nodiscard]] std::vector<double> scores(DrawnBody const& drawn) const;
     /// The body as it is under a given wave: its own draw of whatever scatters. A drawn mass keeps the radius of
     /// gyration, a drawn centre height the inertia about the centre. Pure. \param index of the body in its campaign
     [[nodiscard]] DrawnBody for_wave(DrawnFor const& wave, std::uint64_t index) const;

@@ -16,7 +16,7 @@ constexpr Interval no_interval{none, none};
 // One measure's fit as it is stored; every field is 8 bytes.
 struct FragilityRow {
     std::int64_t measure = 0, state = 0, identifiable = 0, flags = 0, method = 0;
-    double median = none, beta = none, hclpf = none;
+    double median = none, beta = none, hclpf = none, beta_r = none, beta_u = none;
     Interval median_interval = no_interval, beta_interval = no_interval, hclpf_interval = no_interval;
     Interval profile_median = no_interval, profile_beta = no_interval;
     Interval bootstrap_median = no_interval, bootstrap_beta = no_interval;
@@ -38,6 +38,8 @@ FragilityRow row_of(MeasuredFragility const& measured) {
         row.median = std::exp(fit.line->log_median());
         row.beta = fit.line->beta();
         row.hclpf = fit.hclpf();
+        row.beta_r = fit.beta_r();
+        row.beta_u = fit.beta_u;
         row.median_interval = fit.intervals().median;
         row.beta_interval = fit.intervals().beta;
         row.hclpf_interval = fit.intervals().hclpf;
@@ -98,7 +100,10 @@ store::TableSpec fragility_columns(std::string const& body) {
     add_kinds(columns);
     columns.add("median", own, "intensity of P = 0.5; NaN: not identifiable", OVERTURN_AT(median));
     columns.add("beta", "1", "lognormal standard deviation; NaN: not identifiable", OVERTURN_AT(beta));
-    columns.add("hclpf", own, "median exp(-1.645 beta); NaN: not identifiable", OVERTURN_AT(hclpf));
+    columns.add("beta_r", "1", "part of it that waves make; all of it where nothing was drawn", OVERTURN_AT(beta_r));
+    columns.add("beta_u", "1", "part of it that the draws of the body make; 0 where nothing was drawn",
+                OVERTURN_AT(beta_u));
+    columns.add("hclpf", own, "median exp(-1.645 (beta_r + beta_u)); NaN: not identifiable", OVERTURN_AT(hclpf));
     columns.add_ends("median", own, "median", OVERTURN_AT(median_interval));
     columns.add_ends("beta", "1", "beta", OVERTURN_AT(beta_interval));
     columns.add_ends("hclpf", own, "hclpf", OVERTURN_AT(hclpf_interval));

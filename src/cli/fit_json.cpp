@@ -104,6 +104,7 @@ void add_curve(Json& json, FragilityFit const& fit) {
     json["state"] = name_of(fit.state);
     json["interval_method"] = or_null(
         known, fit.method == FragilityFit::Method::bootstrap_by_waves ? "bootstrap-by-waves" : "profile-likelihood");
+    json["beta_r"] = or_null(known, known ? fit.beta_r() : 0);
     json["beta_u"] = fit.beta_u;
     json["profile"] = fit.profile ? intervals_json(*fit.profile) : Json(nullptr);
     json["bootstrap"] = fit.bootstrap ? intervals_json(*fit.bootstrap) : Json(nullptr);
@@ -166,6 +167,13 @@ Json fragility_json(std::string const& body, MeasuredFragility const& measured, 
     json["probabilities"] = quotes_json(measured);
     json["rank_area"] = number(measured.rank_area);
     json["rank_interval"] = or_null(std::isfinite(measured.rank_area), ends(measured.rank_interval));
+    json["band"] = Json::array();
+    for (auto const& at : fit.band) {
+        json["band"].push_back({{"amplitude", at.intensity},
+                                {"probability", at.probability},
+                                {"lower", at.bounds.lower},
+                                {"upper", at.bounds.upper}});
+    }
     json["warnings"] = warnings_of(fit, measured.units, confidence);
     return json;
 }

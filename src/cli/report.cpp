@@ -126,7 +126,7 @@ int write_report(Options const& options) {
     for (auto const& body : spec.bodies) {
         data["bodies"].push_back(body.name);
     }
-    auto const analysis = analyse(spec, statistics, {.confidence = spec.confidence});
+    auto const analysis = analyse(spec, statistics, {.confidence = spec.confidence, .band_points = 61});
     data["fit"] = fit_json(spec, statistics, analysis, spec.confidence);
     data["facts"] = facts_of(spec, plan);
     data["waves"] = waves_of(input, spec, plan, file);

@@ -27,9 +27,9 @@ def draw_curve(axes, results, body, fit, colour):
     inside = (x >= lowest) & (x <= highest)
     shown, _ = results.in_units(x)
     if fit.get("band"):
-        band = fit["band"]
-        at, _ = results.in_units(np.array(band["amplitude"]))
-        axes.fill_between(at, band["lower"], band["upper"], color=colour, alpha=0.15, lw=0, zorder=1)
+        at, _ = results.in_units([point["amplitude"] for point in fit["band"]])
+        axes.fill_between(at, [point["lower"] for point in fit["band"]], [point["upper"] for point in fit["band"]],
+                          color=colour, alpha=0.15, lw=0, zorder=1)
     axes.plot(shown[inside], p[inside], color=colour, zorder=3)
     for outside in (x < lowest, x > highest):
         axes.plot(shown[outside], p[outside], color=colour, ls=(0, (4, 3)), lw=0.9, zorder=3)

@@ -108,7 +108,8 @@ void fit_line(FragilityFit& fit, FragilityData const& data, FragilityRequest con
     }
     fit.line = line;
     double const five_percent = gsl_cdf_ugaussian_P(-hclpf_score);
-    double const margin = std::exp(-hclpf_score * request.beta_u);
+    // Beside the curve's own 5 % point, which holds beta, what beta_R + beta_U exceeds it by.
+    double const margin = std::exp(-hclpf_score * (fit.beta_r() + fit.beta_u - line->beta()));
     auto const lowered = [margin](Interval const& i) { return Interval{i.lower * margin, i.upper * margin}; };
     fit.profile = {profile.intensity(0.5), profile.beta(), lowered(profile.intensity(five_percent))};
     auto const bootstrap = data.trials.empty() ? bootstrap_trials(data.points, *line, request.bootstrap)
@@ -118,6 +119,11 @@ void fit_line(FragilityFit& fit, FragilityData const& data, FragilityRequest con
     fit.replicates = bootstrap.size();
     fit.replicates_without_curve = bootstrap.without_curve();
     fit.goodness = goodness_of_fit(data.points, *line);
+    for (double const at : request.band_at) {
+        fit.band.push_back(
+            {at, gsl_cdf_ugaussian_P(line->at(std::log(at))),
+             data.waves_shared ? bootstrap.probability(at, request.confidence) : profile.probability(at)});
+    }
     for (auto& quoted : fit.quotes) {
         double const at = quoted.quote.intensity;
         quoted.probability = gsl_cdf_ugaussian_P(line->at(std::log(at)));
@@ -209,15 +215,21 @@ FragilityData FragilityData::of_trials(std::vector<SingleTrial> trials, bool wav
     return data;
 }
 
-double FragilityFit::hclpf() const { return std::exp(line->log_median() - hclpf_score * (line->beta() + beta_u)); }
+double FragilityFit::beta_r() const {
+    double const beta = line->beta();
+    return beta_u_in_trials ? std::sqrt(std::max(0.0, beta * beta - beta_u * beta_u)) : beta;
+}
+
+double FragilityFit::hclpf() const { return std::exp(line->log_median() - hclpf_score * (beta_r() + beta_u)); }
 
 double FragilityFit::one_percent_point() const {
-    return std::exp(line->log_median() - one_percent_score * std::hypot(line->beta(), beta_u));
+    return std::exp(line->log_median() - one_percent_score * std::hypot(beta_r(), beta_u));
 }
 
 FragilityFit fit_fragility(FragilityData const& data, FragilityRequest const& request) {
     FragilityFit fit;
     fit.beta_u = request.beta_u;
+    fit.beta_u_in_trials = request.beta_u_in_trials;
     describe(fit, data);
     fit.state = state_of(data.points);
     for (auto const& quote : request.quotes) {

@@ -59,8 +59,12 @@ struct Quote {
 
 struct FragilityRequest {
     double confidence = 0.95;
-    double beta_u = 0;  ///< lognormal standard deviation of what is not known, beside the fitted beta
+    double beta_u = 0;  ///< lognormal standard deviation of what is not known
+    /// Whether the trials hold it: their bodies were drawn from what is not known, and the fitted beta is
+    /// sqrt(beta_R^2 + beta_U^2); else it stands beside the fitted one, which is beta_R.
+    bool beta_u_in_trials = false;
     std::vector<Quote> quotes;
+    std::vector<double> band_at;  ///< intensities at which the curve's band is wanted [SI]
     BootstrapKey bootstrap;
 };
 
@@ -76,6 +80,12 @@ struct QuotedProbability {
     Interval seen;                      ///< their exact interval
     bool outside_data = false;          ///< below or above all intensities that were tried
     bool in_tail = false;               ///< P below a tenth of the lowest proportion that is not zero
+};
+
+/// The curve and its pointwise interval at one intensity.
+struct BandPoint {
+    double intensity = 0, probability = 0;
+    Interval bounds;
 };
 
 /// The exact bound that is left where nothing, or everything, overturned.
@@ -109,10 +119,14 @@ struct FragilityFit {
     std::optional<ProbitLine> penalised;  ///< Firth's fit of separated data
     std::optional<TailBound> bound;
     double beta_u = 0;
+    bool beta_u_in_trials = false;
     std::vector<QuotedProbability> quotes;
+    std::vector<BandPoint> band;
 
     [[nodiscard]] bool identifiable() const { return line.has_value(); }
-    /// exp(ln median - 1.645 (beta + beta_u)): high confidence, low probability of failure (EPRI TR-103959).
+    /// What waves alone add to beta.
+    [[nodiscard]] double beta_r() const;
+    /// exp(ln median - 1.645 (beta_R + beta_U)): high confidence, low probability of failure (EPRI TR-103959).
     [[nodiscard]] double hclpf() const;
     /// Where the mean curve, with beta and beta_u together, reaches 1 %.
     [[nodiscard]] double one_percent_point() const;
