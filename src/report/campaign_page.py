@@ -6,15 +6,20 @@ import csv
 import html
 import json
 import os
+import re
 import sys
 import tempfile
 
 import fragility_figures
 import trial_figures
 import wave_figure
+from fragility_figures import MEASURES
 from page_style import CSS
 from results_data import Results
-from style import number
+from style import plain
+
+
+SCALE = 1.2  # of figures on the page: type of 8 points beside text of 15 pixels
 
 
 def escape(value):
@@ -24,12 +29,14 @@ def escape(value):
 def value_of(value, digits=4, unknown="–"):
     if value is None or value != value:
         return unknown
-    return f"{value:.{digits}g}" if isinstance(value, float) else str(value)
+    return plain(value, digits) if isinstance(value, float) else str(value)
 
 
 def interval(ends, digits=4):
-    low, high = ends or (None, None)
-    return f"{value_of(low, digits, '?')} – {value_of(high, digits, '?')}"
+    if not ends:
+        return "–"
+    low, high = ends
+    return f"{value_of(low, digits, 'open')} – {value_of(high, digits, 'open')}"
 
 
 def table(head, rows, note=""):
@@ -63,7 +70,9 @@ class Report:
             svg = file.read()
         if not self.keep:
             os.remove(path)
-        svg = svg[svg.index("<svg"):].replace("<svg", f'<svg role="img" aria-label="{escape(alt)}"', 1)
+        width = float(re.search(r'width="([0-9.]+)pt"', svg).group(1))
+        svg = svg[svg.index("<svg"):].replace(
+            "<svg", f'<svg role="img" aria-label="{escape(alt)}" style="width:{SCALE * width:.0f}pt"', 1)
         return f"<figure>{svg}</figure>\n"
 
     def csv(self, name, head, rows):
@@ -81,11 +90,14 @@ class Report:
         if value is None:
             return "–"
         shown, unit = self.results.in_units(value)
-        return f"{float(shown):.{digits}g} {unit}".strip()
+        text = plain(float(shown), digits)
+        return f"{text.rstrip('0').rstrip('.') if '.' in text else text} {unit}".strip()
 
     def amplitudes(self, ends, digits=4):
-        low, high = ends or (None, None)
-        return f"{self.amplitude(low, digits)} – {self.amplitude(high, digits)}".replace("–  –", "– –")
+        if not ends:
+            return "–"
+        low, high = (value_of(end if end is None else float(self.results.in_units(end)[0]), digits, "open") for end in ends)
+        return f"{low} – {high} {self.results.in_units(1)[1]}".strip()
 
     # What each section says.
 
@@ -98,12 +110,12 @@ class Report:
             if basis is not None:
                 stripe = next(s for s in self.fit["stripes"] if s["body"] == body.name and s["amplitude"] == basis)
                 parts.append(f"at the design basis ({self.amplitude(basis)}) {stripe['overturned']} of "
-                             f"{stripe['trials']} trials overturned, P between {number(stripe['lower'], 2)} and "
-                             f"{number(stripe['upper'], 2)}")
+                             f"{stripe['trials']} trials overturned, P between {plain(stripe['lower'], 2)} and "
+                             f"{plain(stripe['upper'], 2)}")
             fit = self.fits.get((body.name, self.results.measure))
             if fit and fit["identifiable"]:
                 parts.append(f"half overturn at {self.amplitude(fit['median'], 3)} "
-                             f"({self.amplitudes(fit['median_interval'], 3)}), beta {number(fit['beta'], 2)}, "
+                             f"({self.amplitudes(fit['median_interval'], 3)}), beta {plain(fit['beta'], 2)}, "
                              f"HCLPF {self.amplitude(fit['hclpf'], 3)}")
             elif fit:
                 parts.append("no curve: " + "; ".join(fit["warnings"][:1] or [fit["state"]]))
@@ -171,7 +183,7 @@ class Report:
     def criterion(self):
         rows, parts = [], []
         for c in self.fit["criterion"]:
-            rows.append([c["body"], c["measure"], c["false_safe"], c["false_alarm"], c["true_safe"],
+            rows.append([c["body"], MEASURES[c["measure"]][0], c["false_safe"], c["false_alarm"], c["true_safe"],
                          c["true_overturn"]])
         head = ["body", "measure", "false safe", "false alarm", "true safe", "true overturn"]
         self.csv("criterion", [name.replace(" ", "_") for name in head], rows)

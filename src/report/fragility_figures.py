@@ -1,7 +1,7 @@
 """Figures of how likely a body is to overturn: fragility, and the energy criterion on trial."""
 
 import style
-from style import BODIES, GREY, INK, VERMILION
+from style import BLUE, BODIES, GREY, INK, VERMILION
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -19,7 +19,7 @@ def probit_curve(x, median, beta):
     return np.array([0.5 * erfc(-(np.log(v / median)) / (beta * sqrt(2))) for v in x])
 
 
-def draw_curve(axes, results, body, fit, colour):
+def draw_curve(axes, results, fit):
     """The fitted curve, solid where there are data and dashed beyond them, with its band."""
     lowest, highest = fit["data_range"]
     x = np.geomspace(0.5 * lowest, 1.6 * highest, 240)
@@ -29,10 +29,10 @@ def draw_curve(axes, results, body, fit, colour):
     if fit.get("band"):
         at, _ = results.in_units([point["amplitude"] for point in fit["band"]])
         axes.fill_between(at, [point["lower"] for point in fit["band"]], [point["upper"] for point in fit["band"]],
-                          color=colour, alpha=0.15, lw=0, zorder=1)
-    axes.plot(shown[inside], p[inside], color=colour, zorder=3)
+                          color=BLUE, alpha=0.15, lw=0, zorder=1)
+    axes.plot(shown[inside], p[inside], color=BLUE, zorder=3)
     for outside in (x < lowest, x > highest):
-        axes.plot(shown[outside], p[outside], color=colour, ls=(0, (4, 3)), lw=0.9, zorder=3)
+        axes.plot(shown[outside], p[outside], color=BLUE, ls=(0, (4, 3)), lw=0.9, zorder=3)
 
 
 def fragility(results, fits, path):
@@ -41,7 +41,7 @@ def fragility(results, fits, path):
     bodies = results.bodies
     figure, panels = plt.subplots(1, len(bodies), figsize=(1.6 + 3.0 * len(bodies), 3.1), sharey=True,
                                   squeeze=False, layout="constrained")
-    for axes, body, (colour, _) in zip(panels[0], bodies, BODIES * len(bodies)):
+    for axes, body in zip(panels[0], bodies):
         stripes = body.stripes
         amplitude, unit = results.in_units(stripes["amplitude"])
         known = np.isfinite(stripes["probability"])
@@ -50,7 +50,7 @@ def fragility(results, fits, path):
         axes.errorbar(amplitude[known], p, yerr=bars, fmt="o", ms=3.6, color=INK, elinewidth=0.8, capsize=2, zorder=4)
         fit = fits.get((body.name, results.measure))
         if fit and fit["identifiable"]:
-            draw_curve(axes, results, body, fit, colour)
+            draw_curve(axes, results, fit)
         if fit and fit.get("isotonic"):
             steps = fit["isotonic"]
             at, _ = results.in_units([block["from"] for block in steps] + [steps[-1]["to"]])
@@ -71,9 +71,9 @@ def fragility(results, fits, path):
         axes.set_xlim(0, 1.06 * float(np.max(amplitude)))
     panels[0][0].set_ylabel("probability of overturning")
     handles = [Line2D([], [], color=INK, marker="o", ms=3.6, lw=0.8, label="stripe, exact interval"),
-               Line2D([], [], color=BODIES[0][0], label="lognormal fit"),
-               Line2D([], [], color=BODIES[0][0], ls=(0, (4, 3)), label="beyond the data"),
-               Patch(color=BODIES[0][0], alpha=0.15, lw=0, label="its band"),
+               Line2D([], [], color=BLUE, label="lognormal fit"),
+               Line2D([], [], color=BLUE, ls=(0, (4, 3)), label="beyond the data"),
+               Patch(color=BLUE, alpha=0.15, lw=0, label="its band"),
                Line2D([], [], color=GREY, ls=":", label="isotonic estimate")]
     panels[0][-1].legend(handles=handles, loc="center left", bbox_to_anchor=(1.02, 0.5))
     style.save(figure, path)
@@ -93,7 +93,7 @@ def criterion(results, body, path):
     ratio, response = body.trials("v_wes") / limit, body.trials("v_resp") / limit
     slipped = body.trials("peak_slip") > 0
     fell = body.verdict("overturned")
-    kinds = [("stood", moved & ~fell & ~slipped, style.BLUE, "o"), ("stood, slipped", moved & ~fell & slipped,
+    kinds = [("stood", moved & ~fell & ~slipped, BLUE, "o"), ("stood, slipped", moved & ~fell & slipped,
              style.GREEN, "^"), ("overturned", fell, VERMILION, "x")]
     for label, which, colour, marker in kinds:
         at = np.flatnonzero(which)

@@ -54,6 +54,16 @@ def save(figure, path):
     plt.close(figure)
 
 
+def plain(value, digits=3):
+    """That many significant figures, written out between 0.001 and a million."""
+    if value == 0:
+        return "0"
+    if not 1e-3 <= abs(value) < 1e6:
+        return f"{value:.{max(digits - 1, 0)}e}"
+    from math import floor, log10
+    return f"{round(value, digits - 1 - floor(log10(abs(value)))):.{max(0, digits - 1 - floor(log10(abs(value))))}f}"
+
+
 def number(value, digits=3):
     """Three significant figures without an exponent where that is readable."""
     return f"{value:.{digits}g}" if 1e-3 <= abs(value) < 1e4 else f"{value:.{digits - 1}e}"

@@ -17,10 +17,13 @@ def bodies(results, path):
     """Each body to one scale: base, centre of gravity, critical angle. The outline is only a block about that centre."""
     style.use()
     count = len(results.bodies)
-    figure, axes = plt.subplots(figsize=(2.3 * count + 0.6, 2.9), layout="constrained")
     widest = max(2 * body.numbers["half_width"] for body in results.bodies)
     tallest = max(2 * body.numbers["centre_height"] for body in results.bodies)
     pitch = 1.9 * max(widest, 0.75 * tallest)
+    across, up = (count + 0.1) * pitch, 1.32 * tallest
+    width = min(6.8, 2.6 * count)
+    figure, axes = plt.subplots(figsize=(width, width * up / across))
+    figure.subplots_adjust(left=0, right=1, bottom=0, top=1)
     for k, body in enumerate(results.bodies):
         b, h, alpha = (body.numbers[key] for key in ("half_width", "centre_height", "alpha"))
         x = k * pitch
@@ -29,15 +32,15 @@ def bodies(results, path):
         axes.plot([x, x + b], [h, 0], color=BLUE, lw=1)
         axes.plot([x + b, x + b], [0, 1.25 * h], color=BLUE, lw=0.7, ls="--")
         axes.plot(x, h, "o", ms=5, color=VERMILION, zorder=5)
-        axes.annotate(f"h {h:.4g} m", (x, h), xytext=(-6, 0), textcoords="offset points", ha="right", va="center")
+        axes.annotate(f"h {h:.4g} m", (x, h), xytext=(0, 6), textcoords="offset points", ha="center", va="bottom")
         axes.annotate(f"R {np.hypot(b, h):.4g} m", (x + 0.45 * b, 0.5 * h), xytext=(-2, -2), ha="right", va="top",
                       textcoords="offset points", color=BLUE)
         axes.annotate(f"α {np.degrees(alpha):.1f}°", (x + b, 1.25 * h), xytext=(3, 0), textcoords="offset points",
                       color=BLUE)
         axes.annotate(f"2b {2 * b:.3g} m", (x, 0), xytext=(0, -11), textcoords="offset points", ha="center")
         axes.annotate(body.name, (x, 2 * h), xytext=(0, 5), textcoords="offset points", ha="center", weight="bold")
-    axes.set_xlim(-0.62 * pitch, (count - 1 + 0.62) * pitch)
-    axes.set_ylim(-0.16 * tallest, 1.14 * tallest)
+    axes.set_xlim(-0.55 * pitch, (count - 0.45) * pitch)
+    axes.set_ylim(-0.17 * tallest, 1.15 * tallest)
     axes.axhline(0, color=GREY, lw=0.6, zorder=0)
     axes.set_aspect("equal")
     axes.set_axis_off()

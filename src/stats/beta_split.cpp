@@ -80,7 +80,8 @@ std::optional<Fit> newton(Design const& design) {
         double share = 1;
         double next = design.log_likelihood_at(x * (b + whole));
         constexpr double smallest_share = 1e-6;
-        while (!(next >= likelihood) && share > smallest_share) {
+        constexpr double rounding = 1e-12;  // of the sum: near the top a good step may seem to go down
+        while (!(next >= likelihood - rounding * std::abs(likelihood)) && share > smallest_share) {
             share /= 2;
             next = design.log_likelihood_at(x * (b + share * whole));
         }

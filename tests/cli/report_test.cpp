@@ -1,0 +1,103 @@
+// Requirement: a results file becomes one page that needs no network, with figures and tables as files if wanted.
+#include <algorithm>
+#include <filesystem>
+
+#include "cli/campaign_files.hpp"
+#include "support/command.hpp"
+
+namespace overturn::testing {
+namespace {
+
+class Report : public ::testing::Test {
+  protected:
+    static void SetUpTestSuite() {
+        ::unsetenv("OVERTURN_PYTHON");
+        folder = new Folder;
+        folder->write("target.csv", target_csv);
+        folder->write("c.toml", small_campaign("shared", 6));
+        ASSERT_EQ(overturn(*folder, {"run", "c.toml", "-o", "c.h5"}).code, 0);
+        drawable = execute(*folder, {OVERTURN_PYTHON, "-c", "import matplotlib, h5py"}).code == 0;
+    }
+    static void TearDownTestSuite() {
+        delete folder;
+        folder = nullptr;
+    }
+    void TearDown() override { ::unsetenv("OVERTURN_PYTHON"); }
+
+    static void skip_without_packages() {
+        if (!drawable) {
+            GTEST_SKIP() << "nothing to draw with (install python3-matplotlib python3-h5py)";
+        }
+    }
+    static bool there(std::string const& name) { return std::filesystem::exists(*folder / name); }
+
+    static inline Folder* folder = nullptr;
+    static inline bool drawable = false;
+};
+
+TEST_F(Report, IsOnePageThatNeedsNoNetwork) {
+    skip_without_packages();
+    if (IsSkipped()) {
+        return;
+    }
+    auto const ended = overturn(*folder, {"report", "c.h5", "-o", "a.html"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    auto const page = folder->read("a.html");
+    for (auto const* section : {"asked", "bodies", "waves", "fragility", "criterion", "trials", "provenance"}) {
+        EXPECT_NE(page.find(std::string("<section id=\"") + section), std::string::npos) << section;
+    }
+    EXPECT_NE(page.find("<svg"), std::string::npos);
+    // Addresses name the svg's language, nothing to be fetched.
+    for (auto const* fetched : {"src=\"http", "href=\"http", "@import", "<script", "url(http"}) {
+        EXPECT_EQ(page.find(fetched), std::string::npos) << fetched;
+    }
+}
+
+TEST_F(Report, IsTheSameForTheSameFileButForItsCost) {
+    skip_without_packages();
+    if (IsSkipped()) {
+        return;
+    }
+    ASSERT_EQ(overturn(*folder, {"report", "c.h5", "-o", "a.html"}).code, 0);
+    ASSERT_EQ(overturn(*folder, {"report", "c.h5", "-o", "b.html"}).code, 0);
+    EXPECT_EQ(folder->read("a.html"), folder->read("b.html"));
+}
+
+TEST_F(Report, WritesFiguresAndTablesBesideIt) {
+    skip_without_packages();
+    if (IsSkipped()) {
+        return;
+    }
+    auto const ended = overturn(*folder, {"report", "c.h5", "-o", "c.html", "--figures", "some figures/here"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    for (auto const* name : {"bodies", "fragility", "wave-0"}) {
+        EXPECT_TRUE(there(std::string("some figures/here/") + name + ".svg")) << name;
+        EXPECT_TRUE(there(std::string("some figures/here/") + name + ".png")) << name;
+    }
+    auto const stripes = folder->read("some figures/here/stripes.csv");
+    EXPECT_EQ(stripes.rfind("body,level,amplitude,trials,overturned,failed,probability,lower,upper\n", 0), 0U);
+    EXPECT_TRUE(there("some figures/here/fragility.csv"));
+    EXPECT_TRUE(there("some figures/here/criterion.csv"));
+}
+
+TEST_F(Report, SaysWhatToInstallWherePythonIsMissing) {
+    ::setenv("OVERTURN_PYTHON", "/nonexistent/python3", 1);
+    auto const ended = overturn(*folder, {"report", "c.h5", "-o", "d.html"});
+    EXPECT_EQ(ended.code, 1);
+    EXPECT_NE(ended.err.find("apt-get install python3 python3-matplotlib python3-h5py"), std::string::npos)
+        << ended.err;
+    EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+    EXPECT_FALSE(there("d.html"));
+}
+
+TEST_F(Report, RefusesAnotherNameOrFile) {
+    auto const name = overturn(*folder, {"report", "c.h5", "-o", "d.pdf"});
+    EXPECT_EQ(name.code, 2);
+    EXPECT_NE(name.err.find("End it in .html"), std::string::npos) << name.err;
+    auto const file = overturn(*folder, {"report", "c.toml", "-o", "d.html"});
+    EXPECT_EQ(file.code, 2);
+    EXPECT_EQ(overturn(*folder, {"report", "c.h5", "-o", "nowhere/d.html"}).code, 2);
+}
+
+}  // namespace
+}  // namespace overturn::testing
