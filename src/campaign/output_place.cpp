@@ -29,6 +29,16 @@ void begin(store::ShardFolder const& shards, CampaignInput const& input) {
     refuse_other(CampaignInput::deserialise(shards.begun_with()), input, shards.folder().string());
 }
 
+// A damaged record is written anew: the blocks themselves tell whose they are.
+std::string record_of(store::ShardFolder const& shards) {
+    try {
+        return shards.begun_with();
+    } catch (SystemError const& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return {};
+    }
+}
+
 std::vector<std::int64_t> sound_blocks(store::ShardFolder const& shards, Plan const& plan, Part part) {
     auto const range = plan.blocks_of(part);
     shards.remove_unfinished(range);
@@ -76,17 +86,21 @@ OutputState take_output(std::filesystem::path const& output, store::ShardFolder 
         check_complete(output, input);
         return {true, {}};
     }
-    if (shards.begun_with().empty()) {
+    auto const begun = record_of(shards);
+    if (begun.empty()) {
         begin(shards, input);
-        return {};
+    } else {
+        validate(wish.resume || !wish.part.is_whole(),
+                 "{} (an unfinished run lies there). Go on with --resume, or remove it", shards.folder().string());
+        refuse_other(CampaignInput::deserialise(begun), input, shards.folder().string());
     }
-    validate(wish.resume || !wish.part.is_whole(),
-             "{} (an unfinished run lies there). Go on with --resume, or remove it", shards.folder().string());
-    refuse_other(CampaignInput::deserialise(shards.begun_with()), input, shards.folder().string());
     auto committed = sound_blocks(shards, plan, wish.part);
     validate(wish.resume || committed.empty(),
              "{}: part {}/{} (has been begun there). Go on with --resume, or remove the folder",
              shards.folder().string(), wish.part.number, wish.part.of);
+    if (begun.empty() && committed.empty()) {
+        return {};
+    }
     if (wish.resume) {
         fmt::print(stderr, "resuming {}: {} of {} blocks are done, {} are left\n", output.string(), committed.size(),
                    plan.blocks_of(wish.part).count(),

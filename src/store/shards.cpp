@@ -67,7 +67,16 @@ bool ShardFolder::exists() const { return std::filesystem::is_directory(folder_)
 
 std::string ShardFolder::begun_with() const {
     auto const record = folder_ / record_name;
-    return std::filesystem::exists(record) ? read_file(record) : std::string();
+    if (!std::filesystem::exists(record)) {
+        return {};
+    }
+    auto const text = read_file(record);
+    auto const length = text.size() < hash_length ? 0 : text.size() - hash_length;
+    if (sha256(std::string_view(text).substr(0, length)) != std::string_view(text).substr(length)) {
+        throw SystemError(
+            fmt::format("{}: damaged (its checksum does not match). Run the campaign with --resume", record.string()));
+    }
+    return text.substr(0, length);
 }
 
 void ShardFolder::begin(std::string const& campaign_record) const {
@@ -77,7 +86,7 @@ void ShardFolder::begin(std::string const& campaign_record) const {
         throw SystemError(
             fmt::format("cannot make {} ({}). Choose another place with -o", folder_.string(), error.message()));
     }
-    write_durably(folder_ / record_name, bytes_of(campaign_record));
+    write_durably(folder_ / record_name, bytes_of(campaign_record + sha256(campaign_record)));
 }
 
 std::filesystem::path ShardFolder::file_of(std::int64_t block) const { return folder_ / name_of(block); }
