@@ -1,14 +1,9 @@
 #include "campaign/body_spec.hpp"
 
 #include <array>
-#include <cmath>
 #include <variant>
 
-#include <gsl/gsl_randist.h>
-
 #include "body/parts.hpp"
-#include "body/similarity.hpp"
-#include "core/random_stream.hpp"
 
 namespace overturn {
 namespace {
@@ -52,8 +47,8 @@ BodyInput read_shape(Table const& table) {
     }
     BodyInput input;
     input.half_width_m = 0.5 * width;
-    input.mass_kg = table.number("mass", Dimension::mass, Range::positive());
-    input.centre_height_m = table.number("centre_height", Dimension::length, Range::positive());
+    input.mass_kg = read_distribution(table, "mass", Dimension::mass, Range::positive()).centre();
+    input.centre_height_m = read_distribution(table, "centre_height", Dimension::length, Range::positive()).centre();
     if (table.kind("inertia") == Kind::text && table.text("inertia") == "uniform-block") {
         double const b = input.half_width_m;
         double const h = input.centre_height_m;
@@ -65,130 +60,166 @@ BodyInput read_shape(Table const& table) {
 }
 
 // similarity = { direction = "to-model" | "to-prototype", length = 0.4, ... }
-BodyInput read_similarity(Table const& table, BodyInput const& input) {
+std::optional<Scaling> read_scaling(Table const& table) {
     if (!table.has("similarity")) {
-        return input;
+        return std::nullopt;
     }
     auto const given = table.child("similarity");
-    SimilarityLaw law;
+    Scaling scaling;
+    auto& law = scaling.law;
     law.length = given.number("length", Dimension::none, Range::positive(), law.length);
     law.mass_factor = given.number("mass_factor", Dimension::none, Range::positive(), law.mass_factor);
     static constexpr std::array directions{config::Entry<bool>{"to-model", "the keys describe the prototype", true},
                                            config::Entry<bool>{"to-prototype", "the keys describe the model", false}};
-    bool const to_model = given.choice<bool>("direction", directions);
+    scaling.to_model = given.choice<bool>("direction", directions);
     given.finish();
-    return to_model ? model_of(input, law) : prototype_of(input, law);
+    return scaling;
 }
 
-std::optional<Friction> read_friction(Table const& table) {
-    if (!table.has("friction")) {
-        return std::nullopt;
+RigidBody scaled(BodyInput const& stated, std::optional<Scaling> const& scaling) {
+    if (!scaling) {
+        return RigidBody(stated);
     }
-    if (table.kind("friction") != Kind::table) {
-        double const mu = table.number("friction", Dimension::none, Range::not_negative());
-        return Friction{mu, mu};
+    return RigidBody(scaling->to_model ? model_of(stated, scaling->law) : prototype_of(stated, scaling->law));
+}
+
+void set_mass(BodyInput& stated, double mass_kg) {
+    stated.inertia_kgm2 *= mass_kg / stated.mass_kg;
+    stated.mass_kg = mass_kg;
+}
+
+// friction = number | distribution | { static = number | distribution, kinetic = number or kinetic_ratio = number }
+void read_friction(Table const& table, BodySpec& spec) {
+    auto const allowed = Range::not_negative();
+    if (table.kind("friction") != Kind::table || table.child("friction").has("distribution")) {
+        spec.scatter.friction = read_distribution(table, "friction", Dimension::none, allowed);
+        double const mu = spec.scatter.friction->centre();
+        spec.friction = Friction{mu, mu};
+        return;
     }
     auto const given = table.child("friction");
-    Friction const friction{given.number("static", Dimension::none, Range::not_negative()),
-                            given.number("kinetic", Dimension::none, Range::not_negative())};
+    auto const held = read_distribution(given, "static", Dimension::none, allowed);
+    if (given.has("kinetic_ratio")) {
+        double const ratio = given.number("kinetic_ratio", Dimension::none, Range::between(0, 1));
+        spec.friction = Friction{held.centre(), ratio * held.centre()};
+    } else if (held.scatters()) {
+        given.fail("static", "scatters (a fixed kinetic value would not follow it). State kinetic_ratio");
+    } else {
+        spec.friction = Friction{held.centre(), given.number("kinetic", Dimension::none, allowed)};
+    }
     given.finish();
-    if (friction.kinetic_coefficient > friction.static_coefficient) {
+    if (spec.friction->kinetic_coefficient > spec.friction->static_coefficient) {
         given.fail("kinetic",
                    fmt::format("{} above static {} (a sliding base would hold better than a resting one). Swap them?",
-                               friction.kinetic_coefficient, friction.static_coefficient));
+                               spec.friction->kinetic_coefficient, spec.friction->static_coefficient));
     }
-    return friction;
+    spec.scatter.friction = held;
 }
 
-std::optional<RestitutionScatter> read_restitution(Table const& table, BodyInput& input) {
-    switch (table.kind("restitution")) {
-        case Kind::absent:
-            return std::nullopt;
-        case Kind::text:
-            if (auto const word = table.text("restitution"); word != "housner") {
-                table.fail("restitution",
-                           fmt::format("'{}' (unknown). Write a number, \"housner\" or a distribution", word));
-            }
-            return std::nullopt;
-        case Kind::table:
-            break;
-        default:
-            input.restitution = table.number("restitution", Dimension::none, Range::between(0, 1));
-            return std::nullopt;
+void read_restitution(Table const& table, BodySpec& spec) {
+    spec.stated.restitution.reset();
+    spec.scatter.restitution.reset();
+    if (table.kind("restitution") == Kind::text) {
+        if (auto const word = table.text("restitution"); word != "housner") {
+            table.fail("restitution",
+                       fmt::format("'{}' (unknown). Write a number, \"housner\" or a distribution", word));
+        }
+        return;
     }
-    auto const given = table.child("restitution");
-    if (auto const kind = given.text("distribution"); kind != "lognormal") {
-        given.fail("distribution", fmt::format("'{}' (unknown). Use lognormal", kind));
-    }
-    RestitutionScatter const scatter{given.number("median", Dimension::none, {.low = 0, .high = 1, .low_open = true}),
-                                     given.number("beta", Dimension::none, {.low = 0, .high = 2})};
-    given.finish();
-    input.restitution = scatter.median;
-    return scatter;
+    spec.scatter.restitution = read_distribution(table, "restitution", Dimension::none, Range::between(0, 1));
+    spec.stated.restitution = spec.scatter.restitution->centre();
 }
 
-void require_no_jamming(Table const& table, Friction const& friction, RigidBody const& body) {
-    double const bound = painleve_bound(body.inertia_ratio());
-    if (friction.static_coefficient >= bound) {
-        table.fail("friction",
-                   fmt::format("{} (from {:.4f} up a slipping corner may jam, Painleve's paradox, and rigid "
-                               "sliding has no answer). Lower it, or leave it out: no slip",
-                               friction.static_coefficient, bound));
+// Every draw must be a body, and one that cannot jam.
+void validate_draws(Table const& table, BodySpec const& spec) {
+    auto const& height = spec.scatter.centre_height;
+    auto stated = spec.stated;
+    for (double const drawn :
+         {height ? height->lowest() : stated.centre_height_m, height ? height->highest() : stated.centre_height_m}) {
+        stated.centre_height_m = drawn;
+        auto const body = table.located(height ? "centre_height" : "", [&] { return scaled(stated, spec.scaling); });
+        double const bound = painleve_bound(body.inertia_ratio());
+        auto const& friction = spec.scatter.friction;
+        if (friction && friction->highest() >= bound) {
+            table.fail("friction",
+                       fmt::format("{:.4g} (from {:.4f} up a slipping corner may jam, Painleve's paradox, and rigid "
+                                   "sliding has no answer). Lower it{}, or leave it out: no slip",
+                                   friction->highest(), bound, friction->scatters() ? " by its key high" : ""));
+        }
     }
 }
 
-BodySpec build(Table const& table, std::string name) {
-    auto input = read_similarity(table, read_shape(table));
-    input.gravity_mps2 = table.number("gravity", Dimension::acceleration, Range::positive(), g0);
-    auto const scatter = read_restitution(table, input);
-    auto const friction = read_friction(table);
+// The keys that outrank what the body's parts or file say.
+void read_uncertain(Table const& table, BodySpec& spec) {
+    if (table.kind("mass") == Kind::table) {
+        spec.scatter.mass = read_distribution(table, "mass", Dimension::mass, Range::positive());
+        set_mass(spec.stated, spec.scatter.mass->centre());
+    }
+    if (table.kind("centre_height") == Kind::table) {
+        spec.scatter.centre_height = read_distribution(table, "centre_height", Dimension::length, Range::positive());
+        spec.stated.centre_height_m = spec.scatter.centre_height->centre();
+    }
+    if (table.has("restitution")) {
+        read_restitution(table, spec);
+    }
+    if (table.has("friction")) {
+        read_friction(table, spec);
+    }
     table.finish();
-    auto body = table.located("", [&] { return RigidBody(input); });
-    if (friction) {
-        require_no_jamming(table, *friction, body);
-    }
-    return {std::move(name), input, body, friction, scatter};
+    spec.body = table.located("", [&] { return scaled(spec.stated, spec.scaling); });
+    validate_draws(table, spec);
+}
+
+BodySpec read_stated(Table const& table, std::string name) {
+    auto stated = read_shape(table);
+    stated.gravity_mps2 = table.number("gravity", Dimension::acceleration, Range::positive(), g0);
+    auto const scaling = read_scaling(table);
+    auto const body = table.located("", [&] { return scaled(stated, scaling); });
+    BodySpec spec{std::move(name), stated, scaling, body, {}, {}};
+    read_uncertain(table, spec);
+    return spec;
+}
+
+double drawn(std::optional<Distribution> const& quantity, DrawnFor const& wave, Purpose purpose, std::uint64_t index) {
+    return quantity->scatters() ? quantity->quantile(uniform_for(wave, purpose, index)) : quantity->centre();
 }
 
 }  // namespace
 
 BodySpec read_body(Table const& table, InputFiles& files) {
     if (!table.has("file")) {
-        return build(table, table.text("name", "body"));
+        return read_stated(table, table.text("name", "body"));
     }
     auto const file = table.text("file");
     auto const name = table.text("name", "");
     auto const inner =
         Table::parse(table.located("file", [&]() -> std::string const& { return files.read(file); }), file);
-    auto spec = build(inner, inner.text("name", "body"));
+    auto spec = read_stated(inner, inner.text("name", "body"));
     if (!name.empty()) {
         spec.name = name;
     }
-    // What stands beside `file` outranks the file.
-    if (table.has("restitution")) {
-        spec.input.restitution.reset();
-        spec.restitution_scatter = read_restitution(table, spec.input);
-        spec.body = table.located("restitution", [&] { return RigidBody(spec.input); });
-    }
-    if (auto const friction = read_friction(table)) {
-        require_no_jamming(table, *friction, spec.body);
-        spec.friction = friction;
-    }
-    table.finish();
+    read_uncertain(table, spec);
     return spec;
 }
 
-RigidBody BodySpec::for_wave(std::uint64_t seed, std::uint64_t wave, std::uint64_t index) const {
-    if (!restitution_scatter) {
-        return body;
+DrawnBody BodySpec::for_wave(DrawnFor const& wave, std::uint64_t index) const {
+    DrawnBody one{body, friction};
+    auto input = stated;
+    if (scatter.mass) {
+        set_mass(input, drawn(scatter.mass, wave, Purpose::body_scatter, 2 * index));
     }
-    RandomStream stream(seed, wave, Purpose::restitution_scatter, index);
-    auto drawn = input;
-    do {
-        drawn.restitution =
-            restitution_scatter->median * std::exp(gsl_ran_gaussian_ziggurat(stream.gsl(), restitution_scatter->beta));
-    } while (*drawn.restitution > 1);
-    return RigidBody(drawn);
+    if (scatter.centre_height) {
+        input.centre_height_m = drawn(scatter.centre_height, wave, Purpose::body_scatter, 2 * index + 1);
+    }
+    if (scatter.restitution) {
+        input.restitution = drawn(scatter.restitution, wave, Purpose::restitution_scatter, index);
+    }
+    one.body = scaled(input, scaling);
+    if (scatter.friction && scatter.friction->scatters()) {
+        double const mu = drawn(scatter.friction, wave, Purpose::friction_scatter, index);
+        one.friction = Friction{mu, mu * (friction->kinetic_coefficient / friction->static_coefficient)};
+    }
+    return one;
 }
 
 }  // namespace overturn

@@ -1,4 +1,4 @@
-/// One body of a campaign, or of a body file: the rigid body, its friction and the scatter of its restitution.
+/// One body of a campaign, or of a body file: the rigid body, its friction and what scatters about them.
 #pragma once
 
 #include <cstdint>
@@ -6,32 +6,42 @@
 #include <string>
 
 #include "body/rigid_body.hpp"
+#include "body/similarity.hpp"
+#include "campaign/scatter.hpp"
 #include "config/table.hpp"
 #include "core/input_files.hpp"
 #include "response/response.hpp"
 
 namespace overturn {
 
-/// ln(e) is normal with median and beta, drawn anew for each wave until e <= 1.
-struct RestitutionScatter {
-    double median = 0;
-    double beta = 0;
+/// The keys describe a prototype whose model is meant, or a model whose prototype is.
+struct Scaling {
+    SimilarityLaw law;
+    bool to_model = true;
+};
+
+/// A body as it stands under one wave.
+struct DrawnBody {
+    RigidBody body;
+    std::optional<Friction> friction;
 };
 
 struct BodySpec {
     std::string name;
-    BodyInput input;
-    RigidBody body;  ///< with the median restitution
-    std::optional<Friction> friction;
-    std::optional<RestitutionScatter> restitution_scatter;
+    BodyInput stated;  ///< as the keys say, with the central value of whatever scatters
+    std::optional<Scaling> scaling;
+    RigidBody body;                    ///< of what is stated, scaled
+    std::optional<Friction> friction;  ///< likewise central; empty: no slip
+    BodyScatter scatter;
 
-    /// The body as it is under a given wave: its own draw of whatever scatters. Pure.
-    [[nodiscard]] RigidBody for_wave(std::uint64_t seed, std::uint64_t wave, std::uint64_t index) const;
+    /// The body as it is under a given wave: its own draw of whatever scatters. A drawn mass keeps the radius of
+    /// gyration, a drawn centre height the inertia about the centre. Pure. \param index of the body in its campaign
+    [[nodiscard]] DrawnBody for_wave(DrawnFor const& wave, std::uint64_t index) const;
 };
 
 /// Keys: name, file, mass, base_width, centre_height, inertia (number or "uniform-block"), parts, restitution,
-/// friction, gravity, similarity. Reads every key of `table` and finishes it.
-/// \throws InputError
+/// friction, gravity, similarity; mass, centre_height, restitution and friction may be distributions. Reads every key
+/// of `table` and finishes it. \throws InputError
 [[nodiscard]] BodySpec read_body(config::Table const& table, InputFiles& files);
 
 }  // namespace overturn

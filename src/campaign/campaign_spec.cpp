@@ -68,6 +68,16 @@ MeasureSpec read_measures(Table const& table) {
     return m;
 }
 
+Sampling read_sampling(Table const& table) {
+    static constexpr std::array samplings{
+        config::Entry<Sampling>{"independent", "each wave draws for itself", Sampling::independent},
+        config::Entry<Sampling>{"latin-hypercube", "one draw from each of as many equal slices as there are waves",
+                                Sampling::latin_hypercube}};
+    auto const sampling = table.choice<Sampling>("sampling", samplings, Sampling::independent);
+    table.finish();
+    return sampling;
+}
+
 std::vector<BodySpec> read_bodies(Table const& root, InputFiles& files) {
     std::vector<BodySpec> bodies;
     std::set<std::string> names;
@@ -102,6 +112,7 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
     spec.title = root.text("title", "");
     spec.seed = static_cast<std::uint64_t>(root.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
     spec.bodies = read_bodies(root, files);
+    spec.sampling = read_sampling(root.child_or_empty("scatter"));
     spec.levels = read_levels(root.child("levels"));
     auto const waves = root.child("waves");
     spec.source = make_wave_source(waves, files);

@@ -30,6 +30,7 @@ struct CampaignSpec {
     std::int64_t wave_count = 0;  ///< shared, or per level
     std::unique_ptr<WaveSource> source;
     std::vector<BodySpec> bodies;
+    Sampling sampling = Sampling::independent;  ///< of what scatters about the bodies
     LevelSpec levels;
     EffectRequest effects;
     RockingAccuracy rocking;

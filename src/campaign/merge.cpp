@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/analysis.hpp"
 #include "campaign/output_place.hpp"
 #include "store/durable.hpp"
 
@@ -38,9 +39,9 @@ std::string shell_word(std::string const& text) {
 
 }  // namespace
 
-std::optional<Statistics> merge_blocks(std::filesystem::path const& output, CampaignInput const& input,
-                                       CampaignSpec const& spec, Plan const& plan, store::ShardFolder const& shards,
-                                       std::function<bool()> const& goes_on) {
+std::optional<std::string> merge_blocks(std::filesystem::path const& output, CampaignInput const& input,
+                                        CampaignSpec const& spec, Plan const& plan, store::ShardFolder const& shards,
+                                        std::function<bool()> const& goes_on) {
     Statistics statistics(spec);
     auto const block = [&](std::int64_t number) {
         if (!goes_on()) {
@@ -48,13 +49,14 @@ std::optional<Statistics> merge_blocks(std::filesystem::path const& output, Camp
         }
         return shards.read(number);
     };
+    std::vector<BodyAnalysis> analysis;
     try {
-        write_results(output, input, spec, plan, block, statistics);
+        analysis = write_results(output, input, spec, plan, block, statistics);
     } catch (Interrupted const&) {
         return std::nullopt;
     }
     shards.remove();
-    return statistics;
+    return stripe_table(spec, statistics) + analysis_table(analysis, spec.confidence);
 }
 
 std::string resume_command(CampaignInput const& input, std::filesystem::path const& output) {
@@ -93,8 +95,8 @@ MergeEnd merge_parts(std::filesystem::path const& output) {
                    resume_command(input, output));
         return MergeEnd::missing;
     }
-    auto const statistics = merge_blocks(output, input, spec, plan, shards, [] { return true; });
-    fmt::print("{}results: {}\n", stripe_table(spec, *statistics), output.string());
+    auto const tables = merge_blocks(output, input, spec, plan, shards, [] { return true; });
+    fmt::print("{}results: {}\n", *tables, output.string());
     return MergeEnd::complete;
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "campaign/results.hpp"
 #include "store/shards.hpp"
@@ -12,12 +13,12 @@ namespace overturn {
 
 /// Writes the results file from all blocks, in the memory of one, and removes them once it is durable.
 /// \param goes_on asked before every block
-/// \return what was counted; nothing, and all blocks as they were, if `goes_on` said no
+/// \return the tables for the terminal; nothing, and all blocks as they were, if `goes_on` said no
 /// \throws SystemError if a block is missing or damaged, or the file cannot be written; the blocks stay
-[[nodiscard]] std::optional<Statistics> merge_blocks(std::filesystem::path const& output, CampaignInput const& input,
-                                                     CampaignSpec const& spec, Plan const& plan,
-                                                     store::ShardFolder const& shards,
-                                                     std::function<bool()> const& goes_on);
+[[nodiscard]] std::optional<std::string> merge_blocks(std::filesystem::path const& output, CampaignInput const& input,
+                                                      CampaignSpec const& spec, Plan const& plan,
+                                                      store::ShardFolder const& shards,
+                                                      std::function<bool()> const& goes_on);
 
 /// How merging the parts of an array job ended.
 enum class MergeEnd { complete, missing };

@@ -40,6 +40,16 @@ std::uint64_t Plan::wave_id(std::int64_t wave) const {
     return static_cast<std::uint64_t>(key * ids_per_level + wave % waves_per_level_);
 }
 
+DrawnFor Plan::drawn_for(CampaignSpec const& spec, std::int64_t wave) const {
+    auto const group = independent_ ? level_keys_.at(static_cast<std::size_t>(wave / waves_per_level_)) : 0;
+    return {.seed = spec.seed,
+            .wave = wave_id(wave),
+            .sampling = spec.sampling,
+            .place = static_cast<std::uint64_t>(wave % waves_per_level_),
+            .count = static_cast<std::uint64_t>(waves_per_level_),
+            .group = static_cast<std::uint64_t>(group)};
+}
+
 std::int64_t Plan::first_level(std::int64_t wave) const { return independent_ ? wave / waves_per_level_ : 0; }
 
 Plan::Waves Plan::waves_of_block(std::int64_t block) const {

@@ -36,6 +36,8 @@ class Plan {
     /// The levels at which a wave is tried: [first, first + count).
     [[nodiscard]] std::int64_t first_level(std::int64_t wave) const;
     [[nodiscard]] std::int64_t level_count() const { return levels_per_wave_; }
+    /// What a body under the wave is drawn by; waves of one level are sliced together where levels have their own.
+    [[nodiscard]] DrawnFor drawn_for(CampaignSpec const& spec, std::int64_t wave) const;
 
     struct Waves {
         std::int64_t first, count;

@@ -2,6 +2,7 @@
 
 #include <fmt/ranges.h>
 
+#include "campaign/analysis.hpp"
 #include "campaign/version.hpp"
 
 namespace overturn {
@@ -145,7 +146,13 @@ Statistics::Statistics(CampaignSpec const& spec) {
     }
 }
 
+void Statistics::add(WaveRow const& row) {
+    waves_.add(row);
+    measured_.add(row);
+}
+
 void Statistics::add(TrialRow const& row) {
+    measured_.add(row);
     auto& body = bodies_.at(static_cast<std::size_t>(row.body));
     auto const level = static_cast<std::size_t>(row.level);
     auto& stripe = body.stripes.at(level);
@@ -184,9 +191,10 @@ std::string WaveCounts::text(std::string const& acceptance) const {
     return text + (failed + not_accepted > 0 ? " (their trials are failed rows)" : "");
 }
 
-void write_results(std::filesystem::path const& path, CampaignInput const& input, CampaignSpec const& spec,
-                   Plan const& plan, std::function<std::vector<std::byte>(std::int64_t)> const& block,
-                   Statistics& statistics) {
+std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, CampaignInput const& input,
+                                        CampaignSpec const& spec, Plan const& plan,
+                                        std::function<std::vector<std::byte>(std::int64_t)> const& block,
+                                        Statistics& statistics) {
     store::ResultsWriter file(path);
     write_provenance(file, input, spec);
     auto const waves = file.table(wave_table(), plan.waves());
@@ -215,58 +223,16 @@ void write_results(std::filesystem::path const& path, CampaignInput const& input
             statistics.add(row);
         }
     }
+    auto analysis = analyse(spec, statistics, {.confidence = spec.confidence});
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
         write_body(file, spec.bodies[b], spec.measures.radius_unit);
         write_stripes(file, spec, statistics.bodies()[b]);
+        write_fragility(file, analysis[b], spec.confidence);
         write_criterion(file, spec, statistics.bodies()[b]);
     }
     file.attribute("complete", std::int64_t{1});
     file.finish();
-}
-
-CampaignInput input_of(store::ResultsReader const& file) {
-    CampaignInput input{file.text("campaign_name"), file.text("campaign"), {}, {}};
-    auto const settings = file.text("settings");
-    for (std::size_t begin = 0; begin < settings.size();) {
-        auto const end = std::min(settings.find('\n', begin), settings.size());
-        input.settings.push_back(settings.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    for (auto const& place : file.members("inputs")) {
-        input.files.emplace(file.note("inputs/" + place, "description"), file.content("inputs/" + place));
-    }
-    return input;
-}
-
-Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec) {
-    Statistics statistics(spec);
-    auto const failed = file.integers("waves/failed");
-    auto const accepted = file.integers("waves/accepted");
-    for (std::size_t i = 0; i < failed.size(); ++i) {
-        WaveRow row;
-        row.failed = failed[i];
-        row.accepted = accepted[i];
-        statistics.add(row);
-    }
-    auto const body = file.integers("trials/body");
-    auto const level = file.integers("trials/level");
-    auto const verdict = file.integers("trials/verdict");
-    auto const v_wes_safe = file.integers("trials/v_wes_safe");
-    auto const ou_v_e_safe = file.integers("trials/ou_v_e_safe");
-    auto const called = file.integers("trials/effects_called");
-    auto const rung = file.integers("trials/rung");
-    for (std::size_t i = 0; i < body.size(); ++i) {
-        TrialRow row;
-        row.body = body[i];
-        row.level = level[i];
-        row.verdict = verdict[i];
-        row.v_wes_safe = v_wes_safe[i];
-        row.ou_v_e_safe = ou_v_e_safe[i];
-        row.effects_called = called[i];
-        row.rung = rung[i];
-        statistics.add(row);
-    }
-    return statistics;
+    return analysis;
 }
 
 }  // namespace overturn

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "campaign/campaign_spec.hpp"
+#include "campaign/measured_trials.hpp"
 #include "campaign/plan.hpp"
 #include "campaign/trial.hpp"
 #include "stats/stripe.hpp"
@@ -43,24 +44,30 @@ struct WaveCounts {
     [[nodiscard]] std::string text(std::string const& acceptance) const;
 };
 
-/// Counts trials as they come; integers only, so that no order can matter.
+/// Counts trials as they come; integers only, so that no order can matter. Keeps the measured ones for the curves.
 class Statistics {
   public:
     explicit Statistics(CampaignSpec const& spec);
     void add(TrialRow const& row);
-    void add(WaveRow const& row) { waves_.add(row); }
+    void add(WaveRow const& row);
     [[nodiscard]] std::vector<BodyStatistics> const& bodies() const { return bodies_; }
     [[nodiscard]] WaveCounts const& waves() const { return waves_; }
+    /// Those trials whose waves were added too.
+    [[nodiscard]] MeasuredTrials const& measured() const { return measured_; }
 
   private:
     WaveCounts waves_;
+    MeasuredTrials measured_;
     std::vector<BodyStatistics> bodies_;
 };
 
-/// Writes the finished file from the blocks, given in order by `block`.
-void write_results(std::filesystem::path const& path, CampaignInput const& input, CampaignSpec const& spec,
-                   Plan const& plan, std::function<std::vector<std::byte>(std::int64_t)> const& block,
-                   Statistics& statistics);
+struct BodyAnalysis;
+
+/// Writes the finished file from the blocks, given in order by `block`. \return what the trials say, as stored
+std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, CampaignInput const& input,
+                                        CampaignSpec const& spec, Plan const& plan,
+                                        std::function<std::vector<std::byte>(std::int64_t)> const& block,
+                                        Statistics& statistics);
 
 /// The stripe table for the terminal.
 [[nodiscard]] std::string stripe_table(CampaignSpec const& spec, Statistics const& statistics);

@@ -48,7 +48,8 @@ struct MeasureRow {
 struct TrialRow {
     std::int64_t wave = 0, body = 0, level = 0;
     double amplitude = 0, scale = 0;
-    double restitution = 0;
+    double mass_kg = 0, centre_height_m = 0, restitution = 0;
+    double static_friction = -1, kinetic_friction = -1;
     std::int64_t verdict = 0, failure = 0;
     double peak_rotation_rad = 0, peak_rotation_ratio = 0, time_of_peak_s = -1;
     double peak_energy_ratio = 0;

@@ -110,10 +110,10 @@ class Run {
     RunEnd merge(PhaseSeconds& seconds) {
         auto const table = from_root(comm_, [&] {
             auto const begin = std::chrono::steady_clock::now();
-            auto const statistics =
+            auto const tables =
                 merge_blocks(options_.output, input_, spec_, plan_, shards_, [&] { return leave_.may_go_on(); });
             seconds.store += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-            return statistics ? stripe_table(spec_, *statistics) : std::string();
+            return tables.value_or("");
         });
         if (comm_.is_root() && !table.empty()) {
             fmt::print("{}results: {}\n", table, options_.output.string());

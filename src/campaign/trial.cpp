@@ -100,8 +100,9 @@ PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64
     auto const id = plan.wave_id(wave);
     prepared.row.id = static_cast<std::int64_t>(id);
     prepared.measures.resize(spec.bodies.size());
+    auto const drawn_for = plan.drawn_for(spec, wave);
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
-        prepared.bodies.push_back(spec.bodies[b].for_wave(spec.seed, id, b));
+        prepared.bodies.push_back(spec.bodies[b].for_wave(drawn_for, b));
     }
     try {
         Stopwatch const watch(seconds.waves);
@@ -119,12 +120,13 @@ PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64
     prepared.intensity = intensity_of(prepared.motion.horizontal_mps2, prepared.motion.time_step_s);
     describe_motion(prepared.row, prepared.motion, prepared.intensity);
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
-        auto const energy = window_energy(prepared.motion.horizontal_mps2, prepared.motion.time_step_s,
-                                          rocking_period_band(prepared.bodies[b].radius_m(), spec.measures.radius_unit),
-                                          {.reading = spec.measures.window,
-                                           .smoothed = true,
-                                           .keep_history = false,
-                                           .panel_phase_rad = spec.measures.panel_phase_rad});
+        auto const energy =
+            window_energy(prepared.motion.horizontal_mps2, prepared.motion.time_step_s,
+                          rocking_period_band(prepared.bodies[b].body.radius_m(), spec.measures.radius_unit),
+                          {.reading = spec.measures.window,
+                           .smoothed = true,
+                           .keep_history = false,
+                           .panel_phase_rad = spec.measures.panel_phase_rad});
         prepared.measures[b].ou_v_e_mps = energy.ou_v_e_mps;
         prepared.measures[b].v_wes_max_mps = energy.v_wes_max_mps;
         prepared.measures[b].v_wes_time_s = energy.v_wes_time_s;
@@ -136,15 +138,21 @@ namespace {
 
 // A row before its response: what is known of the trial beforehand.
 TrialRow open_row(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t body, std::int64_t level) {
-    auto const& rigid = wave.bodies.at(static_cast<std::size_t>(body));
+    auto const& drawn = wave.bodies.at(static_cast<std::size_t>(body));
     auto const& at = spec.levels.levels.at(static_cast<std::size_t>(level));
     TrialRow row;
     row.wave = wave.row.id;
     row.body = body;
     row.level = level;
     row.amplitude = at.value;
-    row.restitution = rigid.restitution();
-    row.v_ereq_mps = rigid.limit_velocity_mps();
+    row.mass_kg = drawn.body.mass_kg();
+    row.centre_height_m = drawn.body.centre_height_m();
+    row.restitution = drawn.body.restitution();
+    if (drawn.friction) {
+        row.static_friction = drawn.friction->static_coefficient;
+        row.kinetic_friction = drawn.friction->kinetic_coefficient;
+    }
+    row.v_ereq_mps = drawn.body.limit_velocity_mps();
     bool const usable = wave.row.failed == 0 && wave.row.accepted != 0;
     auto const scale = usable ? spec.levels.scale(at, wave.intensity) : std::nullopt;
     if (scale) {
@@ -161,8 +169,8 @@ TrialRow open_row(CampaignSpec const& spec, PreparedWave const& wave, std::int64
 bool failed(TrialRow const& row) { return row.failure != static_cast<std::int64_t>(FailureReason::none); }
 
 Scene scene_of(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t body) {
-    auto const at = static_cast<std::size_t>(body);
-    return {wave.bodies.at(at), spec.bodies.at(at).friction, spec.effects, spec.rocking};
+    auto const& drawn = wave.bodies.at(static_cast<std::size_t>(body));
+    return {drawn.body, drawn.friction, spec.effects, spec.rocking};
 }
 
 void close_row(TrialRow& row, PreparedWave const& wave, Response const& response) {
@@ -173,7 +181,7 @@ void close_row(TrialRow& row, PreparedWave const& wave, Response const& response
     auto const why = rocking.steps == 0 ? FailureReason::absurd_level : FailureReason::no_convergence;
     row.failure = static_cast<std::int64_t>(rocking.verdict == Verdict::failed ? why : FailureReason::none);
     row.peak_rotation_rad = rocking.peak_rotation_rad;
-    row.peak_rotation_ratio = rocking.peak_rotation_rad / wave.bodies.at(body).alpha_rad();
+    row.peak_rotation_ratio = rocking.peak_rotation_rad / wave.bodies.at(body).body.alpha_rad();
     row.time_of_peak_s = rocking.time_of_peak_s;
     row.peak_energy_ratio = rocking.peak_energy_ratio;
     row.overturn_time_s = rocking.overturn_time_s;

@@ -32,7 +32,7 @@ struct PreparedWave {
     Intensity intensity;
     WaveRow row;
     std::vector<MeasureRow> measures;  ///< one per body
-    std::vector<RigidBody> bodies;     ///< as they are under this wave
+    std::vector<DrawnBody> bodies;     ///< as they are under this wave
     rocking::PagePeaks pages;
 };
 

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 
-#include "report/wave_figure.hpp"
 #include "spectra/target_input.hpp"
 
 namespace overturn::cli {
@@ -33,8 +32,8 @@ std::optional<TargetSpectrum> target_of(CampaignInput const& input) {
 
 }  // namespace
 
-void draw_campaign_wave(CampaignInput const& input, CampaignSpec const& spec, std::uint64_t wave,
-                        GeneratedWave const& made, std::string const& output) {
+report::WaveFigure campaign_wave_figure(CampaignInput const& input, CampaignSpec const& spec,
+                                        GeneratedWave const& made) {
     report::WaveFigure figure;
     figure.title = spec.title.empty() ? input.name : spec.title;
     auto const source = spec.source->describe();
@@ -46,11 +45,15 @@ void draw_campaign_wave(CampaignInput const& input, CampaignSpec const& spec, st
         figure.damping = figure.target->damping();
         figure.bands = {report::srp_acceptance_band()};
     }
-    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
-        auto const& body = spec.bodies[b];
-        figure.bodies.push_back(figure_body(body.name, body.for_wave(spec.seed, wave, b), made.motion, spec.measures));
+    for (auto const& body : spec.bodies) {
+        figure.bodies.push_back(figure_body(body.name, body.body, made.motion, spec.measures));
     }
-    report::draw_wave(figure, output);
+    return figure;
+}
+
+void draw_campaign_wave(CampaignInput const& input, CampaignSpec const& spec, GeneratedWave const& made,
+                        std::string const& output) {
+    report::draw_wave(campaign_wave_figure(input, spec, made), output);
 }
 
 void draw_record(std::string const& name, PlacedRecord const& record, double damping,

@@ -7,12 +7,17 @@
 #include "campaign/campaign_spec.hpp"
 #include "cli/scene_files.hpp"
 #include "generators/wave_source.hpp"
+#include "report/wave_figure.hpp"
 
 namespace overturn::cli {
 
-/// Draws wave `wave` of a campaign with its target and bodies. \throws as report::draw_wave
-void draw_campaign_wave(CampaignInput const& input, CampaignSpec const& spec, std::uint64_t wave,
-                        GeneratedWave const& made, std::string const& output);
+/// A wave of a campaign with its target and the bodies at their central values.
+[[nodiscard]] report::WaveFigure campaign_wave_figure(CampaignInput const& input, CampaignSpec const& spec,
+                                                      GeneratedWave const& made);
+
+/// Draws it. \throws as report::draw_wave
+void draw_campaign_wave(CampaignInput const& input, CampaignSpec const& spec, GeneratedWave const& made,
+                        std::string const& output);
 
 /// Draws a record, with one body if given.
 void draw_record(std::string const& name, PlacedRecord const& record, double damping,

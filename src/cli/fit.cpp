@@ -1,77 +1,121 @@
+#include <cmath>
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include "campaign/results.hpp"
+#include "cli/fit_json.hpp"
+#include "cli/stripe_csv.hpp"
 #include "cli/verbs.hpp"
+#include "core/error.hpp"
+#include "core/input_files.hpp"
+#include "stats/rank.hpp"
 
 namespace overturn::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json confusion_json(std::vector<Confusion> const& levels) {
-    Confusion sum;
-    for (auto const& c : levels) {
-        sum.false_safe += c.false_safe;
-        sum.false_alarm += c.false_alarm;
-        sum.true_safe += c.true_safe;
-        sum.true_overturn += c.true_overturn;
-    }
-    return {{"false_safe", sum.false_safe},
-            {"false_alarm", sum.false_alarm},
-            {"true_safe", sum.true_safe},
-            {"true_overturn", sum.true_overturn}};
+struct Options {
+    std::string file;
+    std::string stripes;
+    bool json = false;
+    double beta_u = 0;
+    double confidence = 0;  ///< 0: the campaign's, or 0.95
+    double design_basis = 0;
+};
+
+void check(Options const& options) {
+    validate(options.file.empty() != options.stripes.empty(),
+             "fit: {} (one thing is fitted at a time). Name a results file or --stripes TABLE.csv",
+             options.file.empty() ? "nothing to fit" : "a results file and --stripes");
+    validate(options.beta_u >= 0 && std::isfinite(options.beta_u),
+             "--beta-u: {} (must be 0 or above). It is a lognormal standard deviation", options.beta_u);
+    validate(options.confidence >= 0 && options.confidence < 1,
+             "--confidence: {} (must lie between 0 and 1). State e.g. 0.95", options.confidence);
+    validate(options.design_basis >= 0 && std::isfinite(options.design_basis),
+             "--design-basis: {} (must be above 0). State it in the table's unit", options.design_basis);
+    validate(options.design_basis == 0 || options.file.empty(),
+             "--design-basis beside a results file (its campaign names the level). Leave it out");
 }
 
-Json fit_json(CampaignSpec const& spec, Statistics const& statistics) {
-    Json json;
-    json["stripes"] = Json::array();
-    json["criterion"] = Json::array();
-    for (auto const& body : statistics.bodies()) {
-        for (std::size_t l = 0; l < body.stripes.size(); ++l) {
-            auto const& s = body.stripes[l];
-            auto const interval = s.interval(spec.confidence);
-            json["stripes"].push_back({{"body", body.body},
-                                       {"level", l},
-                                       {"amplitude", s.amplitude},
-                                       {"trials", s.trials},
-                                       {"overturned", s.overturned},
-                                       {"failed", s.failed},
-                                       {"probability", s.probability()},
-                                       {"lower", interval.lower},
-                                       {"upper", interval.upper}});
-        }
-        for (auto const& [measure, levels] : {std::pair{"v_wes", &body.v_wes}, std::pair{"ou_v_e", &body.ou_v_e}}) {
-            auto entry = Json{{"body", body.body}, {"measure", measure}};
-            entry.update(confusion_json(*levels));
-            json["criterion"].push_back(entry);
-        }
-    }
-    return json;
-}
-
-int fit(std::string const& path, bool as_json) {
-    store::ResultsReader const file(path);
+int fit_file(Options const& options) {
+    store::ResultsReader const file(options.file);
     auto const spec = parse_campaign(input_of(file));
     auto const statistics = recount(file, spec);
-    fmt::print("{}", as_json ? fit_json(spec, statistics).dump(2) + "\n" : stripe_table(spec, statistics));
+    double const confidence = options.confidence > 0 ? options.confidence : spec.confidence;
+    auto const analysis = analyse(spec, statistics, {.confidence = confidence, .beta_u = options.beta_u});
+    if (options.json) {
+        fmt::print("{}\n", fit_json(spec, statistics, analysis, confidence).dump(2));
+    } else {
+        fmt::print("{}{}", stripe_table(spec, statistics), analysis_table(analysis, confidence));
+    }
+    return done;
+}
+
+std::string stripes_text(std::vector<Stripe> const& stripes, double confidence) {
+    auto text = fmt::format("{:>10} {:>7} {:>11} {:>7}  {:>8}  {:>20}\n", "amplitude", "trials", "overturned", "failed",
+                            "P", fmt::format("{:g} % interval", 100 * confidence));
+    for (auto const& stripe : stripes) {
+        auto const interval = stripe.interval(confidence);
+        text += fmt::format("{:>10.4g} {:>7} {:>11} {:>7}  {:>8}  [{:.6f}, {:.6f}]\n", stripe.amplitude, stripe.trials,
+                            stripe.overturned, stripe.failed,
+                            stripe.decided() > 0 ? fmt::format("{:.4f}", stripe.probability()) : std::string("-"),
+                            interval.lower, interval.upper);
+    }
+    return text;
+}
+
+int fit_stripes(Options const& options) {
+    InputFiles files(std::filesystem::path("."));
+    auto const stripes = parse_stripes(files.read(options.stripes), options.stripes);
+    constexpr double usual = 0.95;
+    FragilityRequest request;
+    request.confidence = options.confidence > 0 ? options.confidence : usual;
+    request.beta_u = options.beta_u;
+    MeasuredFragility measured;
+    measured.name = "amplitude";
+    measured.units = "1";
+    if (options.design_basis > 0) {
+        measured.quote_base = "design-basis";
+        for (double const multiple : quoted_multiples) {
+            request.quotes.push_back({multiple * options.design_basis, multiple});
+        }
+    }
+    auto const data = FragilityData::of_stripes(stripes);
+    measured.fit = fit_fragility(data, request);
+    measured.rank_area = rank_area(data.points);
+    if (!options.json) {
+        fmt::print("{}\n{}", stripes_text(stripes, request.confidence),
+                   fragility_table({measured}, request.confidence));
+        return done;
+    }
+    Json json{{"stripes", Json::array()}, {"fragility", Json::array()}, {"criterion", Json::array()}};
+    for (std::size_t l = 0; l < stripes.size(); ++l) {
+        json["stripes"].push_back(stripe_json("", l, stripes[l], request.confidence));
+    }
+    json["fragility"].push_back(fragility_json("", measured, request.confidence));
+    fmt::print("{}\n", json.dump(2));
     return done;
 }
 
 }  // namespace
 
 void add_fit(CLI::App& app, Action& action) {
-    struct Options {
-        std::string file;
-        bool json = false;
-    };
-    auto* verb = app.add_subcommand("fit", "recompute the statistics of a results file");
+    auto* verb =
+        app.add_subcommand("fit", "fragility curves and the criterion on trial, from a results file or a table");
     auto options = std::make_shared<Options>();
-    verb->add_option("file", options->file, "results file")->required();
+    verb->add_option("file", options->file, "results file");
+    verb->add_option("--stripes", options->stripes, "fit a table instead: amplitude,trials,overturned (csv)");
     verb->add_flag("--json", options->json, "as JSON");
-    verb->callback([options, &action] { action = [options] { return fit(options->file, options->json); }; });
+    verb->add_option("--beta-u", options->beta_u, "lognormal standard deviation of what is not known, for HCLPF");
+    verb->add_option("--confidence", options->confidence, "of all intervals; default: the campaign's, or 0.95");
+    verb->add_option("--design-basis", options->design_basis, "with --stripes: quote P at multiples of this amplitude");
+    verb->callback([options, &action] {
+        action = [options] {
+            check(*options);
+            return options->stripes.empty() ? fit_file(*options) : fit_stripes(*options);
+        };
+    });
 }
 
 }  // namespace overturn::cli

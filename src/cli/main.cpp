@@ -29,6 +29,7 @@ int start(int argc, char** argv) {
     cli::add_status(app, action);
     cli::add_replay(app, action);
     cli::add_fit(app, action);
+    cli::add_report(app, action);
     cli::add_cost(app, action);
     cli::add_rock(app, action);
     cli::add_spectrum(app, action);

@@ -19,6 +19,7 @@ void add_merge(CLI::App& app, Action& action);
 void add_status(CLI::App& app, Action& action);
 void add_replay(CLI::App& app, Action& action);
 void add_fit(CLI::App& app, Action& action);
+void add_report(CLI::App& app, Action& action);
 void add_cost(CLI::App& app, Action& action);
 void add_rock(CLI::App& app, Action& action);
 void add_spectrum(CLI::App& app, Action& action);

@@ -99,7 +99,7 @@ int show_wave(Options const& options) {
         write_output(options, spec.seed, made);
     }
     if (!options.plot.empty()) {
-        draw_campaign_wave(input, spec, id, made, options.plot);
+        draw_campaign_wave(input, spec, made, options.plot);
         fmt::print(stderr, "{}: {}\n", options.plot, made.label);
     }
     fmt::print(stderr, "{}", wave_report(spec, made, check));

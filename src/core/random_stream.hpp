@@ -20,6 +20,7 @@ enum class Purpose : std::uint64_t {
     friction_scatter = 5,
     record_choice = 6,
     calibration = 7,
+    bootstrap = 8,
 };
 
 /// A Threefry4x64-20 counter stream (Salmon et al., SC'11) behind GSL's generator interface, so that every

@@ -107,8 +107,8 @@ Run run_energy(Sample const& sample, double panel_phase_rad, Acts acts) {
             continue;
         }
         auto const& motion = wave.motion;
-        for (auto const& body : wave.bodies) {
-            auto const band = rocking_period_band(body.radius_m(), measures.radius_unit);
+        for (auto const& drawn : wave.bodies) {
+            auto const band = rocking_period_band(drawn.body.radius_m(), measures.radius_unit);
             run.values.push_back(acts == Acts::ou_v_e ? overturning_energy_velocity(
                                      motion.horizontal_mps2, motion.time_step_s, band, panel_phase_rad)
                                                       : window_energy(motion.horizontal_mps2, motion.time_step_s, band,

@@ -182,12 +182,12 @@ void Runner::count_criterion_flips(Measured& row, std::vector<double> const& val
             continue;
         }
         auto const first = plan_.first_level(wave.number);
-        for (auto const& body : wave.bodies) {
+        for (auto const& drawn : wave.bodies) {
             for (auto level = first; level < first + plan_.level_count(); ++level) {
                 auto const scale =
                     spec_.levels.scale(spec_.levels.levels[static_cast<std::size_t>(level)], wave.intensity);
                 if (scale) {
-                    double const limit = body.limit_velocity_mps();
+                    double const limit = drawn.body.limit_velocity_mps();
                     ++row.trials;
                     row.flips += (*scale * values[at] < limit) != (*scale * exact[at] < limit) ? 1 : 0;
                 }

@@ -159,9 +159,9 @@ void draw_figure(std::string_view script, nlohmann::ordered_json const& data, fs
     validate(!error, "{}: cannot be written ({}). Choose another place", output.string(), error.message());
 }
 
-std::string figure_text(std::string_view script, nlohmann::ordered_json const& data) {
+std::string figure_text(std::string_view script, nlohmann::ordered_json const& data, std::string const& kind) {
     TemporaryFolder const folder;
-    std::ifstream file(drawn_in(folder, script, data, ".svg"), std::ios::binary);
+    std::ifstream file(drawn_in(folder, script, data, kind), std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
 }
 

@@ -18,7 +18,8 @@ void check_figure_name(std::filesystem::path const& output);
 /// written
 void draw_figure(std::string_view script, nlohmann::ordered_json const& data, std::filesystem::path const& output);
 
-/// The same as the text of an svg, for pages. \throws SystemError
-[[nodiscard]] std::string figure_text(std::string_view script, nlohmann::ordered_json const& data);
+/// The same as text, for pages. \param kind ".svg", or ".html" of a script that writes a page \throws SystemError
+[[nodiscard]] std::string figure_text(std::string_view script, nlohmann::ordered_json const& data,
+                                      std::string const& kind = ".svg");
 
 }  // namespace overturn::report

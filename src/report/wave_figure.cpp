@@ -68,7 +68,7 @@ Json bodies_json(WaveFigure const& figure) {
 
 AcceptanceBand srp_acceptance_band() { return {"SRP 3.7.1: \u221210 % to +30 %", 0.9, 1.3, 0.02, 10}; }
 
-void draw_wave(WaveFigure const& figure, std::filesystem::path const& output) {
+Json wave_data(WaveFigure const& figure) {
     auto const& motion = figure.motion;
     double const step = motion.time_step_s;
     auto const periods = log_periods(shortest_s, longest_s, period_count);
@@ -100,7 +100,11 @@ void draw_wave(WaveFigure const& figure, std::filesystem::path const& output) {
     } else if (figure.target) {
         data["target"] = target_json(figure, periods);
     }
-    draw_figure("wave_figure.py", data, output);
+    return data;
+}
+
+void draw_wave(WaveFigure const& figure, std::filesystem::path const& output) {
+    draw_figure("wave_figure.py", wave_data(figure), output);
 }
 
 }  // namespace overturn::report

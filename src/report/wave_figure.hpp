@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "motion/ground_motion.hpp"
 #include "spectra/band_rule.hpp"
 #include "spectra/target_spectrum.hpp"
@@ -41,6 +43,9 @@ struct WaveFigure {
     std::vector<AcceptanceBand> bands;
     std::vector<FigureBody> bodies;
 };
+
+/// What the script draws from, for pages that hold the figure among others.
+[[nodiscard]] nlohmann::ordered_json wave_data(WaveFigure const& figure);
 
 /// \throws as draw_figure
 void draw_wave(WaveFigure const& figure, std::filesystem::path const& output);

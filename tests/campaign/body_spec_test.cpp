@@ -1,7 +1,6 @@
-// Requirement: a body is stated directly, from parts, at scale or by file, and scatters by wave and body alone.
+// Requirement: a body is stated directly, from parts, at scale or by file.
 #include "campaign/body_spec.hpp"
 
-#include <algorithm>
 #include <map>
 #include <vector>
 
@@ -104,54 +103,17 @@ TEST(BodySpec, FileWithOverrides) {
         "x.toml:1:");
 }
 
-std::string const scattered = block + "inertia=6000\nrestitution={distribution='lognormal',median=0.8,beta=0.1}\n";
-
-TEST(RestitutionScatter, IsAPureFunctionOfSeedWaveAndBody) {
-    auto const spec = body_of(scattered);
-    auto const drawn = [&](std::uint64_t seed, std::uint64_t wave, std::uint64_t index) {
-        return spec.for_wave(seed, wave, index).restitution();
-    };
-
-    EXPECT_EQ(drawn(1, 17, 0), drawn(1, 17, 0));
-    EXPECT_NE(drawn(1, 17, 0), drawn(2, 17, 0));
-    EXPECT_NE(drawn(1, 17, 0), drawn(1, 18, 0));
-    EXPECT_NE(drawn(1, 17, 0), drawn(1, 17, 1));
-    EXPECT_EQ(spec.body.restitution(), 0.8);
-}
-
-TEST(RestitutionScatter, HasItsMedianAndBetaAndNeverGivesEnergy) {
-    auto const spec = body_of(scattered);
-    constexpr std::size_t count = 20001;
-    std::vector<double> drawn;
-    for (std::size_t wave = 0; wave < count; ++wave) {
-        drawn.push_back(spec.for_wave(2013, wave, 0).restitution());
-    }
-    std::sort(drawn.begin(), drawn.end());
-
-    // Redrawing above 1 cuts off P(z > 2.23) = 0.0129: quantile q of the rest is quantile 0.9871 q of the whole.
-    EXPECT_LE(drawn.back(), 1);
-    EXPECT_NEAR(drawn[count / 2], 0.8 * std::exp(0.1 * -0.01613), 0.003);
-    EXPECT_NEAR(drawn[count / 20], 0.8 * std::exp(0.1 * -1.6512), 0.004);
-}
-
-TEST(RestitutionScatter, OfZeroIsTheMedian) {
-    auto const spec = body_of(block + "inertia=6000\nrestitution={distribution='lognormal',median=1,beta=0}\n");
-
-    EXPECT_EQ(spec.for_wave(1, 2, 3).restitution(), 1);
-}
-
 TEST(BodySpec, RefusesNonsense) {
     refuse("mass=-5\nbase_width=1\ncentre_height=1\ninertia=1\n", "mass: -5 kg");
     refuse("mass='5 m'\nbase_width=1\ncentre_height=1\ninertia=1\n", "unit 'm'");
     refuse(block + "inertia='uniform-blok'\n", "inertia");
     refuse(block + "inertia=6000\nrestitution=1.2\n", "restitution: 1.2");
     refuse(block + "inertia=6000\nrestitution='houzner'\n", "houzner");
-    refuse(block + "inertia=6000\nrestitution={distribution='normal',median=0.8,beta=0.1}\n", "normal");
     refuse(block + "inertia=6000\nfriction={static=0.4,kinetic=0.5}\n", "Swap them");
     refuse(block + "inertia=6000\nfricton=0.4\n", "Did you mean 'friction'?");
     refuse("mass='12 t'\nbase_width=3\ncentre_height=0.5\ninertia='uniform-block'\n", "so squat");
     refuse("base_width=1\n[[parts]]\nkind='sphere'\nmass=1\n", "sphere");
-    refuse("base_width=1\nmass=3\n[[parts]]\nkind='point'\nmass=1\nheight=1\n", "mass");
+    refuse("base_width=1\nmass=3\n[[parts]]\nkind='box'\nmass=1\nwidth=1\nheight=1\n", "mass");
 }
 
 }  // namespace

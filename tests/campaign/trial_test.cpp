@@ -89,7 +89,7 @@ TEST(TrialPurity, AnotherSeedIsAnotherWave) {
     auto const spec = campaign_from(small_campaign);
 
     EXPECT_NE(prepared(spec, 0).row.pga_mps2, prepared(other, 0).row.pga_mps2);
-    EXPECT_NE(prepared(spec, 0).bodies[0].restitution(), prepared(other, 0).bodies[0].restitution());
+    EXPECT_NE(prepared(spec, 0).bodies[0].body.restitution(), prepared(other, 0).bodies[0].body.restitution());
 }
 
 TEST(Trial, IsAtItsLevel) {

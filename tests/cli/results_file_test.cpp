@@ -55,6 +55,14 @@ for b, body in enumerate(['type-a', 'type-b']):
             assert c['true_overturn'][l] == (overturned & ~said).sum()
             assert c['true_safe'][l] == (mine & ~overturned & ~failed & said).sum()
             assert c['false_alarm'][l] == (mine & ~overturned & ~failed & ~said).sum()
+    g = f['fragility'][body]
+    measures = h5py.check_enum_dtype(g['measure'].dtype)
+    assert [k for m in g['measure'] for k, v in measures.items() if v == m] == ['pga', 'pgv', 'v_wes', 'ou_v_e', 'v_wes_ratio']
+    known = g['identifiable'][:] == 1
+    for name in ('median', 'beta', 'hclpf', 'median_lower', 'beta_upper'):
+        assert (np.isnan(g[name][:]) == ~known).all(), name
+    assert (g['flags'][:][~known] > 0).all()
+    assert g.attrs['confidence'] == 0.95 and len(g.attrs['flag_names'].split()) == 16
 assert (t['restitution'][t['body'] == 1] <= 1).all() and len(set(t['restitution'][t['body'] == 1])) == 12
 assert np.allclose(t['peak_rotation'][t['verdict'] == 3], np.pi / 2)
 assert ((t['effects'] & 1) == 1).all()

@@ -1,0 +1,138 @@
+#include "campaign/analysis.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "stats/quantile.hpp"
+#include "stats/rank.hpp"
+
+namespace overturn {
+namespace {
+
+// The levels' own measure comes first; levels of a measure that no fit has by itself add one.
+std::vector<FragilityMeasure> measures_of(LevelSpec const& levels) {
+    using enum FragilityMeasure;
+    switch (levels.measure) {
+        case LevelMeasure::pga:
+            return {pga, pgv, v_wes, ou_v_e, v_wes_ratio};
+        case LevelMeasure::pgv:
+            return {pgv, pga, v_wes, ou_v_e, v_wes_ratio};
+        default:
+            return {level, pga, pgv, v_wes, ou_v_e, v_wes_ratio};
+    }
+}
+
+std::string units_of(FragilityMeasure measure, LevelSpec const& levels) {
+    switch (measure) {
+        case FragilityMeasure::pga:
+            return "m/s2";
+        case FragilityMeasure::v_wes_ratio:
+            return "1";
+        case FragilityMeasure::level:
+            return levels.units();
+        default:
+            return "m/s";
+    }
+}
+
+std::vector<Quote> quotes_of(LevelSpec const& levels) {
+    std::vector<Quote> quotes;
+    auto const base = std::find_if(levels.levels.begin(), levels.levels.end(),
+                                   [](Level const& l) { return l.purpose == LevelClass::design_basis; });
+    if (base == levels.levels.end()) {
+        return quotes;
+    }
+    for (double const multiple : quoted_multiples) {
+        quotes.push_back({multiple * base->value, multiple});
+    }
+    for (auto const& level : levels.levels) {
+        auto const known = std::any_of(quotes.begin(), quotes.end(), [&](Quote const& q) {
+            constexpr double same = 1e-9;
+            return std::abs(q.intensity / level.value - 1) < same;
+        });
+        if (level.purpose == LevelClass::beyond_design && !known) {
+            quotes.push_back({level.value, level.value / base->value});
+        }
+    }
+    return quotes;
+}
+
+// At the levels' measure the trials are stripes; their waves are known for the bootstrap.
+FragilityData stripes_with_waves(BodyStatistics const& body, std::vector<SingleTrial> trials, bool waves_shared) {
+    auto data = FragilityData::of_stripes(body.stripes);
+    data.trials = std::move(trials);
+    data.waves_shared = waves_shared;
+    return data;
+}
+
+class Analyst {
+  public:
+    Analyst(CampaignSpec const& spec, Statistics const& statistics, AnalysisOptions const& options)
+        : spec_(spec), statistics_(statistics), options_(options) {}
+
+    [[nodiscard]] BodyAnalysis of(std::size_t b) const {
+        BodyAnalysis body;
+        body.body = spec_.bodies[b].name;
+        for (auto const measure : measures_of(spec_.levels)) {
+            body.fragility.push_back(fragility(b, measure, measure == measures_of(spec_.levels).front()));
+        }
+        for (auto const measure : {FragilityMeasure::v_wes, FragilityMeasure::ou_v_e}) {
+            body.criterion.push_back({measure, study_criterion(statistics_.measured().criterion_trials(
+                                                                   static_cast<std::int64_t>(b), measure),
+                                                               options_.confidence)});
+        }
+        body.verdict = verdict_on(body, options_.confidence);
+        return body;
+    }
+
+  private:
+    [[nodiscard]] MeasuredFragility fragility(std::size_t b, FragilityMeasure measure, bool levels) const {
+        auto const number = static_cast<std::int64_t>(b);
+        bool const shared = !spec_.levels.independent_waves && spec_.levels.levels.size() > 1;
+        // The level itself, not the scaled wave's peak, which differs from it in the last digit.
+        auto const stored_as = levels ? FragilityMeasure::level : measure;
+        auto singles = statistics_.measured().singles(number, stored_as);
+        MeasuredFragility result;
+        result.measure = measure;
+        result.name = measure == FragilityMeasure::level ? spec_.levels.measure_name()
+                                                         : fragility_measure_names()[static_cast<std::size_t>(measure)];
+        result.units = units_of(measure, spec_.levels);
+        FragilityRequest request{options_.confidence, options_.beta_u, {}, {spec_.seed, b, options_.replicates}};
+        if (levels) {
+            request.quotes = quotes_of(spec_.levels);
+            result.quote_base = request.quotes.empty() ? "" : "design-basis";
+        } else if (measure == FragilityMeasure::v_wes_ratio) {
+            request.quotes = {{1, 1}};
+            result.quote_base = "v_ereq";
+        }
+        result.rank_area = rank_area(singles);
+        constexpr int rank_replicates = 200;
+        result.rank_interval =
+            middle_of(rank_area_replicates(singles, {spec_.seed, b, rank_replicates}), options_.confidence, {0, 1});
+        result.fit =
+            fit_fragility(levels ? stripes_with_waves(statistics_.bodies()[b], std::move(singles), shared)
+                                 : FragilityData::of_trials(std::move(singles), shared,
+                                                            statistics_.measured().left_out(number, stored_as)),
+                          request);
+        return result;
+    }
+
+    CampaignSpec const& spec_;
+    Statistics const& statistics_;
+    AnalysisOptions const& options_;
+};
+
+}  // namespace
+
+std::vector<BodyAnalysis> analyse(CampaignSpec const& spec, Statistics const& statistics,
+                                  AnalysisOptions const& options) {
+    Analyst const analyst(spec, statistics, options);
+    std::vector<BodyAnalysis> bodies;
+    bodies.reserve(spec.bodies.size());
+    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+        bodies.push_back(analyst.of(b));
+    }
+    return bodies;
+}
+
+}  // namespace overturn

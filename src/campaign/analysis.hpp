@@ -1,0 +1,71 @@
+/// What the trials of a campaign say: fragility curves over several measures, and how good the energy criterion is.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "campaign/campaign_spec.hpp"
+#include "campaign/measured_trials.hpp"
+#include "campaign/results.hpp"
+#include "stats/fragility.hpp"
+
+namespace overturn {
+
+/// A fit with what it is of.
+struct MeasuredFragility {
+    FragilityMeasure measure = FragilityMeasure::pga;
+    std::string name;        ///< of the measure
+    std::string units;       ///< of the measure
+    std::string quote_base;  ///< what quoted multiples are of: "design-basis", "v_ereq"; empty without quotes
+    FragilityFit fit;
+    double rank_area = std::numeric_limits<double>::quiet_NaN();  ///< NaN where all trials ended alike
+    Interval rank_interval{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+};
+
+/// One criterion of one body, measure < V_Ereq.
+struct MeasuredCriterion {
+    FragilityMeasure measure = FragilityMeasure::v_wes;
+    CriterionStudy study;
+};
+
+/// The paper calls V_WES practical and conservative; sentences that speak for and against it, each with its numbers.
+struct CriterionVerdict {
+    std::vector<std::string> supports, against, open;
+};
+
+struct BodyAnalysis {
+    std::string body;
+    std::vector<MeasuredFragility> fragility;
+    std::vector<MeasuredCriterion> criterion;
+    CriterionVerdict verdict;
+
+    /// The fit over the levels' own measure.
+    [[nodiscard]] MeasuredFragility const& over_levels() const { return fragility.front(); }
+};
+
+/// Multiples of the design-basis level at which P is quoted.
+inline constexpr std::array quoted_multiples{1.0, 1.5, 2.0, 3.0};
+
+struct AnalysisOptions {
+    double confidence = 0.95;
+    double beta_u = 0;
+    int replicates = 1000;
+};
+
+[[nodiscard]] std::vector<BodyAnalysis> analyse(CampaignSpec const& spec, Statistics const& statistics,
+                                                AnalysisOptions const& options);
+
+[[nodiscard]] CriterionVerdict verdict_on(BodyAnalysis const& body, double confidence);
+
+/// Fragility, criterion and verdict for the terminal.
+[[nodiscard]] std::string analysis_table(std::vector<BodyAnalysis> const& bodies, double confidence);
+
+/// The fragility part of it, for one list of fits; also for tables that are nobody's campaign.
+[[nodiscard]] std::string fragility_table(std::vector<MeasuredFragility> const& fits, double confidence);
+
+/// /fragility/<body>: one row per measure; numbers that are not identifiable are NaN.
+void write_fragility(store::ResultsWriter& file, BodyAnalysis const& body, double confidence);
+
+}  // namespace overturn

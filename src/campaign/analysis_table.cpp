@@ -1,0 +1,124 @@
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "campaign/analysis.hpp"
+
+namespace overturn {
+namespace {
+
+std::string end_text(double value) { return std::isfinite(value) ? fmt::format("{:.4g}", value) : "open"; }
+
+std::string ends_text(Interval const& interval) {
+    return fmt::format("[{}, {}]", end_text(interval.lower), end_text(interval.upper));
+}
+
+std::string measure_text(MeasuredFragility const& m) {
+    return m.units == "1" ? m.name : fmt::format("{} {}", m.name, m.units);
+}
+
+std::string fit_line(MeasuredFragility const& m) {
+    auto const rank = std::isnan(m.rank_area) ? std::string("-") : fmt::format("{:.3f}", m.rank_area);
+    if (!m.fit.identifiable()) {
+        return fmt::format("{:>14} {:>50}  {:>5}\n", measure_text(m), "no curve: " + name_of(m.fit.state), rank);
+    }
+    auto const& line = *m.fit.line;
+    auto const& ends = m.fit.intervals();
+    return fmt::format("{:>14} {:>9.4g} {:>18} {:>6.3f} {:>17} {:>8.4g}  {:>5}  {}\n", measure_text(m),
+                       std::exp(line.log_median()), ends_text(ends.median), line.beta(), ends_text(ends.beta),
+                       m.fit.hclpf(), rank, fmt::join(names_of(m.fit.flags), " "));
+}
+
+std::string quote_line(MeasuredFragility const& m, QuotedProbability const& q) {
+    using Source = QuotedProbability::Source;
+    auto const at = m.quote_base == "v_ereq"
+                        ? std::string("V_WES = V_Ereq")
+                        : fmt::format("{:.3g} x design basis, {} {:.4g}{}", q.quote.multiple, m.name, q.quote.intensity,
+                                      m.units == "1" ? "" : " " + m.units);
+    auto const p = q.probability ? fmt::format("{:.3g}", *q.probability) : std::string("not identifiable");
+    auto const seen = q.trials > 0 ? fmt::format(", {:g} of {:g} seen there", q.overturned, q.trials) : std::string();
+    auto const bounds = q.source == Source::none ? std::string("no bound")
+                                                 : fmt::format("[{:.3g}, {:.3g}]{}", q.bounds.lower, q.bounds.upper,
+                                                               q.source == Source::stripe ? " exact" : "");
+    return fmt::format("  P at {}: {} {}{}{}{}\n", at, p, bounds, seen, q.outside_data ? ", outside the data" : "",
+                       q.in_tail ? ", in the tail" : "");
+}
+
+std::string share_line(char const* what, Share const& share) {
+    if (share.of == 0) {
+        return fmt::format("    {}: none to count\n", what);
+    }
+    return fmt::format("    {}: {} of {} = {:.3g} [{:.3g}, {:.3g}]\n", what, share.count, share.of, share.value(),
+                       share.interval.lower, share.interval.upper);
+}
+
+std::string criterion_text(MeasuredCriterion const& criterion) {
+    auto const& s = criterion.study;
+    auto text = fmt::format("  criterion {} < v_ereq\n",
+                            fragility_measure_names()[static_cast<std::size_t>(criterion.measure)]);
+    text += share_line("said safe, overturned", s.safe_but_overturned);
+    text += share_line("waves with such a trial", s.waves_safe_but_overturned);
+    text += share_line("said unsafe, stood", s.unsafe_but_stood);
+    if (s.at_overturning) {
+        auto const line = [](char const* what, RatioQuantiles const& q) {
+            return fmt::format("    ratio {}: lowest {:.3g}, 5 % {:.3g}, median {:.3g}, 95 % {:.3g} ({})\n", what,
+                               q.lowest, q.p05, q.median, q.p95, q.count);
+        };
+        text += line("at overturning, trials", *s.at_overturning);
+        text += line("at the first overturning, waves", *s.first_overturning);
+    }
+    return text;
+}
+
+std::string verdict_text(CriterionVerdict const& verdict) {
+    std::string text;
+    auto const add = [&](char const* heading, std::vector<std::string> const& sentences) {
+        for (auto const& sentence : sentences) {
+            text += fmt::format("    {} {}\n", heading, sentence);
+        }
+    };
+    add("for:    ", verdict.supports);
+    add("against:", verdict.against);
+    add("open:   ", verdict.open);
+    return text.empty() ? text : "  is V_WES practical and conservative?\n" + text;
+}
+
+}  // namespace
+
+std::string fragility_table(std::vector<MeasuredFragility> const& fits, double confidence) {
+    std::string text = fmt::format("{:>14} {:>9} {:>18} {:>6} {:>17} {:>8}  {:>5}\n", "fragility", "median",
+                                   fmt::format("{:g} %", 100 * confidence), "beta",
+                                   fmt::format("{:g} %", 100 * confidence), "HCLPF", "rank");
+    for (auto const& m : fits) {
+        text += fit_line(m);
+    }
+    for (auto const& m : fits) {
+        for (auto const& quoted : m.fit.quotes) {
+            text += quote_line(m, quoted);
+        }
+    }
+    // What is said of the first, over the levels, mostly holds for the others; their flags stand in their lines.
+    for (auto const& warning : warnings_of(fits.front().fit, fits.front().units, confidence)) {
+        text += fmt::format("  note: {}\n", warning);
+    }
+    return text;
+}
+
+std::string analysis_table(std::vector<BodyAnalysis> const& bodies, double confidence) {
+    std::string text;
+    for (auto const& body : bodies) {
+        text += fmt::format("\n{}: curves from {} waves, {}\n", body.body, body.over_levels().fit.waves,
+                            body.over_levels().fit.method == FragilityFit::Method::bootstrap_by_waves
+                                ? "ends by resampling them"
+                                : "ends by profile likelihood");
+        text += fragility_table(body.fragility, confidence);
+        for (auto const& criterion : body.criterion) {
+            text += criterion_text(criterion);
+        }
+        text += verdict_text(body.verdict);
+    }
+    return text;
+}
+
+}  // namespace overturn

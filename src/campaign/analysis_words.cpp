@@ -1,0 +1,117 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "campaign/analysis.hpp"
+
+namespace overturn {
+namespace {
+
+std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
+
+std::string ends(Share const& share) {
+    return fmt::format("{} to {}", percent(share.interval.lower), percent(share.interval.upper));
+}
+
+void judge_safety(CriterionVerdict& verdict, CriterionStudy const& study, double confidence) {
+    auto const& share = study.safe_but_overturned;
+    if (share.of == 0) {
+        verdict.open.emplace_back("V_WES called no trial safe: whether safe means safe was not tried");
+        return;
+    }
+    if (share.count > 0) {
+        verdict.against.push_back(
+            fmt::format("not conservative: {} of {} trials that V_WES < V_Ereq calls safe overturned ({}; {:g} %: {})",
+                        share.count, share.of, percent(share.value()), 100 * confidence, ends(share)));
+        return;
+    }
+    auto const& waves = study.waves_safe_but_overturned;
+    auto text = fmt::format(
+        "conservative here: none of {} trials that V_WES < V_Ereq calls safe overturned; by their {} waves at most {} "
+        "of waves would ({:g} %)",
+        share.of, waves.of, percent(waves.interval.upper), 100 * confidence);
+    (study.at_overturning ? verdict.supports : verdict.open).push_back(std::move(text));
+    if (study.at_overturning) {
+        verdict.supports.push_back(fmt::format("the lowest V_WES / V_Ereq at which a trial overturned is {:.3g}",
+                                               study.at_overturning->lowest));
+    } else {
+        verdict.open.emplace_back("nothing overturned: how conservative V_WES is cannot be told from these trials");
+    }
+}
+
+void judge_price(CriterionVerdict& verdict, CriterionStudy const& study, double confidence) {
+    auto const& price = study.unsafe_but_stood;
+    if (price.of == 0) {
+        return;
+    }
+    constexpr double mostly = 0.5;
+    auto text = fmt::format("of {} trials that V_WES calls unsafe, {} stood ({}; {:g} %: {})", price.of, price.count,
+                            percent(price.value()), 100 * confidence, ends(price));
+    (price.value() > mostly ? verdict.against : verdict.supports).push_back(std::move(text));
+    if (study.first_overturning) {
+        verdict.open.push_back(fmt::format(
+            "margin: half of the waves that overturned the body first did so at V_WES / V_Ereq above {:.3g}, 5 % below "
+            "{:.3g}",
+            study.first_overturning->median, study.first_overturning->p05));
+    }
+}
+
+bool is_v_wes(MeasuredFragility const& m) { return m.measure == FragilityMeasure::v_wes; }
+
+// V_WES against PGA, PGV and ouV_E: is anything simpler at least as good?
+void compare_dispersion(CriterionVerdict& verdict, BodyAnalysis const& body) {
+    auto const own = std::find_if(body.fragility.begin(), body.fragility.end(), is_v_wes);
+    if (own == body.fragility.end() || !own->fit.identifiable()) {
+        verdict.open.emplace_back("no curve over V_WES: its dispersion cannot be compared");
+        return;
+    }
+    for (auto const& other : body.fragility) {
+        if (is_v_wes(other) || other.measure == FragilityMeasure::v_wes_ratio || !other.fit.identifiable()) {
+            continue;
+        }
+        double const beta = own->fit.line->beta();
+        double const theirs = other.fit.line->beta();
+        bool const better = own->fit.intervals().beta.upper < theirs;
+        bool const worse = other.fit.intervals().beta.upper < beta;
+        auto& list = better ? verdict.supports : worse ? verdict.against : verdict.open;
+        list.push_back(fmt::format("dispersion: beta is {:.3g} over V_WES and {:.3g} over {}{}", beta, theirs,
+                                   other.name,
+                                   better || worse ? "" : " (no difference beyond what the sample leaves open)"));
+    }
+}
+
+void compare_rank(CriterionVerdict& verdict, BodyAnalysis const& body) {
+    auto const own = std::find_if(body.fragility.begin(), body.fragility.end(), is_v_wes);
+    if (own == body.fragility.end() || std::isnan(own->rank_area)) {
+        return;
+    }
+    for (auto const& other : body.fragility) {
+        if (is_v_wes(other) || other.measure == FragilityMeasure::v_wes_ratio) {
+            continue;
+        }
+        bool const better = own->rank_interval.lower > other.rank_area;
+        bool const worse = other.rank_interval.lower > own->rank_area;
+        auto& list = better ? verdict.supports : worse ? verdict.against : verdict.open;
+        list.push_back(fmt::format("rank: V_WES puts what overturned above what stood in {} of pairs, {} in {}{}",
+                                   percent(own->rank_area), other.name, percent(other.rank_area),
+                                   better || worse ? "" : " (no difference beyond what the sample leaves open)"));
+    }
+}
+
+}  // namespace
+
+CriterionVerdict verdict_on(BodyAnalysis const& body, double confidence) {
+    CriterionVerdict verdict;
+    for (auto const& criterion : body.criterion) {
+        if (criterion.measure == FragilityMeasure::v_wes) {
+            judge_safety(verdict, criterion.study, confidence);
+            judge_price(verdict, criterion.study, confidence);
+        }
+    }
+    compare_dispersion(verdict, body);
+    compare_rank(verdict, body);
+    return verdict;
+}
+
+}  // namespace overturn

@@ -1,0 +1,140 @@
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include <fmt/ranges.h>
+
+#include "campaign/analysis.hpp"
+
+namespace overturn {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr Interval no_interval{none, none};
+
+// One measure's fit as it is stored; every field is 8 bytes.
+struct FragilityRow {
+    std::int64_t measure = 0, state = 0, identifiable = 0, flags = 0, method = 0;
+    double median = none, beta = none, hclpf = none;
+    Interval median_interval = no_interval, beta_interval = no_interval, hclpf_interval = no_interval;
+    Interval profile_median = no_interval, profile_beta = no_interval;
+    Interval bootstrap_median = no_interval, bootstrap_beta = no_interval;
+    double deviance = none, p_value = none, monotone_p_value = none;
+    Interval isotonic_median;
+    double penalised_median = none, penalised_beta = none;
+    double lowest = 0, highest = 0, rank_area = none;
+};
+
+FragilityRow row_of(MeasuredFragility const& measured) {
+    auto const& fit = measured.fit;
+    FragilityRow row;
+    row.measure = static_cast<std::int64_t>(measured.measure);
+    row.state = static_cast<std::int64_t>(fit.state);
+    row.identifiable = fit.identifiable() ? 1 : 0;
+    row.flags = fit.flags;
+    row.method = static_cast<std::int64_t>(fit.method);
+    if (fit.identifiable()) {
+        row.median = std::exp(fit.line->log_median());
+        row.beta = fit.line->beta();
+        row.hclpf = fit.hclpf();
+        row.median_interval = fit.intervals().median;
+        row.beta_interval = fit.intervals().beta;
+        row.hclpf_interval = fit.intervals().hclpf;
+        row.profile_median = fit.profile->median;
+        row.profile_beta = fit.profile->beta;
+        row.bootstrap_median = fit.bootstrap->median;
+        row.bootstrap_beta = fit.bootstrap->beta;
+        row.deviance = fit.goodness->deviance;
+        row.p_value = fit.goodness->degrees_of_freedom > 0 ? fit.goodness->p_value : none;
+    }
+    if (fit.penalised) {
+        row.penalised_median = std::exp(fit.penalised->log_median());
+        row.penalised_beta = fit.penalised->beta();
+    }
+    row.monotone_p_value = fit.monotone.p_value;
+    row.isotonic_median = fit.isotonic_median;
+    row.lowest = fit.lowest;
+    row.highest = fit.highest;
+    row.rank_area = measured.rank_area;
+    return row;
+}
+
+struct Columns {
+    store::TableSpec spec;
+
+    void add(std::string const& name, std::string const& units, std::string const& description, std::size_t offset,
+             store::ColumnType type = store::ColumnType::real, std::vector<std::string> categories = {}) {
+        spec.columns.push_back({name, units, description, type, offset, std::move(categories)});
+    }
+    void add_ends(std::string const& name, std::string const& units, std::string const& what, std::size_t offset) {
+        add(name + "_lower", units, what + ", lower end", offset + offsetof(Interval, lower));
+        add(name + "_upper", units, what + ", upper end; infinite: open", offset + offsetof(Interval, upper));
+    }
+};
+
+#define OVERTURN_AT(field) offsetof(FragilityRow, field)
+
+void add_kinds(Columns& columns) {
+    using store::ColumnType;
+    std::vector<std::string> states;
+    for (std::int64_t s = 0; s <= static_cast<std::int64_t>(FragilityState::not_converged); ++s) {
+        states.push_back(name_of(static_cast<FragilityState>(s)));
+    }
+    columns.add("measure", "1", "intensity measure; level: the file's level_measure", OVERTURN_AT(measure),
+                ColumnType::category, fragility_measure_names());
+    columns.add("state", "1", "why there is a curve or none", OVERTURN_AT(state), ColumnType::category, states);
+    columns.add("identifiable", "1", "1: the trials hold a lognormal curve", OVERTURN_AT(identifiable),
+                ColumnType::integer);
+    columns.add("flags", "1", "bit mask; the attribute flag_names names the bits from 0", OVERTURN_AT(flags),
+                ColumnType::integer);
+    columns.add("interval_method", "1", "where median, beta and hclpf have their ends from", OVERTURN_AT(method),
+                ColumnType::category, {"profile-likelihood", "bootstrap-by-waves"});
+}
+
+store::TableSpec fragility_columns(std::string const& body) {
+    std::string const own = "SI unit of the measure";
+    Columns columns{{"fragility/" + body, sizeof(FragilityRow), {}}};
+    add_kinds(columns);
+    columns.add("median", own, "intensity of P = 0.5; NaN: not identifiable", OVERTURN_AT(median));
+    columns.add("beta", "1", "lognormal standard deviation; NaN: not identifiable", OVERTURN_AT(beta));
+    columns.add("hclpf", own, "median exp(-1.645 beta); NaN: not identifiable", OVERTURN_AT(hclpf));
+    columns.add_ends("median", own, "median", OVERTURN_AT(median_interval));
+    columns.add_ends("beta", "1", "beta", OVERTURN_AT(beta_interval));
+    columns.add_ends("hclpf", own, "hclpf", OVERTURN_AT(hclpf_interval));
+    columns.add_ends("profile_median", own, "median by profile likelihood, trials as independent",
+                     OVERTURN_AT(profile_median));
+    columns.add_ends("profile_beta", "1", "beta by profile likelihood, trials as independent",
+                     OVERTURN_AT(profile_beta));
+    columns.add_ends("bootstrap_median", own, "median, waves resampled", OVERTURN_AT(bootstrap_median));
+    columns.add_ends("bootstrap_beta", "1", "beta, waves resampled", OVERTURN_AT(bootstrap_beta));
+    columns.add("deviance", "1", "of the curve from the proportions", OVERTURN_AT(deviance));
+    columns.add("deviance_p_value", "1", "chance of so large a deviance; NaN: nothing to judge by",
+                OVERTURN_AT(p_value));
+    columns.add("monotone_p_value", "1", "chance of proportions that fall as much", OVERTURN_AT(monotone_p_value));
+    columns.add_ends("isotonic_median", own, "where the isotonic estimate passes 1/2", OVERTURN_AT(isotonic_median));
+    columns.add("penalised_median", own, "Firth's fit of separated outcomes; NaN: none", OVERTURN_AT(penalised_median));
+    columns.add("penalised_beta", "1", "Firth's fit of separated outcomes; NaN: none", OVERTURN_AT(penalised_beta));
+    columns.add("lowest", own, "lowest intensity that was tried", OVERTURN_AT(lowest));
+    columns.add("highest", own, "highest intensity that was tried", OVERTURN_AT(highest));
+    columns.add("rank_area", "1", "chance that what overturned has the larger measure; NaN: all ended alike",
+                OVERTURN_AT(rank_area));
+    return columns.spec;
+}
+
+}  // namespace
+
+void write_fragility(store::ResultsWriter& file, BodyAnalysis const& body, double confidence) {
+    std::vector<FragilityRow> rows;
+    rows.reserve(body.fragility.size());
+    for (auto const& measured : body.fragility) {
+        rows.push_back(row_of(measured));
+    }
+    auto const table = file.table(fragility_columns(body.body), static_cast<std::int64_t>(rows.size()));
+    file.append(table, std::as_bytes(std::span(rows)));
+    file.attribute("fragility/" + body.body, "confidence", confidence);
+    file.attribute("fragility/" + body.body, "flag_names",
+                   fmt::format("{}", fmt::join(names_of((1U << fragility_flags) - 1), " ")));
+}
+
+}  // namespace overturn

@@ -1,0 +1,51 @@
+/// Every trial with the intensity measures it can be judged by, kept while rows pass.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "campaign/rows.hpp"
+#include "stats/criterion.hpp"
+#include "stats/fragility_data.hpp"
+
+namespace overturn {
+
+/// What a fragility can be drawn over.
+enum class FragilityMeasure : std::int64_t { pga = 0, pgv = 1, v_wes = 2, ou_v_e = 3, v_wes_ratio = 4, level = 5 };
+inline constexpr std::size_t fragility_measures = 6;
+
+/// "pga", "pgv", "v_wes", "ou_v_e", "v_wes_ratio"; "level" for a level measure that is none of these (pgd, factor).
+[[nodiscard]] std::vector<std::string> fragility_measure_names();
+
+class MeasuredTrials {
+  public:
+    void add(WaveRow const& row);
+    /// Ignored if the trial's wave was not added before.
+    void add(TrialRow const& row);
+
+    /// The decided trials of a body with a measure above 0.
+    [[nodiscard]] std::vector<SingleTrial> singles(std::int64_t body, FragilityMeasure measure) const;
+    /// Trials of a body that `singles` leaves out.
+    [[nodiscard]] std::int64_t left_out(std::int64_t body, FragilityMeasure measure) const;
+    /// As the criteria V_WES < V_Ereq and ouV_E < V_Ereq saw the decided trials.
+    [[nodiscard]] std::vector<CriterionTrial> criterion_trials(std::int64_t body, FragilityMeasure measure) const;
+
+  private:
+    struct Peaks {
+        double pga_mps2, pgv_mps;
+    };
+    struct Trial {
+        std::int64_t wave;
+        std::int32_t body;
+        bool decided, overturned;
+        double amplitude, pga_mps2, pgv_mps, v_wes_mps, ou_v_e_mps, v_ereq_mps;
+
+        [[nodiscard]] double value(FragilityMeasure measure) const;
+    };
+    std::map<std::int64_t, Peaks> waves_;
+    std::vector<Trial> trials_;
+};
+
+}  // namespace overturn

@@ -1,0 +1,44 @@
+/// What is not known exactly about a body, and how the campaign draws it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "config/table.hpp"
+#include "core/random_stream.hpp"
+#include "stats/distribution.hpp"
+
+namespace overturn {
+
+/// `key` as a number, or as { distribution = "fixed" | "normal" | "lognormal" | "uniform", ... }: value; mean,
+/// deviation; median, beta; low, high. `low` and `high` truncate a normal or lognormal one.
+/// \param range every draw lies in it: what it forbids is cut off. \throws InputError
+[[nodiscard]] Distribution read_distribution(config::Table const& table, std::string_view key, Dimension dimension,
+                                             config::Range range);
+
+/// The uncertain quantities of a body: one draw of each per wave, the same at every level. Empty: known exactly.
+struct BodyScatter {
+    std::optional<Distribution> mass, centre_height;  ///< in SI units, as stated (before any similarity law)
+    std::optional<Distribution> restitution;
+    std::optional<Distribution> friction;  ///< of the static coefficient; the kinetic one keeps its ratio to it
+};
+
+/// How draws are spread over the waves.
+enum class Sampling {
+    independent,     ///< each wave for itself: more waves change no earlier one
+    latin_hypercube  ///< one draw from each of n equally likely slices, n the number of waves, in shuffled order
+};
+
+/// Which wave a body is drawn for.
+struct DrawnFor {
+    std::uint64_t seed = 0;
+    std::uint64_t wave = 0;  ///< identity in every random stream
+    Sampling sampling = Sampling::independent;
+    std::uint64_t place = 0, count = 1, group = 0;  ///< wave `place` of `count` that are sliced together, as `group`
+};
+
+/// A number in (0, 1): pure function of the wave, the purpose and the index (body and quantity).
+[[nodiscard]] double uniform_for(DrawnFor const& wave, Purpose purpose, std::uint64_t index);
+
+}  // namespace overturn

@@ -1,0 +1,23 @@
+/// The statistics as JSON, by the names that scripts depend on. What is not known is null, never 0.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "campaign/analysis.hpp"
+
+namespace overturn::cli {
+
+/// One stripe; \param body empty for a table that is nobody's campaign
+[[nodiscard]] nlohmann::ordered_json stripe_json(std::string const& body, std::size_t level, Stripe const& stripe,
+                                                 double confidence);
+[[nodiscard]] nlohmann::ordered_json fragility_json(std::string const& body, MeasuredFragility const& measured,
+                                                    double confidence);
+[[nodiscard]] nlohmann::ordered_json criterion_json(std::string const& body, MeasuredCriterion const& criterion,
+                                                    std::string const& radius_unit);
+[[nodiscard]] nlohmann::ordered_json verdict_json(std::string const& body, CriterionVerdict const& verdict);
+
+/// All of them: stripes, fragility, criterion, verdict.
+[[nodiscard]] nlohmann::ordered_json fit_json(CampaignSpec const& spec, Statistics const& statistics,
+                                              std::vector<BodyAnalysis> const& analysis, double confidence);
+
+}  // namespace overturn::cli

@@ -1,0 +1,157 @@
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "campaign/results.hpp"
+#include "cli/figures.hpp"
+#include "cli/fit_json.hpp"
+#include "cli/verbs.hpp"
+#include "report/cost_page.hpp"
+#include "report/figure.hpp"
+#include "store/durable.hpp"
+
+namespace overturn::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+struct Options {
+    std::string file, page, figures;
+};
+
+Json facts_of(CampaignSpec const& spec, Plan const& plan) {
+    auto facts = Json::array();
+    auto const add = [&](char const* name, std::string value) { facts.push_back({name, std::move(value)}); };
+    auto const& levels = spec.levels.levels;
+    add("waves", fmt::format("{} ({})", plan.waves(), spec.source->describe()));
+    add("acceptance of waves", spec.source->acceptance());
+    add("levels", fmt::format("{} of {}, {:.6g} to {:.6g} {}{}", levels.size(), spec.levels.measure_name(),
+                              levels.front().value, levels.back().value, spec.levels.units(),
+                              spec.levels.independent_waves ? ", each with waves of its own"
+                                                            : ", the same waves scaled to each"));
+    add("trials", fmt::format("{}", plan.trials()));
+    add("effects", spec.effects.mode == EffectMode::automatic ? std::string("auto: what each scene calls for")
+                   : spec.effects.mode == EffectMode::none    ? std::string("none: plain rocking")
+                                                              : "forced: " + names_of_effects(spec.effects.include));
+    add("integration", fmt::format("Taylor series of order {}, {} a sample, tolerance {:.1g}",
+                                   spec.rocking.taylor_order, spec.rocking.substeps, spec.rocking.step_tolerance));
+    add("T0, T1",
+        fmt::format("R in {}", spec.measures.radius_unit == RadiusUnit::centimetre ? "centimetres" : "metres"));
+    add("confidence", fmt::format("{:g} %", 100 * spec.confidence));
+    return facts;
+}
+
+// The first wave, and the one that overturned anything at the lowest level: usually the ones to look at.
+std::vector<std::int64_t> telling_waves(store::ResultsReader const& file, Plan const& plan) {
+    std::vector<std::int64_t> waves{0};
+    auto const verdicts = file.integers("trials/verdict");
+    std::int64_t lowest = 0;
+    std::optional<std::int64_t> worst;
+    for (std::size_t t = 0; t < verdicts.size(); ++t) {
+        auto const trial = plan.trial(static_cast<std::int64_t>(t));
+        if (verdicts[t] == static_cast<std::int64_t>(Verdict::overturned) && (!worst || trial.level < lowest)) {
+            worst = trial.wave;
+            lowest = trial.level;
+        }
+    }
+    if (worst && *worst != 0) {
+        waves.push_back(*worst);
+    }
+    return waves;
+}
+
+Json waves_of(CampaignInput const& input, CampaignSpec const& spec, Plan const& plan,
+              store::ResultsReader const& file) {
+    auto figures = Json::array();
+    for (auto const wave : telling_waves(file, plan)) {
+        try {
+            auto const made = spec.source->make(spec.seed, plan.wave_id(wave));
+            auto figure = campaign_wave_figure(input, spec, made);
+            figure.title =
+                fmt::format("Wave {}{}", wave, wave == 0 ? "" : ": overturned something at the lowest level of all");
+            figures.push_back(report::wave_data(figure));
+        } catch (InputError const&) {
+            continue;  // a wave that cannot be made is a failed row, and counted as such
+        }
+    }
+    return figures;
+}
+
+Json cost_of(fs::path path) {
+    path.replace_extension(".runtime.json");
+    std::ifstream stream(path);
+    auto const runtime = stream ? Json::parse(stream, nullptr, false) : Json();
+    auto lines = Json::array();
+    if (!runtime.is_object() || !runtime.contains("ranks")) {
+        return lines;
+    }
+    lines.push_back(fmt::format("Took {:.3g} s on {} ranks, {:.3g} trials a second (beside the results, in {}).",
+                                runtime.value("wall_s", 0.0), runtime["ranks"].size(),
+                                runtime.value("trials_per_s", 0.0), path.filename().string()));
+    for (auto const& rung : rung_names()) {
+        std::int64_t trials = 0;
+        double seconds = 0;
+        for (auto const& rank : runtime["ranks"]) {
+            auto const& cost = rank.at("rungs").at(rung);
+            trials += cost.at("trials").get<std::int64_t>();
+            seconds += cost.at("seconds").get<double>();
+        }
+        if (trials > 0) {
+            constexpr double micro = 1e6;
+            lines.push_back(fmt::format("{}: {} trials, {:.3g} us each", rung, trials,
+                                        micro * seconds / static_cast<double>(trials)));
+        }
+    }
+    return lines;
+}
+
+int write_report(Options const& options) {
+    report::check_page_name(options.page);
+    store::require_writable(options.page);
+    store::ResultsReader const file(options.file);
+    auto const input = input_of(file);
+    auto const spec = parse_campaign(input);
+    Plan const plan(spec);
+    auto const statistics = recount(file, spec);
+    Json data;
+    data["file"] = fs::absolute(options.file).string();
+    data["figures"] = options.figures.empty() ? "" : fs::absolute(options.figures).string();
+    data["bodies"] = Json::array();
+    for (auto const& body : spec.bodies) {
+        data["bodies"].push_back(body.name);
+    }
+    auto const analysis = analyse(spec, statistics, {.confidence = spec.confidence});
+    data["fit"] = fit_json(spec, statistics, analysis, spec.confidence);
+    data["facts"] = facts_of(spec, plan);
+    data["waves"] = waves_of(input, spec, plan, file);
+    data["wave_notes"] = Json::array();
+    if (auto const said = statistics.waves().text(spec.source->acceptance()); !said.empty()) {
+        data["wave_notes"].push_back(said);
+    }
+    data["cost"] = cost_of(options.file);
+    auto const page = report::figure_text("campaign_page.py", data, ".html");
+    store::write_durably(options.page, std::as_bytes(std::span(page)));
+    fmt::print(stderr, "page: {}{}\n", options.page,
+               options.figures.empty() ? "" : fmt::format(", figures and tables: {}", options.figures));
+    return done;
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, Action& action) {
+    auto* verb = app.add_subcommand("report", "figures and tables of a results file on one page that needs no network");
+    auto options = std::make_shared<Options>();
+    verb->add_option("file", options->file, "results file")->required();
+    verb->add_option("-o,--output", options->page, "the page, .html")->required();
+    verb->add_option("--figures", options->figures, "write the figures as svg and png and the tables as csv there too")
+        ->option_text("DIR");
+    verb->callback([options, &action] { action = [options] { return write_report(*options); }; });
+}
+
+}  // namespace overturn::cli

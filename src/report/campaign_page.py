@@ -1,0 +1,232 @@
+"""The report of a campaign: one page that needs no network, and the same figures and tables as files.
+
+Arguments: data.json (file, bodies, fit, waves, facts, runtime, figures), page.html."""
+
+import csv
+import html
+import json
+import os
+import sys
+import tempfile
+
+import fragility_figures
+import trial_figures
+import wave_figure
+from page_style import CSS
+from results_data import Results
+from style import number
+
+
+def escape(value):
+    return html.escape(str(value))
+
+
+def value_of(value, digits=4, unknown="–"):
+    if value is None or value != value:
+        return unknown
+    return f"{value:.{digits}g}" if isinstance(value, float) else str(value)
+
+
+def interval(ends, digits=4):
+    low, high = ends or (None, None)
+    return f"{value_of(low, digits, '?')} – {value_of(high, digits, '?')}"
+
+
+def table(head, rows, note=""):
+    cells = "".join(f"<th>{escape(name)}</th>" for name in head)
+    body = "".join("<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in row) + "</tr>\n" for row in rows)
+    note = f"<p class=quiet>{escape(note)}</p>" if note else ""
+    return f"<div class=scroll><table><thead><tr>{cells}</tr></thead><tbody>\n{body}</tbody></table></div>{note}\n"
+
+
+def paragraphs(lines, kind=""):
+    return "".join(f"<p{kind}>{escape(line)}</p>\n" for line in lines)
+
+
+class Report:
+    def __init__(self, data):
+        self.data, self.fit = data, data["fit"]
+        self.results = Results(data["file"], data["bodies"])
+        self.fits = {(fit["body"], fit["measure"]): fit for fit in self.fit["fragility"]}
+        self.folder = data["figures"] or tempfile.mkdtemp(prefix="overturn-report-")
+        self.keep = bool(data["figures"])
+        self.sections, self.contents = [], []
+
+    def figure(self, name, draw, alt):
+        """Draws a figure for the page, and for its folder if one is wanted; nothing where there is nothing to draw."""
+        path = os.path.join(self.folder, name + ".svg")
+        if draw(path) is False:
+            return ""
+        if self.keep:
+            draw(os.path.join(self.folder, name + ".png"))
+        with open(path, encoding="utf-8") as file:
+            svg = file.read()
+        if not self.keep:
+            os.remove(path)
+        svg = svg[svg.index("<svg"):].replace("<svg", f'<svg role="img" aria-label="{escape(alt)}"', 1)
+        return f"<figure>{svg}</figure>\n"
+
+    def csv(self, name, head, rows):
+        if self.keep:
+            with open(os.path.join(self.folder, name + ".csv"), "w", encoding="utf-8", newline="") as file:
+                writer = csv.writer(file, lineterminator="\n")
+                writer.writerow(head)
+                writer.writerows([["" if cell is None else cell for cell in row] for row in rows])
+
+    def section(self, anchor, title, *parts):
+        self.contents.append(f'<a href="#{anchor}">{escape(title)}</a>')
+        self.sections.append(f'<section id="{anchor}"><h2>{escape(title)}</h2>\n{"".join(parts)}</section>\n')
+
+    def amplitude(self, value, digits=4):
+        if value is None:
+            return "–"
+        shown, unit = self.results.in_units(value)
+        return f"{float(shown):.{digits}g} {unit}".strip()
+
+    def amplitudes(self, ends, digits=4):
+        low, high = ends or (None, None)
+        return f"{self.amplitude(low, digits)} – {self.amplitude(high, digits)}".replace("–  –", "– –")
+
+    # What each section says.
+
+    def answers(self):
+        """One sentence a body: the design basis, the median, what may be relied on."""
+        lines = []
+        for body in self.results.bodies:
+            parts = []
+            basis = self.results.design_basis(body)
+            if basis is not None:
+                stripe = next(s for s in self.fit["stripes"] if s["body"] == body.name and s["amplitude"] == basis)
+                parts.append(f"at the design basis ({self.amplitude(basis)}) {stripe['overturned']} of "
+                             f"{stripe['trials']} trials overturned, P between {number(stripe['lower'], 2)} and "
+                             f"{number(stripe['upper'], 2)}")
+            fit = self.fits.get((body.name, self.results.measure))
+            if fit and fit["identifiable"]:
+                parts.append(f"half overturn at {self.amplitude(fit['median'], 3)} "
+                             f"({self.amplitudes(fit['median_interval'], 3)}), beta {number(fit['beta'], 2)}, "
+                             f"HCLPF {self.amplitude(fit['hclpf'], 3)}")
+            elif fit:
+                parts.append("no curve: " + "; ".join(fit["warnings"][:1] or [fit["state"]]))
+            lines.append(f"{body.name}: " + "; ".join(parts) + ".")
+        return lines
+
+    def asked(self):
+        facts = table(["", ""], self.data["facts"])
+        text = escape(self.results.about["campaign"])
+        self.section("asked", "What was asked", facts,
+                     f"<details><summary>the campaign file</summary><pre>{text}</pre></details>")
+
+    def bodies(self):
+        rows = []
+        for body in self.results.bodies:
+            n = body.numbers
+            rows.append([body.name] + [value_of(n[key]) for key in
+                        ("mass", "half_width", "centre_height", "radius", "p", "restitution", "housner_restitution",
+                         "t0", "t1", "v_ereq")] + [value_of(n["alpha"] * 57.29577951308232)])
+        head = ["body", "m [kg]", "b [m]", "h [m]", "R [m]", "p [rad/s]", "e", "e Housner", "T0 [s]", "T1 [s]",
+                "V_Ereq [m/s]", "α [°]"]
+        self.section("bodies", "The bodies", self.figure(
+            "bodies", lambda path: trial_figures.bodies(self.results, path), "the bodies, to one scale"),
+            table(head, rows, "Dashed outline: a block about the centre of gravity, for scale; only base and centre "
+                              "enter the equations."))
+
+    def waves(self):
+        parts = []
+        for count, wave in enumerate(self.data["waves"]):
+            name = f"wave-{count}"
+            parts.append(self.figure(name, lambda path, wave=wave: wave_figure.draw(wave, path), wave["title"]))
+        quality = self.figure("wave-quality", lambda path: trial_figures.wave_quality(self.results, path),
+                              "how well the waves meet their target")
+        notes = list(self.data["wave_notes"])
+        self.section("waves", "The waves", *parts, quality, paragraphs(notes))
+
+    def fragility(self):
+        stripes = self.fit["stripes"]
+        head = ["body", "level", "trials", "overturned", "failed", "P", "lower", "upper"]
+        rows = [[s["body"], self.amplitude(s["amplitude"]), s["trials"], s["overturned"], s["failed"],
+                 value_of(s["probability"], 3), value_of(s["lower"], 3), value_of(s["upper"], 3)] for s in stripes]
+        self.csv("stripes", list(stripes[0]), [list(s.values()) for s in stripes])
+        keys = ["body", "measure", "units", "identifiable", "median", "beta", "median_interval", "beta_interval", "hclpf",
+                "hclpf_interval", "flags"]
+        self.csv("fragility", keys, [[" ".join(map(str, f[k])) if isinstance(f[k], list) else f[k] for k in keys]
+                                     for f in self.fit["fragility"]])
+        fits = [f for f in self.fit["fragility"] if f["measure"] == self.results.measure]
+        fitted = [[f["body"], self.amplitude(f["median"]), self.amplitudes(f["median_interval"], 3),
+                   value_of(f["beta"], 3), interval(f["beta_interval"], 3), self.amplitude(f["hclpf"]),
+                   self.amplitudes(f.get("hclpf_interval"), 3), ", ".join(f["flags"]) or "none"] for f in fits]
+        quoted = [[f["body"], f"{q['multiple']:g} × {q['of']}", self.amplitude(q["amplitude"]),
+                   value_of(q["probability"], 2), value_of(q["lower"], 2), value_of(q["upper"], 2),
+                   ", ".join(word for word, said in (("outside the data", q["outside_data"]),
+                                                     ("tail: likely too low", q["in_tail"])) if said)]
+                  for f in fits for q in f["probabilities"]]
+        warnings = [f"{f['body']}: {line}" for f in fits for line in f["warnings"]]
+        self.section("fragility", "Fragility", self.figure(
+            "fragility", lambda path: fragility_figures.fragility(self.results, self.fits, path),
+            "probability of overturning against amplitude"),
+            table(["body", "median", "interval", "beta", "interval", "HCLPF", "interval", "flags"], fitted),
+            table(["body", "at", "amplitude", "P", "lower", "upper", ""], quoted) if quoted else "",
+            paragraphs(warnings, " class=warning"),
+            f"<details open><summary>all stripes</summary>{table(head, rows)}</details>")
+
+    def criterion(self):
+        rows, parts = [], []
+        for c in self.fit["criterion"]:
+            rows.append([c["body"], c["measure"], c["false_safe"], c["false_alarm"], c["true_safe"],
+                         c["true_overturn"]])
+        head = ["body", "measure", "false safe", "false alarm", "true safe", "true overturn"]
+        self.csv("criterion", [name.replace(" ", "_") for name in head], rows)
+        for body in self.results.bodies:
+            parts.append(f"<h3>{escape(body.name)}</h3>" + self.figure(
+                f"criterion-{body.name}", lambda path, body=body: fragility_figures.criterion(self.results, body, path),
+                f"energy criterion and verdicts of {body.name}"))
+            said = next((v for v in self.fit.get("verdict", []) if v["body"] == body.name), None)
+            if said:
+                for kind, title in (("supports", "Speaks for the criterion"), ("against", "Speaks against it"),
+                                    ("open", "Left open")):
+                    if said[kind]:
+                        items = "".join(f"<li>{escape(line)}</li>" for line in said[kind])
+                        parts.append(f"<p class=label>{title}</p><ul>{items}</ul>")
+        compared = self.figure("measures", lambda path: fragility_figures.measures(self.results, self.fits, path),
+                               "intensity measures compared")
+        self.section("criterion", "The energy criterion on trial", table(
+            head, rows, "False safe: measure below V_Ereq, yet overturned. False alarm: above it, yet stood."),
+            *parts, "<h3>Which measure predicts best</h3>" if compared else "", compared)
+
+    def trials(self):
+        parts = []
+        for body in self.results.bodies:
+            for name, draw in (("ends", trial_figures.ends), ("rotations", trial_figures.rotations),
+                               ("slips", trial_figures.slips)):
+                parts.append(self.figure(f"{name}-{body.name}",
+                                         lambda path, draw=draw, body=body: draw(self.results, body, path),
+                                         f"{name} of {body.name}"))
+        self.section("trials", "What the trials did, and what was simulated", *parts, paragraphs(self.data["cost"]))
+
+    def provenance(self):
+        keys = ("campaign_name", "seed", "program_version", "git_revision", "library_versions", "input_sha256",
+                "wave_source", "wave_acceptance", "settings")
+        rows = [[key.replace("_", " "), self.results.about[key]] for key in keys if self.results.about.get(key, "") != ""]
+        self.section("provenance", "Provenance", table(["", ""], rows))
+
+    def page(self):
+        for part in (self.asked, self.bodies, self.waves, self.fragility, self.criterion, self.trials, self.provenance):
+            part()
+        title = escape(self.results.title)
+        answers = paragraphs(self.answers())
+        contents = " · ".join(self.contents)
+        return (f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">\n'
+                f'<meta name="viewport" content="width=device-width, initial-scale=1">\n<title>{title}</title>\n'
+                f"<style>{CSS}</style></head><body>\n<h1>{title}</h1>\n<div class=answer>{answers}</div>\n"
+                f"<nav>{contents}</nav>\n{''.join(self.sections)}</body></html>\n")
+
+
+if __name__ == "__main__":
+    with open(sys.argv[1], encoding="utf-8") as source:
+        report = Report(json.load(source))
+    if report.keep:
+        os.makedirs(report.folder, exist_ok=True)
+    text = report.page()
+    if not report.keep:
+        os.rmdir(report.folder)
+    with open(sys.argv[2], "w", encoding="utf-8") as page:
+        page.write(text)

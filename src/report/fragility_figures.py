@@ -1,0 +1,151 @@
+"""Figures of how likely a body is to overturn: fragility, and the energy criterion on trial."""
+
+import style
+from style import BODIES, GREY, INK, VERMILION
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+
+MEASURES = {"pga": ("PGA", "m/s²"), "pgv": ("PGV", "m/s"), "pgd": ("PGD", "m"), "factor": ("factor", ""),
+            "v_wes": ("V_WES", "m/s"), "ou_v_e": ("ouV_E", "m/s"), "v_wes_ratio": ("V_WES / V_Ereq", "")}
+MOST_POINTS = 4000  # of a scatter: more cannot be told apart
+
+
+def probit_curve(x, median, beta):
+    """The lognormal distribution function."""
+    from math import erfc, sqrt
+    return np.array([0.5 * erfc(-(np.log(v / median)) / (beta * sqrt(2))) for v in x])
+
+
+def draw_curve(axes, results, body, fit, colour):
+    """The fitted curve, solid where there are data and dashed beyond them, with its band."""
+    lowest, highest = fit["data_range"]
+    x = np.geomspace(0.5 * lowest, 1.6 * highest, 240)
+    p = probit_curve(x, fit["median"], fit["beta"])
+    inside = (x >= lowest) & (x <= highest)
+    shown, _ = results.in_units(x)
+    if fit.get("band"):
+        band = fit["band"]
+        at, _ = results.in_units(np.array(band["amplitude"]))
+        axes.fill_between(at, band["lower"], band["upper"], color=colour, alpha=0.15, lw=0, zorder=1)
+    axes.plot(shown[inside], p[inside], color=colour, zorder=3)
+    for outside in (x < lowest, x > highest):
+        axes.plot(shown[outside], p[outside], color=colour, ls=(0, (4, 3)), lw=0.9, zorder=3)
+
+
+def fragility(results, fits, path):
+    """Stripes with their exact intervals, the lognormal curve, the isotonic estimate, design basis and HCLPF."""
+    style.use()
+    bodies = results.bodies
+    figure, panels = plt.subplots(1, len(bodies), figsize=(1.6 + 3.0 * len(bodies), 3.1), sharey=True,
+                                  squeeze=False, layout="constrained")
+    for axes, body, (colour, _) in zip(panels[0], bodies, BODIES * len(bodies)):
+        stripes = body.stripes
+        amplitude, unit = results.in_units(stripes["amplitude"])
+        known = np.isfinite(stripes["probability"])
+        p = stripes["probability"][known]
+        bars = np.abs(np.array([p - stripes["lower"][known], stripes["upper"][known] - p]))
+        axes.errorbar(amplitude[known], p, yerr=bars, fmt="o", ms=3.6, color=INK, elinewidth=0.8, capsize=2, zorder=4)
+        fit = fits.get((body.name, results.measure))
+        if fit and fit["identifiable"]:
+            draw_curve(axes, results, body, fit, colour)
+        if fit and fit.get("isotonic"):
+            steps = fit["isotonic"]
+            at, _ = results.in_units([block["from"] for block in steps] + [steps[-1]["to"]])
+            axes.step(at, [block["probability"] for block in steps] + [steps[-1]["probability"]], where="post",
+                      color=GREY, lw=0.8, ls=":", zorder=2)
+        lines = [(results.design_basis(body), "design basis", "-")]
+        if fit and fit.get("hclpf"):
+            lines.append((fit["hclpf"], "HCLPF", "-."))
+        for value, label, dash in lines:
+            if value is not None:
+                at, _ = results.in_units(value)
+                axes.axvline(at, color=GREY, lw=0.8, ls=dash, zorder=1)
+                axes.annotate(label, (at, 0.97), xytext=(2, 0), textcoords="offset points", rotation=90, va="top",
+                              fontsize=6.5, color=GREY)
+        axes.set_title(body.name)
+        axes.set_xlabel(f"{MEASURES[results.measure][0]}" + (f" [{unit}]" if unit else ""))
+        axes.set_ylim(-0.03, 1.03)
+        axes.set_xlim(0, 1.06 * float(np.max(amplitude)))
+    panels[0][0].set_ylabel("probability of overturning")
+    handles = [Line2D([], [], color=INK, marker="o", ms=3.6, lw=0.8, label="stripe, exact interval"),
+               Line2D([], [], color=BODIES[0][0], label="lognormal fit"),
+               Line2D([], [], color=BODIES[0][0], ls=(0, (4, 3)), label="beyond the data"),
+               Patch(color=BODIES[0][0], alpha=0.15, lw=0, label="its band"),
+               Line2D([], [], color=GREY, ls=":", label="isotonic estimate")]
+    panels[0][-1].legend(handles=handles, loc="center left", bbox_to_anchor=(1.02, 0.5))
+    style.save(figure, path)
+
+
+def sample(count):
+    """Which of many points are drawn: evenly spread, always the same."""
+    return np.arange(0, count, max(1, -(-count // MOST_POINTS)))
+
+
+def criterion(results, body, path):
+    """V_resp against V_WES, the paper's figure 12: where the criterion is wrong, and on which side."""
+    style.use()
+    figure, (left, right) = plt.subplots(1, 2, figsize=(6.8, 3.2), layout="constrained")
+    moved = ~(body.verdict("at-rest") | body.verdict("failed"))
+    limit = body.trials("v_ereq")
+    ratio, response = body.trials("v_wes") / limit, body.trials("v_resp") / limit
+    slipped = body.trials("peak_slip") > 0
+    fell = body.verdict("overturned")
+    kinds = [("stood", moved & ~fell & ~slipped, style.BLUE, "o"), ("stood, slipped", moved & ~fell & slipped,
+             style.GREEN, "^"), ("overturned", fell, VERMILION, "x")]
+    for label, which, colour, marker in kinds:
+        at = np.flatnonzero(which)
+        at = at[sample(len(at))] if len(at) else at
+        if len(at):
+            left.plot(ratio[at], response[at], marker, ms=2.4, mew=0.6, color=colour, alpha=0.5, label=label,
+                      rasterized=len(at) > 1000)
+    top = max(1.2, float(np.nanmax(ratio[moved])) if moved.any() else 1.2)
+    left.plot([0, 1], [0, 1], color=GREY, lw=0.8)
+    left.axvline(1, color=GREY, lw=0.8, ls="--")
+    left.set(xlim=(0, 1.03 * top), ylim=(-0.02, 1.08), xlabel="V_WES / V_Ereq", ylabel="V_resp / V_Ereq",
+             title="response against energy offered")
+    left.legend(loc="lower right", markerscale=1.6)
+    bins = np.linspace(0, 1.03 * top, 36)
+    right.hist([ratio[moved & ~fell], ratio[fell]], bins=bins, stacked=True, color=[style.SKY, VERMILION],
+               label=["stood", "overturned"])
+    right.axvline(1, color=GREY, lw=0.8, ls="--")
+    right.annotate("criterion", (1, 0.98), xycoords=("data", "axes fraction"), xytext=(3, 0), va="top",
+                   textcoords="offset points", color=GREY, fontsize=7)
+    right.set(xlabel="V_WES / V_Ereq", ylabel="trials", title="what V_WES said")
+    right.legend(loc="upper right")
+    style.save(figure, path)
+
+
+def measures(results, fits, path):
+    """How far each intensity measure tells overturning from standing: dispersion of its fragility, and ranks (AUC)."""
+    style.use()
+    names = [name for name in MEASURES if any((body.name, name) in fits for body in results.bodies)]
+    figure, (left, right) = plt.subplots(1, 2, figsize=(6.8, 0.9 + 0.34 * len(names)), sharey=True,
+                                         layout="constrained")
+    drawn = 0
+    for b, (body, (colour, _)) in enumerate(zip(results.bodies, BODIES * len(results.bodies))):
+        for n, name in enumerate(names):
+            fit = fits.get((body.name, name))
+            y = n + 0.22 * (b - (len(results.bodies) - 1) / 2)
+            if fit and fit["identifiable"]:
+                low, high = fit["beta_interval"]
+                reach = [[fit["beta"] - low], [(high if high is not None else fit["beta"]) - fit["beta"]]]
+                left.errorbar(fit["beta"], y, xerr=np.abs(reach), fmt="o", ms=4, color=colour, elinewidth=0.9, capsize=2)
+                drawn += 1
+            if fit and fit.get("rank_area") is not None:
+                right.plot(fit["rank_area"], y, "o", ms=4, color=colour)
+    left.set_yticks(range(len(names)), [MEASURES[name][0] for name in names])
+    left.invert_yaxis()
+    left.set(xlabel="beta of the fit", title="dispersion: less is better")
+    left.set_xlim(left=0)
+    right.set(xlabel="AUC", title="rank: more is better", xlim=(0.45, 1.02))
+    right.legend(handles=[Line2D([], [], color=colour, marker="o", ls="", label=body.name)
+                          for body, (colour, _) in zip(results.bodies, BODIES)],
+                 loc="center left", bbox_to_anchor=(1.02, 0.5))
+    if drawn:
+        style.save(figure, path)
+    else:
+        plt.close(figure)
+    return drawn > 0

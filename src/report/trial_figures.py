@@ -1,0 +1,168 @@
+"""Figures of what the trials did: the body itself, peak rotation, slip, effects that ran, and the waves' quality."""
+
+import style
+from fragility_figures import MEASURES
+from style import BLUE, GREEN, GREY, INK, ORANGE, PALE, PURPLE, SKY, VERMILION
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.patches import Rectangle
+
+RUNGS = [("at rest", PALE), ("rocking", SKY), ("sliding", ORANGE)]
+MOST_STEPS = 400  # of a distribution function: finer than print
+
+
+def bodies(results, path):
+    """Each body to one scale: base, centre of gravity, critical angle. The outline is only a block about that centre."""
+    style.use()
+    count = len(results.bodies)
+    figure, axes = plt.subplots(figsize=(2.3 * count + 0.6, 2.9), layout="constrained")
+    widest = max(2 * body.numbers["half_width"] for body in results.bodies)
+    tallest = max(2 * body.numbers["centre_height"] for body in results.bodies)
+    pitch = 1.9 * max(widest, 0.75 * tallest)
+    for k, body in enumerate(results.bodies):
+        b, h, alpha = (body.numbers[key] for key in ("half_width", "centre_height", "alpha"))
+        x = k * pitch
+        axes.add_patch(Rectangle((x - b, 0), 2 * b, 2 * h, facecolor="#eef2f5", edgecolor=GREY, lw=0.8, ls=(0, (4, 3))))
+        axes.plot([x - b, x + b], [0, 0], color=INK, lw=2.4, solid_capstyle="butt")
+        axes.plot([x, x + b], [h, 0], color=BLUE, lw=1)
+        axes.plot([x + b, x + b], [0, 1.25 * h], color=BLUE, lw=0.7, ls="--")
+        axes.plot(x, h, "o", ms=5, color=VERMILION, zorder=5)
+        axes.annotate(f"h {h:.4g} m", (x, h), xytext=(-6, 0), textcoords="offset points", ha="right", va="center")
+        axes.annotate(f"R {np.hypot(b, h):.4g} m", (x + 0.45 * b, 0.5 * h), xytext=(-2, -2), ha="right", va="top",
+                      textcoords="offset points", color=BLUE)
+        axes.annotate(f"α {np.degrees(alpha):.1f}°", (x + b, 1.25 * h), xytext=(3, 0), textcoords="offset points",
+                      color=BLUE)
+        axes.annotate(f"2b {2 * b:.3g} m", (x, 0), xytext=(0, -11), textcoords="offset points", ha="center")
+        axes.annotate(body.name, (x, 2 * h), xytext=(0, 5), textcoords="offset points", ha="center", weight="bold")
+    axes.set_xlim(-0.62 * pitch, (count - 1 + 0.62) * pitch)
+    axes.set_ylim(-0.16 * tallest, 1.14 * tallest)
+    axes.axhline(0, color=GREY, lw=0.6, zorder=0)
+    axes.set_aspect("equal")
+    axes.set_axis_off()
+    style.save(figure, path)
+
+
+def steps_of(values):
+    """A distribution function thinned to what print can show."""
+    ordered = np.sort(values)
+    at = np.unique(np.linspace(0, len(ordered) - 1, min(len(ordered), MOST_STEPS)).astype(int))
+    return ordered[at], (at + 1) / len(ordered)
+
+
+def by_level(results, body, axes, values, levels):
+    """One distribution function a level, light to dark with rising amplitude; the levels that were drawn."""
+    level = body.trials("level")
+    drawn = []
+    for place, number in enumerate(levels):
+        chosen = values[level == number]
+        chosen = chosen[np.isfinite(chosen)]
+        if not len(chosen):
+            continue
+        x, share = steps_of(chosen)
+        colour = colormaps["viridis_r"](0.12 + 0.85 * place / max(1, len(levels) - 1))
+        amplitude, unit = results.in_units(body.stripes["amplitude"][number])
+        axes.step(x, share, where="post", color=colour, lw=1, label=f"{float(amplitude):.4g} {unit}".strip())
+        drawn.append((number, len(chosen)))
+    return drawn
+
+
+def chosen_levels(body, most=7):
+    """Levels evenly spread over those at which the body moves and does not nearly always overturn."""
+    stripes = body.stripes
+    telling = (stripes["at_rest"] < stripes["trials"]) & ~(stripes["probability"] > 0.98)
+    levels = np.flatnonzero(telling) if telling.any() else np.arange(len(telling))
+    places = np.linspace(0, len(levels) - 1, min(most, len(levels)))
+    return [int(level) for level in levels[np.unique(places.round().astype(int))]]
+
+
+def rotations(results, body, path, confidence=0.95):
+    """Distribution of the peak rotation per level with the Dvoretzky-Kiefer-Wolfowitz band of the middle one."""
+    style.use()
+    figure, axes = plt.subplots(figsize=(5.6, 3.1), layout="constrained")
+    ratio = np.where(body.verdict("overturned"), np.inf, body.trials("peak_rotation_ratio"))
+    ratio = np.where(body.verdict("failed") | body.verdict("contact-lost"), np.nan, ratio)
+    shown = np.where(np.isinf(ratio), 1.2, np.minimum(ratio, 1.2))  # what overturns leaves the picture on the right
+    drawn = by_level(results, body, axes, shown, chosen_levels(body))
+    if drawn:
+        number, count = drawn[len(drawn) // 2]
+        x, share = steps_of(shown[(body.trials("level") == number) & np.isfinite(shown)])
+        reach = np.sqrt(np.log(2 / (1 - confidence)) / (2 * count))
+        axes.fill_between(x, np.clip(share - reach, 0, 1), np.clip(share + reach, 0, 1), step="post", color=GREY,
+                          alpha=0.25, lw=0, label=f"{100 * confidence:g} % band (DKW)")
+    axes.axvline(1, color=GREY, lw=0.8, ls="--")
+    axes.annotate("critical angle", (1, 0.02), xytext=(-3, 0), textcoords="offset points", ha="right", fontsize=7,
+                  color=GREY)
+    axes.set(xlim=(0, 1.15), ylim=(0, 1.02), xlabel="peak rotation / α", ylabel="share of trials",
+             title=f"{body.name}: peak rotation per level")
+    axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))
+    style.save(figure, path)
+
+
+def slips(results, body, path):
+    """Distribution of the peak slip per level; False if nothing slipped."""
+    slip = body.trials("peak_slip")
+    if not np.any(slip > 0):
+        return False
+    style.use()
+    figure, axes = plt.subplots(figsize=(5.6, 3.1), layout="constrained")
+    by_level(results, body, axes, slip, chosen_levels(body))
+    axes.set(ylim=(0, 1.02), xlabel="peak slip [m]", ylabel="share of trials", title=f"{body.name}: peak slip per level")
+    smallest = np.percentile(slip[slip > 0], 5)
+    axes.set_xscale("symlog", linthresh=max(smallest, 1e-6))
+    axes.set_xlim(left=0)
+    axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))
+    style.save(figure, path)
+    return True
+
+
+def ends(results, body, path):
+    """How the trials of each level ended, and the rung of the ladder they needed."""
+    style.use()
+    figure, (left, right) = plt.subplots(1, 2, figsize=(6.8, 2.6), sharey=True, layout="constrained")
+    level, count = body.trials("level"), len(body.stripes["amplitude"])
+    amplitude, unit = results.in_units(body.stripes["amplitude"])
+    trials = np.maximum(np.bincount(level, minlength=count), 1)
+    places = np.arange(count)
+
+    def stack(axes, parts):
+        below = np.zeros(count)
+        for label, which, colour in parts:
+            share = np.bincount(level[which], minlength=count) / trials
+            if share.any():
+                axes.bar(places, share, bottom=below, width=0.82, color=colour, label=label)
+            below += share
+
+    stack(left, [(name, body.verdict(name), colour) for name, colour in
+                 (("at-rest", PALE), ("slid", ORANGE), ("rocked", SKY), ("overturned", VERMILION),
+                  ("contact-lost", PURPLE), ("failed", INK))])
+    rung = body.trials("rung")
+    stack(right, [(name, rung == number, colour) for number, (name, colour) in enumerate(RUNGS)])
+    every = max(1, -(-count // 7))
+    for axes, title in ((left, "verdicts"), (right, "simulated up to")):
+        axes.set_xticks(places[::every], [f"{value:.4g}" for value in amplitude[::every]])
+        axes.set(title=f"{body.name}: {title}", ylim=(0, 1), xlabel=f"{MEASURES[results.measure][0]} [{unit}]" if unit
+                 else MEASURES[results.measure][0])
+        axes.grid(axis="x", visible=False)
+        axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.24), ncols=3)
+    left.set_ylabel("share of trials")
+    style.save(figure, path)
+
+
+def wave_quality(results, path):
+    """How well the waves meet their target and how far they end from rest; False for waves without a target."""
+    waves = results.waves
+    matched = waves["match_mean_ratio"] > 0
+    if not matched.any():
+        return False
+    style.use()
+    figure, panels = plt.subplots(1, 3, figsize=(6.8, 2.2), layout="constrained")
+    kinds = [("match_mean_misfit", "mean misfit [%]", 100, BLUE), ("match_worst_decade", "worst decade [%]", 100, BLUE),
+             ("duration_5_75", "strong motion 5–75 % [s]", 1, GREEN)]
+    for axes, (column, label, factor, colour) in zip(panels, kinds):
+        axes.hist(factor * waves[column][matched], bins=24, color=colour)
+        axes.set(xlabel=label)
+    panels[0].set_ylabel("waves")
+    style.save(figure, path)
+    return True

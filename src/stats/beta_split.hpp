@@ -1,0 +1,30 @@
+/// Randomness and uncertainty told apart: which part of a fragility's beta comes from what was not known of the body.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace overturn {
+
+/// One decided trial of a body whose quantities were drawn.
+struct DrawnTrial {
+    double log_intensity = 0;
+    std::vector<double> scores;  ///< of the draws: standard normal deviates, independent of each other
+    bool overturned = false;
+};
+
+/// P = Phi((ln x - ln median - sum c_k z_k) / beta_r): the scores z shift the median, waves alone scatter about it.
+struct BetaSplit {
+    double beta_r = 0;                    ///< from waves
+    double beta_u = 0;                    ///< sqrt(sum c_k^2), less what chance alone adds to it: from the draws
+    std::vector<double> per_score;        ///< c_k = d ln median / d z_k
+    std::vector<double> per_score_error;  ///< their standard errors, from the information matrix
+};
+
+/// Maximum likelihood by Newton's method on the concave log-likelihood (Pratt 1981). Nothing if the trials hold no such
+/// curve: all ended alike, are separated, or do not overturn more at higher intensities.
+/// \pre every trial has the same number of scores, at least one
+[[nodiscard]] std::optional<BetaSplit> split_beta(std::vector<DrawnTrial> const& trials);
+
+}  // namespace overturn

@@ -1,0 +1,147 @@
+#include "stats/bootstrap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_randist.h>
+
+#include "core/random_stream.hpp"
+#include "stats/quantile.hpp"
+
+namespace overturn {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+Replicate refit(std::span<FragilityPoint const> points, ProbitSolver& solver) {
+    switch (state_of(points)) {
+        case FragilityState::none_overturned:
+            return {infinite, unknown};
+        case FragilityState::all_overturned:
+            return {-infinite, unknown};
+        case FragilityState::separated:
+            return {separating_log_intensity(points), 0};
+        case FragilityState::fitted:
+            break;
+        default:
+            return {unknown, unknown};
+    }
+    auto const line = solver.fit(points);
+    return line && line->slope > 0 ? Replicate{line->log_median(), line->beta()} : Replicate{unknown, unknown};
+}
+
+template <class Value>
+Interval middle(std::vector<Replicate> const& replicates, double confidence, Interval const& widest,
+                Value const& value) {
+    std::vector<double> values;
+    values.reserve(replicates.size());
+    for (auto const& replicate : replicates) {
+        values.push_back(value(replicate));
+    }
+    return middle_of(values, confidence, widest);
+}
+
+}  // namespace
+
+Bootstrap::Bootstrap(std::vector<Replicate> replicates, ProbitLine const& line, ProbitLine const& centre)
+    : replicates_(std::move(replicates)) {
+    for (auto& replicate : replicates_) {
+        without_curve_ += replicate.beta > 0 && std::isfinite(replicate.log_median) ? 0 : 1;
+        replicate.log_median += line.log_median() - centre.log_median();
+        replicate.beta *= line.beta() / centre.beta();
+    }
+}
+
+Interval Bootstrap::beta(double confidence) const {
+    return middle(replicates_, confidence, {0, infinite}, [](Replicate const& r) { return r.beta; });
+}
+
+Interval Bootstrap::intensity(double probability, double confidence) const {
+    double const q = gsl_cdf_ugaussian_Pinv(probability);
+    auto const ends = middle(replicates_, confidence, {-infinite, infinite}, [q](Replicate const& r) {
+        return std::isinf(r.log_median) ? r.log_median : r.log_median + q * r.beta;
+    });
+    return {std::exp(ends.lower), std::exp(ends.upper)};
+}
+
+Interval Bootstrap::probability(double intensity, double confidence) const {
+    double const at = std::log(intensity);
+    return middle(replicates_, confidence, {0, 1}, [at](Replicate const& r) {
+        if (std::isinf(r.log_median)) {
+            return r.log_median > 0 ? 0.0 : 1.0;
+        }
+        if (r.beta == 0) {
+            return at >= r.log_median ? 1.0 : 0.0;
+        }
+        return gsl_cdf_ugaussian_P((at - r.log_median) / r.beta);
+    });
+}
+
+Bootstrap bootstrap_waves(std::span<SingleTrial const> trials, ProbitLine const& line, BootstrapKey const& key) {
+    constexpr std::size_t most_points = 64;
+    auto cells = cells_of(trials, most_points);
+    // Trials in order of their waves, so that a drawn wave is one run of them.
+    std::vector<std::size_t> order(trials.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        order[i] = i;
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return trials[a].wave < trials[b].wave; });
+    std::vector<std::size_t> first_of_wave;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        if (i == 0 || trials[order[i]].wave != trials[order[i - 1]].wave) {
+            first_of_wave.push_back(i);
+        }
+    }
+    auto const waves = first_of_wave.size();
+    first_of_wave.push_back(order.size());
+    struct Entry {
+        std::size_t cell;
+        double overturned;
+    };
+    std::vector<Entry> entries;
+    entries.reserve(order.size());
+    for (auto const i : order) {
+        entries.push_back({cells.cell_of_trial[i], trials[i].overturned ? 1.0 : 0.0});
+    }
+    ProbitSolver solver;
+    auto const centre = solver.fit(cells.points).value_or(line);
+    std::vector<Replicate> replicates;
+    replicates.reserve(static_cast<std::size_t>(key.replicates));
+    for (int r = 0; r < key.replicates; ++r) {
+        RandomStream stream(key.seed, static_cast<std::uint64_t>(r), Purpose::bootstrap, key.stream);
+        for (auto& point : cells.points) {
+            point.trials = point.overturned = 0;
+        }
+        for (std::size_t draw = 0; draw < waves; ++draw) {
+            auto const wave = gsl_rng_uniform_int(stream.gsl(), waves);
+            for (auto e = first_of_wave[wave]; e < first_of_wave[wave + 1]; ++e) {
+                cells.points[entries[e].cell].trials += 1;
+                cells.points[entries[e].cell].overturned += entries[e].overturned;
+            }
+        }
+        replicates.push_back(refit(cells.points, solver));
+    }
+    return {std::move(replicates), line, centre};
+}
+
+Bootstrap bootstrap_trials(std::span<FragilityPoint const> points, ProbitLine const& line, BootstrapKey const& key) {
+    std::vector<FragilityPoint> drawn(points.begin(), points.end());
+    ProbitSolver solver;
+    std::vector<Replicate> replicates;
+    replicates.reserve(static_cast<std::size_t>(key.replicates));
+    for (int r = 0; r < key.replicates; ++r) {
+        RandomStream stream(key.seed, static_cast<std::uint64_t>(r), Purpose::bootstrap, key.stream);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            drawn[i].overturned =
+                gsl_ran_binomial(stream.gsl(), points[i].probability(), static_cast<unsigned>(points[i].trials));
+        }
+        replicates.push_back(refit(drawn, solver));
+    }
+    return {std::move(replicates), line, line};
+}
+
+}  // namespace overturn

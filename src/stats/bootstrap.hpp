@@ -1,0 +1,53 @@
+/// How the fit would scatter if the campaign were run again: fits to resampled data (Efron 1979).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "stats/probit.hpp"
+
+namespace overturn {
+
+/// One refit. Where the resampled data hold no curve its ends say what is still known: nothing overturned puts the
+/// median above all, separated data put beta at 0, anything else leaves both open.
+struct Replicate {
+    double log_median = 0;  ///< may be infinite; NaN: unknown
+    double beta = 0;        ///< NaN: unknown
+};
+
+/// Refits to resampled data, and intervals from them.
+class Bootstrap {
+  public:
+    /// \param line of the data themselves; \param centre the same fit as the replicates were made (cells may shift it)
+    Bootstrap(std::vector<Replicate> replicates, ProbitLine const& line, ProbitLine const& centre);
+
+    [[nodiscard]] Interval beta(double confidence) const;
+    /// Of the intensity at which P is `probability`; the ends may be 0 and infinite.
+    [[nodiscard]] Interval intensity(double probability, double confidence) const;
+    [[nodiscard]] Interval probability(double intensity, double confidence) const;
+    [[nodiscard]] std::size_t size() const { return replicates_.size(); }
+    /// How many replicates held no curve.
+    [[nodiscard]] std::size_t without_curve() const { return without_curve_; }
+
+  private:
+    std::vector<Replicate> replicates_;
+    std::size_t without_curve_ = 0;
+};
+
+/// Identifies a bootstrap's random streams: replicate r draws from (seed, r, bootstrap, stream).
+struct BootstrapKey {
+    std::uint64_t seed = 0;
+    std::uint64_t stream = 0;
+    int replicates = 1000;
+};
+
+/// Resamples waves, each with all its trials: right whether or not levels share them. More than `most_points` distinct
+/// intensities are put into cells for the refits. \pre state_of(trials) is fitted
+[[nodiscard]] Bootstrap bootstrap_waves(std::span<SingleTrial const> trials, ProbitLine const& line,
+                                        BootstrapKey const& key);
+
+/// Resamples the trials of every point, all independent. \pre state_of(points) is fitted
+[[nodiscard]] Bootstrap bootstrap_trials(std::span<FragilityPoint const> points, ProbitLine const& line,
+                                         BootstrapKey const& key);
+
+}  // namespace overturn

@@ -1,0 +1,52 @@
+/// The criterion "measure < limit means it does not overturn" on trial against time histories of the same waves.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "stats/stripe.hpp"
+
+namespace overturn {
+
+/// One decided trial as the criterion saw it.
+struct CriterionTrial {
+    double ratio = 0;  ///< measure over limit
+    std::int64_t wave = 0;
+    bool overturned = false;
+
+    [[nodiscard]] bool said_safe() const { return ratio < 1; }
+};
+
+/// A share with its exact interval.
+struct Share {
+    std::int64_t count = 0, of = 0;
+    Interval interval;
+
+    [[nodiscard]] double value() const { return static_cast<double>(count) / static_cast<double>(of); }
+};
+[[nodiscard]] Share share_of(std::int64_t count, std::int64_t of, double confidence);
+
+/// Quantiles of the ratio; empty if there was no trial of that kind.
+struct RatioQuantiles {
+    std::int64_t count = 0;
+    double lowest = 0, p05 = 0, p25 = 0, median = 0, p75 = 0, p95 = 0, highest = 0;
+};
+[[nodiscard]] std::optional<RatioQuantiles> ratio_quantiles(std::vector<double> ratios);
+
+struct CriterionStudy {
+    Confusion counts;
+    Share safe_but_overturned;   ///< of all trials said safe: the share that must be 0
+    Share overturned_said_safe;  ///< of all trials that overturned
+    Share unsafe_but_stood;      ///< of all trials said unsafe: the price
+    Share stood_said_unsafe;     ///< of all trials that stood
+    /// Of the waves with a trial said safe, those with one of these overturned: trials of one wave are not independent,
+    /// waves are.
+    Share waves_safe_but_overturned;
+    std::optional<RatioQuantiles> at_overturning;     ///< all trials that overturned
+    std::optional<RatioQuantiles> first_overturning;  ///< of each wave the lowest ratio that overturned
+    std::optional<RatioQuantiles> highest_standing;   ///< of each wave the highest ratio that stood
+};
+[[nodiscard]] CriterionStudy study_criterion(std::span<CriterionTrial const> trials, double confidence);
+
+}  // namespace overturn

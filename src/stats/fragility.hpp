@@ -1,0 +1,135 @@
+/// The fragility of one body on one intensity measure: a curve where the data hold one, and what they hold otherwise.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "stats/bootstrap.hpp"
+#include "stats/goodness_of_fit.hpp"
+#include "stats/isotonic.hpp"
+
+namespace overturn {
+
+/// What a reader must know about a fit. Stored as bits: never renumber.
+enum class FragilityFlag : std::uint32_t {
+    no_trials = 0,
+    nothing_overturned = 1,
+    all_overturned = 2,
+    one_level = 3,
+    separated = 4,
+    not_rising = 5,
+    not_converged = 6,
+    one_overturned = 7,
+    two_levels = 8,
+    non_monotone = 9,
+    poor_fit = 10,
+    median_outside_data = 11,
+    hclpf_outside_data = 12,
+    undecided_trials = 13,
+    few_waves = 14,
+    interval_unbounded = 15,
+};
+inline constexpr std::uint32_t fragility_flags = 16;
+
+using FragilityFlags = std::uint32_t;
+[[nodiscard]] constexpr FragilityFlags bit(FragilityFlag flag) { return 1U << static_cast<std::uint32_t>(flag); }
+[[nodiscard]] constexpr bool has(FragilityFlags flags, FragilityFlag flag) { return (flags & bit(flag)) != 0; }
+
+/// The trials as stripes or one by one. With `trials` the bootstrap resamples their waves, without it every trial
+/// counts as independent.
+struct FragilityData {
+    enum class Kind { stripes, singles };
+    Kind kind = Kind::stripes;
+    std::vector<FragilityPoint> points;
+    std::vector<SingleTrial> trials;
+    bool waves_shared = false;  ///< one wave has trials at several intensities
+
+    [[nodiscard]] static FragilityData of_stripes(std::span<Stripe const> stripes);
+    /// Single trials of a continuous measure; \param undecided trials that are not among them
+    [[nodiscard]] static FragilityData of_trials(std::vector<SingleTrial> trials, bool waves_shared,
+                                                 std::int64_t undecided);
+};
+
+/// Where P is wanted.
+struct Quote {
+    double intensity = 0;  ///< [SI]
+    double multiple = 1;   ///< of the design basis
+};
+
+struct FragilityRequest {
+    double confidence = 0.95;
+    double beta_u = 0;  ///< lognormal standard deviation of what is not known, beside the fitted beta
+    std::vector<Quote> quotes;
+    BootstrapKey bootstrap;
+};
+
+/// P at one intensity.
+struct QuotedProbability {
+    Quote quote;
+    std::optional<double> probability;  ///< of the curve
+    Interval bounds;                    ///< [0, 1] where nothing is known
+    enum class Source { none, curve, stripe };
+    /// Of the bounds: stripe where all trials there ended alike, or no curve describes the data.
+    Source source = Source::none;
+    double trials = 0, overturned = 0;  ///< seen right there
+    Interval seen;                      ///< their exact interval
+    bool outside_data = false;          ///< below or above all intensities that were tried
+    bool in_tail = false;               ///< P below a tenth of the lowest proportion that is not zero
+};
+
+/// The exact bound that is left where nothing, or everything, overturned.
+struct TailBound {
+    double from = 0, to = 0;  ///< intensities it was seen at
+    double units = 0;         ///< trials; distinct waves where single trials share them
+    Interval probability;
+};
+
+struct FragilityFit {
+    FragilityState state = FragilityState::no_trials;
+    FragilityFlags flags = 0;
+    double trials = 0, overturned = 0, undecided = 0;
+    std::int64_t waves = 0;          ///< distinct; 0: not known
+    double lowest = 0, highest = 0;  ///< intensities that were tried: the curve is drawn solid between them
+    double lowest_proportion = 0;    ///< of the lowest stripe (or tenth of the trials) in which anything overturned
+
+    std::optional<ProbitLine> line;  ///< empty where not identifiable
+    struct Intervals {
+        Interval median, beta, hclpf;
+    };
+    std::optional<Intervals> profile, bootstrap;
+    enum class Method { profile_likelihood, bootstrap_by_waves };
+    Method method = Method::profile_likelihood;  ///< whose intervals are to be signed
+    std::size_t replicates = 0, replicates_without_curve = 0;
+
+    std::optional<GoodnessOfFit> goodness;
+    MonotoneTest monotone;
+    std::vector<IsotonicBlock> isotonic;
+    Interval isotonic_median;
+    std::optional<ProbitLine> penalised;  ///< Firth's fit of separated data
+    std::optional<TailBound> bound;
+    double beta_u = 0;
+    std::vector<QuotedProbability> quotes;
+
+    [[nodiscard]] bool identifiable() const { return line.has_value(); }
+    /// exp(ln median - 1.645 (beta + beta_u)): high confidence, low probability of failure (EPRI TR-103959).
+    [[nodiscard]] double hclpf() const;
+    /// Where the mean curve, with beta and beta_u together, reaches 1 %.
+    [[nodiscard]] double one_percent_point() const;
+    /// The intervals of `method`.
+    [[nodiscard]] Intervals const& intervals() const {
+        return *(method == Method::profile_likelihood ? profile : bootstrap);
+    }
+};
+
+[[nodiscard]] FragilityFit fit_fragility(FragilityData const& data, FragilityRequest const& request);
+
+/// "fitted", "nothing-overturned", ...
+[[nodiscard]] std::string name_of(FragilityState state);
+/// Names of the flags that are set.
+[[nodiscard]] std::vector<std::string> names_of(FragilityFlags flags);
+/// One sentence for everything a reader must know. \param units of the intensity, "" if it has none
+[[nodiscard]] std::vector<std::string> warnings_of(FragilityFit const& fit, std::string const& units,
+                                                   double confidence);
+
+}  // namespace overturn

@@ -1,0 +1,157 @@
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "stats/fragility.hpp"
+
+namespace overturn {
+namespace {
+
+constexpr std::array<char const*, fragility_flags> flag_names{
+    "no-trials",          "nothing-overturned", "all-overturned", "one-level",
+    "separated",          "not-rising",         "not-converged",  "one-overturned",
+    "two-levels",         "non-monotone",       "poor-fit",       "median-outside-data",
+    "hclpf-outside-data", "undecided-trials",   "few-waves",      "interval-unbounded"};
+
+std::string with(double value, std::string const& units) {
+    return units.empty() || units == "1" ? fmt::format("{:.4g}", value) : fmt::format("{:.4g} {}", value, units);
+}
+
+std::string bound_text(FragilityFit const& fit, std::string const& units, double confidence) {
+    auto const& bound = *fit.bound;
+    bool const none = fit.state == FragilityState::none_overturned;
+    auto const where = bound.from == bound.to ? with(bound.from, units)
+                                              : fmt::format("{:.4g} to {}", bound.from, with(bound.to, units));
+    return fmt::format("{} overturned: no curve can be fitted; P {} {:.4g} at {} ({} of {:g}, {:g} %)",
+                       none ? "nothing" : "everything",
+                       none ? "<=" : ">=", none ? bound.probability.upper : bound.probability.lower, where,
+                       none ? "none" : "all", bound.units, 100 * confidence);
+}
+
+std::string bracket_text(Interval const& bracket, std::string const& units) {
+    if (!std::isfinite(bracket.upper)) {
+        return fmt::format("at or above {}", with(bracket.lower, units));
+    }
+    return bracket.lower > 0 ? fmt::format("between {:.4g} and {}", bracket.lower, with(bracket.upper, units))
+                             : fmt::format("at or below {}", with(bracket.upper, units));
+}
+
+std::string separated_text(FragilityFit const& fit, std::string const& units) {
+    auto text = fmt::format("all that stood lie below all that overturned: beta cannot be told, the median lies {}",
+                            bracket_text(fit.isotonic_median, units));
+    if (fit.penalised) {
+        text += fmt::format("; penalised (Firth) median {}, beta {:.3g}",
+                            with(std::exp(fit.penalised->log_median()), units), fit.penalised->beta());
+    }
+    return text;
+}
+
+void add_state(std::vector<std::string>& texts, FragilityFit const& fit, std::string const& units, double confidence) {
+    switch (fit.state) {
+        case FragilityState::no_trials:
+            texts.emplace_back("no trial has a verdict: nothing is known");
+            break;
+        case FragilityState::none_overturned:
+        case FragilityState::all_overturned:
+            texts.push_back(bound_text(fit, units, confidence));
+            break;
+        case FragilityState::one_level:
+            texts.emplace_back("one intensity only: its interval is all there is, a curve needs two");
+            break;
+        case FragilityState::separated:
+            texts.push_back(separated_text(fit, units));
+            break;
+        case FragilityState::not_rising:
+            texts.push_back(
+                fmt::format("P does not rise with this measure beyond chance ({:g} %): no lognormal curve; "
+                            "the stripes' own intervals hold",
+                            100 * confidence));
+            break;
+        case FragilityState::not_converged:
+            texts.emplace_back("the fit did not converge: no curve is given");
+            break;
+        case FragilityState::fitted:
+            break;
+    }
+}
+
+}  // namespace
+
+std::string name_of(FragilityState state) {
+    switch (state) {
+        case FragilityState::fitted:
+            return "fitted";
+        case FragilityState::no_trials:
+            return "no-trials";
+        case FragilityState::none_overturned:
+            return "nothing-overturned";
+        case FragilityState::all_overturned:
+            return "all-overturned";
+        case FragilityState::one_level:
+            return "one-level";
+        case FragilityState::separated:
+            return "separated";
+        case FragilityState::not_rising:
+            return "not-rising";
+        case FragilityState::not_converged:
+            break;
+    }
+    return "not-converged";
+}
+
+std::vector<std::string> names_of(FragilityFlags flags) {
+    std::vector<std::string> names;
+    for (std::uint32_t f = 0; f < fragility_flags; ++f) {
+        if (has(flags, static_cast<FragilityFlag>(f))) {
+            names.emplace_back(flag_names.at(f));
+        }
+    }
+    return names;
+}
+
+std::vector<std::string> warnings_of(FragilityFit const& fit, std::string const& units, double confidence) {
+    std::vector<std::string> texts;
+    add_state(texts, fit, units, confidence);
+    auto const add_if = [&](FragilityFlag flag, std::string text) {
+        if (has(fit.flags, flag)) {
+            texts.push_back(std::move(text));
+        }
+    };
+    add_if(FragilityFlag::one_overturned, "one trial overturned: whatever is fitted hangs on it");
+    add_if(FragilityFlag::two_levels, "two intensities: the curve goes through both, nothing tests its shape");
+    add_if(FragilityFlag::non_monotone,
+           fmt::format("the proportions fall somewhere, beyond chance (p = {:.2g}): rocking need not be monotone; see "
+                       "the isotonic estimate",
+                       fit.monotone.p_value));
+    add_if(FragilityFlag::poor_fit,
+           fmt::format("the lognormal curve does not describe the proportions (deviance {:.3g} with {} degrees of "
+                       "freedom, p = {:.2g})",
+                       fit.goodness ? fit.goodness->deviance : 0, fit.goodness ? fit.goodness->degrees_of_freedom : 0,
+                       fit.goodness ? fit.goodness->p_value : 1));
+    add_if(FragilityFlag::median_outside_data, "the median lies outside what was tried: extrapolated");
+    add_if(FragilityFlag::hclpf_outside_data, "HCLPF lies below all that was tried: extrapolated");
+    add_if(FragilityFlag::undecided_trials,
+           fmt::format("{:g} trials have no verdict and are left out of the curve", fit.undecided));
+    add_if(FragilityFlag::few_waves,
+           fmt::format("{} waves only: intervals from resampling them are too short", fit.waves));
+    add_if(FragilityFlag::interval_unbounded, "an interval is open: the data do not bound it");
+    for (auto const& quoted : fit.quotes) {
+        if (has(fit.flags, FragilityFlag::poor_fit) && quoted.source == QuotedProbability::Source::curve) {
+            texts.push_back(
+                fmt::format("P at {} comes from a curve that does not describe the data: its bounds are too "
+                            "narrow",
+                            with(quoted.quote.intensity, units)));
+        }
+        if (quoted.in_tail) {
+            texts.push_back(
+                fmt::format("P = {:.2g} at {} lies more than a decade under the lowest proportion seen ({:.2g}): a "
+                            "lognormal tail is "
+                            "unconservative there",
+                            *quoted.probability, with(quoted.quote.intensity, units), fit.lowest_proportion));
+        }
+    }
+    return texts;
+}
+
+}  // namespace overturn

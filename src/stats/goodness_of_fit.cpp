@@ -1,0 +1,78 @@
+#include "stats/goodness_of_fit.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include <gsl/gsl_cdf.h>
+
+namespace overturn {
+namespace {
+
+struct Group {
+    double trials = 0, overturned = 0, expected = 0;
+
+    void add(Group const& other) {
+        trials += other.trials;
+        overturned += other.overturned;
+        expected += other.expected;
+    }
+    [[nodiscard]] bool fills() const {
+        constexpr double least = 1;
+        return expected >= least && trials - expected >= least;
+    }
+};
+
+double deviance_of(Group const& group) {
+    auto const term = [](double seen, double expected) { return seen > 0 ? 2 * seen * std::log(seen / expected) : 0; };
+    return term(group.overturned, group.expected)
+           + term(group.trials - group.overturned, group.trials - group.expected);
+}
+
+std::vector<Group> filled(std::vector<Group> const& groups) {
+    std::vector<Group> pooled;
+    Group open;
+    for (auto const& group : groups) {
+        open.add(group);
+        if (open.fills()) {
+            pooled.push_back(open);
+            open = {};
+        }
+    }
+    if (open.trials > 0 && !pooled.empty()) {
+        pooled.back().add(open);
+    }
+    return pooled;
+}
+
+}  // namespace
+
+GoodnessOfFit goodness_of_fit(std::span<FragilityPoint const> points, ProbitLine const& line) {
+    constexpr std::size_t stripes_at_most = 40;
+    constexpr std::size_t groups_of_singles = 10;
+    bool const singles = points.size() > stripes_at_most;
+    double const share = sum_of(points).trials / static_cast<double>(groups_of_singles);
+    std::vector<Group> groups;
+    double before = 0;
+    for (auto const& point : points) {
+        Group const own{point.trials, point.overturned,
+                        point.trials * gsl_cdf_ugaussian_P(line.at(point.log_intensity))};
+        if (!singles || groups.empty() || before >= share * static_cast<double>(groups.size())) {
+            groups.push_back(own);
+        } else {
+            groups.back().add(own);
+        }
+        before += point.trials;
+    }
+    auto const pooled = filled(groups);
+    GoodnessOfFit fit;
+    for (auto const& group : pooled) {
+        fit.deviance += deviance_of(group);
+    }
+    fit.degrees_of_freedom = std::max(static_cast<int>(pooled.size()) - 2, 0);
+    if (fit.degrees_of_freedom > 0) {
+        fit.p_value = gsl_cdf_chisq_Q(fit.deviance, fit.degrees_of_freedom);
+    }
+    return fit;
+}
+
+}  // namespace overturn

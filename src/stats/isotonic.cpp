@@ -1,0 +1,71 @@
+#include "stats/isotonic.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gsl/gsl_cdf.h>
+
+namespace overturn {
+namespace {
+
+// k ln p + (n - k) ln(1 - p) at p = k / n.
+double free_likelihood(double overturned, double trials) {
+    auto const term = [&](double count) { return count > 0 ? count * std::log(count / trials) : 0; };
+    return term(overturned) + term(trials - overturned);
+}
+
+}  // namespace
+
+std::vector<IsotonicBlock> isotonic_estimate(std::span<FragilityPoint const> points) {
+    std::vector<IsotonicBlock> blocks;
+    blocks.reserve(points.size());
+    for (auto const& point : points) {
+        double const at = std::exp(point.log_intensity);
+        blocks.push_back({at, at, point.trials, point.overturned, 1});
+        while (blocks.size() > 1 && blocks[blocks.size() - 2].probability() >= blocks.back().probability()) {
+            auto const last = blocks.back();
+            blocks.pop_back();
+            blocks.back().to = last.to;
+            blocks.back().trials += last.trials;
+            blocks.back().overturned += last.overturned;
+            blocks.back().points += last.points;
+        }
+    }
+    return blocks;
+}
+
+Interval isotonic_median(std::span<IsotonicBlock const> blocks) {
+    constexpr double half = 0.5;
+    Interval bracket{0, std::numeric_limits<double>::infinity()};
+    for (auto const& block : blocks) {
+        if (block.probability() >= half) {
+            bracket.upper = block.from;
+            break;
+        }
+        bracket.lower = block.to;
+    }
+    return bracket;
+}
+
+MonotoneTest test_monotone(std::span<FragilityPoint const> points) {
+    MonotoneTest test;
+    for (auto const& point : points) {
+        test.deviance += 2 * free_likelihood(point.overturned, point.trials);
+    }
+    auto const blocks = isotonic_estimate(points);
+    for (auto const& block : blocks) {
+        test.deviance -= 2 * free_likelihood(block.overturned, block.trials);
+    }
+    // Equal neighbours are pooled without any cost and violate nothing.
+    std::size_t distinct = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        distinct += i == 0 || points[i].probability() != points[i - 1].probability() ? 1 : 0;
+    }
+    test.degrees_of_freedom = static_cast<int>(distinct) - static_cast<int>(blocks.size());
+    if (test.degrees_of_freedom > 0) {
+        test.p_value = gsl_cdf_chisq_Q(std::max(test.deviance, 0.0), test.degrees_of_freedom);
+    }
+    return test;
+}
+
+}  // namespace overturn

@@ -1,0 +1,128 @@
+// Requirement: the curves and the criterion are made from exactly the rows of a campaign, each over its own measure.
+#include "campaign/analysis.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "support/campaigns.hpp"
+
+namespace overturn {
+namespace {
+
+class AnalysisOfRows : public ::testing::Test {
+  protected:
+    AnalysisOfRows()
+        : spec(testing::campaign_from(testing::quick_waves + testing::type_a + testing::type_b
+                                      + testing::levels("values=[3,6,9]\ndesign_basis=6\n"))),
+          statistics(spec) {}
+
+    void wave(std::int64_t id, double pga, double pgv) {
+        WaveRow row;
+        row.id = id;
+        row.pga_mps2 = pga;
+        row.pgv_mps = pgv;
+        statistics.add(row);
+    }
+    void trial(std::int64_t wave, std::int64_t level, Verdict verdict, double scale, double v_wes) {
+        TrialRow row;
+        row.wave = wave;
+        row.body = 1;
+        row.level = level;
+        row.amplitude = spec.levels.levels[static_cast<std::size_t>(level)].value;
+        row.scale = scale;
+        row.verdict = static_cast<std::int64_t>(verdict);
+        row.v_wes_mps = v_wes;
+        row.ou_v_e_mps = 2 * v_wes;
+        row.v_ereq_mps = 1.35;
+        row.v_wes_safe = v_wes < row.v_ereq_mps ? 1 : 0;
+        row.ou_v_e_safe = row.ou_v_e_mps < row.v_ereq_mps ? 1 : 0;
+        statistics.add(row);
+    }
+    // 40 waves that fall from a level on which differs from wave to wave.
+    void fill() {
+        for (int w = 0; w < 40; ++w) {
+            wave(w, 2, 0.5 + 0.01 * w);
+            for (int level = 0; level < 3; ++level) {
+                double const scale = spec.levels.levels[static_cast<std::size_t>(level)].value / 2;
+                bool const falls = level >= 1 + w % 3 - (w % 7 == 0 ? 1 : 0);
+                trial(w, level, falls ? Verdict::overturned : Verdict::rocked, scale, 0.3 * scale * (1 + 0.01 * w));
+            }
+        }
+    }
+
+    CampaignSpec spec;
+    Statistics statistics;
+};
+
+TEST_F(AnalysisOfRows, EveryMeasureSeesItsOwnValues) {
+    fill();
+    auto const trials = statistics.measured();
+
+    EXPECT_EQ(trials.singles(1, FragilityMeasure::pga)[2].intensity, 9);
+    EXPECT_EQ(trials.singles(1, FragilityMeasure::pgv)[5].intensity, 4.5 * 0.51);
+    EXPECT_EQ(trials.singles(1, FragilityMeasure::v_wes)[5].intensity, 0.3 * 4.5 * 1.01);
+    EXPECT_EQ(trials.singles(1, FragilityMeasure::v_wes_ratio)[5].intensity, 0.3 * 4.5 * 1.01 / 1.35);
+    EXPECT_TRUE(trials.singles(0, FragilityMeasure::pga).empty());
+}
+
+TEST_F(AnalysisOfRows, LevelsAreStripesAndWavesAreResampled) {
+    fill();
+    auto const bodies = analyse(spec, statistics, {});
+    auto const& levels = bodies[1].over_levels();
+
+    EXPECT_EQ(bodies[0].over_levels().fit.state, FragilityState::no_trials);
+    EXPECT_EQ(levels.name, "pga");
+    EXPECT_EQ(levels.fit.isotonic.back().to, std::exp(std::log(9.0)));
+    EXPECT_EQ(levels.fit.waves, 40);
+    EXPECT_EQ(levels.fit.method, FragilityFit::Method::bootstrap_by_waves);
+    ASSERT_TRUE(levels.fit.identifiable());
+    ASSERT_EQ(levels.fit.quotes.size(), 4U);
+    EXPECT_EQ(levels.fit.quotes[1].quote.intensity, 9);
+    EXPECT_EQ(levels.fit.quotes[1].trials, 40);
+}
+
+/// V_WES and ouV_E are one multiple of each other in these rows: same beta, same rank, medians apart by the factor.
+TEST_F(AnalysisOfRows, ProportionalMeasuresFitAlike) {
+    fill();
+    auto const body = analyse(spec, statistics, {})[1];
+    auto const& wes = body.fragility[2];
+    auto const& ou = body.fragility[3];
+
+    EXPECT_EQ(wes.name, "v_wes");
+    EXPECT_EQ(ou.name, "ou_v_e");
+    EXPECT_NEAR(ou.fit.line->beta(), wes.fit.line->beta(), 1e-9);
+    EXPECT_NEAR(ou.fit.line->log_median() - wes.fit.line->log_median(), std::log(2.0), 1e-9);
+    EXPECT_EQ(ou.rank_area, wes.rank_area);
+}
+
+TEST_F(AnalysisOfRows, TrialsWithoutVerdictAreSaid) {
+    fill();
+    trial(3, 2, Verdict::contact_lost, 4.5, 1);
+    trial(3, 2, Verdict::failed, 0, 0);
+    auto const body = analyse(spec, statistics, {})[1];
+
+    for (auto const& measured : body.fragility) {
+        EXPECT_EQ(measured.fit.undecided, 2) << measured.name;
+        EXPECT_EQ(measured.fit.trials, 120) << measured.name;
+    }
+}
+
+/// One trial said safe that fell speaks against the criterion; none speaks for it only if something fell at all.
+TEST_F(AnalysisOfRows, TheVerdictFollowsTheCounts) {
+    auto const holds = [](std::vector<std::string> const& sentences, char const* part) {
+        return std::any_of(sentences.begin(), sentences.end(),
+                           [&](std::string const& s) { return s.find(part) != std::string::npos; });
+    };
+    wave(0, 2, 1);
+    trial(0, 0, Verdict::rocked, 1.5, 1.0);
+    EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.open, "nothing overturned"));
+    trial(0, 2, Verdict::overturned, 4.5, 3.0);
+    EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.supports, "none of 1 trials"));
+    trial(0, 1, Verdict::overturned, 3, 1.2);
+    EXPECT_TRUE(
+        holds(analyse(spec, statistics, {})[1].verdict.against, "1 of 2 trials that V_WES < V_Ereq calls safe"));
+}
+
+}  // namespace
+}  // namespace overturn

@@ -1,0 +1,136 @@
+// Requirement: `overturn fit` says by the contract's names what the trials hold, from a results file or from anybody's
+// table; what is not identifiable is null, and bad tables are refused where they are wrong.
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/campaign_files.hpp"
+#include "support/command.hpp"
+
+namespace overturn::testing {
+namespace {
+
+using nlohmann::json;
+
+class Fit : public ::testing::Test {
+  protected:
+    json table(std::string const& text, std::vector<std::string> const& more = {}) {
+        folder.write("t.csv", text);
+        auto const ended = overturn(folder, joined({"fit", "--stripes", "t.csv", "--json"}, more));
+        EXPECT_EQ(ended.code, 0) << ended.err;
+        return json::parse(ended.out);
+    }
+    void refuse(std::string const& text, std::string const& part) {
+        folder.write("t.csv", text);
+        auto const ended = overturn(folder, {"fit", "--stripes", "t.csv"});
+        EXPECT_EQ(ended.code, 2) << text;
+        EXPECT_TRUE(is_one_error_line(ended.err)) << text;
+        EXPECT_NE(ended.err.find(part), std::string::npos) << ended.err;
+    }
+
+    Folder folder;
+};
+
+/// The same numbers as tests/stats/fragility_fit_test.cpp, where their derivation stands.
+TEST_F(Fit, TableOfKnownAnswer) {
+    auto const fit =
+        table("# three stripes\noverturned, amplitude ,trials\n\n43,2,54  # the highest\n2,1,54\n25,1.5,54\n",
+              {"--design-basis", "1"});
+    auto const& curve = fit["fragility"][0];
+
+    EXPECT_EQ(curve["identifiable"], true);
+    EXPECT_NEAR(curve["median"].get<double>(), 1.57247651593071, 1e-9);
+    EXPECT_NEAR(curve["beta"].get<double>(), 0.270033194702542, 1e-9);
+    EXPECT_NEAR(curve["median_interval"][0].get<double>(), 1.4756879325809789, 1e-6);
+    EXPECT_NEAR(curve["beta_interval"][1].get<double>(), 0.3627619282471869, 1e-6);
+    EXPECT_NEAR(curve["hclpf"].get<double>(), 1.0084829479802333, 1e-9);
+    EXPECT_EQ(curve["flags"], json::array());
+    EXPECT_EQ(curve["interval_method"], "profile-likelihood");
+    ASSERT_EQ(fit["stripes"].size(), 3U);
+    EXPECT_EQ(fit["stripes"][0]["amplitude"], 1);
+    EXPECT_EQ(fit["stripes"][0]["level"], 0);
+    EXPECT_EQ(fit["stripes"][2]["overturned"], 43);
+    EXPECT_EQ(curve["probabilities"].size(), 4U);
+    EXPECT_EQ(curve["probabilities"][3]["outside_data"], true);
+}
+
+TEST_F(Fit, BetaUMovesHclpf) {
+    std::string const stripes = "amplitude,trials,overturned\n1,54,2\n1.5,54,25\n2,54,43\n";
+    double const with = table(stripes, {"--beta-u", "0.3"})["fragility"][0]["hclpf"];
+    double const without = table(stripes)["fragility"][0]["hclpf"];
+
+    EXPECT_NEAR(with / without, std::exp(-1.645 * 0.3), 1e-12);
+}
+
+/// Nothing overturned, everything, one level, separation: null, never a number.
+TEST_F(Fit, NotIdentifiableIsNull) {
+    for (std::string const rows : {"1,50,0\n2,50,0\n", "1,50,50\n2,50,50\n", "1,50,7\n", "1,50,0\n2,50,50\n",
+                                   "1,50,20\n2,50,10\n", "1,50,0\n2,50,1\n3,50,0\n"}) {
+        auto const fit = table("amplitude,trials,overturned\n" + rows);
+        auto const& curve = fit["fragility"][0];
+
+        EXPECT_EQ(curve["identifiable"], false) << rows;
+        for (auto const* key :
+             {"median", "beta", "median_interval", "beta_interval", "hclpf", "profile", "bootstrap"}) {
+            ASSERT_TRUE(curve.contains(key)) << key;
+            EXPECT_TRUE(curve[key].is_null()) << key << " of " << rows;
+        }
+        EXPECT_FALSE(curve["flags"].empty()) << rows;
+        EXPECT_FALSE(curve["warnings"].empty()) << rows;
+    }
+}
+
+TEST_F(Fit, BadTablesAreRefusedWhereTheyAreWrong) {
+    std::string const head = "amplitude,trials,overturned\n";
+    refuse("", "t.csv: empty");
+    refuse(head, "no stripe");
+    refuse("amplitude,trials,fell\n1,2,1\n", "t.csv:1:18: column 'fell'");
+    refuse("amplitude,trials\n1,2\n", "no column 'overturned'");
+    refuse("amplitude,trials,trials,overturned\n1,2,2,1\n", "t.csv:1:18: column 'trials' twice");
+    refuse(head + "1,54\n", "2 columns");
+    refuse(head + "1,54,x\n", "t.csv:2:6: 'x'");
+    refuse(head + "\n1,54, 55\n", "t.csv:3:7: 55 overturned");
+    refuse(head + "0,54,1\n", "t.csv:2:1: amplitude 0");
+    refuse(head + "-1,54,1\n", "amplitude -1");
+    refuse(head + "nan,54,1\n", "not a number");
+    refuse(head + "1,5.5,1\n", "not a count");
+    refuse(head + "1,54,-1\n", "not a count");
+    refuse(head + "1,0,0\n", "no trial");
+    refuse(head + "1,54,1\n1,54,2\n", "t.csv:3:1: amplitude 1 twice");
+    EXPECT_EQ(overturn(folder, {"fit"}).code, 2);
+    EXPECT_EQ(overturn(folder, {"fit", "no.csv", "--stripes", "t.csv"}).code, 2);
+    EXPECT_EQ(overturn(folder, {"fit", "--stripes", "none.csv"}).code, 2);
+}
+
+/// From a results file: a curve per body and measure, the criterion of both measures, a verdict in words.
+TEST_F(Fit, ResultsFile) {
+    folder.write("target.csv", target_csv);
+    folder.write("c.toml", small_campaign("shared", 20));
+    ASSERT_EQ(overturn(folder, {"run", "c.toml", "--set", "levels.values=['600 gal','1200 gal','2000 gal']"}).code, 0);
+    auto const fit = json::parse(overturn(folder, {"fit", "c.h5", "--json"}).out);
+
+    std::vector<std::string> measures;
+    for (auto const& curve : fit["fragility"]) {
+        if (curve["body"] == "type-b") {
+            measures.push_back(curve["measure"]);
+        }
+        for (auto const* key :
+             {"identifiable", "median", "beta", "median_interval", "beta_interval", "hclpf", "flags"}) {
+            EXPECT_TRUE(curve.contains(key)) << key;
+        }
+        EXPECT_EQ(curve["identifiable"].get<bool>(), !curve["median"].is_null());
+        EXPECT_EQ(curve["waves"], 20);
+    }
+    EXPECT_EQ(measures, (std::vector<std::string>{"pga", "pgv", "v_wes", "ou_v_e", "v_wes_ratio"}));
+    ASSERT_EQ(fit["criterion"].size(), 4U);
+    EXPECT_EQ(fit["criterion"][0]["safe_but_overturned"]["of"].get<int>(),
+              fit["criterion"][0]["false_safe"].get<int>() + fit["criterion"][0]["true_safe"].get<int>());
+    ASSERT_EQ(fit["verdict"].size(), 2U);
+    auto const& over_levels = fit["fragility"][0];
+    EXPECT_EQ(over_levels["probabilities"][0]["multiple"], 1);
+    EXPECT_EQ(over_levels["probabilities"][0]["amplitude"], 6);
+    EXPECT_EQ(over_levels["probabilities"][0]["trials"], 20);
+}
+
+}  // namespace
+}  // namespace overturn::testing

@@ -1,0 +1,45 @@
+// Requirement: the criterion is judged by counts with exact intervals, over trials and over waves, and by where it
+// stood when bodies fell.
+#include "stats/criterion.hpp"
+
+#include <gtest/gtest.h>
+
+namespace overturn {
+namespace {
+
+void expect_share(Share const& share, std::int64_t count, std::int64_t of) {
+    EXPECT_EQ(share.count, count);
+    EXPECT_EQ(share.of, of);
+    EXPECT_EQ(share.interval.lower, clopper_pearson(count, of, 0.95).lower);
+    EXPECT_EQ(share.interval.upper, clopper_pearson(count, of, 0.95).upper);
+}
+
+TEST(CriterionStudy, CountsTrialsAndWaves) {
+    // Wave 1 falls twice while said safe, wave 2 stands while said unsafe, wave 3 does as it is told.
+    std::vector<CriterionTrial> const trials{{0.5, 1, false}, {0.8, 1, true},  {0.9, 1, true},  {0.7, 2, false},
+                                             {1.0, 2, false}, {1.4, 2, false}, {0.6, 3, false}, {1.3, 3, true}};
+    auto const study = study_criterion(trials, 0.95);
+
+    expect_share(study.safe_but_overturned, 2, 5);
+    expect_share(study.overturned_said_safe, 2, 3);
+    expect_share(study.unsafe_but_stood, 2, 3);  // at exactly 1 it is not called safe
+    expect_share(study.stood_said_unsafe, 2, 5);
+    expect_share(study.waves_safe_but_overturned, 1, 3);
+    EXPECT_EQ(study.at_overturning->count, 3);
+    EXPECT_EQ(study.at_overturning->median, 0.9);
+    EXPECT_EQ(study.first_overturning->count, 2);
+    EXPECT_EQ(study.first_overturning->lowest, 0.8);
+    EXPECT_EQ(study.first_overturning->highest, 1.3);
+    EXPECT_EQ(study.highest_standing->highest, 1.4);
+}
+
+TEST(CriterionStudy, NothingOverturnedHasNoQuantiles) {
+    auto const study = study_criterion(std::vector<CriterionTrial>{{0.5, 1, false}}, 0.95);
+
+    EXPECT_FALSE(study.at_overturning);
+    EXPECT_EQ(study.unsafe_but_stood.of, 0);
+    EXPECT_EQ(study.overturned_said_safe.interval.upper, 1) << "nothing tried says nothing";
+}
+
+}  // namespace
+}  // namespace overturn
