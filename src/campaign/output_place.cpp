@@ -39,6 +39,16 @@ std::string record_of(store::ShardFolder const& shards) {
     }
 }
 
+// Of this very campaign, by the record or, where a kill came after that had gone, by every block itself.
+bool are_leftovers(store::ShardFolder const& shards, CampaignInput const& input) {
+    if (auto const begun = record_of(shards); !begun.empty()) {
+        return CampaignInput::deserialise(begun).sha256() == input.sha256();
+    }
+    std::vector<std::string> notes;
+    (void)shards.committed({0, std::numeric_limits<std::int64_t>::max()}, notes);
+    return notes.empty();
+}
+
 std::vector<std::int64_t> sound_blocks(store::ShardFolder const& shards, Plan const& plan, Part part) {
     auto const range = plan.blocks_of(part);
     shards.remove_unfinished(range);
@@ -59,9 +69,7 @@ void check_complete(std::filesystem::path const& output, CampaignInput const& in
     validate(file.text("input_sha256") == input.sha256(),
              "output {} (made with other settings or input files). Name another with -o", output.string());
     store::ShardFolder const shards(output, input.sha256());
-    auto const begun = shards.begun_with();
-    if (!begun.empty() && !store::Claim::held(shards.folder())
-        && CampaignInput::deserialise(begun).sha256() == input.sha256()) {
+    if (shards.exists() && !store::Claim::held(shards.folder()) && are_leftovers(shards, input)) {
         shards.remove();
         fmt::print(stderr, "{}: blocks left over from {} (merged already). Removed\n", shards.folder().string(),
                    output.string());

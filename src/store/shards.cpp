@@ -158,12 +158,17 @@ void ShardFolder::remove_unfinished(BlockRange range) const {
     }
 }
 
+// The record goes after the blocks, so that what a kill leaves in between can still be told.
 void ShardFolder::remove() const {
     std::error_code ignored;
     for (auto const& entry : std::filesystem::directory_iterator(folder_, ignored)) {
+        if (block_of(finished_name(entry.path().filename().string()))) {
+            std::filesystem::remove(entry.path(), ignored);
+        }
+    }
+    for (auto const& entry : std::filesystem::directory_iterator(folder_, ignored)) {
         auto const file = entry.path().filename().string();
-        auto const name = finished_name(file);
-        if (name == record_name || name == Claim::file_name || block_of(name)) {
+        if (finished_name(file) == record_name || file == Claim::file_name) {
             std::filesystem::remove(entry.path(), ignored);
         }
     }
