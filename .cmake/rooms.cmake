@@ -11,7 +11,10 @@ target_compile_definitions(overturn_options INTERFACE OVERTURN_CHECKED=$<BOOL:${
 if(OVERTURN_WERROR)
   target_compile_options(overturn_options INTERFACE -Werror)
 endif()
-if(OVERTURN_SANITIZE)
+if(OVERTURN_FUZZ)
+  target_compile_options(overturn_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+if(OVERTURN_SANITIZE OR OVERTURN_FUZZ)
   target_compile_options(overturn_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined
                                                     -fno-omit-frame-pointer)
   target_link_options(overturn_options INTERFACE -fsanitize=address,undefined)

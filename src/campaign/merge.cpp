@@ -24,6 +24,19 @@ std::vector<std::int64_t> missing_blocks(Plan const& plan, std::vector<std::int6
     return missing;
 }
 
+// As a shell takes it for one word.
+std::string shell_word(std::string const& text) {
+    constexpr std::string_view plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./=:+,-";
+    if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) {
+        return text;
+    }
+    std::string word = "'";
+    for (char const c : text) {
+        word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    }
+    return word + "'";
+}
+
 }  // namespace
 
 std::optional<std::string> merge_blocks(std::filesystem::path const& output, CampaignInput const& input,
@@ -49,9 +62,10 @@ std::optional<std::string> merge_blocks(std::filesystem::path const& output, Cam
 std::string resume_command(CampaignInput const& input, std::filesystem::path const& output) {
     std::string settings;
     for (auto const& setting : input.settings) {
-        settings += fmt::format(" --set '{}'", setting);
+        settings += " --set " + shell_word(setting);
     }
-    return fmt::format("overturn run {} -o {} --resume{}", input.name, output.string(), settings);
+    return fmt::format("overturn run {} -o {} --resume{}", shell_word(input.name), shell_word(output.string()),
+                       settings);
 }
 
 MergeEnd merge_parts(std::filesystem::path const& output) {

@@ -27,7 +27,7 @@ enum class MergeEnd { complete, missing };
 /// \throws InputError if nothing was begun there, or a run is writing there now
 [[nodiscard]] MergeEnd merge_parts(std::filesystem::path const& output);
 
-/// "overturn run c.toml -o c.h5 --resume --set 'seed=3'": what computes the rest.
+/// "overturn run c.toml -o c.h5 --resume --set seed=3", to be pasted into a shell: what computes the rest.
 [[nodiscard]] std::string resume_command(CampaignInput const& input, std::filesystem::path const& output);
 
 }  // namespace overturn

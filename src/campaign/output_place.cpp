@@ -29,6 +29,26 @@ void begin(store::ShardFolder const& shards, CampaignInput const& input) {
     refuse_other(CampaignInput::deserialise(shards.begun_with()), input, shards.folder().string());
 }
 
+// A damaged record is written anew: the blocks themselves tell whose they are.
+std::string record_of(store::ShardFolder const& shards) {
+    try {
+        return shards.begun_with();
+    } catch (SystemError const& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return {};
+    }
+}
+
+// Of this very campaign, by the record or, where a kill came after that had gone, by every block itself.
+bool are_leftovers(store::ShardFolder const& shards, CampaignInput const& input) {
+    if (auto const begun = record_of(shards); !begun.empty()) {
+        return CampaignInput::deserialise(begun).sha256() == input.sha256();
+    }
+    std::vector<std::string> notes;
+    (void)shards.committed({0, std::numeric_limits<std::int64_t>::max()}, notes);
+    return notes.empty();
+}
+
 std::vector<std::int64_t> sound_blocks(store::ShardFolder const& shards, Plan const& plan, Part part) {
     auto const range = plan.blocks_of(part);
     shards.remove_unfinished(range);
@@ -49,9 +69,7 @@ void check_complete(std::filesystem::path const& output, CampaignInput const& in
     validate(file.text("input_sha256") == input.sha256(),
              "output {} (made with other settings or input files). Name another with -o", output.string());
     store::ShardFolder const shards(output, input.sha256());
-    auto const begun = shards.begun_with();
-    if (!begun.empty() && !store::Claim::held(shards.folder())
-        && CampaignInput::deserialise(begun).sha256() == input.sha256()) {
+    if (shards.exists() && !store::Claim::held(shards.folder()) && are_leftovers(shards, input)) {
         shards.remove();
         fmt::print(stderr, "{}: blocks left over from {} (merged already). Removed\n", shards.folder().string(),
                    output.string());
@@ -76,17 +94,21 @@ OutputState take_output(std::filesystem::path const& output, store::ShardFolder 
         check_complete(output, input);
         return {true, {}};
     }
-    if (shards.begun_with().empty()) {
+    auto const begun = record_of(shards);
+    if (begun.empty()) {
         begin(shards, input);
-        return {};
+    } else {
+        validate(wish.resume || !wish.part.is_whole(),
+                 "{} (an unfinished run lies there). Go on with --resume, or remove it", shards.folder().string());
+        refuse_other(CampaignInput::deserialise(begun), input, shards.folder().string());
     }
-    validate(wish.resume || !wish.part.is_whole(),
-             "{} (an unfinished run lies there). Go on with --resume, or remove it", shards.folder().string());
-    refuse_other(CampaignInput::deserialise(shards.begun_with()), input, shards.folder().string());
     auto committed = sound_blocks(shards, plan, wish.part);
     validate(wish.resume || committed.empty(),
              "{}: part {}/{} (has been begun there). Go on with --resume, or remove the folder",
              shards.folder().string(), wish.part.number, wish.part.of);
+    if (begun.empty() && committed.empty()) {
+        return {};
+    }
     if (wish.resume) {
         fmt::print(stderr, "resuming {}: {} of {} blocks are done, {} are left\n", output.string(), committed.size(),
                    plan.blocks_of(wish.part).count(),

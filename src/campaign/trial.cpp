@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstring>
 
 #include "campaign/wave_check.hpp"
 #include "core/error.hpp"
@@ -73,23 +72,6 @@ void describe_check(PreparedWave& wave, WaveCheck const& check) {
         wave.measures[b].band_mean_ratio = band.mean_ratio;
         wave.measures[b].band_ratio_cov = band.cov;
     }
-}
-
-template <class Row> void put(std::vector<std::byte>& bytes, std::vector<Row> const& rows) {
-    auto const part = std::as_bytes(std::span(rows));
-    bytes.insert(bytes.end(), part.begin(), part.end());
-}
-
-template <class Row> void take(std::span<std::byte const>& bytes, std::vector<Row>& rows, std::int64_t count) {
-    rows.resize(static_cast<std::size_t>(count));
-    auto const size = rows.size() * sizeof(Row);
-    if (bytes.size() < size) {
-        throw SystemError("a block of results is too short (written by another version?). Start anew without --resume");
-    }
-    if (size > 0) {
-        std::memcpy(rows.data(), bytes.data(), size);
-    }
-    bytes = bytes.subspan(size);
 }
 
 }  // namespace
@@ -274,51 +256,6 @@ void append_trials(CampaignSpec const& spec, Plan const& plan, std::span<Prepare
 std::int64_t waves_together(Plan const& plan) {
     constexpr std::int64_t most_trials = 256;
     return std::max<std::int64_t>(1, most_trials / plan.trials_per_wave());
-}
-
-BlockRows run_block(CampaignSpec const& spec, Plan const& plan, std::int64_t block, PhaseSeconds& seconds) {
-    return *run_block(spec, plan, block, seconds, [] { return true; });
-}
-
-std::optional<BlockRows> run_block(CampaignSpec const& spec, Plan const& plan, std::int64_t block,
-                                   PhaseSeconds& seconds, std::function<bool()> const& goes_on) {
-    auto const together = waves_together(plan);
-    BlockRows rows;
-    auto const [first, count] = plan.waves_of_block(block);
-    for (auto next = first; next < first + count; next += together) {
-        std::vector<PreparedWave> waves;
-        auto const end = std::min(next + together, first + count);
-        waves.reserve(static_cast<std::size_t>(end - next));
-        for (auto wave = next; wave < end; ++wave) {
-            if (!goes_on()) {
-                return std::nullopt;
-            }
-            waves.push_back(prepare_wave(spec, plan, wave, seconds));
-            rows.waves.push_back(waves.back().row);
-            rows.measures.insert(rows.measures.end(), waves.back().measures.begin(), waves.back().measures.end());
-        }
-        append_trials(spec, plan, waves, rows.trials, seconds);
-    }
-    return rows;
-}
-
-std::vector<std::byte> BlockRows::pack() const {
-    std::vector<std::byte> bytes;
-    put(bytes, waves);
-    put(bytes, measures);
-    put(bytes, trials);
-    return bytes;
-}
-
-BlockRows BlockRows::unpack(std::span<std::byte const> bytes, Plan const& plan, std::int64_t waves) {
-    BlockRows rows;
-    take(bytes, rows.waves, waves);
-    take(bytes, rows.measures, waves * plan.bodies());
-    take(bytes, rows.trials, waves * plan.trials_per_wave());
-    if (!bytes.empty()) {
-        throw SystemError("a block of results is too long (written by another version?). Start anew without --resume");
-    }
-    return rows;
 }
 
 }  // namespace overturn

@@ -1,5 +1,6 @@
 #include "campaign/worker.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 #include "campaign/agreement.hpp"
@@ -11,8 +12,12 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-// From here on rank 0 serves the counter and leaves computing to the others.
+// From here on rank 0 serves the counters and leaves computing to the others.
 constexpr int ranks_worth_serving = 64;
+// Shares of what is left that each rank takes at once; ever smaller ones, so that all end together.
+constexpr std::int64_t shares = 4;
+constexpr double report_every_s = 1;
+constexpr std::int64_t stop_mark = std::int64_t{1} << 40U;  // beside the blocks done, which never come near it
 
 class Worker {
   public:
@@ -33,7 +38,7 @@ class Worker {
             compute();
         }
         comm_.wait_for_all([&] { show(); });
-        return {comm_.is_root() ? done_.look() : 0, seconds_};
+        return {comm_.is_root() ? done_.look() % stop_mark : 0, seconds_};
     }
 
     /// Why this rank had to end; empty if it had not to.
@@ -41,20 +46,41 @@ class Worker {
 
   private:
     void compute() {
-        auto const count = static_cast<std::int64_t>(left_.size());
-        for (auto turn = next(count); turn < count; turn = next(count)) {
+        while (!stopped_ && has_next()) {
             auto const begin = Clock::now();
-            auto const block = left_[static_cast<std::size_t>(turn)];
+            auto const block = left_[static_cast<std::size_t>(next_++)];
             auto const rows = run_block(spec_, plan_, block, seconds_, [&] { return goes_on(); });
-            if (!rows || !commit(block, rows->pack())) {
-                (void)given_.take(count);  // nobody gets another block
-                return;
-            }
+            stopped_ = !rows || !commit(block, rows->pack());
             leave_.block_took(seconds_since(begin));
+            if (!stopped_ && seconds_since(reported_) > report_every_s) {
+                report();
+            }
         }
+        report();
     }
 
-    std::int64_t next(std::int64_t count) { return leave_.may_begin() ? given_.take() : given_.take(count) + count; }
+    // Takes the next share if this rank's is used up.
+    bool has_next() {
+        if (!leave_.may_begin()) {
+            stopped_ = true;
+            return false;
+        }
+        auto const count = static_cast<std::int64_t>(left_.size());
+        if (next_ == end_) {
+            auto const share = std::max<std::int64_t>(1, (count - end_) / (shares * comm_.size()));
+            next_ = given_.take(share);
+            end_ = next_ + share;
+        }
+        return next_ < count;
+    }
+
+    // Adds what is done to all ranks' sum and hears whether one has stopped, which stops all.
+    void report() {
+        auto const before = done_.take(fresh_ + (stopped_ ? stop_mark : 0));
+        stopped_ = stopped_ || before >= stop_mark;
+        fresh_ = 0;
+        reported_ = Clock::now();
+    }
 
     [[nodiscard]] bool goes_on() const {
         if (comm_.is_root()) {
@@ -72,14 +98,14 @@ class Worker {
             return false;
         }
         seconds_.store += seconds_since(begin);
-        (void)done_.take();
+        ++fresh_;
         show();
         return true;
     }
 
     void show() {
         if (comm_.is_root() && progress_.is_due()) {
-            progress_.show(done_.look());
+            progress_.show(done_.look() % stop_mark + fresh_);
         }
     }
 
@@ -93,6 +119,10 @@ class Worker {
     parallel::SharedCounter given_, done_;
     PhaseSeconds seconds_;
     std::string failure_;
+    std::int64_t next_ = 0, end_ = 0;  ///< this rank's share of `left_`
+    std::int64_t fresh_ = 0;           ///< done and not reported yet
+    Clock::time_point reported_ = Clock::now();
+    bool stopped_ = false;
 };
 
 void tell(std::string const& failure, parallel::Communicator const& comm) {

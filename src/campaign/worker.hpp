@@ -1,16 +1,25 @@
 /// One rank's share of a campaign: blocks from a counter that all ranks share, each committed by the rank that
 /// computed it.
 ///
-/// Why every rank writes, and how long a block should be (measured on one node, ext4 on a virtual disk; modelled
-/// beyond). A commit takes 0.8 ms (temporary file, two syncs, a rename), a take from the counter 1 us within a node and
-/// some 5 us over a fast network; a block is 1 to 64 waves of 10 to 100 ms each, so 0.02 s to 6 s, and about 2 kB to
-/// 400 kB. If rank 0 wrote for all, it would be busy all the time from 10^3 ranks on (10^3 blocks a second); writing
-/// their own, 10^3 ranks with blocks of 1 s make 10^3 files and some 50 MB a second, which any shared file system
-/// takes; 10^5 ranks with the blocks of a campaign that is worth them (10^9 waves in 2^20 blocks, 20 s each) make
-/// 5 10^3 files and 250 MB a second, within a metadata server's means. The counter is asked twice a block: 10^4 times a
-/// second at 10^5 ranks, 5 % of what one network port serves; rank 0 looks up between waves and, on big jobs, does
-/// nothing else. The merge reads and writes every row once, on rank 0: 0.3 GB/s to 0.5 GB/s, so 1 s for 10^6 trials and
-/// 15 min for 10^9, in the memory of one block.
+/// Why every rank writes, and how long a block should be. Measured on one node (ext4 on a virtual disk, two busy
+/// cores): a commit takes 1 ms (temporary file, two syncs, a rename), an operation on a shared counter 1 us to 2 us,
+/// the merge reads and writes 0.3 GB to 0.5 GB a second on rank 0, in the memory of one block besides what the
+/// statistics keep. A wave takes 10 ms to 100 ms, a row of a trial 0.3 kB; a block is 1 to 64 waves, so 0.02 s to 6 s,
+/// 1 kB to 400 kB.
+///
+/// | ranks | blocks of | commits a second | to the file system | counter, operations a second |
+/// |-------|-----------|------------------|--------------------|------------------------------|
+/// | 10^3  | 1 s       | 10^3             | 50 MB/s            | 10^3                         |
+/// | 10^4  | 5 s       | 2 10^3           | 100 MB/s           | 10^4                         |
+/// | 10^5  | 20 s      | 5 10^3           | 250 MB/s           | 10^5                         |
+///
+/// Rank 0 writing for all would be busy all the time from 10^3 ranks on. Every rank writing its own, a metadata server
+/// (some 10^4 files a second) is the limit, which 10^5 ranks stay below with the blocks of a campaign that is worth
+/// them (10^9 waves in 2^20 blocks, 950 waves each). A rank reports once a second and takes a quarter of its part of
+/// what is left at once, so the counter sees at most some operations per rank and second: 10^5 a second would keep rank
+/// 0 busy for a fifth of its time, and on more than 64 ranks it does nothing else. Without one-sided hardware an
+/// operation waits until rank 0 looks up, between waves. Merging 10^6 trials takes 2 s, 10^9 half an hour. All but the
+/// first paragraph's figures are a model.
 #pragma once
 
 #include <string>

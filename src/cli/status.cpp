@@ -7,6 +7,7 @@
 #include "campaign/merge.hpp"
 #include "campaign/plan.hpp"
 #include "campaign/results.hpp"
+#include "cli/failed_trials.hpp"
 #include "cli/verbs.hpp"
 #include "store/results_file.hpp"
 #include "store/shards.hpp"
@@ -14,14 +15,52 @@
 namespace overturn::cli {
 namespace {
 
+int status_of_file(std::string const& path) {
+    store::ResultsReader const file(path);
+    auto const spec = parse_campaign(input_of(file));
+    auto const verdicts = file.integers("trials/verdict");
+    auto const waves = recount(file, spec).waves().text(file.text("wave_acceptance"));
+    fmt::print("{}: complete, {} trials of '{}'{}{}\n", path, verdicts.size(), file.text("title"),
+               waves.empty() ? "" : "; ", waves);
+    auto const reasons = file.integers("trials/failure");
+    FailedTrials failed(spec);
+    for (std::size_t i = 0; i < verdicts.size(); ++i) {
+        if (static_cast<Verdict>(verdicts[i]) == Verdict::failed) {
+            TrialRow row;
+            row.verdict = verdicts[i];
+            row.failure = reasons.at(i);
+            auto const number = static_cast<std::int64_t>(i);
+            failed.add(number, failed.lists_more() ? read_trial(file, number) : row);
+        }
+    }
+    fmt::print("{}", failed.text());
+    return done;
+}
+
+void tell_so_far(CampaignSpec const& spec, Plan const& plan, store::ShardFolder const& shards,
+                 std::vector<std::int64_t> const& committed) {
+    WaveCounts waves;
+    FailedTrials failed(spec);
+    for (auto const block : committed) {
+        auto const [first, count] = plan.waves_of_block(block);
+        auto const rows = BlockRows::unpack(shards.read(block), plan, count);
+        for (auto const& row : rows.waves) {
+            waves.add(row);
+        }
+        auto number = first * plan.trials_per_wave();
+        for (auto const& row : rows.trials) {
+            failed.add(number++, row);
+        }
+    }
+    if (auto const text = waves.text(spec.source->acceptance()); !text.empty()) {
+        fmt::print("{} so far\n", text);
+    }
+    fmt::print("{}", failed.text());
+}
+
 int status(std::string const& path) {
     if (std::filesystem::exists(path)) {
-        store::ResultsReader const file(path);
-        auto const verdicts = file.integers("trials/verdict");
-        auto const waves = recount(file, parse_campaign(input_of(file))).waves().text(file.text("wave_acceptance"));
-        fmt::print("{}: complete, {} trials of '{}'{}{}\n", path, verdicts.size(), file.text("title"),
-                   waves.empty() ? "" : "; ", waves);
-        return done;
+        return status_of_file(path);
     }
     store::ShardFolder const unnamed(path, "");
     validate(unnamed.exists() && !unnamed.begun_with().empty(),
@@ -35,15 +74,7 @@ int status(std::string const& path) {
     for (auto const& note : notes) {
         fmt::print(stderr, "{}\n", note);
     }
-    WaveCounts waves;
-    for (auto const block : committed) {
-        for (auto const& row : BlockRows::unpack(shards.read(block), plan, plan.waves_of_block(block).count).waves) {
-            waves.add(row);
-        }
-    }
-    if (auto const text = waves.text(spec.source->acceptance()); !text.empty()) {
-        fmt::print("{} so far\n", text);
-    }
+    tell_so_far(spec, plan, shards, committed);
     std::vector<std::int64_t> left;
     for (std::int64_t block = 0; block < plan.blocks(); ++block) {
         if (!std::binary_search(committed.begin(), committed.end(), block)) {

@@ -131,6 +131,7 @@ std::string ResultsReader::note(std::string const& object, std::string const& na
 }
 
 std::string hdf5_version() {
+    Quiet const first;  // asking wakes the library, and only before that can it be told how to end
     unsigned major = 0;
     unsigned minor = 0;
     unsigned release = 0;

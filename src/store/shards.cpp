@@ -67,7 +67,16 @@ bool ShardFolder::exists() const { return std::filesystem::is_directory(folder_)
 
 std::string ShardFolder::begun_with() const {
     auto const record = folder_ / record_name;
-    return std::filesystem::exists(record) ? read_file(record) : std::string();
+    if (!std::filesystem::exists(record)) {
+        return {};
+    }
+    auto const text = read_file(record);
+    auto const length = text.size() < hash_length ? 0 : text.size() - hash_length;
+    if (sha256(std::string_view(text).substr(0, length)) != std::string_view(text).substr(length)) {
+        throw SystemError(
+            fmt::format("{}: damaged (its checksum does not match). Run the campaign with --resume", record.string()));
+    }
+    return text.substr(0, length);
 }
 
 void ShardFolder::begin(std::string const& campaign_record) const {
@@ -77,7 +86,7 @@ void ShardFolder::begin(std::string const& campaign_record) const {
         throw SystemError(
             fmt::format("cannot make {} ({}). Choose another place with -o", folder_.string(), error.message()));
     }
-    write_durably(folder_ / record_name, bytes_of(campaign_record));
+    write_durably(folder_ / record_name, bytes_of(campaign_record + sha256(campaign_record)));
 }
 
 std::filesystem::path ShardFolder::file_of(std::int64_t block) const { return folder_ / name_of(block); }
@@ -149,12 +158,17 @@ void ShardFolder::remove_unfinished(BlockRange range) const {
     }
 }
 
+// The record goes after the blocks, so that what a kill leaves in between can still be told.
 void ShardFolder::remove() const {
     std::error_code ignored;
     for (auto const& entry : std::filesystem::directory_iterator(folder_, ignored)) {
+        if (block_of(finished_name(entry.path().filename().string()))) {
+            std::filesystem::remove(entry.path(), ignored);
+        }
+    }
+    for (auto const& entry : std::filesystem::directory_iterator(folder_, ignored)) {
         auto const file = entry.path().filename().string();
-        auto const name = finished_name(file);
-        if (name == record_name || name == Claim::file_name || block_of(name)) {
+        if (finished_name(file) == record_name || file == Claim::file_name) {
             std::filesystem::remove(entry.path(), ignored);
         }
     }

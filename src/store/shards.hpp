@@ -23,6 +23,7 @@ class ShardFolder {
 
     [[nodiscard]] bool exists() const;
     /// The whole campaign as the run began it, kept so that a resume can say what changed; empty if there is none.
+    /// \throws SystemError if it is damaged
     [[nodiscard]] std::string begun_with() const;
     /// Makes the folder. \throws SystemError
     void begin(std::string const& campaign_record) const;

@@ -58,6 +58,9 @@ TEST_F(Acceptance, RunPlanAndStatusCountRefusedWaves) {
     auto const status = overturn(folder, {"status", "c.h5"});
     EXPECT_EQ(status.code, 0);
     EXPECT_NE(status.out.find("4 not accepted by japan"), std::string::npos) << status.out;
+    EXPECT_NE(status.out.find("failed trials: 24 (wave-not-accepted 24)"), std::string::npos) << status.out;
+    EXPECT_NE(status.out.find("  trial 4: wave 0, type-b, pga 6 m/s2: wave-not-accepted\n"), std::string::npos);
+    EXPECT_NE(status.out.find("  and 4 more"), std::string::npos) << status.out;
 }
 
 }  // namespace

@@ -161,6 +161,16 @@ TEST_F(Parts, LeftoverBlocksAreCleanedUp) {
     EXPECT_EQ(resumed.code, 0) << resumed.err;
     EXPECT_NE(resumed.err.find("blocks left over"), std::string::npos) << resumed.err;
     EXPECT_FALSE(folder.has("c.h5.parts"));
+
+    std::filesystem::create_directory(folder / "c.h5.parts");  // a kill came when all but the lock had gone
+    folder.write("c.h5.parts/lock", "");
+    EXPECT_EQ(merge().code, 0);
+    EXPECT_FALSE(folder.has("c.h5.parts"));
+
+    std::filesystem::create_directory(folder / "c.h5.parts");  // and these are somebody else's
+    folder.write("c.h5.parts/0000000003.block", "not ours");
+    EXPECT_EQ(merge().code, 0);
+    EXPECT_EQ(folder.read("c.h5.parts/0000000003.block"), "not ours");
     expect_as_one_run();
 }
 

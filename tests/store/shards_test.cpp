@@ -197,6 +197,18 @@ TEST_F(Shards, MissingBlockIsNamed) {
     expect_system_error([&] { (void)shards.read(8); }, "0000000008.block", "No such file");
 }
 
+TEST_F(Shards, DamagedRecordIsSaid) {
+    auto const whole = slurp(file("campaign.record"));
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        auto damaged = whole;
+        damaged[i] = static_cast<char>(damaged[i] ^ (1 << (i % 8)));
+        spill(file("campaign.record"), damaged);
+        expect_system_error([&] { (void)shards.begun_with(); }, "campaign.record", "damaged", "--resume");
+    }
+    spill(file("campaign.record"), "short");
+    expect_system_error([&] { (void)shards.begun_with(); }, "campaign.record", "damaged");
+}
+
 TEST_F(Shards, FullDiskIsReportedAndTheOldBlockStays) {
     {
         FullDisk const disk(4096);

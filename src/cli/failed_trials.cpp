@@ -1,0 +1,49 @@
+#include "cli/failed_trials.hpp"
+
+#include <fmt/format.h>
+
+#include "campaign/results.hpp"
+
+namespace overturn::cli {
+namespace {
+
+constexpr std::size_t most_listed = 20;
+
+std::string reason_name(std::int64_t reason) { return failure_names().at(static_cast<std::size_t>(reason)); }
+
+}  // namespace
+
+void FailedTrials::add(std::int64_t number, TrialRow const& row) {
+    if (static_cast<Verdict>(row.verdict) != Verdict::failed) {
+        return;
+    }
+    ++count_;
+    ++reasons_[row.failure];
+    if (lists_more()) {
+        first_.push_back(fmt::format("  trial {}: wave {}, {}, {} {:.6g} {}: {}\n", number, row.wave,
+                                     spec_.bodies.at(static_cast<std::size_t>(row.body)).name,
+                                     spec_.levels.measure_name(), row.amplitude, spec_.levels.units(),
+                                     reason_name(row.failure)));
+    }
+}
+
+bool FailedTrials::lists_more() const { return first_.size() < most_listed; }
+
+std::string FailedTrials::text() const {
+    if (count_ == 0) {
+        return {};
+    }
+    std::string reasons;
+    for (auto const& [reason, count] : reasons_) {
+        reasons += fmt::format("{}{} {}", reasons.empty() ? "" : ", ", reason_name(reason), count);
+    }
+    auto text =
+        fmt::format("failed trials: {} ({}); left out of P, and counted both ways in its interval\n", count_, reasons);
+    for (auto const& line : first_) {
+        text += line;
+    }
+    auto const more = count_ - static_cast<std::int64_t>(first_.size());
+    return more > 0 ? text + fmt::format("  and {} more: the rows of /trials with verdict failed\n", more) : text;
+}
+
+}  // namespace overturn::cli
