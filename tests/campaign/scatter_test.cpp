@@ -2,6 +2,7 @@
 #include "campaign/scatter.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <vector>
@@ -159,6 +160,31 @@ TEST(BodyScatter, LatinHypercubeSteadiesTheMean) {
     };
     EXPECT_NEAR(spread(Sampling::independent), 1 / std::sqrt(12.0 * count), 0.01);
     EXPECT_LT(spread(Sampling::latin_hypercube), 0.1 * spread(Sampling::independent));
+}
+
+// Property: whatever the quantity, its score tells how far out the draw lies in standard deviations, at any scale.
+TEST(BodyScatter, ScoresAreStandardNormal) {
+    auto const spec = body_of(
+        "base_width='3.4 m'\ninertia='200000 kg m2'\nsimilarity={direction='to-model'}\n"
+        "mass={distribution='lognormal',median='138 t',beta=0.05}\n"
+        "centre_height={distribution='uniform',low='2.5 m',high='2.7 m'}\n"
+        "restitution={distribution='normal',mean=0.6,deviation=0.2}\nfriction=0.5\n");
+    EXPECT_EQ(spec.scattering(), (std::vector<std::string>{"mass", "centre_height", "restitution"}));
+    constexpr int count = 4000;
+    std::array<double, 3> sum{};
+    std::array<double, 3> squares{};
+    for (std::uint64_t wave = 0; wave < count; ++wave) {
+        auto const scores = spec.scores(spec.for_wave({.seed = 9, .wave = wave}, 0));
+        ASSERT_EQ(scores.size(), 3U);
+        for (std::size_t k = 0; k < 3; ++k) {
+            sum.at(k) += scores[k] / count;
+            squares.at(k) += scores[k] * scores[k] / count;
+        }
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_NEAR(sum.at(k), 0, 4 / std::sqrt(count)) << k;
+        EXPECT_NEAR(squares.at(k), 1, 4 * std::sqrt(2.0 / count)) << k;
+    }
 }
 
 TEST(BodyScatter, IsStoredWithEveryTrial) {
