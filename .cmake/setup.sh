@@ -10,7 +10,7 @@ for wish in "$@"; do
     case $wish in
         tests) packages+=(python3-h5py python3-numpy python3-matplotlib  # another reading of our files; figures
                           slurmctld slurmd slurm-client slurm-wlm-basic-plugins munge) ;;  # a cluster to test on
-        ci) packages+=(clang-format clang-tidy) ;;
+        ci) packages+=(clang-format clang-tidy libbenchmark-dev libboost-dev) ;;  # and what benchmarks compare with
         *) echo "setup: '$wish' (unknown). Use tests or ci" >&2; exit 2 ;;
     esac
 done

@@ -7,4 +7,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 .cmake/setup.sh tests
 cmake --preset dev
 CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)} cmake --build --preset dev
-ctest --preset dev "$@"
+ended=0
+ctest --preset dev --output-junit results.xml "$@" || ended=$?
+# Which requirement is shown by which test, and how it ended.
+python3 tests/traceability.py --results .build/dev/results.xml > .build/dev/traceability.md
+exit $ended
