@@ -57,14 +57,6 @@ std::vector<Quote> quotes_of(LevelSpec const& levels) {
     return quotes;
 }
 
-// At the levels' measure the trials are stripes; their waves are known for the bootstrap.
-FragilityData stripes_with_waves(BodyStatistics const& body, std::vector<SingleTrial> trials, bool waves_shared) {
-    auto data = FragilityData::of_stripes(body.stripes);
-    data.trials = std::move(trials);
-    data.waves_shared = waves_shared;
-    return data;
-}
-
 class Analyst {
   public:
     Analyst(CampaignSpec const& spec, Statistics const& statistics, AnalysisOptions const& options)
@@ -85,35 +77,53 @@ class Analyst {
         return body;
     }
 
+    /// At the levels' measure the trials are stripes; their waves are known for the bootstrap.
+    [[nodiscard]] FragilityFit over_levels(std::size_t b) const {
+        auto data = FragilityData::of_stripes(statistics_.bodies()[b].stripes);
+        data.trials = singles(b, FragilityMeasure::level);
+        data.waves_shared = shared();
+        data.waves_left_out = statistics_.measured().passed_by() > 0;
+        auto request = request_of(b);
+        request.quotes = quotes_of(spec_.levels);
+        return fit_fragility(data, request);
+    }
+
   private:
+    [[nodiscard]] bool shared() const { return !spec_.levels.independent_waves && spec_.levels.levels.size() > 1; }
+    [[nodiscard]] FragilityRequest request_of(std::size_t b) const {
+        return {options_.confidence, options_.beta_u, {}, {spec_.seed, b, options_.replicates}};
+    }
+    [[nodiscard]] std::vector<SingleTrial> singles(std::size_t b, FragilityMeasure measure) const {
+        return statistics_.measured().singles(static_cast<std::int64_t>(b), measure);
+    }
+
+    [[nodiscard]] FragilityFit over_measure(std::size_t b, FragilityMeasure measure) const {
+        auto request = request_of(b);
+        if (measure == FragilityMeasure::v_wes_ratio) {
+            request.quotes = {{1, 1}};
+        }
+        auto data = FragilityData::of_trials(singles(b, measure), shared(),
+                                             statistics_.measured().left_out(static_cast<std::int64_t>(b), measure));
+        data.waves_left_out = statistics_.measured().passed_by() > 0;
+        return fit_fragility(data, request);
+    }
+
     [[nodiscard]] MeasuredFragility fragility(std::size_t b, FragilityMeasure measure, bool levels) const {
-        auto const number = static_cast<std::int64_t>(b);
-        bool const shared = !spec_.levels.independent_waves && spec_.levels.levels.size() > 1;
-        // The level itself, not the scaled wave's peak, which differs from it in the last digit.
-        auto const stored_as = levels ? FragilityMeasure::level : measure;
-        auto singles = statistics_.measured().singles(number, stored_as);
         MeasuredFragility result;
         result.measure = measure;
         result.name = measure == FragilityMeasure::level ? spec_.levels.measure_name()
                                                          : fragility_measure_names()[static_cast<std::size_t>(measure)];
         result.units = units_of(measure, spec_.levels);
-        FragilityRequest request{options_.confidence, options_.beta_u, {}, {spec_.seed, b, options_.replicates}};
-        if (levels) {
-            request.quotes = quotes_of(spec_.levels);
-            result.quote_base = request.quotes.empty() ? "" : "design-basis";
-        } else if (measure == FragilityMeasure::v_wes_ratio) {
-            request.quotes = {{1, 1}};
-            result.quote_base = "v_ereq";
+        result.fit = levels ? over_levels(b) : over_measure(b, measure);
+        if (!result.fit.quotes.empty()) {
+            result.quote_base = levels ? "design-basis" : "v_ereq";
         }
-        result.rank_area = rank_area(singles);
+        // The level itself, not the scaled wave's peak, which differs from it in the last digit.
+        auto const trials = singles(b, levels ? FragilityMeasure::level : measure);
         constexpr int rank_replicates = 200;
+        result.rank_area = rank_area(trials);
         result.rank_interval =
-            middle_of(rank_area_replicates(singles, {spec_.seed, b, rank_replicates}), options_.confidence, {0, 1});
-        result.fit =
-            fit_fragility(levels ? stripes_with_waves(statistics_.bodies()[b], std::move(singles), shared)
-                                 : FragilityData::of_trials(std::move(singles), shared,
-                                                            statistics_.measured().left_out(number, stored_as)),
-                          request);
+            middle_of(rank_area_replicates(trials, {spec_.seed, b, rank_replicates}), options_.confidence, {0, 1});
         return result;
     }
 
@@ -133,6 +143,11 @@ std::vector<BodyAnalysis> analyse(CampaignSpec const& spec, Statistics const& st
         bodies.push_back(analyst.of(b));
     }
     return bodies;
+}
+
+FragilityFit fit_over_levels(CampaignSpec const& spec, Statistics const& statistics, std::size_t body,
+                             AnalysisOptions const& options) {
+    return Analyst(spec, statistics, options).over_levels(body);
 }
 
 }  // namespace overturn

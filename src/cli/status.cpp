@@ -19,8 +19,13 @@ int status(std::string const& path) {
         store::ResultsReader const file(path);
         auto const verdicts = file.integers("trials/verdict");
         auto const waves = recount(file, parse_campaign(input_of(file))).waves().text(file.text("wave_acceptance"));
-        fmt::print("{}: complete, {} trials of '{}'{}{}\n", path, verdicts.size(), file.text("title"),
-                   waves.empty() ? "" : "; ", waves);
+        auto const spec = parse_campaign(input_of(file));
+        auto const done_waves = static_cast<std::int64_t>(file.integers("waves/id").size());
+        auto const planned = Plan(spec).waves();
+        fmt::print("{}: complete, {} trials of '{}'{}{}{}\n", path, verdicts.size(), file.text("title"),
+                   waves.empty() ? "" : "; ", waves,
+                   done_waves < planned ? fmt::format("; precise enough after {} of {} waves", done_waves, planned)
+                                        : std::string());
         return done;
     }
     store::ShardFolder const unnamed(path, "");
