@@ -1,9 +1,9 @@
 #include "campaign/analysis.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <map>
+#include <limits>
 
+#include "campaign/drawn_trials.hpp"
 #include "stats/quantile.hpp"
 #include "stats/rank.hpp"
 
@@ -58,40 +58,18 @@ std::vector<Quote> quotes_of(LevelSpec const& levels) {
     return quotes;
 }
 
-// At the levels' measure the trials are stripes; their waves are known for the bootstrap.
-FragilityData stripes_with_waves(BodyStatistics const& body, std::vector<SingleTrial> trials, bool waves_shared) {
-    auto data = FragilityData::of_stripes(body.stripes);
-    data.trials = std::move(trials);
-    data.waves_shared = waves_shared;
-    return data;
-}
-
 // From half the lowest level to 1.6 times the highest: what a figure shows beside the data.
 std::vector<double> band_over(LevelSpec const& levels, int points) {
     constexpr double below = 0.5;
     constexpr double above = 1.6;
     std::vector<double> at;
+    at.reserve(static_cast<std::size_t>(points));
     double const low = std::log(below * levels.levels.front().value);
     double const high = std::log(above * levels.levels.back().value);
     for (int i = 0; i < points; ++i) {
         at.push_back(std::exp(low + (high - low) * i / (points - 1)));
     }
     return at;
-}
-
-// The scores of what was drawn for the body, wave by wave; empty if nothing scatters.
-std::map<std::int64_t, std::vector<double>> scores_of(CampaignSpec const& spec, std::size_t b) {
-    std::map<std::int64_t, std::vector<double>> scores;
-    auto const& body = spec.bodies[b];
-    if (body.scattering().empty()) {
-        return scores;
-    }
-    Plan const plan(spec);
-    for (std::int64_t wave = 0; wave < plan.waves(); ++wave) {
-        scores[static_cast<std::int64_t>(plan.wave_id(wave))] =
-            body.scores(body.for_wave(plan.drawn_for(spec, wave), b));
-    }
-    return scores;
 }
 
 class Analyst {
@@ -102,7 +80,7 @@ class Analyst {
     [[nodiscard]] BodyAnalysis of(std::size_t b) const {
         BodyAnalysis body;
         body.body = spec_.bodies[b].name;
-        auto const scores = scores_of(spec_, b);
+        DrawnScores const scores(spec_, b);
         for (auto const measure : measures_of(spec_.levels)) {
             body.fragility.push_back(fragility(b, measure, measure == measures_of(spec_.levels).front(), scores));
         }
@@ -115,60 +93,66 @@ class Analyst {
         return body;
     }
 
-  private:
-    using Scores = std::map<std::int64_t, std::vector<double>>;
+    /// At the levels' measure the trials are stripes; their waves are known for the bootstrap.
+    [[nodiscard]] FragilityFit over_levels(std::size_t b) const { return over_levels(b, request_of(b, {})); }
 
-    [[nodiscard]] static std::optional<BetaSplit> split(std::vector<SingleTrial> const& singles, Scores const& scores) {
-        if (scores.empty()) {
-            return std::nullopt;
+  private:
+    [[nodiscard]] FragilityFit over_levels(std::size_t b, FragilityRequest request) const {
+        auto data = FragilityData::of_stripes(statistics_.bodies()[b].stripes);
+        data.trials = singles(b, FragilityMeasure::level);
+        data.waves_shared = shared();
+        data.waves_left_out = statistics_.measured().passed_by() > 0;
+        request.quotes = quotes_of(spec_.levels);
+        request.band_at = band_over(spec_.levels, options_.band_points);
+        return fit_fragility(data, request);
+    }
+
+    [[nodiscard]] bool shared() const { return !spec_.levels.independent_waves && spec_.levels.levels.size() > 1; }
+    [[nodiscard]] FragilityRequest request_of(std::size_t b, std::optional<BetaSplit> const& split) const {
+        FragilityRequest request;
+        request.confidence = options_.confidence;
+        request.beta_u = options_.beta_u;
+        request.bootstrap = {spec_.seed, b, options_.replicates};
+        if (split && options_.beta_u == 0) {
+            request.beta_u = split->beta_u;
+            request.beta_u_in_trials = true;
         }
-        std::vector<DrawnTrial> drawn;
-        drawn.reserve(singles.size());
-        for (auto const& trial : singles) {
-            drawn.push_back({std::log(trial.intensity), scores.at(trial.wave), trial.overturned});
+        return request;
+    }
+    [[nodiscard]] std::vector<SingleTrial> singles(std::size_t b, FragilityMeasure measure) const {
+        return statistics_.measured().singles(static_cast<std::int64_t>(b), measure);
+    }
+
+    [[nodiscard]] FragilityFit over_measure(std::size_t b, FragilityMeasure measure, FragilityRequest request) const {
+        if (measure == FragilityMeasure::v_wes_ratio) {
+            request.quotes = {{1, 1}};
         }
-        return split_beta(drawn);
+        auto data = FragilityData::of_trials(singles(b, measure), shared(),
+                                             statistics_.measured().left_out(static_cast<std::int64_t>(b), measure));
+        data.waves_left_out = statistics_.measured().passed_by() > 0;
+        return fit_fragility(data, request);
     }
 
     [[nodiscard]] MeasuredFragility fragility(std::size_t b, FragilityMeasure measure, bool levels,
-                                              Scores const& scores) const {
-        auto const number = static_cast<std::int64_t>(b);
-        bool const shared = !spec_.levels.independent_waves && spec_.levels.levels.size() > 1;
-        // The level itself, not the scaled wave's peak, which differs from it in the last digit.
-        auto const stored_as = levels ? FragilityMeasure::level : measure;
-        auto singles = statistics_.measured().singles(number, stored_as);
+                                              DrawnScores const& scores) const {
         MeasuredFragility result;
         result.measure = measure;
         result.name = measure == FragilityMeasure::level ? spec_.levels.measure_name()
                                                          : fragility_measure_names()[static_cast<std::size_t>(measure)];
         result.units = units_of(measure, spec_.levels);
-        FragilityRequest request;
-        request.confidence = options_.confidence;
-        request.beta_u = options_.beta_u;
-        request.bootstrap = {spec_.seed, b, options_.replicates};
-        result.split = split(singles, scores);
+        // The level itself, not the scaled wave's peak, which differs from it in the last digit.
+        auto const trials = singles(b, levels ? FragilityMeasure::level : measure);
+        result.split = scores.split(trials);
         result.drawn = spec_.bodies[b].scattering();
-        if (result.split && options_.beta_u == 0) {
-            request.beta_u = result.split->beta_u;
-            request.beta_u_in_trials = true;
+        auto const request = request_of(b, result.split);
+        result.fit = levels ? over_levels(b, request) : over_measure(b, measure, request);
+        if (!result.fit.quotes.empty()) {
+            result.quote_base = levels ? "design-basis" : "v_ereq";
         }
-        if (levels) {
-            request.band_at = band_over(spec_.levels, options_.band_points);
-            request.quotes = quotes_of(spec_.levels);
-            result.quote_base = request.quotes.empty() ? "" : "design-basis";
-        } else if (measure == FragilityMeasure::v_wes_ratio) {
-            request.quotes = {{1, 1}};
-            result.quote_base = "v_ereq";
-        }
-        result.rank_area = rank_area(singles);
         constexpr int rank_replicates = 200;
+        result.rank_area = rank_area(trials);
         result.rank_interval =
-            middle_of(rank_area_replicates(singles, {spec_.seed, b, rank_replicates}), options_.confidence, {0, 1});
-        result.fit =
-            fit_fragility(levels ? stripes_with_waves(statistics_.bodies()[b], std::move(singles), shared)
-                                 : FragilityData::of_trials(std::move(singles), shared,
-                                                            statistics_.measured().left_out(number, stored_as)),
-                          request);
+            middle_of(rank_area_replicates(trials, {spec_.seed, b, rank_replicates}), options_.confidence, {0, 1});
         return result;
     }
 
@@ -188,6 +172,11 @@ std::vector<BodyAnalysis> analyse(CampaignSpec const& spec, Statistics const& st
         bodies.push_back(analyst.of(b));
     }
     return bodies;
+}
+
+FragilityFit fit_over_levels(CampaignSpec const& spec, Statistics const& statistics, std::size_t body,
+                             AnalysisOptions const& options) {
+    return Analyst(spec, statistics, options).over_levels(body);
 }
 
 }  // namespace overturn

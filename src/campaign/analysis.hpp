@@ -62,6 +62,10 @@ struct AnalysisOptions {
 [[nodiscard]] std::vector<BodyAnalysis> analyse(CampaignSpec const& spec, Statistics const& statistics,
                                                 AnalysisOptions const& options);
 
+/// One body's fit over the levels' own measure, alone.
+[[nodiscard]] FragilityFit fit_over_levels(CampaignSpec const& spec, Statistics const& statistics, std::size_t body,
+                                           AnalysisOptions const& options);
+
 [[nodiscard]] CriterionVerdict verdict_on(BodyAnalysis const& body, double confidence);
 
 /// Fragility, criterion and verdict for the terminal.

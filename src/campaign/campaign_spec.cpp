@@ -78,6 +78,25 @@ Sampling read_sampling(Table const& table) {
     return sampling;
 }
 
+PrecisionTarget read_target(Table const& table, LevelSpec const& levels) {
+    PrecisionTarget target;
+    constexpr double largest = 0.5;
+    config::Range const range{.low = 0, .high = largest, .low_open = true};
+    for (auto const& [key, value] : {std::pair{"target_half_width", &target.half_width},
+                                     std::pair{"target_median_half_width", &target.median_half_width}}) {
+        if (!table.has(key)) {
+            continue;
+        }
+        *value = table.number(key, Dimension::none, range);
+        if (levels.independent_waves) {
+            table.fail(key,
+                       "beside independent waves (they come level by level, so that the first ones are of the "
+                       "lowest level only). Use levels.waves = 'shared'");
+        }
+    }
+    return target;
+}
+
 std::vector<BodySpec> read_bodies(Table const& root, InputFiles& files) {
     std::vector<BodySpec> bodies;
     std::set<std::string> names;
@@ -149,6 +168,7 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
     auto const statistics = root.child_or_empty("statistics");
     spec.confidence = statistics.number("confidence", Dimension::none,
                                         {.low = 0, .high = 1, .low_open = true, .high_open = true}, spec.confidence);
+    spec.target = read_target(statistics, spec.levels);
     statistics.finish();
     root.finish();
     double const trials = static_cast<double>(spec.wave_count) * static_cast<double>(spec.bodies.size())

@@ -14,6 +14,7 @@
 #include "generators/wave_source.hpp"
 #include "response/response.hpp"
 #include "spectra/window_energy.hpp"
+#include "stats/precision.hpp"
 
 namespace overturn {
 
@@ -36,6 +37,7 @@ struct CampaignSpec {
     RockingAccuracy rocking;
     MeasureSpec measures;
     double confidence = 0.95;
+    PrecisionTarget target;  ///< met before all waves are done, it ends the campaign
 };
 
 /// \throws InputError naming file, line and column for anything wrong

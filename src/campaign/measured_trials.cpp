@@ -6,11 +6,23 @@ namespace overturn {
 
 std::vector<std::string> fragility_measure_names() { return {"pga", "pgv", "v_wes", "ou_v_e", "v_wes_ratio", "level"}; }
 
-void MeasuredTrials::add(WaveRow const& row) { waves_.insert_or_assign(row.id, Peaks{row.pga_mps2, row.pgv_mps}); }
+namespace {
+
+constexpr std::size_t most_trials = 1'000'000;
+
+}  // namespace
+
+void MeasuredTrials::add(WaveRow const& row) {
+    if (trials_.size() < most_trials) {
+        waves_.insert_or_assign(row.id, Peaks{row.pga_mps2, row.pgv_mps});
+    }
+}
 
 void MeasuredTrials::add(TrialRow const& row) {
     auto const wave = waves_.find(row.wave);
-    if (wave == waves_.end()) {
+    bool const full = trials_.size() >= most_trials && row.wave != trials_.back().wave;
+    if (full || wave == waves_.end()) {
+        passed_by_ += full ? 1 : 0;
         return;
     }
     auto const verdict = static_cast<Verdict>(row.verdict);

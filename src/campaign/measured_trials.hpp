@@ -19,15 +19,19 @@ inline constexpr std::size_t fragility_measures = 6;
 /// "pga", "pgv", "v_wes", "ou_v_e", "v_wes_ratio"; "level" for a level measure that is none of these (pgd, factor).
 [[nodiscard]] std::vector<std::string> fragility_measure_names();
 
+/// Holds the first trials, whole waves of them, until there are a million: what they say of a measure's curve is then
+/// known to a fraction of a per cent, and a campaign of any size is merged in bounded memory and time.
 class MeasuredTrials {
   public:
     void add(WaveRow const& row);
-    /// Ignored if the trial's wave was not added before.
+    /// Ignored if the trial's wave was not added before, or no more are held.
     void add(TrialRow const& row);
 
     /// The decided trials of a body with a measure above 0.
     [[nodiscard]] std::vector<SingleTrial> singles(std::int64_t body, FragilityMeasure measure) const;
-    /// Trials of a body that `singles` leaves out.
+    /// Trials passed by because enough were held.
+    [[nodiscard]] std::int64_t passed_by() const { return passed_by_; }
+    /// Trials of a body that `singles` leaves out, of those held.
     [[nodiscard]] std::int64_t left_out(std::int64_t body, FragilityMeasure measure) const;
     /// As the criteria V_WES < V_Ereq and ouV_E < V_Ereq saw the decided trials.
     [[nodiscard]] std::vector<CriterionTrial> criterion_trials(std::int64_t body, FragilityMeasure measure) const;
@@ -45,6 +49,7 @@ class MeasuredTrials {
         [[nodiscard]] double value(FragilityMeasure measure) const;
     };
     std::map<std::int64_t, Peaks> waves_;
+    std::int64_t passed_by_ = 0;
     std::vector<Trial> trials_;
 };
 

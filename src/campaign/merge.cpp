@@ -7,6 +7,7 @@
 
 #include "campaign/analysis.hpp"
 #include "campaign/output_place.hpp"
+#include "campaign/stopping.hpp"
 #include "store/durable.hpp"
 
 namespace overturn {
@@ -82,10 +83,12 @@ MergeEnd merge_parts(std::filesystem::path const& output) {
     store::Claim const claim(unnamed.folder(), {0, std::numeric_limits<std::int64_t>::max()});
     auto const input = CampaignInput::deserialise(unnamed.begun_with());
     auto const spec = parse_campaign(input);
-    Plan const plan(spec);
+    Plan const whole(spec);
     store::ShardFolder const shards(output, input.sha256());
     std::vector<std::string> notes;
-    auto const missing = missing_blocks(plan, shards.committed({0, plan.blocks()}, notes));
+    auto const committed = shards.committed({0, whole.blocks()}, notes);
+    auto const plan = cut_at_target(spec, whole, shards, committed);
+    auto const missing = missing_blocks(plan, committed);
     for (auto const& note : notes) {
         fmt::print(stderr, "{}\n", note);
     }

@@ -11,7 +11,8 @@
 
 namespace overturn {
 
-/// Writes the results file from all blocks, in the memory of one, and removes them once it is durable.
+/// Writes the results file from all blocks of `plan`, in the memory of one and a million trials (for the curves), and
+/// removes them once it is durable, those beyond the plan too.
 /// \param goes_on asked before every block
 /// \return the tables for the terminal; nothing, and all blocks as they were, if `goes_on` said no
 /// \throws SystemError if a block is missing or damaged, or the file cannot be written; the blocks stay

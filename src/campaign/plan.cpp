@@ -62,6 +62,13 @@ store::BlockRange Plan::blocks_of(Part part) const {
     return {blocks() * (part.number - 1) / part.of, blocks() * part.number / part.of};
 }
 
+Plan Plan::first(std::int64_t blocks) const {
+    OVERTURN_EXPECT(!independent_ && blocks >= 0 && blocks <= this->blocks());
+    auto cut = *this;
+    cut.waves_ = std::min(waves_, blocks * block_size_);
+    return cut;
+}
+
 std::string Plan::waves_text(std::vector<std::int64_t> const& blocks) const {
     std::string text;
     for (std::size_t i = 0; i < blocks.size();) {

@@ -45,6 +45,8 @@ class Plan {
     [[nodiscard]] Waves waves_of_block(std::int64_t block) const;
     /// The blocks of one of several equal parts: [first, last). Together the parts are all blocks, each once.
     [[nodiscard]] store::BlockRange blocks_of(Part part) const;
+    /// The same campaign, ended after its first `blocks` blocks. \pre levels share waves
+    [[nodiscard]] Plan first(std::int64_t blocks) const;
     /// "0 to 5, 18 to 23": the waves of the blocks, given in rising order.
     [[nodiscard]] std::string waves_text(std::vector<std::int64_t> const& blocks) const;
 

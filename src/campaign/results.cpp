@@ -151,6 +151,15 @@ void Statistics::add(WaveRow const& row) {
     measured_.add(row);
 }
 
+void Statistics::add(BlockRows const& block) {
+    for (auto const& row : block.waves) {
+        add(row);
+    }
+    for (auto const& row : block.trials) {
+        add(row);
+    }
+}
+
 void Statistics::add(TrialRow const& row) {
     measured_.add(row);
     auto& body = bodies_.at(static_cast<std::size_t>(row.body));
@@ -216,12 +225,11 @@ std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, Campa
             file.append(table, std::as_bytes(std::span(rows.measures)));
         }
         file.append(trials, std::as_bytes(std::span(rows.trials)));
-        for (auto const& row : rows.waves) {
-            statistics.add(row);
-        }
-        for (auto const& row : rows.trials) {
-            statistics.add(row);
-        }
+        statistics.add(rows);
+    }
+    if (spec.target.asks()) {
+        file.attribute("waves_planned", Plan(spec).waves());
+        file.attribute("precise_enough", std::int64_t{plan.waves() < Plan(spec).waves() ? 1 : 0});
     }
     auto analysis = analyse(spec, statistics, {.confidence = spec.confidence});
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {

@@ -50,6 +50,7 @@ class Statistics {
     explicit Statistics(CampaignSpec const& spec);
     void add(TrialRow const& row);
     void add(WaveRow const& row);
+    void add(BlockRows const& block);
     [[nodiscard]] std::vector<BodyStatistics> const& bodies() const { return bodies_; }
     [[nodiscard]] WaveCounts const& waves() const { return waves_; }
     /// Those trials whose waves were added too.

@@ -9,6 +9,7 @@
 #include "campaign/output_place.hpp"
 #include "campaign/progress.hpp"
 #include "campaign/runtime_file.hpp"
+#include "campaign/stopping.hpp"
 #include "campaign/worker.hpp"
 
 namespace overturn {
@@ -83,36 +84,70 @@ class Run {
         }
         require_shared(shards_, comm_);
         auto const committed = found.at("committed").get<std::vector<std::int64_t>>();
-        auto const range = plan_.blocks_of(options_.part);
-        auto const before = static_cast<std::int64_t>(committed.size());
         if (comm_.is_root()) {
             fmt::print(stderr, "waves: {}\n", spec_.source->describe());
         }
-        Progress progress(range.count(), before,
-                          static_cast<double>(plan_.trials()) / static_cast<double>(plan_.blocks()));
-        auto done = work(spec_, plan_, blocks_left(range, committed), shards_, leave_, comm_, progress);
-        if (comm_.is_root() && done.committed > 0) {
-            progress.show(done.committed);
-            progress.finish();
+        // Up to each stopping point, where all ranks wait for the answer; a part cannot know it and does all its
+        // blocks.
+        auto const points = options_.part.is_whole() ? stopping_points(spec_, plan_) : std::vector<std::int64_t>{};
+        bool whole = true;
+        for (std::size_t i = 0; whole && i < points.size(); ++i) {
+            whole = complete({0, points[i]}, committed);
+            if (whole && meets_target_there(points[i])) {
+                plan_ = plan_.first(points[i]);
+                break;
+            }
         }
-        bool const whole = comm_.largest(comm_.is_root() && before + done.committed < range.count() ? 1 : 0) == 0;
-        auto const end = whole && options_.part.is_whole() ? merge(done.seconds)
-                         : whole                           ? RunEnd::complete
-                                                           : RunEnd::stopped;
+        auto const range = plan_.blocks_of(options_.part);
+        whole = whole && complete(range, committed);
+        auto const end = whole && options_.part.is_whole() ? merge() : whole ? RunEnd::complete : RunEnd::stopped;
         if (comm_.is_root() && (end == RunEnd::stopped || !options_.part.is_whole())) {
-            tell_what_is_left(input_, options_, before + done.committed, range.count());
+            tell_what_is_left(input_, options_, here(range, committed) + done_.committed, range.count());
         }
-        account(done, progress.elapsed_s());
+        account();
         return end;
     }
 
   private:
-    RunEnd merge(PhaseSeconds& seconds) {
+    static std::int64_t here(store::BlockRange const& range, std::vector<std::int64_t> const& committed) {
+        return range.count() - static_cast<std::int64_t>(blocks_left(range, committed).size());
+    }
+
+    // Computes what is left of the blocks; false if it was time to go before the last.
+    bool complete(store::BlockRange const& range, std::vector<std::int64_t> const& committed) {
+        store::BlockRange const fresh{std::max(range.first, next_), range.last};
+        auto const left = blocks_left(fresh, committed);
+        auto const before = fresh.count() - static_cast<std::int64_t>(left.size());
+        Progress progress(fresh.count(), before,
+                          static_cast<double>(plan_.trials()) / static_cast<double>(plan_.blocks()));
+        auto const done = work(spec_, plan_, left, shards_, leave_, comm_, progress);
+        if (comm_.is_root() && done.committed > 0) {
+            progress.show(done.committed);
+            progress.finish();
+        }
+        done_.add(done);
+        wall_s_ += progress.elapsed_s();
+        bool const whole = comm_.largest(comm_.is_root() && before + done.committed < fresh.count() ? 1 : 0) == 0;
+        next_ = whole ? fresh.last : next_;
+        return whole;
+    }
+
+    bool meets_target_there(std::int64_t blocks) {
+        bool const yes = !from_root(comm_, [&] {
+                              return std::string(meets_target(spec_, plan_, shards_, blocks) ? 1 : 0, 'y');
+                          }).empty();
+        if (comm_.is_root() && yes) {
+            fmt::print(stderr, "precise enough after {} of {} waves\n", plan_.first(blocks).waves(), plan_.waves());
+        }
+        return yes;
+    }
+
+    RunEnd merge() {
         auto const table = from_root(comm_, [&] {
             auto const begin = std::chrono::steady_clock::now();
             auto const tables =
                 merge_blocks(options_.output, input_, spec_, plan_, shards_, [&] { return leave_.may_go_on(); });
-            seconds.store += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+            done_.seconds.store += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
             return tables.value_or("");
         });
         if (comm_.is_root() && !table.empty()) {
@@ -121,12 +156,12 @@ class Run {
         return table.empty() ? RunEnd::stopped : RunEnd::complete;
     }
 
-    void account(WorkDone const& done, double wall_s) {
-        auto const ranks = comm_.gather(seconds_text(comm_, done.seconds));
+    void account() {
+        auto const ranks = comm_.gather(seconds_text(comm_, done_.seconds));
         if (comm_.is_root()) {
             fmt::print(stderr, "cost: {}\n", rung_costs(sum_of_rungs(ranks)));
-            write_runtime(options_.output, options_.part, ranks, wall_s,
-                          done.committed * plan_.trials() / plan_.blocks());
+            write_runtime(options_.output, options_.part, ranks, wall_s_,
+                          done_.committed * plan_.trials() / plan_.blocks());
         }
     }
 
@@ -138,6 +173,9 @@ class Run {
     Plan plan_;
     store::ShardFolder shards_;
     std::optional<store::Claim> claim_;
+    WorkDone done_;
+    double wall_s_ = 0;
+    std::int64_t next_ = 0;  ///< blocks below it are done with
 };
 
 }  // namespace

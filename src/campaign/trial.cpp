@@ -76,6 +76,17 @@ void describe_check(PreparedWave& wave, WaveCheck const& check) {
 
 }  // namespace
 
+void PhaseSeconds::add(PhaseSeconds const& more) {
+    waves += more.waves;
+    measures += more.measures;
+    response += more.response;
+    store += more.store;
+    for (std::size_t r = 0; r < rungs.size(); ++r) {
+        rungs[r].trials += more.rungs[r].trials;
+        rungs[r].seconds += more.rungs[r].seconds;
+    }
+}
+
 PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64_t wave, PhaseSeconds& seconds) {
     PreparedWave prepared;
     prepared.number = wave;

@@ -23,6 +23,8 @@ struct PhaseSeconds {
         double seconds = 0;
     };
     std::array<RungCost, rung_count> rungs{};
+
+    void add(PhaseSeconds const& more);
 };
 
 /// A wave with everything that is computed once for it.

@@ -139,6 +139,11 @@ void tell(std::string const& failure, parallel::Communicator const& comm) {
 
 }  // namespace
 
+void WorkDone::add(WorkDone const& more) {
+    committed += more.committed;
+    seconds.add(more.seconds);
+}
+
 WorkDone work(CampaignSpec const& spec, Plan const& plan, std::vector<std::int64_t> const& left,
               store::ShardFolder const& shards, Leave& leave, parallel::Communicator const& comm, Progress& progress) {
     WorkDone done;

@@ -37,6 +37,8 @@ namespace overturn {
 struct WorkDone {
     std::int64_t committed = 0;  ///< blocks, by all ranks; known on rank 0
     PhaseSeconds seconds;        ///< this rank's
+
+    void add(WorkDone const& more);
 };
 
 /// Computes and commits the blocks `left` until none is left or it is time to go. Collective.

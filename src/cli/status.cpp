@@ -20,8 +20,12 @@ int status_of_file(std::string const& path) {
     auto const spec = parse_campaign(input_of(file));
     auto const verdicts = file.integers("trials/verdict");
     auto const waves = recount(file, spec).waves().text(file.text("wave_acceptance"));
-    fmt::print("{}: complete, {} trials of '{}'{}{}\n", path, verdicts.size(), file.text("title"),
-               waves.empty() ? "" : "; ", waves);
+    auto const done_waves = static_cast<std::int64_t>(file.integers("waves/id").size());
+    auto const planned = Plan(spec).waves();
+    fmt::print("{}: complete, {} trials of '{}'{}{}{}\n", path, verdicts.size(), file.text("title"),
+               waves.empty() ? "" : "; ", waves,
+               done_waves < planned ? fmt::format("; precise enough after {} of {} waves", done_waves, planned)
+                                    : std::string());
     auto const reasons = file.integers("trials/failure");
     FailedTrials failed(spec);
     for (std::size_t i = 0; i < verdicts.size(); ++i) {

@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "rocking/planar_rocking.hpp"
+#include "stats/kolmogorov.hpp"
 
 namespace overturn::cost {
 namespace {
@@ -54,26 +55,6 @@ Spread spread_of(std::vector<double> values) {
     constexpr double half = 0.5;
     constexpr double most = 0.95;
     return {static_cast<std::int64_t>(values.size()), at(half), at(most), values.back()};
-}
-
-double ks_distance(std::vector<double> a, std::vector<double> b) {
-    if (a.empty() || b.empty()) {
-        return not_known;
-    }
-    std::sort(a.begin(), a.end());
-    std::sort(b.begin(), b.end());
-    double distance = 0;
-    std::size_t i = 0;
-    std::size_t j = 0;
-    while (i < a.size() && j < b.size()) {
-        double const at = std::min(a[i], b[j]);
-        for (; i < a.size() && a[i] == at; ++i) {}
-        for (; j < b.size() && b[j] == at; ++j) {}
-        double const gap = static_cast<double>(i) / static_cast<double>(a.size())
-                           - static_cast<double>(j) / static_cast<double>(b.size());
-        distance = std::max(distance, std::abs(gap));
-    }
-    return distance;
 }
 
 Comparison compare(std::span<TrialRow const> rows, std::span<TrialRow const> reference) {

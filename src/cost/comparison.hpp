@@ -23,10 +23,6 @@ struct Spread {
 /// Quantiles by nearest rank: each is one of the values.
 [[nodiscard]] Spread spread_of(std::vector<double> values);
 
-/// Largest distance between the two empirical distribution functions (Kolmogorov 1933, Smirnov 1939); not_known if one
-/// is empty.
-[[nodiscard]] double ks_distance(std::vector<double> a, std::vector<double> b);
-
 /// Trials of one setting against the same trials of a reference.
 struct Comparison {
     std::int64_t trials = 0;             ///< with a verdict in at least one of the two

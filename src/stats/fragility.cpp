@@ -74,6 +74,7 @@ void describe(FragilityFit& fit, FragilityData const& data) {
     fit.method =
         data.waves_shared ? FragilityFit::Method::bootstrap_by_waves : FragilityFit::Method::profile_likelihood;
     raise_if(fit, fit.undecided > 0, FragilityFlag::undecided_trials);
+    raise_if(fit, data.waves_left_out, FragilityFlag::waves_left_out);
     constexpr std::int64_t few = 30;
     raise_if(fit, fit.waves > 0 && fit.waves < few, FragilityFlag::few_waves);
     raise_if(fit, fit.overturned == 1 && fit.trials > 1, FragilityFlag::one_overturned);
@@ -204,11 +205,11 @@ void judge(FragilityFit& fit) {
 }  // namespace
 
 FragilityData FragilityData::of_stripes(std::span<Stripe const> stripes) {
-    return {Kind::stripes, points_of(stripes), {}, false};
+    return {Kind::stripes, points_of(stripes), {}, false, false};
 }
 
 FragilityData FragilityData::of_trials(std::vector<SingleTrial> trials, bool waves_shared, std::int64_t undecided) {
-    FragilityData data{Kind::singles, points_of(trials, most_cells), std::move(trials), waves_shared};
+    FragilityData data{Kind::singles, points_of(trials, most_cells), std::move(trials), waves_shared, false};
     if (!data.points.empty()) {
         data.points.back().undecided = static_cast<double>(undecided);
     }

@@ -29,8 +29,9 @@ enum class FragilityFlag : std::uint32_t {
     undecided_trials = 13,
     few_waves = 14,
     interval_unbounded = 15,
+    waves_left_out = 16,
 };
-inline constexpr std::uint32_t fragility_flags = 16;
+inline constexpr std::uint32_t fragility_flags = 17;
 
 using FragilityFlags = std::uint32_t;
 [[nodiscard]] constexpr FragilityFlags bit(FragilityFlag flag) { return 1U << static_cast<std::uint32_t>(flag); }
@@ -43,7 +44,8 @@ struct FragilityData {
     Kind kind = Kind::stripes;
     std::vector<FragilityPoint> points;
     std::vector<SingleTrial> trials;
-    bool waves_shared = false;  ///< one wave has trials at several intensities
+    bool waves_shared = false;    ///< one wave has trials at several intensities
+    bool waves_left_out = false;  ///< `trials` are the first of more than are held
 
     [[nodiscard]] static FragilityData of_stripes(std::span<Stripe const> stripes);
     /// Single trials of a continuous measure; \param undecided trials that are not among them

@@ -9,10 +9,10 @@ namespace overturn {
 namespace {
 
 constexpr std::array<char const*, fragility_flags> flag_names{
-    "no-trials",          "nothing-overturned", "all-overturned", "one-level",
-    "separated",          "not-rising",         "not-converged",  "one-overturned",
-    "two-levels",         "non-monotone",       "poor-fit",       "median-outside-data",
-    "hclpf-outside-data", "undecided-trials",   "few-waves",      "interval-unbounded"};
+    "no-trials",          "nothing-overturned",  "all-overturned",     "one-level",        "separated",
+    "not-rising",         "not-converged",       "one-overturned",     "two-levels",       "non-monotone",
+    "poor-fit",           "median-outside-data", "hclpf-outside-data", "undecided-trials", "few-waves",
+    "interval-unbounded", "waves-left-out"};
 
 std::string with(double value, std::string const& units) {
     return units.empty() || units == "1" ? fmt::format("{:.4g}", value) : fmt::format("{:.4g} {}", value, units);
@@ -135,6 +135,10 @@ std::vector<std::string> warnings_of(FragilityFit const& fit, std::string const&
            fmt::format("{:g} trials have no verdict and are left out of the curve", fit.undecided));
     add_if(FragilityFlag::few_waves,
            fmt::format("{} waves only: intervals from resampling them are too short", fit.waves));
+    add_if(
+        FragilityFlag::waves_left_out,
+        fmt::format("resampled, and fitted but for stripes, are the first {} waves: the million trials that are held",
+                    fit.waves));
     add_if(FragilityFlag::interval_unbounded, "an interval is open: the data do not bound it");
     for (auto const& quoted : fit.quotes) {
         if (has(fit.flags, FragilityFlag::poor_fit) && quoted.source == QuotedProbability::Source::curve) {

@@ -62,7 +62,7 @@ for b, body in enumerate(['type-a', 'type-b']):
     for name in ('median', 'beta', 'hclpf', 'median_lower', 'beta_upper'):
         assert (np.isnan(g[name][:]) == ~known).all(), name
     assert (g['flags'][:][~known] > 0).all()
-    assert g.attrs['confidence'] == 0.95 and len(g.attrs['flag_names'].split()) == 16
+    assert g.attrs['confidence'] == 0.95 and len(g.attrs['flag_names'].split()) == 17
 assert (t['restitution'][t['body'] == 1] <= 1).all() and len(set(t['restitution'][t['body'] == 1])) == 12
 assert np.allclose(t['peak_rotation'][t['verdict'] == 3], np.pi / 2)
 assert ((t['effects'] & 1) == 1).all()

@@ -34,15 +34,6 @@ TEST(Spread, QuantilesAreOfTheValuesThemselves) {
     EXPECT_TRUE(std::isnan(spread_of({}).p95));
 }
 
-/// By hand: F_a steps by 1/4 at 1 2 3 4, F_b by 1/2 at 3 and 5; they are furthest apart, 1/2, at 2 and again at 4.
-TEST(KsDistance, CountedByHand) {
-    EXPECT_DOUBLE_EQ(ks_distance({4, 1, 3, 2}, {5, 3}), 0.5);
-    EXPECT_EQ(ks_distance({1, 2, 3}, {3, 2, 1}), 0);
-    EXPECT_EQ(ks_distance({1, 2}, {3, 4}), 1);
-    EXPECT_DOUBLE_EQ(ks_distance({1, 1, 1, 2}, {1, 2, 2, 2}), 0.5);  // ties step at once
-    EXPECT_TRUE(std::isnan(ks_distance({}, {1})));
-}
-
 TEST(Comparison, CountsFlips) {
     std::vector<TrialRow> const exact{row(Verdict::at_rest),         row(Verdict::rocked, 0.2),
                                       row(Verdict::rocked, 0.1),     row(Verdict::overturned),

@@ -11,6 +11,7 @@
 #include "generators/spectrum_matcher.hpp"
 #include "motion/ground_motion.hpp"
 #include "spectra/named_targets.hpp"
+#include "stats/kolmogorov.hpp"
 #include "support/tolerance.hpp"
 #include "support/waves.hpp"
 
@@ -102,14 +103,8 @@ TEST(SpectrumMatcher, PhasesAreUniform) {
             phases.push_back((std::arg(line) + pi) / (2 * pi));
         }
     }
-    std::sort(phases.begin(), phases.end());
-    double distance = 0;
-    auto const count = static_cast<double>(phases.size());
-    for (std::size_t i = 0; i < phases.size(); ++i) {
-        distance = std::max(
-            {distance, static_cast<double>(i + 1) / count - phases[i], phases[i] - static_cast<double>(i) / count});
-    }
-    EXPECT_LT(distance, 1.63 / std::sqrt(count));  // 1 % level
+    constexpr double chance = 0.01;
+    EXPECT_GT(ks_test(phases, [](double turn) { return turn; }).p_value, chance);
 }
 
 TEST(MatchFigures, CountOnlyTheirBand) {

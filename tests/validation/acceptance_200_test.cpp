@@ -7,6 +7,7 @@
 
 #include "generators/real_fft.hpp"
 #include "generators/wave_quality.hpp"
+#include "stats/kolmogorov.hpp"
 #include "support/sources.hpp"
 
 namespace overturn {
@@ -29,17 +30,6 @@ void gather_phases(std::vector<double> const& a, std::vector<double>& turns) {
     for (std::size_t k = 40; k < lines.size() / 4; k += 40) {
         turns.push_back(std::arg(lines[k]) / (2 * pi) + 0.5);
     }
-}
-
-double kolmogorov_distance(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    auto const count = static_cast<double>(values.size());
-    double distance = 0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        auto const n = static_cast<double>(i);
-        distance = std::max({distance, (n + 1) / count - values[i], values[i] - n / count});
-    }
-    return distance;
 }
 
 class TwoHundred : public ::testing::TestWithParam<char const*> {};
@@ -67,7 +57,8 @@ TEST_P(TwoHundred, PassSrp371) {
         mean += made.match.all.mean_ratio / static_cast<double>(waves);
     }
     EXPECT_EQ(passed, waves);
-    EXPECT_LT(kolmogorov_distance(turns), 1.63 / std::sqrt(static_cast<double>(turns.size())));  // 1 % level
+    constexpr double chance = 0.01;
+    EXPECT_GT(ks_test(turns, [](double turn) { return turn; }).p_value, chance) << "phases are not uniform";
     fmt::print("{}: {} of {} pass, {:.1f} iterations, worst decade {:.4f}, ratios {:.3f} to {:.3f}, mean {:.4f}\n",
                GetParam(), passed, waves, iterations, worst_decade, lowest, highest, mean);
 }
