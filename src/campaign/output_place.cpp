@@ -1,7 +1,9 @@
 #include "campaign/output_place.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
+#include <thread>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -39,6 +41,16 @@ std::string record_of(store::ShardFolder const& shards) {
     }
 }
 
+// Ranks outlive a killed mpirun for some seconds, in which they may finish the file and be at removing the blocks.
+bool becomes_free(store::ShardFolder const& shards) {
+    constexpr auto pause = std::chrono::milliseconds(50);
+    constexpr int most_pauses = 100;
+    for (int i = 0; i < most_pauses && store::Claim::held(shards.folder()); ++i) {
+        std::this_thread::sleep_for(pause);
+    }
+    return !store::Claim::held(shards.folder());
+}
+
 // Of this very campaign, by the record or, where a kill came after that had gone, by every block itself.
 bool are_leftovers(store::ShardFolder const& shards, CampaignInput const& input) {
     if (auto const begun = record_of(shards); !begun.empty()) {
@@ -62,14 +74,14 @@ std::vector<std::int64_t> sound_blocks(store::ShardFolder const& shards, Plan co
 
 }  // namespace
 
-void check_complete(std::filesystem::path const& output, CampaignInput const& input) {
+void check_complete(std::filesystem::path const& output, CampaignInput const& input, bool claimed) {
     store::ResultsReader const file(output);
     refuse_other({file.text("campaign_name"), file.text("campaign"), {}, {}},
                  {file.text("campaign_name"), input.text, {}, {}}, output.string());
     validate(file.text("input_sha256") == input.sha256(),
              "output {} (made with other settings or input files). Name another with -o", output.string());
     store::ShardFolder const shards(output, input.sha256());
-    if (shards.exists() && !store::Claim::held(shards.folder()) && are_leftovers(shards, input)) {
+    if (shards.exists() && (claimed || becomes_free(shards)) && are_leftovers(shards, input)) {
         shards.remove();
         fmt::print(stderr, "{}: blocks left over from {} (merged already). Removed\n", shards.folder().string(),
                    output.string());
@@ -91,7 +103,7 @@ OutputState take_output(std::filesystem::path const& output, store::ShardFolder 
     }
     refuse_taken();  // another run may have finished meanwhile
     if (std::filesystem::exists(output)) {
-        check_complete(output, input);
+        check_complete(output, input, claim.has_value());
         return {true, {}};
     }
     auto const begun = record_of(shards);

@@ -33,8 +33,9 @@ struct OutputWish {
                                       CampaignInput const& input, Plan const& plan, OutputWish const& wish,
                                       std::optional<store::Claim>& claim);
 
-/// The finished file at `output` is that of this campaign: what is left of its shards goes.
-/// \throws InputError if it is another's, or no results file
-void check_complete(std::filesystem::path const& output, CampaignInput const& input);
+/// The finished file at `output` is that of this campaign: what is left of its shards goes, unless the run that wrote
+/// it is still at that. \param claimed this process holds the claim on the shards \throws InputError if it is
+/// another's, or no results file
+void check_complete(std::filesystem::path const& output, CampaignInput const& input, bool claimed = false);
 
 }  // namespace overturn

@@ -16,13 +16,58 @@ CampaignInput input_of(store::ResultsReader const& file) {
     return input;
 }
 
+namespace {
+
+void require(bool sound, std::string const& what) {
+    validate(sound, "results file: {} (it is damaged, or not of this program). Run the campaign again", what);
+}
+
+/// Columns of one table, each as long as the campaign has rows.
+class Columns {
+  public:
+    Columns(store::ResultsReader const& file, std::string table, std::int64_t rows)
+        : file_(file), table_(std::move(table)), rows_(rows) {}
+
+    [[nodiscard]] std::vector<std::int64_t> integers(std::string const& name) const {
+        return whole(name, file_.integers(table_ + name));
+    }
+    [[nodiscard]] std::vector<double> reals(std::string const& name) const {
+        return whole(name, file_.reals(table_ + name));
+    }
+    /// Integers from 0 to below `count`.
+    [[nodiscard]] std::vector<std::int64_t> indices(std::string const& name, std::size_t count) const {
+        auto values = integers(name);
+        for (auto const value : values) {
+            require(value >= 0 && static_cast<std::size_t>(value) < count,
+                    fmt::format("{}{} holds {}, which names nothing", table_, name, value));
+        }
+        return values;
+    }
+
+  private:
+    template <class Value> std::vector<Value> whole(std::string const& name, std::vector<Value> values) const {
+        require(static_cast<std::int64_t>(values.size()) == rows_,
+                fmt::format("{}{} has {} rows, the campaign {}", table_, name, values.size(), rows_));
+        return values;
+    }
+
+    store::ResultsReader const& file_;
+    std::string table_;
+    std::int64_t rows_;
+};
+
+}  // namespace
+
 Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec) {
     Statistics statistics(spec);
-    auto const failed = file.integers("waves/failed");
-    auto const accepted = file.integers("waves/accepted");
-    auto const id = file.integers("waves/id");
-    auto const pga = file.reals("waves/pga");
-    auto const pgv = file.reals("waves/pgv");
+    Plan const plan(spec);
+    Columns const waves(file, "waves/", plan.waves());
+    Columns const trials(file, "trials/", plan.trials());
+    auto const failed = waves.integers("failed");
+    auto const accepted = waves.integers("accepted");
+    auto const id = waves.integers("id");
+    auto const pga = waves.reals("pga");
+    auto const pgv = waves.reals("pgv");
     for (std::size_t i = 0; i < failed.size(); ++i) {
         WaveRow row;
         row.id = id[i];
@@ -32,19 +77,19 @@ Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec) {
         row.accepted = accepted[i];
         statistics.add(row);
     }
-    auto const wave = file.integers("trials/wave");
-    auto const amplitude = file.reals("trials/amplitude");
-    auto const scale = file.reals("trials/scale");
-    auto const v_wes = file.reals("trials/v_wes");
-    auto const ou_v_e = file.reals("trials/ou_v_e");
-    auto const v_ereq = file.reals("trials/v_ereq");
-    auto const body = file.integers("trials/body");
-    auto const level = file.integers("trials/level");
-    auto const verdict = file.integers("trials/verdict");
-    auto const v_wes_safe = file.integers("trials/v_wes_safe");
-    auto const ou_v_e_safe = file.integers("trials/ou_v_e_safe");
-    auto const called = file.integers("trials/effects_called");
-    auto const rung = file.integers("trials/rung");
+    auto const wave = trials.integers("wave");
+    auto const amplitude = trials.reals("amplitude");
+    auto const scale = trials.reals("scale");
+    auto const v_wes = trials.reals("v_wes");
+    auto const ou_v_e = trials.reals("ou_v_e");
+    auto const v_ereq = trials.reals("v_ereq");
+    auto const body = trials.indices("body", spec.bodies.size());
+    auto const level = trials.indices("level", spec.levels.levels.size());
+    auto const verdict = trials.indices("verdict", verdict_names().size());
+    auto const v_wes_safe = trials.integers("v_wes_safe");
+    auto const ou_v_e_safe = trials.integers("ou_v_e_safe");
+    auto const called = trials.integers("effects_called");
+    auto const rung = trials.indices("rung", rung_count);
     for (std::size_t i = 0; i < body.size(); ++i) {
         TrialRow row;
         row.wave = wave[i];

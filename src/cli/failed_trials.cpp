@@ -9,7 +9,11 @@ namespace {
 
 constexpr std::size_t most_listed = 20;
 
-std::string reason_name(std::int64_t reason) { return failure_names().at(static_cast<std::size_t>(reason)); }
+std::string reason_name(std::int64_t reason) {
+    auto const names = failure_names();
+    bool const known = reason >= 0 && static_cast<std::size_t>(reason) < names.size();
+    return known ? names[static_cast<std::size_t>(reason)] : fmt::format("reason {}", reason);
+}
 
 }  // namespace
 

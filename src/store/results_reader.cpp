@@ -16,6 +16,13 @@ template <class Value> std::vector<Value> read_all(File const& file, std::string
     auto const dataset = open_dataset(file, name);
     Dataspace const space(checked(H5Dget_space(dataset.id()), "read a dataspace"));
     auto const size = H5Sget_simple_extent_npoints(space.id());
+    hsize_t held = 0;
+    checked(H5Fget_filesize(file.id(), &held), "ask for the file's size");
+    constexpr hsize_t densest = 1100;  // what compression can make of zeros
+    if (size > 0 && static_cast<hsize_t>(size) / densest > held) {
+        throw SystemError(
+            fmt::format("HDF5: cannot read {} ({} values in a file of {} bytes: it is damaged)", name, size, held));
+    }
     std::vector<Value> values(static_cast<std::size_t>(std::max<hssize_t>(0, size)));
     if (!values.empty()) {
         checked(H5Dread(dataset.id(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "read " + name);

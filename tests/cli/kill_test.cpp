@@ -23,6 +23,15 @@ struct Figures {
     int victims[3] = {}, instants[4] = {};
 };
 
+std::string files_of(std::filesystem::path const& path) {
+    std::string names;
+    std::error_code error;
+    for (auto const& file : std::filesystem::directory_iterator(path, error)) {
+        names += file.path().filename().string() + "\n";
+    }
+    return names;
+}
+
 class Kills : public ::testing::Test {
   protected:
     Kills() {
@@ -80,7 +89,7 @@ class Kills : public ::testing::Test {
         }));
         ASSERT_EQ(ended.code, 0) << ended.err;
         ASSERT_TRUE(folder.read("c.h5") == unbroken);
-        ASSERT_FALSE(folder.has("c.h5.parts"));
+        ASSERT_FALSE(folder.has("c.h5.parts")) << files_of(folder / "c.h5.parts") << ended.err << ended.out;
         ASSERT_FALSE(folder.has("c.h5.merging"));
         std::filesystem::remove(folder / "c.h5");
     }
