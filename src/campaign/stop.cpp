@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <csignal>
-
-#include <time.h>
+#include <ctime>
 
 namespace overturn {
 namespace {
