@@ -80,9 +80,8 @@ class Analyst {
     [[nodiscard]] BodyAnalysis of(std::size_t b) const {
         BodyAnalysis body;
         body.body = spec_.bodies[b].name;
-        DrawnScores const scores(spec_, b);
         for (auto const measure : measures_of(spec_.levels)) {
-            body.fragility.push_back(fragility(b, measure, measure == measures_of(spec_.levels).front(), scores));
+            body.fragility.push_back(fragility(b, measure, measure == measures_of(spec_.levels).front()));
         }
         for (auto const measure : {FragilityMeasure::v_wes, FragilityMeasure::ou_v_e}) {
             body.criterion.push_back({measure, study_criterion(statistics_.measured().criterion_trials(
@@ -133,8 +132,7 @@ class Analyst {
         return fit_fragility(data, request);
     }
 
-    [[nodiscard]] MeasuredFragility fragility(std::size_t b, FragilityMeasure measure, bool levels,
-                                              DrawnScores const& scores) const {
+    [[nodiscard]] MeasuredFragility fragility(std::size_t b, FragilityMeasure measure, bool levels) const {
         MeasuredFragility result;
         result.measure = measure;
         result.name = measure == FragilityMeasure::level ? spec_.levels.measure_name()
@@ -142,7 +140,7 @@ class Analyst {
         result.units = units_of(measure, spec_.levels);
         // The level itself, not the scaled wave's peak, which differs from it in the last digit.
         auto const trials = singles(b, levels ? FragilityMeasure::level : measure);
-        result.split = scores.split(trials);
+        result.split = split_by_draws(spec_, b, trials);
         result.drawn = spec_.bodies[b].scattering();
         auto const request = request_of(b, result.split);
         result.fit = levels ? over_levels(b, request) : over_measure(b, measure, request);

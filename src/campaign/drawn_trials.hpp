@@ -1,11 +1,8 @@
 /// What the draws of a body say of its fragility: trials with their scores, and the part of beta that they make.
 #pragma once
 
-#include <cstdint>
-#include <map>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "campaign/campaign_spec.hpp"
 #include "stats/beta_split.hpp"
@@ -13,16 +10,9 @@
 
 namespace overturn {
 
-/// The standard normal scores of what was drawn for one body, by wave; recomputed, as draws are pure functions.
-class DrawnScores {
-  public:
-    DrawnScores(CampaignSpec const& spec, std::size_t body);
-
-    /// Nothing if the body does not scatter, or the trials hold no curve.
-    [[nodiscard]] std::optional<BetaSplit> split(std::span<SingleTrial const> trials) const;
-
-  private:
-    std::map<std::int64_t, std::vector<double>> scores_;
-};
+/// beta_R and beta_U of one body from its trials; the draws are recomputed, as they are pure functions of the wave.
+/// Nothing if the body does not scatter, or the trials hold no curve.
+[[nodiscard]] std::optional<BetaSplit> split_by_draws(CampaignSpec const& spec, std::size_t body,
+                                                      std::span<SingleTrial const> trials);
 
 }  // namespace overturn

@@ -22,7 +22,15 @@ void require(bool sound, std::string const& what) {
     validate(sound, "results file: {} (it is damaged, or not of this program). Run the campaign again", what);
 }
 
-/// Columns of one table, each as long as the campaign has rows.
+// All waves of the campaign, or fewer where it asks to end once it is precise enough.
+std::int64_t waves_done(store::ResultsReader const& file, CampaignSpec const& spec, Plan const& plan) {
+    auto const done = static_cast<std::int64_t>(file.integers("waves/id").size());
+    require(done == plan.waves() || (spec.target.asks() && done > 0 && done < plan.waves()),
+            fmt::format("waves/id has {} rows, the campaign {}", done, plan.waves()));
+    return done;
+}
+
+/// Columns of one table, each as long as there are rows to have.
 class Columns {
   public:
     Columns(store::ResultsReader const& file, std::string table, std::int64_t rows)
@@ -61,8 +69,9 @@ class Columns {
 Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec) {
     Statistics statistics(spec);
     Plan const plan(spec);
-    Columns const waves(file, "waves/", plan.waves());
-    Columns const trials(file, "trials/", plan.trials());
+    auto const done = waves_done(file, spec, plan);
+    Columns const waves(file, "waves/", done);
+    Columns const trials(file, "trials/", done * plan.trials_per_wave());
     auto const failed = waves.integers("failed");
     auto const accepted = waves.integers("accepted");
     auto const id = waves.integers("id");
