@@ -53,7 +53,8 @@ class Columns {
     }
 
   private:
-    template <class Value> std::vector<Value> whole(std::string const& name, std::vector<Value> values) const {
+    template <class Value>
+    [[nodiscard]] std::vector<Value> whole(std::string const& name, std::vector<Value> values) const {
         require(static_cast<std::int64_t>(values.size()) == rows_,
                 fmt::format("{}{} has {} rows, the campaign {}", table_, name, values.size(), rows_));
         return values;
