@@ -167,6 +167,12 @@ Json fragility_json(std::string const& body, MeasuredFragility const& measured, 
     json["probabilities"] = quotes_json(measured);
     json["rank_area"] = number(measured.rank_area);
     json["rank_interval"] = or_null(std::isfinite(measured.rank_area), ends(measured.rank_interval));
+    json["drawn"] = Json::array();
+    for (std::size_t k = 0; measured.split && k < measured.split->per_score.size(); ++k) {
+        json["drawn"].push_back({{"quantity", measured.drawn.at(k)},
+                                 {"log_median_per_deviation", measured.split->per_score[k]},
+                                 {"standard_error", measured.split->per_score_error[k]}});
+    }
     json["band"] = Json::array();
     for (auto const& at : fit.band) {
         json["band"].push_back({{"amplitude", at.intensity},

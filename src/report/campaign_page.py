@@ -166,6 +166,9 @@ class Report:
         fitted = [[f["body"], self.amplitude(f["median"]), self.amplitudes(f["median_interval"], 3),
                    value_of(f["beta"], 3), interval(f["beta_interval"], 3), self.amplitude(f["hclpf"]),
                    self.amplitudes(f.get("hclpf_interval"), 3), ", ".join(f["flags"]) or "none"] for f in fits]
+        split = [[f["body"], value_of(f["beta"], 3), value_of(f["beta_r"], 3), value_of(f["beta_u"], 3),
+                  ", ".join(f"{d['quantity']} {d['log_median_per_deviation']:+.3f} ± {d['standard_error']:.3f}"
+                            for d in f["drawn"])] for f in fits if f["drawn"] and f["identifiable"]]
         quoted = [[f["body"], f"{q['multiple']:g} × {q['of']}", self.amplitude(q["amplitude"]),
                    value_of(q["probability"], 2), value_of(q["lower"], 2), value_of(q["upper"], 2),
                    ", ".join(word for word, said in (("outside the data", q["outside_data"]),
@@ -176,6 +179,8 @@ class Report:
             "fragility", lambda path: fragility_figures.fragility(self.results, self.fits, path),
             "probability of overturning against amplitude"),
             table(["body", "median", "interval", "beta", "interval", "HCLPF", "interval", "flags"], fitted),
+            table(["body", "beta", "beta_R (waves)", "beta_U (body)", "change of ln median per deviation of"], split)
+            if split else "",
             table(["body", "at", "amplitude", "P", "lower", "upper", ""], quoted) if quoted else "",
             paragraphs(warnings, " class=warning"),
             f"<details open><summary>all stripes</summary>{table(head, rows)}</details>")

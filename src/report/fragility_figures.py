@@ -1,7 +1,7 @@
 """Figures of how likely a body is to overturn: fragility, and the energy criterion on trial."""
 
 import style
-from style import BLUE, BODIES, GREY, INK, VERMILION
+from style import BLUE, BODIES, GREY, INK, ORANGE, VERMILION
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -52,10 +52,9 @@ def fragility(results, fits, path):
         if fit and fit["identifiable"]:
             draw_curve(axes, results, fit)
         if fit and fit.get("isotonic"):
-            steps = fit["isotonic"]
-            at, _ = results.in_units([block["from"] for block in steps] + [steps[-1]["to"]])
-            axes.step(at, [block["probability"] for block in steps] + [steps[-1]["probability"]], where="post",
-                      color=GREY, lw=0.8, ls=":", zorder=2)
+            for block in fit["isotonic"]:
+                ends, _ = results.in_units([block["from"], block["to"]])
+                axes.plot(ends, [block["probability"]] * 2, color=ORANGE, lw=1.6, marker="_", ms=9, zorder=2)
         lines = [(results.design_basis(body), "design basis", "-")]
         if fit and fit.get("hclpf"):
             lines.append((fit["hclpf"], "HCLPF", "-."))
@@ -74,7 +73,7 @@ def fragility(results, fits, path):
                Line2D([], [], color=BLUE, label="lognormal fit"),
                Line2D([], [], color=BLUE, ls=(0, (4, 3)), label="beyond the data"),
                Patch(color=BLUE, alpha=0.15, lw=0, label="its band"),
-               Line2D([], [], color=GREY, ls=":", label="isotonic estimate")]
+               Line2D([], [], color=ORANGE, lw=1.6, marker="_", ms=9, label="isotonic estimate")]
     panels[0][-1].legend(handles=handles, loc="center left", bbox_to_anchor=(1.02, 0.5))
     style.save(figure, path)
 

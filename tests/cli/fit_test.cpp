@@ -132,5 +132,37 @@ TEST_F(Fit, ResultsFile) {
     EXPECT_EQ(over_levels["probabilities"][0]["trials"], 20);
 }
 
+/// Type B's restitution is drawn, type A is known exactly: beta^2 = beta_R^2 + beta_U^2, and HCLPF takes them apart.
+TEST_F(Fit, TellsWhatTheBodyAddsToBeta) {
+    folder.write("target.csv", target_csv);
+    folder.write("c.toml", small_campaign("shared", 40));
+    ASSERT_EQ(
+        overturn(folder, {"run", "c.toml", "--set", "levels.values=['600 gal','900 gal','1200 gal','1600 gal']"}).code,
+        0);
+    auto const fit = json::parse(overturn(folder, {"fit", "c.h5", "--json"}).out);
+    int drawn = 0;
+    for (auto const& curve : fit["fragility"]) {
+        if (!curve["identifiable"].get<bool>()) {
+            continue;
+        }
+        double const r = curve["beta_r"];
+        double const u = curve["beta_u"];
+        double const beta = curve["beta"];
+        EXPECT_NEAR(curve["hclpf"].get<double>() / (curve["median"].get<double>() * std::exp(-1.645 * (r + u))), 1,
+                    1e-3);
+        if (curve["body"] == "type-a" || curve["drawn"].empty()) {
+            EXPECT_TRUE(curve["drawn"].empty());
+            EXPECT_EQ(u, 0);
+            EXPECT_EQ(r, beta);
+            continue;
+        }
+        ++drawn;
+        EXPECT_NEAR(std::hypot(r, u), std::max(beta, u), 1e-12);
+        EXPECT_EQ(curve["drawn"][0]["quantity"], "restitution");
+        EXPECT_LT(curve["drawn"][0]["log_median_per_deviation"].get<double>(), 0) << "livelier bodies fall earlier";
+    }
+    EXPECT_GT(drawn, 0);
+}
+
 }  // namespace
 }  // namespace overturn::testing
