@@ -94,7 +94,7 @@ void gains(benchmark::State& state) {
     std::vector<double> const wanted(periods.size(), 1.01);
     for ([[maybe_unused]] auto _ : state) {
         auto lines = parts.lines;
-        step.apply(lines, swings, ones, wanted);
+        step.apply(lines, swings, ones, wanted, LineGains::Trust::much);
         benchmark::DoNotOptimize(lines.data());
     }
     count(state, static_cast<double>(state.iterations()));
