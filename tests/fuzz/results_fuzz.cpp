@@ -1,4 +1,4 @@
-// Requirement: whatever bytes a results file or a block holds, it is read or refused with InputError or SystemError.
+// Requirement: whatever bytes a results file holds, it is read or refused with InputError or SystemError.
 #include <cstdio>
 #include <cstdlib>
 
