@@ -169,7 +169,7 @@ class Report:
         split = [[f["body"], value_of(f["beta"], 3), value_of(f["beta_r"], 3), value_of(f["beta_u"], 3),
                   ", ".join(f"{d['quantity']} {d['log_median_per_deviation']:+.3f} ± {d['standard_error']:.3f}"
                             for d in f["drawn"])] for f in fits if f["drawn"] and f["identifiable"]]
-        quoted = [[f["body"], f"{q['multiple']:g} × {q['of']}", self.amplitude(q["amplitude"]),
+        quoted = [[f["body"], f"{q['multiple']:.3g} × {q['of']}", self.amplitude(q["amplitude"]),
                    value_of(q["probability"], 2), value_of(q["lower"], 2), value_of(q["upper"], 2),
                    ", ".join(word for word, said in (("outside the data", q["outside_data"]),
                                                      ("tail: likely too low", q["in_tail"])) if said)]

@@ -1,7 +1,7 @@
 """Figures of how likely a body is to overturn: fragility, and the energy criterion on trial."""
 
 import style
-from style import BLUE, BODIES, GREY, INK, ORANGE, VERMILION
+from style import BLUE, BODIES, GREY, INK, ORANGE, PURPLE, VERMILION
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -87,13 +87,14 @@ def criterion(results, body, path):
     """V_resp against V_WES, the paper's figure 12: where the criterion is wrong, and on which side."""
     style.use()
     figure, (left, right) = plt.subplots(1, 2, figsize=(6.8, 3.2), layout="constrained")
-    moved = ~(body.verdict("at-rest") | body.verdict("failed"))
+    lost = body.verdict("contact-lost")  # no verdict: neither stood nor fell
+    moved = ~(body.verdict("at-rest") | body.verdict("failed") | lost)
     limit = body.trials("v_ereq")
     ratio, response = body.trials("v_wes") / limit, body.trials("v_resp") / limit
     slipped = body.trials("peak_slip") > 0
     fell = body.verdict("overturned")
     kinds = [("stood", moved & ~fell & ~slipped, BLUE, "o"), ("stood, slipped", moved & ~fell & slipped,
-             style.GREEN, "^"), ("overturned", fell, VERMILION, "x")]
+             style.GREEN, "^"), ("overturned", fell, VERMILION, "x"), ("contact lost", lost, PURPLE, "v")]
     for label, which, colour, marker in kinds:
         at = np.flatnonzero(which)
         at = at[sample(len(at))] if len(at) else at
