@@ -24,6 +24,7 @@ The result:    $result (statistics, every trial, the campaign itself)
 How it ran:    ${result%.h5}.runtime.json
 Try next, in that folder:
   $overturn fit $result
+  $overturn report $result -o .build/quickstart.html      # needs python3-matplotlib and python3-h5py
   $overturn replay $result --trial 118 --history .build/trial.csv
   $overturn wave campaigns/quickstart.toml --wave 7 -o .build/wave.csv
 END
