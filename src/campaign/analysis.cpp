@@ -93,12 +93,15 @@ class Analyst {
     }
 
     /// At the levels' measure the trials are stripes; their waves are known for the bootstrap.
-    [[nodiscard]] FragilityFit over_levels(std::size_t b) const { return over_levels(b, request_of(b, {})); }
+    [[nodiscard]] FragilityFit over_levels(std::size_t b) const {
+        return over_levels(b, singles(b, FragilityMeasure::level), request_of(b, {}));
+    }
 
   private:
-    [[nodiscard]] FragilityFit over_levels(std::size_t b, FragilityRequest request) const {
+    [[nodiscard]] FragilityFit over_levels(std::size_t b, std::vector<SingleTrial> trials,
+                                           FragilityRequest request) const {
         auto data = FragilityData::of_stripes(statistics_.bodies()[b].stripes);
-        data.trials = singles(b, FragilityMeasure::level);
+        data.trials = std::move(trials);
         data.waves_shared = shared();
         data.waves_left_out = statistics_.measured().passed_by() > 0;
         request.quotes = quotes_of(spec_.levels);
@@ -122,11 +125,12 @@ class Analyst {
         return statistics_.measured().singles(static_cast<std::int64_t>(b), measure);
     }
 
-    [[nodiscard]] FragilityFit over_measure(std::size_t b, FragilityMeasure measure, FragilityRequest request) const {
+    [[nodiscard]] FragilityFit over_measure(std::size_t b, FragilityMeasure measure, std::vector<SingleTrial> trials,
+                                            FragilityRequest request) const {
         if (measure == FragilityMeasure::v_wes_ratio) {
             request.quotes = {{1, 1}};
         }
-        auto data = FragilityData::of_trials(singles(b, measure), shared(),
+        auto data = FragilityData::of_trials(std::move(trials), shared(),
                                              statistics_.measured().left_out(static_cast<std::int64_t>(b), measure));
         data.waves_left_out = statistics_.measured().passed_by() > 0;
         return fit_fragility(data, request);
@@ -139,18 +143,19 @@ class Analyst {
                                                          : fragility_measure_names()[static_cast<std::size_t>(measure)];
         result.units = units_of(measure, spec_.levels);
         // The level itself, not the scaled wave's peak, which differs from it in the last digit.
-        auto const trials = singles(b, levels ? FragilityMeasure::level : measure);
+        auto trials = singles(b, levels ? FragilityMeasure::level : measure);
         result.split = split_by_draws(spec_, b, trials);
         result.drawn = spec_.bodies[b].scattering();
-        auto const request = request_of(b, result.split);
-        result.fit = levels ? over_levels(b, request) : over_measure(b, measure, request);
-        if (!result.fit.quotes.empty()) {
-            result.quote_base = levels ? "design-basis" : "v_ereq";
-        }
         constexpr int rank_replicates = 200;
         result.rank_area = rank_area(trials);
         result.rank_interval =
             middle_of(rank_area_replicates(trials, {spec_.seed, b, rank_replicates}), options_.confidence, {0, 1});
+        auto const request = request_of(b, result.split);
+        result.fit =
+            levels ? over_levels(b, std::move(trials), request) : over_measure(b, measure, std::move(trials), request);
+        if (!result.fit.quotes.empty()) {
+            result.quote_base = levels ? "design-basis" : "v_ereq";
+        }
         return result;
     }
 

@@ -180,6 +180,13 @@ BodySpec read_stated(Table const& table, std::string name) {
     return spec;
 }
 
+// What may scatter, by its key.
+constexpr std::array quantities{
+    std::pair{"mass", &BodyScatter::mass}, std::pair{"centre_height", &BodyScatter::centre_height},
+    std::pair{"restitution", &BodyScatter::restitution}, std::pair{"friction", &BodyScatter::friction}};
+
+bool scatters(std::optional<Distribution> const& quantity) { return quantity && quantity->scatters(); }
+
 double drawn(std::optional<Distribution> const& quantity, DrawnFor const& wave, Purpose purpose, std::uint64_t index) {
     return quantity->scatters() ? quantity->quantile(uniform_for(wave, purpose, index)) : quantity->centre();
 }
@@ -203,28 +210,24 @@ BodySpec read_body(Table const& table, InputFiles& files) {
 }
 
 std::vector<std::string> BodySpec::scattering() const {
-    std::vector<std::string> names;
-    for (auto const& [key, quantity] :
-         {std::pair{"mass", &scatter.mass}, std::pair{"centre_height", &scatter.centre_height},
-          std::pair{"restitution", &scatter.restitution}, std::pair{"friction", &scatter.friction}}) {
-        if (*quantity && (*quantity)->scatters()) {
-            names.emplace_back(key);
+    std::vector<std::string> keys;
+    for (auto const& [key, quantity] : quantities) {
+        if (scatters(scatter.*quantity)) {
+            keys.emplace_back(key);
         }
     }
-    return names;
+    return keys;
 }
 
 std::vector<double> BodySpec::scores(DrawnBody const& drawn) const {
-    // As stated, that is before the similarity law, which multiplies.
-    double const mass = stated.mass_kg * (drawn.body.mass_kg() / body.mass_kg());
-    double const height = stated.centre_height_m * (drawn.body.centre_height_m() / body.centre_height_m());
-    double const held = drawn.friction ? drawn.friction->static_coefficient : 0;
+    // As stated, that is before the similarity law, which multiplies; in the order of `quantities`.
+    std::array const values{stated.mass_kg * (drawn.body.mass_kg() / body.mass_kg()),
+                            stated.centre_height_m * (drawn.body.centre_height_m() / body.centre_height_m()),
+                            drawn.body.restitution(), drawn.friction ? drawn.friction->static_coefficient : 0};
     std::vector<double> scores;
-    for (auto const& [quantity, value] :
-         {std::pair{&scatter.mass, mass}, std::pair{&scatter.centre_height, height},
-          std::pair{&scatter.restitution, drawn.body.restitution()}, std::pair{&scatter.friction, held}}) {
-        if (*quantity && (*quantity)->scatters()) {
-            scores.push_back((*quantity)->score(value));
+    for (std::size_t k = 0; k < quantities.size(); ++k) {
+        if (auto const& quantity = scatter.*quantities[k].second; scatters(quantity)) {
+            scores.push_back(quantity->score(values[k]));
         }
     }
     return scores;
@@ -243,7 +246,7 @@ DrawnBody BodySpec::for_wave(DrawnFor const& wave, std::uint64_t index) const {
         input.restitution = drawn(scatter.restitution, wave, Purpose::restitution_scatter, index);
     }
     one.body = scaled(input, scaling);
-    if (scatter.friction && scatter.friction->scatters()) {
+    if (scatters(scatter.friction)) {
         double const mu = drawn(scatter.friction, wave, Purpose::friction_scatter, index);
         one.friction = Friction{mu, mu * (friction->kinetic_coefficient / friction->static_coefficient)};
     }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/results.hpp"
+#include "campaign/runtime_file.hpp"
 #include "cli/figures.hpp"
 #include "cli/fit_json.hpp"
 #include "cli/verbs.hpp"
@@ -94,20 +95,11 @@ Json cost_of(fs::path path) {
     lines.push_back(fmt::format("Took {:.3g} s on {} ranks, {:.3g} trials a second (beside the results, in {}).",
                                 runtime.value("wall_s", 0.0), runtime["ranks"].size(),
                                 runtime.value("trials_per_s", 0.0), path.filename().string()));
-    for (auto const& rung : rung_names()) {
-        std::int64_t trials = 0;
-        double seconds = 0;
-        for (auto const& rank : runtime["ranks"]) {
-            auto const& cost = rank.at("rungs").at(rung);
-            trials += cost.at("trials").get<std::int64_t>();
-            seconds += cost.at("seconds").get<double>();
-        }
-        if (trials > 0) {
-            constexpr double micro = 1e6;
-            lines.push_back(fmt::format("{}: {} trials, {:.3g} us each", rung, trials,
-                                        micro * seconds / static_cast<double>(trials)));
-        }
+    std::vector<std::string> ranks;
+    for (auto const& rank : runtime["ranks"]) {
+        ranks.push_back(rank.dump());
     }
+    lines.push_back(rung_costs(sum_of_rungs(ranks)));
     return lines;
 }
 

@@ -1,6 +1,7 @@
 """The report of a campaign: one page that needs no network, and the same figures and tables as files.
 
-Arguments: data.json (file, bodies, fit, waves, facts, runtime, figures), page.html."""
+Arguments: data.json (file, figures, bodies, fit, facts, waves, wave_notes, cost), page.html. Without a folder of their
+own the figures pass through that of data.json."""
 
 import csv
 import html
@@ -8,7 +9,6 @@ import json
 import os
 import re
 import sys
-import tempfile
 
 import fragility_figures
 import trial_figures
@@ -51,11 +51,11 @@ def paragraphs(lines, kind=""):
 
 
 class Report:
-    def __init__(self, data):
+    def __init__(self, data, scratch):
         self.data, self.fit = data, data["fit"]
         self.results = Results(data["file"], data["bodies"])
         self.fits = {(fit["body"], fit["measure"]): fit for fit in self.fit["fragility"]}
-        self.folder = data["figures"] or tempfile.mkdtemp(prefix="overturn-report-")
+        self.folder = data["figures"] or scratch
         self.keep = bool(data["figures"])
         self.sections, self.contents = [], []
 
@@ -68,8 +68,6 @@ class Report:
             draw(os.path.join(self.folder, name + ".png"))
         with open(path, encoding="utf-8") as file:
             svg = file.read()
-        if not self.keep:
-            os.remove(path)
         width = float(re.search(r'width="([0-9.]+)pt"', svg).group(1))
         svg = svg[svg.index("<svg"):].replace(
             "<svg", f'<svg role="img" aria-label="{escape(alt)}" style="width:{SCALE * width:.0f}pt"', 1)
@@ -239,11 +237,9 @@ class Report:
 
 if __name__ == "__main__":
     with open(sys.argv[1], encoding="utf-8") as source:
-        report = Report(json.load(source))
+        report = Report(json.load(source), os.path.dirname(sys.argv[1]))
     if report.keep:
         os.makedirs(report.folder, exist_ok=True)
     text = report.page()
-    if not report.keep:
-        os.rmdir(report.folder)
     with open(sys.argv[2], "w", encoding="utf-8") as page:
         page.write(text)
