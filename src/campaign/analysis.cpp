@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+
 #include "campaign/drawn_trials.hpp"
 #include "stats/quantile.hpp"
 #include "stats/rank.hpp"
@@ -11,16 +13,32 @@ namespace overturn {
 namespace {
 
 // The levels' own measure comes first; levels of a measure that no fit has by itself add one.
-std::vector<FragilityMeasure> measures_of(LevelSpec const& levels) {
+std::vector<FragilityMeasure> measures_of(CampaignSpec const& spec) {
     using enum FragilityMeasure;
-    switch (levels.measure) {
+    std::vector<FragilityMeasure> measures;
+    switch (spec.levels.measure) {
         case LevelMeasure::pga:
-            return {pga, pgv, v_wes, ou_v_e, v_wes_ratio};
+            measures = {pga, pgv};
+            break;
         case LevelMeasure::pgv:
-            return {pgv, pga, v_wes, ou_v_e, v_wes_ratio};
+            measures = {pgv, pga};
+            break;
         default:
-            return {level, pga, pgv, v_wes, ou_v_e, v_wes_ratio};
+            measures = {level, pga, pgv};
     }
+    measures.insert(measures.end(), {v_wes, ou_v_e, v_wes_ratio});
+    if (spec.measures.both_radius_units) {
+        measures.insert(measures.end(), {v_wes_other_unit, ou_v_e_other_unit});
+    }
+    return measures;
+}
+
+std::vector<FragilityMeasure> criteria_of(CampaignSpec const& spec) {
+    using enum FragilityMeasure;
+    if (spec.measures.both_radius_units) {
+        return {v_wes, ou_v_e, v_wes_other_unit, ou_v_e_other_unit};
+    }
+    return {v_wes, ou_v_e};
 }
 
 std::string units_of(FragilityMeasure measure, LevelSpec const& levels) {
@@ -80,14 +98,18 @@ class Analyst {
     [[nodiscard]] BodyAnalysis of(std::size_t b) const {
         BodyAnalysis body;
         body.body = spec_.bodies[b].name;
-        for (auto const measure : measures_of(spec_.levels)) {
-            body.fragility.push_back(fragility(b, measure, measure == measures_of(spec_.levels).front()));
+        auto const measures = measures_of(spec_);
+        for (auto const measure : measures) {
+            body.fragility.push_back(fragility(b, measure, measure == measures.front()));
         }
-        for (auto const measure : {FragilityMeasure::v_wes, FragilityMeasure::ou_v_e}) {
-            body.criterion.push_back({measure, study_criterion(statistics_.measured().criterion_trials(
-                                                                   static_cast<std::int64_t>(b), measure),
-                                                               options_.confidence)});
+        for (auto const measure : criteria_of(spec_)) {
+            auto const unit = is_other_unit(measure) ? other(spec_.measures.radius_unit) : spec_.measures.radius_unit;
+            body.criterion.push_back(
+                {measure, unit,
+                 study_criterion(statistics_.measured().criterion_trials(static_cast<std::int64_t>(b), measure),
+                                 options_.confidence)});
         }
+        body.response = response_bins(statistics_.measured().responses(static_cast<std::int64_t>(b)));
         body.verdict = verdict_on(body, options_.confidence);
         return body;
     }
@@ -136,11 +158,20 @@ class Analyst {
         return fit_fragility(data, request);
     }
 
+    [[nodiscard]] std::string label_of(FragilityMeasure measure, std::string const& name) const {
+        if (!is_other_unit(measure)) {
+            return name;
+        }
+        auto const* const plain = measure == FragilityMeasure::v_wes_other_unit ? "v_wes" : "ou_v_e";
+        return fmt::format("{}(R in {})", plain, name_of(other(spec_.measures.radius_unit)));
+    }
+
     [[nodiscard]] MeasuredFragility fragility(std::size_t b, FragilityMeasure measure, bool levels) const {
         MeasuredFragility result;
         result.measure = measure;
         result.name = measure == FragilityMeasure::level ? spec_.levels.measure_name()
                                                          : fragility_measure_names()[static_cast<std::size_t>(measure)];
+        result.label = label_of(measure, result.name);
         result.units = units_of(measure, spec_.levels);
         // The level itself, not the scaled wave's peak, which differs from it in the last digit.
         auto trials = singles(b, levels ? FragilityMeasure::level : measure);

@@ -19,6 +19,7 @@ namespace overturn {
 struct MeasuredFragility {
     FragilityMeasure measure = FragilityMeasure::pga;
     std::string name;        ///< of the measure
+    std::string label;       ///< the same, for people
     std::string units;       ///< of the measure
     std::string quote_base;  ///< what quoted multiples are of: "design-basis", "v_ereq"; empty without quotes
     FragilityFit fit;
@@ -31,6 +32,7 @@ struct MeasuredFragility {
 /// One criterion of one body, measure < V_Ereq.
 struct MeasuredCriterion {
     FragilityMeasure measure = FragilityMeasure::v_wes;
+    RadiusUnit radius_unit = RadiusUnit::centimetre;  ///< what R of T0 and T1 was taken in
     CriterionStudy study;
 };
 
@@ -43,6 +45,7 @@ struct BodyAnalysis {
     std::string body;
     std::vector<MeasuredFragility> fragility;
     std::vector<MeasuredCriterion> criterion;
+    std::vector<ResponseBin> response;  ///< V_resp over V_WES
     CriterionVerdict verdict;
 
     /// The fit over the levels' own measure.

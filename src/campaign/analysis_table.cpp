@@ -15,17 +15,17 @@ std::string ends_text(Interval const& interval) {
 }
 
 std::string measure_text(MeasuredFragility const& m) {
-    return m.units == "1" ? m.name : fmt::format("{} {}", m.name, m.units);
+    return m.units == "1" ? m.label : fmt::format("{} {}", m.label, m.units);
 }
 
 std::string fit_line(MeasuredFragility const& m) {
     auto const rank = std::isnan(m.rank_area) ? std::string("-") : fmt::format("{:.3f}", m.rank_area);
     if (!m.fit.identifiable()) {
-        return fmt::format("{:>14} {:>50}  {:>5}\n", measure_text(m), "no curve: " + name_of(m.fit.state), rank);
+        return fmt::format("{:>20} {:>50}  {:>5}\n", measure_text(m), "no curve: " + name_of(m.fit.state), rank);
     }
     auto const& line = *m.fit.line;
     auto const& ends = m.fit.intervals();
-    return fmt::format("{:>14} {:>9.4g} {:>18} {:>6.3f} {:>17} {:>8.4g}  {:>5}  {}\n", measure_text(m),
+    return fmt::format("{:>20} {:>9.4g} {:>18} {:>6.3f} {:>17} {:>8.4g}  {:>5}  {}\n", measure_text(m),
                        std::exp(line.log_median()), ends_text(ends.median), line.beta(), ends_text(ends.beta),
                        m.fit.hclpf(), rank, fmt::join(names_of(m.fit.flags), " "));
 }
@@ -71,8 +71,10 @@ std::string share_line(char const* what, Share const& share) {
 
 std::string criterion_text(MeasuredCriterion const& criterion) {
     auto const& s = criterion.study;
-    auto text = fmt::format("  criterion {} < v_ereq\n",
-                            fragility_measure_names()[static_cast<std::size_t>(criterion.measure)]);
+    bool const akiyama =
+        criterion.measure == FragilityMeasure::ou_v_e || criterion.measure == FragilityMeasure::ou_v_e_other_unit;
+    auto text = fmt::format("  criterion {} < v_ereq, R of T0 and T1 in {}\n", akiyama ? "ou_v_e" : "v_wes",
+                            name_of(criterion.radius_unit));
     text += share_line("said safe, overturned", s.safe_but_overturned);
     text += share_line("waves with such a trial", s.waves_safe_but_overturned);
     text += share_line("said unsafe, stood", s.unsafe_but_stood);
@@ -83,6 +85,25 @@ std::string criterion_text(MeasuredCriterion const& criterion) {
         };
         text += line("at overturning, trials", *s.at_overturning);
         text += line("at the first overturning, waves", *s.first_overturning);
+    }
+    return text;
+}
+
+std::string response_text(std::vector<ResponseBin> const& bins) {
+    if (bins.empty()) {
+        return {};
+    }
+    auto const spread = [](std::optional<RatioQuantiles> const& q) {
+        return q ? fmt::format("{:.3f} {:.3f} {:.3f} ({})", q->p05, q->median, q->p95, q->count) : std::string("-");
+    };
+    auto text = fmt::format(
+        "  V_resp / V_Ereq of what moved and stood: 5 %, median, 95 % (trials)\n  {:>16} {:>30} {:>30} {:>11}\n",
+        "V_WES / V_Ereq", "without slip", "with slip", "overturned");
+    for (auto const& bin : bins) {
+        auto const range = std::isfinite(bin.to) ? fmt::format("{:.2f} to {:.2f}", bin.from, bin.to)
+                                                 : fmt::format("{:.2f} and above", bin.from);
+        text += fmt::format("  {:>16} {:>30} {:>30} {:>11}\n", range, spread(bin.without_slip), spread(bin.with_slip),
+                            bin.overturned);
     }
     return text;
 }
@@ -103,7 +124,7 @@ std::string verdict_text(CriterionVerdict const& verdict) {
 }  // namespace
 
 std::string fragility_table(std::vector<MeasuredFragility> const& fits, double confidence) {
-    std::string text = fmt::format("{:>14} {:>9} {:>18} {:>6} {:>17} {:>8}  {:>5}\n", "fragility", "median",
+    std::string text = fmt::format("{:>20} {:>9} {:>18} {:>6} {:>17} {:>8}  {:>5}\n", "fragility", "median",
                                    fmt::format("{:g} %", 100 * confidence), "beta",
                                    fmt::format("{:g} %", 100 * confidence), "HCLPF", "rank");
     for (auto const& m : fits) {
@@ -133,6 +154,7 @@ std::string analysis_table(std::vector<BodyAnalysis> const& bodies, double confi
         for (auto const& criterion : body.criterion) {
             text += criterion_text(criterion);
         }
+        text += response_text(body.response);
         text += verdict_text(body.verdict);
     }
     return text;

@@ -57,6 +57,16 @@ void judge_price(CriterionVerdict& verdict, CriterionStudy const& study, double 
     }
 }
 
+// T0 and T1 with R in the other unit: the sources do not print which is meant, so what it decides is said.
+void judge_unit(CriterionVerdict& verdict, MeasuredCriterion const& criterion) {
+    auto const& share = criterion.study.safe_but_overturned;
+    if (share.of > 0) {
+        verdict.open.push_back(fmt::format(
+            "unit of R: with R in {} in T0 and T1, {} of {} trials that V_WES < V_Ereq calls safe overturned",
+            name_of(criterion.radius_unit), share.count, share.of));
+    }
+}
+
 bool is_v_wes(MeasuredFragility const& m) { return m.measure == FragilityMeasure::v_wes; }
 
 // V_WES against PGA, PGV and ouV_E: is anything simpler at least as good?
@@ -76,7 +86,7 @@ void compare_dispersion(CriterionVerdict& verdict, BodyAnalysis const& body) {
         bool const worse = other.fit.intervals().beta.upper < beta;
         auto& list = better ? verdict.supports : worse ? verdict.against : verdict.open;
         list.push_back(fmt::format("dispersion: beta is {:.3g} over V_WES and {:.3g} over {}{}", beta, theirs,
-                                   other.name,
+                                   other.label,
                                    better || worse ? "" : " (no difference beyond what the sample leaves open)"));
     }
 }
@@ -94,7 +104,7 @@ void compare_rank(CriterionVerdict& verdict, BodyAnalysis const& body) {
         bool const worse = other.rank_interval.lower > own->rank_area;
         auto& list = better ? verdict.supports : worse ? verdict.against : verdict.open;
         list.push_back(fmt::format("rank: V_WES puts what overturned above what stood in {} of pairs, {} in {}{}",
-                                   percent(own->rank_area), other.name, percent(other.rank_area),
+                                   percent(own->rank_area), other.label, percent(other.rank_area),
                                    better || worse ? "" : " (no difference beyond what the sample leaves open)"));
     }
 }
@@ -107,6 +117,8 @@ CriterionVerdict verdict_on(BodyAnalysis const& body, double confidence) {
         if (criterion.measure == FragilityMeasure::v_wes) {
             judge_safety(verdict, criterion.study, confidence);
             judge_price(verdict, criterion.study, confidence);
+        } else if (criterion.measure == FragilityMeasure::v_wes_other_unit) {
+            judge_unit(verdict, criterion);
         }
     }
     compare_dispersion(verdict, body);

@@ -63,6 +63,7 @@ MeasureSpec read_measures(Table const& table) {
         config::Entry<WindowReading>{"running", "energy that running oscillators gain over the window",
                                      WindowReading::running}};
     m.radius_unit = table.choice<RadiusUnit>("radius_unit", units, m.radius_unit);
+    m.both_radius_units = table.boolean("both_radius_units", m.both_radius_units);
     m.window = table.choice<WindowReading>("window", readings, m.window);
     table.finish();
     return m;

@@ -21,6 +21,7 @@ namespace overturn {
 /// How the energy measures are read; an option because the original's unit of R is not printed.
 struct MeasureSpec {
     RadiusUnit radius_unit = RadiusUnit::centimetre;
+    bool both_radius_units = false;  ///< measure with the other unit too, to compare
     WindowReading window = WindowReading::restarted;
     double panel_phase_rad = WindowOptions{}.panel_phase_rad;
 };

@@ -1,10 +1,14 @@
 #include "campaign/measured_trials.hpp"
 
+#include <algorithm>
+
 #include "rocking/planar_rocking.hpp"
 
 namespace overturn {
 
-std::vector<std::string> fragility_measure_names() { return {"pga", "pgv", "v_wes", "ou_v_e", "v_wes_ratio", "level"}; }
+std::vector<std::string> fragility_measure_names() {
+    return {"pga", "pgv", "v_wes", "ou_v_e", "v_wes_ratio", "level", "v_wes_other_unit", "ou_v_e_other_unit"};
+}
 
 namespace {
 
@@ -12,10 +16,18 @@ constexpr std::size_t most_trials = 1'000'000;
 
 }  // namespace
 
-void MeasuredTrials::add(WaveRow const& row) {
-    if (trials_.size() < most_trials) {
-        waves_.insert_or_assign(row.id, Peaks{row.pga_mps2, row.pgv_mps});
+void MeasuredTrials::add(WaveRow const& row, std::span<MeasureRow const> measures) {
+    if (trials_.size() >= most_trials) {
+        return;
     }
+    Peaks peaks{row.pga_mps2, row.pgv_mps, {}};
+    auto const asked = [](MeasureRow const& body) { return body.other_unit_v_wes_max_mps >= 0; };
+    if (std::any_of(measures.begin(), measures.end(), asked)) {
+        for (auto const& body : measures) {
+            peaks.other_unit.push_back({body.other_unit_v_wes_max_mps, body.other_unit_ou_v_e_mps});
+        }
+    }
+    waves_.insert_or_assign(row.id, std::move(peaks));
 }
 
 void MeasuredTrials::add(TrialRow const& row) {
@@ -26,10 +38,24 @@ void MeasuredTrials::add(TrialRow const& row) {
         return;
     }
     auto const verdict = static_cast<Verdict>(row.verdict);
-    trials_.push_back({row.wave, static_cast<std::int32_t>(row.body),
-                       verdict != Verdict::failed && verdict != Verdict::contact_lost, verdict == Verdict::overturned,
-                       row.amplitude, row.scale * wave->second.pga_mps2, row.scale * wave->second.pgv_mps,
-                       row.v_wes_mps, row.ou_v_e_mps, row.v_ereq_mps});
+    auto const& peaks = wave->second;
+    auto const other = peaks.other_unit.empty() ? OtherUnit{} : peaks.other_unit.at(static_cast<std::size_t>(row.body));
+    Trial trial{};
+    trial.wave = row.wave;
+    trial.body = static_cast<std::int32_t>(row.body);
+    trial.decided = verdict != Verdict::failed && verdict != Verdict::contact_lost;
+    trial.overturned = verdict == Verdict::overturned;
+    trial.moved = verdict != Verdict::at_rest;
+    trial.slipped = row.peak_slip_m > 0;
+    trial.amplitude = row.amplitude;
+    trial.pga_mps2 = row.scale * peaks.pga_mps2;
+    trial.pgv_mps = row.scale * peaks.pgv_mps;
+    trial.v_wes_mps = row.v_wes_mps;
+    trial.ou_v_e_mps = row.ou_v_e_mps;
+    trial.v_ereq_mps = row.v_ereq_mps;
+    trial.v_resp_mps = row.v_resp_mps;
+    trial.other_unit = {row.scale * other.v_wes_mps, row.scale * other.ou_v_e_mps};
+    trials_.push_back(trial);
 }
 
 double MeasuredTrials::Trial::value(FragilityMeasure measure) const {
@@ -44,6 +70,10 @@ double MeasuredTrials::Trial::value(FragilityMeasure measure) const {
             return ou_v_e_mps;
         case FragilityMeasure::v_wes_ratio:
             return v_wes_mps / v_ereq_mps;
+        case FragilityMeasure::v_wes_other_unit:
+            return other_unit.v_wes_mps;
+        case FragilityMeasure::ou_v_e_other_unit:
+            return other_unit.ou_v_e_mps;
         case FragilityMeasure::level:
             break;
     }
@@ -75,6 +105,18 @@ std::vector<CriterionTrial> MeasuredTrials::criterion_trials(std::int64_t body, 
     for (auto const& trial : trials_) {
         if (trial.body == body && trial.decided) {
             list.push_back({trial.value(measure) / trial.v_ereq_mps, trial.wave, trial.overturned});
+        }
+    }
+    return list;
+}
+
+std::vector<ResponseTrial> MeasuredTrials::responses(std::int64_t body) const {
+    std::vector<ResponseTrial> list;
+    list.reserve(trials_.size());
+    for (auto const& trial : trials_) {
+        if (trial.body == body && trial.decided && trial.moved) {
+            list.push_back({trial.v_wes_mps / trial.v_ereq_mps, trial.v_resp_mps / trial.v_ereq_mps, trial.slipped,
+                            trial.overturned});
         }
     }
     return list;

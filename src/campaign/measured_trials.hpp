@@ -3,27 +3,43 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "campaign/rows.hpp"
 #include "stats/criterion.hpp"
 #include "stats/fragility_data.hpp"
+#include "stats/response_bins.hpp"
 
 namespace overturn {
 
 /// What a fragility can be drawn over.
-enum class FragilityMeasure : std::int64_t { pga = 0, pgv = 1, v_wes = 2, ou_v_e = 3, v_wes_ratio = 4, level = 5 };
-inline constexpr std::size_t fragility_measures = 6;
+enum class FragilityMeasure : std::int64_t {
+    pga = 0,
+    pgv = 1,
+    v_wes = 2,
+    ou_v_e = 3,
+    v_wes_ratio = 4,
+    level = 5,
+    v_wes_other_unit = 6,  ///< R of T0 and T1 in the unit that the campaign does not name
+    ou_v_e_other_unit = 7
+};
 
-/// "pga", "pgv", "v_wes", "ou_v_e", "v_wes_ratio"; "level" for a level measure that is none of these (pgd, factor).
+/// "pga", "pgv", "v_wes", "ou_v_e", "v_wes_ratio"; "level" for a level measure that is none of these (pgd, factor);
+/// "v_wes_other_unit", "ou_v_e_other_unit".
 [[nodiscard]] std::vector<std::string> fragility_measure_names();
+
+[[nodiscard]] constexpr bool is_other_unit(FragilityMeasure measure) {
+    return measure == FragilityMeasure::v_wes_other_unit || measure == FragilityMeasure::ou_v_e_other_unit;
+}
 
 /// Holds the first trials, whole waves of them, until there are a million: what they say of a measure's curve is then
 /// known to a fraction of a per cent, and a campaign of any size is merged in bounded memory and time.
 class MeasuredTrials {
   public:
-    void add(WaveRow const& row);
+    /// \param measures one per body
+    void add(WaveRow const& row, std::span<MeasureRow const> measures);
     /// Ignored if the trial's wave was not added before, or no more are held.
     void add(TrialRow const& row);
 
@@ -35,16 +51,23 @@ class MeasuredTrials {
     [[nodiscard]] std::int64_t left_out(std::int64_t body, FragilityMeasure measure) const;
     /// As the criteria V_WES < V_Ereq and ouV_E < V_Ereq saw the decided trials.
     [[nodiscard]] std::vector<CriterionTrial> criterion_trials(std::int64_t body, FragilityMeasure measure) const;
+    /// The decided trials of a body that moved: what it did with what it was offered.
+    [[nodiscard]] std::vector<ResponseTrial> responses(std::int64_t body) const;
 
   private:
+    struct OtherUnit {
+        double v_wes_mps, ou_v_e_mps;
+    };
     struct Peaks {
         double pga_mps2, pgv_mps;
+        std::vector<OtherUnit> other_unit;  ///< one per body; empty where not asked for
     };
     struct Trial {
         std::int64_t wave;
         std::int32_t body;
-        bool decided, overturned;
-        double amplitude, pga_mps2, pgv_mps, v_wes_mps, ou_v_e_mps, v_ereq_mps;
+        bool decided, overturned, moved, slipped;
+        double amplitude, pga_mps2, pgv_mps, v_wes_mps, ou_v_e_mps, v_ereq_mps, v_resp_mps;
+        OtherUnit other_unit;
 
         [[nodiscard]] double value(FragilityMeasure measure) const;
     };

@@ -65,6 +65,23 @@ class Columns {
     std::int64_t rows_;
 };
 
+// What the statistics ask of /waves/<body>, body by body for each wave.
+std::vector<MeasureRow> stored_measures(store::ResultsReader const& file, CampaignSpec const& spec,
+                                        std::int64_t waves) {
+    auto const bodies = spec.bodies.size();
+    std::vector<MeasureRow> rows(static_cast<std::size_t>(waves) * bodies);
+    for (std::size_t b = 0; spec.measures.both_radius_units && b < bodies; ++b) {
+        Columns const columns(file, "waves/" + spec.bodies[b].name + "/", waves);
+        auto const v_wes = columns.reals("v_wes_other_unit");
+        auto const ou_v_e = columns.reals("ou_v_e_other_unit");
+        for (std::size_t i = 0; i < v_wes.size(); ++i) {
+            rows[i * bodies + b].other_unit_v_wes_max_mps = v_wes[i];
+            rows[i * bodies + b].other_unit_ou_v_e_mps = ou_v_e[i];
+        }
+    }
+    return rows;
+}
+
 }  // namespace
 
 Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec) {
@@ -78,6 +95,7 @@ Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec) {
     auto const id = waves.integers("id");
     auto const pga = waves.reals("pga");
     auto const pgv = waves.reals("pgv");
+    auto const measures = stored_measures(file, spec, done);
     for (std::size_t i = 0; i < failed.size(); ++i) {
         WaveRow row;
         row.id = id[i];
@@ -85,7 +103,7 @@ Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec) {
         row.pgv_mps = pgv[i];
         row.failed = failed[i];
         row.accepted = accepted[i];
-        statistics.add(row);
+        statistics.add(row, std::span(measures).subspan(i * spec.bodies.size(), spec.bodies.size()));
     }
     auto const wave = trials.integers("wave");
     auto const amplitude = trials.reals("amplitude");
@@ -93,6 +111,8 @@ Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec) {
     auto const v_wes = trials.reals("v_wes");
     auto const ou_v_e = trials.reals("ou_v_e");
     auto const v_ereq = trials.reals("v_ereq");
+    auto const v_resp = trials.reals("v_resp");
+    auto const peak_slip = trials.reals("peak_slip");
     auto const body = trials.indices("body", spec.bodies.size());
     auto const level = trials.indices("level", spec.levels.levels.size());
     auto const verdict = trials.indices("verdict", verdict_names().size());
@@ -108,6 +128,8 @@ Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec) {
         row.v_wes_mps = v_wes[i];
         row.ou_v_e_mps = ou_v_e[i];
         row.v_ereq_mps = v_ereq[i];
+        row.v_resp_mps = v_resp[i];
+        row.peak_slip_m = peak_slip[i];
         row.body = body[i];
         row.level = level[i];
         row.verdict = verdict[i];

@@ -146,14 +146,15 @@ Statistics::Statistics(CampaignSpec const& spec) {
     }
 }
 
-void Statistics::add(WaveRow const& row) {
+void Statistics::add(WaveRow const& row, std::span<MeasureRow const> measures) {
     waves_.add(row);
-    measured_.add(row);
+    measured_.add(row, measures);
 }
 
 void Statistics::add(BlockRows const& block) {
-    for (auto const& row : block.waves) {
-        add(row);
+    auto const each = bodies_.size();
+    for (std::size_t w = 0; w < block.waves.size(); ++w) {
+        add(block.waves[w], std::span(block.measures).subspan(w * each, each));
     }
     for (auto const& row : block.trials) {
         add(row);
@@ -209,7 +210,7 @@ std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, Campa
     auto const waves = file.table(wave_table(), plan.waves());
     std::vector<std::size_t> measures;
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
-        measures.push_back(file.table(measure_table(spec.bodies[b].name, b, spec.bodies.size()), plan.waves()));
+        measures.push_back(file.table(measure_table(spec, b), plan.waves()));
     }
     auto rows_of_trials = trial_table();
     for (auto& column : rows_of_trials.columns) {

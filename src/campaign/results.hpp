@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,8 @@ namespace overturn {
 
 [[nodiscard]] store::TableSpec trial_table();
 [[nodiscard]] store::TableSpec wave_table();
-/// /waves/<body>: the energy measures for one body of `bodies`.
-[[nodiscard]] store::TableSpec measure_table(std::string const& body, std::size_t index, std::size_t bodies);
+/// /waves/<body>: the energy measures for the body of that number; those with R in the other unit where asked for.
+[[nodiscard]] store::TableSpec measure_table(CampaignSpec const& spec, std::size_t body);
 
 /// Verdict names in the order of their values, for files and tables.
 [[nodiscard]] std::vector<std::string> verdict_names();
@@ -49,7 +50,8 @@ class Statistics {
   public:
     explicit Statistics(CampaignSpec const& spec);
     void add(TrialRow const& row);
-    void add(WaveRow const& row);
+    /// \param measures one per body
+    void add(WaveRow const& row, std::span<MeasureRow const> measures);
     void add(BlockRows const& block);
     [[nodiscard]] std::vector<BodyStatistics> const& bodies() const { return bodies_; }
     [[nodiscard]] WaveCounts const& waves() const { return waves_; }

@@ -42,6 +42,7 @@ struct WaveRow {
 struct MeasureRow {
     double ou_v_e_mps = 0, v_wes_max_mps = 0, v_wes_time_s = 0;
     double band_mean_misfit = 0, band_max_misfit = 0, band_mean_ratio = 0, band_ratio_cov = 0;
+    double other_unit_ou_v_e_mps = -1, other_unit_v_wes_max_mps = -1;
 };
 
 /// One trial: (wave, body, level) -> verdict.

@@ -74,6 +74,23 @@ void describe_check(PreparedWave& wave, WaveCheck const& check) {
     }
 }
 
+void measure_energy(MeasureSpec const& spec, GroundMotion const& motion, double radius_m, MeasureRow& row) {
+    WindowOptions const options{
+        .reading = spec.window, .smoothed = true, .keep_history = false, .panel_phase_rad = spec.panel_phase_rad};
+    auto const energy_over = [&](RadiusUnit unit) {
+        return window_energy(motion.horizontal_mps2, motion.time_step_s, rocking_period_band(radius_m, unit), options);
+    };
+    auto const energy = energy_over(spec.radius_unit);
+    row.ou_v_e_mps = energy.ou_v_e_mps;
+    row.v_wes_max_mps = energy.v_wes_max_mps;
+    row.v_wes_time_s = energy.v_wes_time_s;
+    if (spec.both_radius_units) {
+        auto const with_other = energy_over(other(spec.radius_unit));
+        row.other_unit_ou_v_e_mps = with_other.ou_v_e_mps;
+        row.other_unit_v_wes_max_mps = with_other.v_wes_max_mps;
+    }
+}
+
 }  // namespace
 
 void PhaseSeconds::add(PhaseSeconds const& more) {
@@ -113,16 +130,7 @@ PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64
     prepared.intensity = intensity_of(prepared.motion.horizontal_mps2, prepared.motion.time_step_s);
     describe_motion(prepared.row, prepared.motion, prepared.intensity);
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
-        auto const energy =
-            window_energy(prepared.motion.horizontal_mps2, prepared.motion.time_step_s,
-                          rocking_period_band(prepared.bodies[b].body.radius_m(), spec.measures.radius_unit),
-                          {.reading = spec.measures.window,
-                           .smoothed = true,
-                           .keep_history = false,
-                           .panel_phase_rad = spec.measures.panel_phase_rad});
-        prepared.measures[b].ou_v_e_mps = energy.ou_v_e_mps;
-        prepared.measures[b].v_wes_max_mps = energy.v_wes_max_mps;
-        prepared.measures[b].v_wes_time_s = energy.v_wes_time_s;
+        measure_energy(spec.measures, prepared.motion, prepared.bodies[b].body.radius_m(), prepared.measures[b]);
     }
     return prepared;
 }

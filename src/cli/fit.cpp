@@ -45,7 +45,7 @@ int fit_file(Options const& options) {
     double const confidence = options.confidence > 0 ? options.confidence : spec.confidence;
     auto const analysis = analyse(spec, statistics, {.confidence = confidence, .beta_u = options.beta_u});
     if (options.json) {
-        fmt::print("{}\n", fit_json(spec, statistics, analysis, confidence).dump(2));
+        fmt::print("{}\n", fit_json(statistics, analysis, confidence).dump(2));
     } else {
         fmt::print("{}{}", stripe_table(spec, statistics), analysis_table(analysis, confidence));
     }
@@ -74,6 +74,7 @@ int fit_stripes(Options const& options) {
     request.beta_u = options.beta_u;
     MeasuredFragility measured;
     measured.name = "amplitude";
+    measured.label = measured.name;
     measured.units = "1";
     if (options.design_basis > 0) {
         measured.quote_base = "design-basis";

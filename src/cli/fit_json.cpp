@@ -184,7 +184,7 @@ Json fragility_json(std::string const& body, MeasuredFragility const& measured, 
     return json;
 }
 
-Json criterion_json(std::string const& body, MeasuredCriterion const& criterion, std::string const& radius_unit) {
+Json criterion_json(std::string const& body, MeasuredCriterion const& criterion) {
     auto const& s = criterion.study;
     return {{"body", body},
             {"measure", fragility_measure_names()[static_cast<std::size_t>(criterion.measure)]},
@@ -192,7 +192,7 @@ Json criterion_json(std::string const& body, MeasuredCriterion const& criterion,
             {"false_alarm", s.counts.false_alarm},
             {"true_safe", s.counts.true_safe},
             {"true_overturn", s.counts.true_overturn},
-            {"radius_unit", radius_unit},
+            {"radius_unit", name_of(criterion.radius_unit)},
             {"safe_but_overturned", share_json(s.safe_but_overturned)},
             {"overturned_said_safe", share_json(s.overturned_said_safe)},
             {"unsafe_but_stood", share_json(s.unsafe_but_stood)},
@@ -203,17 +203,24 @@ Json criterion_json(std::string const& body, MeasuredCriterion const& criterion,
             {"ratio_at_highest_standing", quantiles_json(s.highest_standing)}};
 }
 
+Json response_json(std::string const& body, ResponseBin const& bin) {
+    return {{"body", body},
+            {"v_wes_ratio", Json::array({bin.from, number(bin.to)})},
+            {"overturned", bin.overturned},
+            {"v_resp_ratio_without_slip", quantiles_json(bin.without_slip)},
+            {"v_resp_ratio_with_slip", quantiles_json(bin.with_slip)}};
+}
+
 Json verdict_json(std::string const& body, CriterionVerdict const& verdict) {
     return {{"body", body}, {"supports", verdict.supports}, {"against", verdict.against}, {"open", verdict.open}};
 }
 
-Json fit_json(CampaignSpec const& spec, Statistics const& statistics, std::vector<BodyAnalysis> const& analysis,
-              double confidence) {
+Json fit_json(Statistics const& statistics, std::vector<BodyAnalysis> const& analysis, double confidence) {
     Json json{{"stripes", Json::array()},
               {"fragility", Json::array()},
               {"criterion", Json::array()},
+              {"response", Json::array()},
               {"verdict", Json::array()}};
-    auto const* const radius_unit = spec.measures.radius_unit == RadiusUnit::centimetre ? "cm" : "m";
     for (auto const& body : statistics.bodies()) {
         for (std::size_t l = 0; l < body.stripes.size(); ++l) {
             json["stripes"].push_back(stripe_json(body.body, l, body.stripes[l], confidence));
@@ -224,7 +231,10 @@ Json fit_json(CampaignSpec const& spec, Statistics const& statistics, std::vecto
             json["fragility"].push_back(fragility_json(body.body, measured, confidence));
         }
         for (auto const& criterion : body.criterion) {
-            json["criterion"].push_back(criterion_json(body.body, criterion, radius_unit));
+            json["criterion"].push_back(criterion_json(body.body, criterion));
+        }
+        for (auto const& bin : body.response) {
+            json["response"].push_back(response_json(body.body, bin));
         }
         json["verdict"].push_back(verdict_json(body.body, body.verdict));
     }

@@ -12,12 +12,13 @@ namespace overturn::cli {
                                                  double confidence);
 [[nodiscard]] nlohmann::ordered_json fragility_json(std::string const& body, MeasuredFragility const& measured,
                                                     double confidence);
-[[nodiscard]] nlohmann::ordered_json criterion_json(std::string const& body, MeasuredCriterion const& criterion,
-                                                    std::string const& radius_unit);
+[[nodiscard]] nlohmann::ordered_json criterion_json(std::string const& body, MeasuredCriterion const& criterion);
+/// V_resp / V_Ereq of the trials that V_WES / V_Ereq puts into this bin.
+[[nodiscard]] nlohmann::ordered_json response_json(std::string const& body, ResponseBin const& bin);
 [[nodiscard]] nlohmann::ordered_json verdict_json(std::string const& body, CriterionVerdict const& verdict);
 
-/// All of them: stripes, fragility, criterion, verdict.
-[[nodiscard]] nlohmann::ordered_json fit_json(CampaignSpec const& spec, Statistics const& statistics,
-                                              std::vector<BodyAnalysis> const& analysis, double confidence);
+/// All of them: stripes, fragility, criterion, response, verdict.
+[[nodiscard]] nlohmann::ordered_json fit_json(Statistics const& statistics, std::vector<BodyAnalysis> const& analysis,
+                                              double confidence);
 
 }  // namespace overturn::cli

@@ -23,7 +23,7 @@ std::int64_t file_bytes(CampaignInput const& input, CampaignSpec const& spec, Pl
     constexpr std::int64_t overhead = 400'000;  // groups, attributes and statistics of a small campaign
     auto bytes = overhead + plan.trials() * width(trial_table()) + plan.waves() * width(wave_table());
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
-        bytes += plan.waves() * width(measure_table(spec.bodies[b].name, b, spec.bodies.size()));
+        bytes += plan.waves() * width(measure_table(spec, b));
     }
     for (auto const& [name, content] : input.files) {
         bytes += static_cast<std::int64_t>(content.size());

@@ -119,7 +119,7 @@ int write_report(Options const& options) {
         data["bodies"].push_back(body.name);
     }
     auto const analysis = analyse(spec, statistics, {.confidence = spec.confidence, .band_points = 61});
-    data["fit"] = fit_json(spec, statistics, analysis, spec.confidence);
+    data["fit"] = fit_json(statistics, analysis, spec.confidence);
     data["facts"] = facts_of(spec, plan);
     data["waves"] = waves_of(input, spec, plan, file);
     data["wave_notes"] = Json::array();

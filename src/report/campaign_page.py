@@ -186,14 +186,19 @@ class Report:
     def criterion(self):
         rows, parts = [], []
         for c in self.fit["criterion"]:
-            rows.append([c["body"], MEASURES[c["measure"]][0], c["false_safe"], c["false_alarm"], c["true_safe"],
+            rows.append([c["body"], MEASURES[c["measure"]][0].split(",")[0], c["radius_unit"], c["false_safe"], c["false_alarm"], c["true_safe"],
                          c["true_overturn"]])
-        head = ["body", "measure", "false safe", "false alarm", "true safe", "true overturn"]
+        head = ["body", "measure", "unit of R", "false safe", "false alarm", "true safe", "true overturn"]
         self.csv("criterion", [name.replace(" ", "_") for name in head], rows)
         for body in self.results.bodies:
             parts.append(f"<h3>{escape(body.name)}</h3>" + self.figure(
                 f"criterion-{body.name}", lambda path, body=body: fragility_figures.criterion(self.results, body, path),
                 f"energy criterion and verdicts of {body.name}"))
+            answers = [r for r in self.fit["response"] if r["body"] == body.name]
+            if answers:
+                parts.append(table(["V_WES / V_Ereq", "without slip", "trials", "with slip", "trials", "overturned"],
+                                   [self.answer(r) for r in answers],
+                                   "V_resp / V_Ereq of the trials that moved and stood: median (5 % to 95 %)."))
             said = next((v for v in self.fit.get("verdict", []) if v["body"] == body.name), None)
             if said:
                 for kind, title in (("supports", "Speaks for the criterion"), ("against", "Speaks against it"),
@@ -206,6 +211,15 @@ class Report:
         self.section("criterion", "The energy criterion on trial", table(
             head, rows, "False safe: measure below V_Ereq, yet overturned. False alarm: above it, yet stood."),
             *parts, "<h3>Which measure predicts best</h3>" if compared else "", compared)
+
+    @staticmethod
+    def answer(bin_):
+        low, high = bin_["v_wes_ratio"]
+        row = [f"{low:.2f} to {high:.2f}" if high is not None else f"{low:.2f} and above"]
+        for kind in ("v_resp_ratio_without_slip", "v_resp_ratio_with_slip"):
+            q = bin_[kind]
+            row += [f"{q['median']:.3f} ({q['p05']:.3f} to {q['p95']:.3f})", q["count"]] if q else ["-", 0]
+        return [*row, bin_["overturned"]]
 
     def trials(self):
         parts = []

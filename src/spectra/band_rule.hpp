@@ -14,6 +14,11 @@ struct PeriodBand {
 /// What the length `a` in T0 = 0.05 sqrt(a), T1 = 0.5 sqrt(a) is measured in. The sources do not print it; only with
 /// centimetres does the band span the rocking amplitudes 0.055 to 0.93 of the critical angle by Housner's period.
 enum class RadiusUnit { centimetre, metre };
+/// "cm" or "m"
+[[nodiscard]] constexpr char const* name_of(RadiusUnit unit) { return unit == RadiusUnit::metre ? "m" : "cm"; }
+[[nodiscard]] constexpr RadiusUnit other(RadiusUnit unit) {
+    return unit == RadiusUnit::metre ? RadiusUnit::centimetre : RadiusUnit::metre;
+}
 
 /// Band of a body whose centre of gravity lies `radius_m` from its edge [m].
 [[nodiscard]] PeriodBand rocking_period_band(double radius_m, RadiusUnit unit = RadiusUnit::centimetre);

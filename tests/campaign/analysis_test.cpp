@@ -22,7 +22,12 @@ class AnalysisOfRows : public ::testing::Test {
         row.id = id;
         row.pga_mps2 = pga;
         row.pgv_mps = pgv;
-        statistics.add(row);
+        std::vector<MeasureRow> measures(spec.bodies.size());
+        if (spec.measures.both_radius_units) {
+            measures[1].other_unit_v_wes_max_mps = 0.1 * pga;
+            measures[1].other_unit_ou_v_e_mps = 0.2 * pga;
+        }
+        statistics.add(row, measures);
     }
     void trial(std::int64_t wave, std::int64_t level, Verdict verdict, double scale, double v_wes) {
         TrialRow row;
@@ -37,6 +42,8 @@ class AnalysisOfRows : public ::testing::Test {
         row.v_ereq_mps = 1.35;
         row.v_wes_safe = v_wes < row.v_ereq_mps ? 1 : 0;
         row.ou_v_e_safe = row.ou_v_e_mps < row.v_ereq_mps ? 1 : 0;
+        row.v_resp_mps = verdict == Verdict::overturned ? row.v_ereq_mps : v_wes / 10;
+        row.peak_slip_m = wave % 2 == 0 ? 0.01 : 0;
         statistics.add(row);
     }
     // 40 waves that fall from a level on which differs from wave to wave.
@@ -106,6 +113,51 @@ TEST_F(AnalysisOfRows, TrialsWithoutVerdictAreSaid) {
         EXPECT_EQ(measured.fit.undecided, 2) << measured.name;
         EXPECT_EQ(measured.fit.trials, 120) << measured.name;
     }
+}
+
+/// T0 and T1 with R in the other unit: curves and criteria of their own beside the first ones, against the same V_Ereq.
+TEST_F(AnalysisOfRows, TheOtherUnitOfRStandsBeside) {
+    spec.measures.both_radius_units = true;
+    fill();
+    auto const body = analyse(spec, statistics, {})[1];
+
+    ASSERT_EQ(body.criterion.size(), 4);
+    EXPECT_EQ(body.criterion[0].radius_unit, RadiusUnit::centimetre);
+    EXPECT_EQ(body.criterion[2].radius_unit, RadiusUnit::metre);
+    EXPECT_EQ(body.criterion[2].measure, FragilityMeasure::v_wes_other_unit);
+    auto const& counts = body.criterion[2].study.counts;
+    EXPECT_EQ(counts.false_alarm + counts.true_overturn, 0) << "0.1 of 9 m/s2 lies below V_Ereq";
+    EXPECT_EQ(counts.false_safe + counts.true_safe, 120);
+    EXPECT_EQ(statistics.measured().singles(1, FragilityMeasure::ou_v_e_other_unit)[5].intensity, 4.5 * 0.4);
+    ASSERT_EQ(body.fragility.size(), 7);
+    EXPECT_EQ(body.fragility[5].label, "v_wes(R in m)");
+    // The measures are the level's amplitude in other words, so their curves differ by that factor alone.
+    EXPECT_NEAR(std::exp(body.fragility[5].fit.line->log_median()),
+                0.1 * std::exp(body.fragility[0].fit.line->log_median()), 1e-9);
+}
+
+/// V_resp of what stood is set against V_WES, trials that slipped apart; what never moved has no answer to show.
+TEST_F(AnalysisOfRows, ResponsesAreOfWhatMovedAndStood) {
+    fill();
+    trial(3, 0, Verdict::at_rest, 1, 0.1);
+    auto const body = analyse(spec, statistics, {})[1];
+
+    std::int64_t without = 0;
+    std::int64_t with = 0;
+    std::int64_t overturned = 0;
+    for (auto const& bin : body.response) {
+        without += bin.without_slip ? bin.without_slip->count : 0;
+        with += bin.with_slip ? bin.with_slip->count : 0;
+        overturned += bin.overturned;
+        if (bin.without_slip) {
+            EXPECT_GE(bin.without_slip->lowest, bin.from / 10);
+            EXPECT_LT(bin.without_slip->highest, bin.to / 10);
+        }
+    }
+    EXPECT_EQ(without + with + overturned, 120);
+    EXPECT_EQ(overturned, body.over_levels().fit.overturned);
+    EXPECT_GT(with, 0);
+    EXPECT_TRUE(analyse(spec, statistics, {})[0].response.empty());
 }
 
 /// One trial said safe that fell speaks against the criterion; none speaks for it only if something fell at all.

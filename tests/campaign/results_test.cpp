@@ -30,14 +30,22 @@ template <class Row> void expect_each_field_once(store::TableSpec const& table) 
 TEST(Columns, CoverEveryFieldOnce) {
     expect_each_field_once<TrialRow>(trial_table());
     expect_each_field_once<WaveRow>(wave_table());
-    expect_each_field_once<MeasureRow>(measure_table("type-a", 0, 1));
+    auto const bodies = testing::type_a + testing::type_b + "[[bodies]]\nname='third'\n"
+                        + testing::type_b.substr(testing::type_b.find("mass"));
+    auto const both = testing::campaign_from(testing::quick_waves + bodies + testing::levels("values=[3,6]\n")
+                                             + "[measures]\nboth_radius_units=true\n");
+    expect_each_field_once<MeasureRow>(measure_table(both, 0));
+    auto const one = testing::campaign_from(testing::quick_waves + bodies + testing::levels("values=[3,6]\n"));
+    EXPECT_EQ(measure_table(one, 0).columns.size() + 2, measure_table(both, 0).columns.size());
 }
 
 TEST(Columns, MeasuresOfSeveralBodiesLieSideBySide) {
-    auto const second = measure_table("type-b", 1, 3);
+    auto const spec = testing::campaign_from(testing::quick_waves + testing::type_a + testing::type_b
+                                             + testing::levels("values=[3,6]\n"));
+    auto const second = measure_table(spec, 1);
 
     EXPECT_EQ(second.group, "waves/type-b");
-    EXPECT_EQ(second.row_bytes, 3 * sizeof(MeasureRow));
+    EXPECT_EQ(second.row_bytes, 2 * sizeof(MeasureRow));
     for (auto const& column : second.columns) {
         EXPECT_GE(column.offset, sizeof(MeasureRow));
         EXPECT_LT(column.offset, 2 * sizeof(MeasureRow));

@@ -46,6 +46,23 @@ void expect_same_trials(CampaignSpec const& other, std::int64_t body, std::vecto
     }
 }
 
+/// With R in the other unit beside it, each value has the bits that it has where that unit is the campaign's own.
+TEST(TrialMeasures, BothUnitsOfRStandSideBySide) {
+    auto const keyed = [](std::string const& keys) {
+        return prepared(campaign_from(small_campaign + "[measures]\n" + keys), 1).measures[0];
+    };
+    auto const centimetres = keyed("radius_unit='cm'\n");
+    auto const metres = keyed("radius_unit='m'\n");
+    auto const both = keyed("radius_unit='cm'\nboth_radius_units=true\n");
+
+    EXPECT_EQ(centimetres.other_unit_v_wes_max_mps, -1);
+    EXPECT_EQ(both.v_wes_max_mps, centimetres.v_wes_max_mps);
+    EXPECT_EQ(both.ou_v_e_mps, centimetres.ou_v_e_mps);
+    EXPECT_EQ(both.other_unit_v_wes_max_mps, metres.v_wes_max_mps);
+    EXPECT_EQ(both.other_unit_ou_v_e_mps, metres.ou_v_e_mps);
+    EXPECT_LT(metres.v_wes_max_mps, centimetres.v_wes_max_mps) << "a window ten times shorter offers less";
+}
+
 TEST(TrialPurity, AloneAndInACrowd) {
     auto const spec = campaign_from(small_campaign);
     Plan const plan(spec);

@@ -1,6 +1,7 @@
 // Requirement: 95 % intervals of median and beta hold the truth in 93 % to 97 % of 1000 repeated campaigns, and where
 // levels share waves it takes resampled waves to do so.
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 #include <gsl/gsl_randist.h>
@@ -8,6 +9,7 @@
 
 #include "core/random_stream.hpp"
 #include "stats/fragility.hpp"
+#include "stats/precision.hpp"
 #include "stats/profile_likelihood.hpp"
 
 namespace overturn {
@@ -112,6 +114,45 @@ TEST(Coverage, NeedsWavesWhereLevelsShareThem) {
     expect_nominal(methods.by_waves.share(methods.by_waves.beta));
     EXPECT_LT(methods.by_trials.share(methods.by_trials.median), 0.85);
     EXPECT_LT(methods.profile.share(methods.profile.median), 0.85);
+}
+
+// The sizes at which a campaign of 1000 waves may end, and its end.
+std::vector<std::int64_t> ends_of_campaign() {
+    constexpr std::int64_t most = 1000;
+    auto sizes = looks(1, 32, most);
+    sizes.push_back(most);
+    return sizes;
+}
+
+/// Ended as soon as the median's interval is as narrow as was asked, that interval still holds the median.
+TEST(Coverage, HoldsWhereTheMedianTargetEndsTheCampaign) {
+    constexpr double target = 0.055;
+    constexpr double shared = 0.8;
+    std::map<std::int64_t, int> ended_at;
+    Hits hits;
+    for (int r = 0; r < repetitions; ++r) {
+        for (auto const waves : ends_of_campaign()) {
+            auto const trials = campaign(static_cast<int>(waves), shared, r);
+            auto const line = ProbitSolver().fit(points_of(trials, 64));
+            if (!line) {
+                continue;
+            }
+            auto const drawn = bootstrap_waves(trials, *line, {17, static_cast<std::uint64_t>(r), replicates});
+            auto const ends = drawn.intensity(0.5, confidence);
+            if (ends.upper - ends.lower <= 2 * target * std::exp(line->log_median())) {
+                hits.add(ends, drawn.beta(confidence), drawn.intensity(0.05, confidence));
+                ++ended_at[waves];
+                break;
+            }
+        }
+    }
+    hits.print("ended by the median target");
+    for (auto const& [waves, times] : ended_at) {
+        fmt::print("  after {} waves: {}\n", waves, times);
+    }
+    EXPECT_EQ(hits.of, repetitions);
+    EXPECT_GT(ended_at.size(), 1U) << "the rule decides";
+    expect_nominal(hits.share(hits.median));
 }
 
 }  // namespace
