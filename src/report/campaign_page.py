@@ -20,6 +20,7 @@ from style import plain
 
 
 SCALE = 1.2  # of figures on the page: type of 8 points beside text of 15 pixels
+MOST_OPEN_ROWS = 40  # of the stripes: longer tables are folded away
 
 
 def escape(value):
@@ -181,7 +182,7 @@ class Report:
             if split else "",
             table(["body", "at", "amplitude", "P", "lower", "upper", ""], quoted) if quoted else "",
             paragraphs(warnings, " class=warning"),
-            f"<details open><summary>all stripes</summary>{table(head, rows)}</details>")
+            f"<details{' open' if len(rows) <= MOST_OPEN_ROWS else ''}><summary>all stripes</summary>{table(head, rows)}</details>")
 
     def criterion(self):
         rows, parts = [], []
