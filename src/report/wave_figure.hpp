@@ -31,7 +31,7 @@ struct FigureBody {
     std::string name;
     double limit_velocity_mps = 0;  ///< V_Ereq [m/s]
     PeriodBand band;
-    std::vector<double> v_wes_mps;  ///< at every sample [m/s]
+    std::vector<double> v_wes_mps;  ///< at every sample and on until the wave has left the window [m/s]
 };
 
 struct WaveFigure {

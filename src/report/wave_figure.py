@@ -46,7 +46,7 @@ def draw_window_energy(axes, time, bodies, pga_mps2):
         peak, limit = v.max(), body["v_ereq_mps"]
         gal = 100 * pga_mps2
         reach = f"$V_{{Ereq}}$ at {number(limit / peak)} times this wave, PGA {gal * limit / peak:.0f} gal" if peak > 0 else ""
-        axes.plot(time, v, color=colour, ls=line, lw=1.2,
+        axes.plot((time[1] - time[0]) * np.arange(len(v)) if len(time) > 1 else [time[0]] * len(v), v, color=colour, ls=line, lw=1.2,
                   label=f"{body['name']}: at most {number(peak)} m/s, {reach}")
         axes.axhline(limit, color=colour, ls=line, lw=0.8, alpha=0.75)
         axes.annotate(f"$V_{{Ereq}}$ {number(limit)} m/s, {body['name']}", (1, limit),
@@ -108,7 +108,7 @@ def draw_energy(axes, data, bodies):
         top = max(top, 1.05 * max(target["v_e_mps"]))
     axes.set_ylim(0, top)
     axes.set_ylabel("equivalent velocity, m/s")
-    axes.set_title("Fourier and input energy spectra", pad=17)
+    axes.set_title("Fourier and input energy spectra", pad=28 if target else 17)
     period_axis(axes, periods)
     axes.legend(loc="lower left", bbox_to_anchor=(-0.02, 0.995), ncol=2, columnspacing=1.0, handlelength=1.6)
 

@@ -68,13 +68,17 @@ WindowEnergy window_energy(std::span<double const> acceleration_mps2, double tim
     if (acceleration_mps2.empty()) {
         return energy;
     }
-    auto const window = std::min(samples_of(band.t1_s, time_step_s), acceleration_mps2.size());
+    // A body swings on after the last sample: quiet ground follows until window and mean have left the wave.
+    auto const window = samples_of(band.t1_s, time_step_s);
+    auto const mean = samples_of(band.t0_s, time_step_s);
+    std::vector<double> samples(acceleration_mps2.begin(), acceleration_mps2.end());
+    samples.resize(samples.size() + window + mean, 0.0);
     bool const whole = options.reading == WindowReading::running;
-    auto const resolved = static_cast<double>(whole ? acceleration_mps2.size() : window) * time_step_s;
-    auto history = window_history(acceleration_mps2, time_step_s, window,
-                                  band_rule(band, resolved, options.panel_phase_rad), options.reading);
+    auto const resolved = static_cast<double>(whole ? samples.size() : window) * time_step_s;
+    auto history = window_history(samples, time_step_s, window, band_rule(band, resolved, options.panel_phase_rad),
+                                  options.reading);
     if (options.smoothed) {
-        history = trailing_mean(history, samples_of(band.t0_s, time_step_s));
+        history = trailing_mean(history, mean);
     }
     auto const largest = std::max_element(history.begin(), history.end());
     energy.v_wes_max_mps = *largest;

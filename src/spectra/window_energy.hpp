@@ -24,12 +24,13 @@ struct WindowOptions {
 
 struct WindowEnergy {
     double ou_v_e_mps = 0;          ///< whole wave, ouV_E^2 = int f V_E0^2 dT, f = 2 (T1-T)/(T1-T0)^2 [m/s]
-    double v_wes_max_mps = 0;       ///< largest V_WES up to the last sample [m/s]
+    double v_wes_max_mps = 0;       ///< largest V_WES, also while the wave leaves the window after its end [m/s]
     double v_wes_time_s = 0;        ///< when it was first reached [s]
-    std::vector<double> v_wes_mps;  ///< at every sample, if asked for [m/s]
+    std::vector<double> v_wes_mps;  ///< if asked for: at every sample and for T0 + T1 after [m/s]
 };
 
-/// The window is T1 rounded to whole samples (at least one), cut at the start of the wave. Integrals over time are
+/// The window is T1 rounded to whole samples (at least one), cut at the start of the wave; after the wave the ground is
+/// quiet. Integrals over time are
 /// exact for acceleration that is linear between samples; integrals over T use Gauss panels in frequency that resolve
 /// the length of what is transformed. V_WES is exact to rounding of the strongest part within ten windows: long waves
 /// lose no digit. Linear in amplitude. 164 s at 0.01 s take about 2 ms,

@@ -70,7 +70,30 @@ TEST_P(Readings, WindowAsLongAsTheWaveEndsAtTheWholeMeasure) {
     auto const energy =
         window_energy(wave, 0.01, band, {.reading = GetParam(), .smoothed = false, .keep_history = true});
 
-    EXPECT_TRUE(near(energy.v_wes_mps.back(), energy.ou_v_e_mps, exact_formula));
+    EXPECT_TRUE(near(energy.v_wes_mps[wave.size() - 1], energy.ou_v_e_mps, exact_formula));
+}
+
+/// A wave that ends while strong offers its energy to a body that swings on: quiet appended to it changes nothing.
+TEST_P(Readings, QuietAfterTheWaveChangesNothing) {
+    auto const measured = [](std::vector<double> wave, std::size_t quiet) {
+        wave.resize(wave.size() + quiet, 0.0);
+        return window_energy(wave, 0.01, band, {.reading = GetParam()});
+    };
+    std::vector<double> sine(100);
+    for (std::size_t n = 0; n < sine.size(); ++n) {
+        sine[n] = 4 * std::sin(2 * pi * 0.01 * static_cast<double>(n));
+    }
+    for (auto const& wave : {sine, std::vector<double>(30, 2.0), testing::broad_wave(777, 0.01)}) {
+        auto const bare = measured(wave, 0);
+        for (std::size_t const quiet : {1U, 40U, 3000U}) {
+            auto const padded = measured(wave, quiet);
+            EXPECT_TRUE(near(padded.v_wes_max_mps, bare.v_wes_max_mps, exact_formula)) << quiet;
+        }
+    }
+    // Shorter than T0 or T1 its whole energy lies in one window for the length of the mean: V_WES is all of it.
+    auto const bare = measured(sine, 0);
+    sine.push_back(0);  // the way back to quiet
+    EXPECT_TRUE(near(bare.v_wes_max_mps, overturning_energy_velocity(sine, 0.01, band), exact_formula));
 }
 
 TEST_P(Readings, LongWaveEqualsDirectlySummedWindows) {
