@@ -27,10 +27,10 @@ class ThinnedDraws {
         }
     }
 
-    /// Per period, the median of computed over target.
-    [[nodiscard]] std::vector<double> medians(std::uint64_t draws) const {
+    /// Per period, the median of computed over target of `draws` waves from the `first` on.
+    [[nodiscard]] std::vector<double> medians(std::uint64_t first, std::uint64_t draws) const {
         std::vector<std::vector<double>> ratios(periods_s_.size());
-        for (std::uint64_t wave = 0; wave < draws; ++wave) {
+        for (std::uint64_t wave = first; wave < first + draws; ++wave) {
             auto const computed = pseudo_velocities(draw(wave));
             for (std::size_t i = 0; i < computed.size(); ++i) {
                 ratios[i].push_back(computed[i] / target_.psv_mps(periods_s_[i]));
@@ -122,25 +122,28 @@ MatchFigures calibrate(NoiseLines& lines, TargetSpectrum const& target, std::spa
     constexpr std::array rounds{Round{48, 400, 2}, Round{48, 400, 2}, Round{64, 600, 2}, Round{64, 800, 1.5},
                                 Round{128, 4000, 1}};
     auto const split = std::lower_bound(periods_s.begin(), periods_s.end(), long_from_s);
-    MatchFigures last;
-    for (auto const& round : rounds) {
+    auto const medians_of = [&](std::uint64_t first, std::uint64_t draws, std::uint64_t long_draws) {
         std::vector<double> medians;
         if (split != periods_s.begin()) {
-            medians = ThinnedDraws(lines, target, {periods_s.begin(), split}, 1).medians(round.draws);
+            medians = ThinnedDraws(lines, target, {periods_s.begin(), split}, 1).medians(first, draws);
         }
         if (split != periods_s.end()) {
             auto const rest = ThinnedDraws(lines, target, {split, periods_s.end()}, widest_stride(lines, long_from_s))
-                                  .medians(round.long_draws);
+                                  .medians(first, long_draws);
             medians.insert(medians.end(), rest.begin(), rest.end());
         }
-        last = match_figures(periods_s, medians, 0, periods_s.back());
-        auto divisors = smoothed(medians, static_cast<std::size_t>(split - periods_s.begin()));
+        return medians;
+    };
+    for (auto const& round : rounds) {
+        auto divisors =
+            smoothed(medians_of(0, round.draws, round.long_draws), static_cast<std::size_t>(split - periods_s.begin()));
         for (double& value : divisors) {
             value = std::pow(value, round.power);
         }
         lines.divide(periods_s, divisors);
     }
-    return last;
+    constexpr std::uint64_t fresh = 1'000'000;  // draws that no correction has seen
+    return match_figures(periods_s, medians_of(fresh, rounds.back().draws, 1000), 0, periods_s.back());
 }
 
 }  // namespace overturn

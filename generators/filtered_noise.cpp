@@ -40,15 +40,24 @@ class FilteredNoise : public WaveSource {
           gaussian_(input.gaussian),
           envelope_(input.envelope.samples(input.time_step_s, input.samples)) {
         double const spacing = 2 * pi / (time_step_s_ * static_cast<double>(fft_.length()));
-        double const intensity = input.rms_mps2 * input.rms_mps2 / input.filter.integral_radps();
         line_amplitude_.push_back(0);
+        double held = 0;  // of the filter's integral, by the frequencies that the time step holds
         for (std::size_t k = 1; k < fft_.length() / 2; ++k) {
-            double const density = intensity * input.filter.shape(spacing * static_cast<double>(k));
-            line_amplitude_.push_back(std::sqrt(2 * density * spacing));
+            double const power = input.filter.shape(spacing * static_cast<double>(k)) * spacing;
+            held += power;
+            line_amplitude_.push_back(std::sqrt(2 * power));
+        }
+        for (double& amplitude : line_amplitude_) {
+            amplitude *= input.rms_mps2 / std::sqrt(held);
         }
         summary_ = fmt::format("{} samples of {} s, {} noise of {} m/s2, ground {:.3g} Hz", input.samples, time_step_s_,
                                input.filter.filter_radps > 0 ? "Clough-Penzien" : "Kanai-Tajimi", input.rms_mps2,
                                input.filter.ground_radps / (2 * pi));
+        constexpr double nearly_all = 0.98;
+        if (double const share = held / input.filter.integral_radps(); share < nearly_all) {
+            summary_ += fmt::format(" (its spectrum cut at {:g} Hz, where {:.0f} % of its power lie below)",
+                                    0.5 / time_step_s_, 100 * share);
+        }
     }
 
     [[nodiscard]] GeneratedWave make(std::uint64_t seed, std::uint64_t wave) const override {
@@ -135,6 +144,12 @@ std::unique_ptr<WaveSource> make_filtered_noise(config::Table const& waves, Inpu
     input.rms_mps2 = waves.number("rms", Dimension::acceleration, config::Range::positive());
     input.time_step_s = waves.number("time_step", Dimension::time, {.low = 1e-4, .high = 0.1}, input.time_step_s);
     input.samples = read_samples(waves, input.time_step_s);
+    constexpr double steps_per_period = 4;
+    if (double const period_s = 2 * pi / input.filter.ground_radps; period_s < steps_per_period * input.time_step_s) {
+        waves.fail("ground_frequency",
+                   fmt::format("{:g} Hz (less than {} time steps a period). Use a shorter time_step", 1 / period_s,
+                               steps_per_period));
+    }
     input.gaussian = waves.choice("amplitudes", std::span<config::Entry<bool> const>(amplitude_kinds), true);
     double const duration = input.time_step_s * static_cast<double>(input.samples - 1);
     input.envelope = read_envelope(waves.child_or_empty("envelope"), duration);

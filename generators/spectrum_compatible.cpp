@@ -59,13 +59,17 @@ class SpectrumCompatible : public WaveSource {
           rule_name_(std::move(request.rule_name)),
           time_step_s_(request.input.time_step_s),
           seeds_(std::move(request.seeds)),
-          seed_labels_(std::move(request.seed_labels)) {
+          seed_labels_(std::move(request.seed_labels)),
+          stated_to_s_(request.input.target.last_period_s()) {
         auto const& target = request.input.target;
         constexpr std::array how{"each wave matched", "matched in the median", "not matched"};
         summary_ = fmt::format("{} samples of {} s, target {} at {} % damping to {:g} s, {}", request.input.samples,
                                time_step_s_, target.name(), 100 * target.damping(), request.input.longest_s,
                                how.at(static_cast<std::size_t>(request.match)));
         summary_ += rule_.asks() ? " by " + rule_name_ : "";
+        if (constexpr double rounding = 1e-9; request.input.longest_s > stated_to_s_ * (1 + rounding)) {
+            summary_ += fmt::format(", beyond its end at {:g} s on at constant displacement", stated_to_s_);
+        }
         summary_ += seeds_.empty() ? "" : fmt::format(", phases of {} records", seeds_.size());
         add(horizontal_kind, request.input);
         if (auto const& median = parts_.front().matcher.median(); median.max_misfit > 0) {
@@ -80,6 +84,7 @@ class SpectrumCompatible : public WaveSource {
             constexpr double at_s = 1;
             summary_ += fmt::format(", {} target {}, {:.3g} of the horizontal one at {} s", kind.name, own.name(),
                                     own.psa_mps2(at_s) / target.psa_mps2(at_s), at_s);
+            summary_ += kind.place == &GroundMotion::transverse_mps2 ? " (no part of the planar model)" : "";
         }
     }
 
@@ -113,7 +118,10 @@ class SpectrumCompatible : public WaveSource {
     }
     [[nodiscard]] std::string describe() const override { return summary_; }
     [[nodiscard]] std::string acceptance() const override { return rule_name_; }
-    [[nodiscard]] std::optional<double> judged_to_s() const override { return parts_.front().longest_s; }
+    /// What lies beyond the target's own last period is compared with nothing that anybody stated.
+    [[nodiscard]] std::optional<double> judged_to_s() const override {
+        return std::min(parts_.front().longest_s, stated_to_s_);
+    }
 
   private:
     void add(ComponentKind const& kind, SpectrumMatcherInput const& input) {
@@ -166,6 +174,7 @@ class SpectrumCompatible : public WaveSource {
     std::vector<GroundMotion> seeds_;
     std::vector<std::string> seed_labels_;
     std::vector<Part> parts_;
+    double stated_to_s_;
     std::string summary_;
 };
 
@@ -209,7 +218,7 @@ void read_seeds(config::Table const& waves, InputFiles& files, Request& request)
         auto made = records->make(0, i);
         if (made.motion.time_step_s != request.input.time_step_s && (i > 0 || waves.has("time_step"))) {
             waves.fail("seed",
-                       fmt::format("time step {} s of {} beside {} s (no record is resampled). Keep to one step",
+                       fmt::format("time step {} s of {} beside {} s (seeds have one step). State waves.seed.time_step",
                                    made.motion.time_step_s, made.label, request.input.time_step_s));
         }
         request.input.time_step_s = made.motion.time_step_s;
@@ -220,6 +229,23 @@ void read_seeds(config::Table const& waves, InputFiles& files, Request& request)
     request.input.samples =
         waves.has("duration") ? read_samples(waves, request.input.time_step_s) : std::max<std::size_t>(longest, 101);
     request.input.envelope = {.shape = EnvelopeShape::constant};
+}
+
+// The rules speak of response spectra at 5 % damping, and of SI from 0.1 s on.
+void expect_judgeable(config::Table const& waves, char const* key, TargetSpectrum const& target) {
+    constexpr double rule_damping = 0.05;
+    constexpr double stated_from_s = 0.1;
+    if (target.is_energy() || target.damping() != rule_damping) {
+        waves.fail(key,
+                   "beside acceptance, which speaks of response spectra at 5 % damping (the target is another). Use "
+                   "acceptance = 'none'");
+    }
+    if (target.first_period_s() > stated_from_s) {
+        waves.fail(key,
+                   fmt::format("beside acceptance, which speaks of periods from {} s (the target begins at {:g} s). "
+                               "State the target from there on",
+                               stated_from_s, target.first_period_s()));
+    }
 }
 
 void read_match(config::Table const& waves, Request& request) {
@@ -240,9 +266,8 @@ void read_match(config::Table const& waves, Request& request) {
             waves.fail("match", "beside seed (a record is matched as it is). Use each");
         }
     }
-    constexpr double rule_damping = 0.05;
-    if (input.rule.asks() && (input.target.is_energy() || input.target.damping() != rule_damping)) {
-        waves.fail("acceptance", "speaks of response spectra at 5 % damping (the target is another). Use none here");
+    if (input.rule.asks()) {
+        expect_judgeable(waves, "acceptance", input.target);
     }
 }
 
@@ -270,6 +295,9 @@ std::unique_ptr<WaveSource> make_spectrum_compatible(config::Table const& waves,
     std::vector<std::pair<ComponentKind, TargetSpectrum>> further;
     for (auto const& kind : further_kinds) {
         if (auto const target = read_further(waves, kind.name, input.target, files)) {
+            if (input.rule.asks()) {
+                expect_judgeable(waves, kind.name, *target);
+            }
             further.emplace_back(kind, *target);
         }
         bool const measured = std::all_of(request.seeds.begin(), request.seeds.end(),

@@ -5,17 +5,27 @@
 [ ! -e "$slurm/site.env" ] || . "$slurm/site.env"
 : "${OVERTURN:=overturn}" "${OVERTURN_LAUNCH:=mpirun}" "${OVERTURN_MOST_LEGS:=100}"
 
+# Launchers lose or die of what reaches them in their first seconds; five minutes' warning has room for waiting.
+tell() {
+    [ -n "$pid" ] || return 0  # not begun yet: told as soon as it is
+    [ "$1" = TERM ] || while [ $((SECONDS - begun)) -lt 5 ]; do sleep 1; done
+    kill "-$1" "$pid" 2>/dev/null
+}
+
 # leg ARGUMENTS OF run... : 0 the work is complete, 3 the job has been put back into the queue, else what run returned.
 leg() {
-    local pid code
+    local pid='' code told='' begun=$SECONDS
+    trap 'told=USR1; tell USR1' USR1  # from --signal: finish the blocks in hand
+    trap 'told=TERM; tell TERM' TERM  # preempted: leave within a second
     $OVERTURN_LAUNCH "$OVERTURN" run "$@" --resume & pid=$!
-    trap 'kill -USR1 $pid' USR1  # from --signal: finish the blocks in hand
-    trap 'kill -TERM $pid' TERM  # preempted: leave within a second
+    [ -z "$told" ] || tell "$told"
     wait $pid; code=$?
     while kill -0 $pid 2>/dev/null; do  # a trapped signal ends wait, not the run
         wait $pid; code=$?
     done
     trap - USR1 TERM
+    # What is told while the launcher itself starts can kill it: nothing is lost, so the next leg goes on.
+    [ "$told" != USR1 ] || [ $code -le 128 ] || code=3
     [ $code -eq 3 ] || return $code
     if [ "${SLURM_RESTART_COUNT:-0}" -ge "$OVERTURN_MOST_LEGS" ]; then
         echo "leg: still not complete after $OVERTURN_MOST_LEGS legs (is the time limit shorter than a block?). Raise it" >&2

@@ -47,7 +47,9 @@ std::optional<BlockRows> run_block(CampaignSpec const& spec, Plan const& plan, s
             rows.waves.push_back(waves.back().row);
             rows.measures.insert(rows.measures.end(), waves.back().measures.begin(), waves.back().measures.end());
         }
-        append_trials(spec, plan, waves, rows.trials, seconds);
+        if (!append_trials(spec, plan, waves, rows.trials, seconds, goes_on)) {
+            return std::nullopt;
+        }
     }
     return rows;
 }
@@ -58,6 +60,14 @@ std::vector<std::byte> BlockRows::pack() const {
     put(bytes, measures);
     put(bytes, trials);
     return bytes;
+}
+
+std::size_t BlockRows::packed_size(Plan const& plan, std::int64_t block) {
+    auto const rows = [&](std::int64_t per_wave) {
+        return static_cast<std::size_t>(plan.waves_of_block(block).count * per_wave);
+    };
+    return rows(1) * sizeof(WaveRow) + rows(plan.bodies()) * sizeof(MeasureRow)
+           + rows(plan.trials_per_wave()) * sizeof(TrialRow);
 }
 
 BlockRows BlockRows::unpack(std::span<std::byte const> bytes, Plan const& plan, std::int64_t waves) {

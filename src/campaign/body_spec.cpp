@@ -142,7 +142,7 @@ void validate_draws(Table const& table, BodySpec const& spec) {
         auto const& friction = spec.scatter.friction;
         if (friction && friction->highest() >= bound) {
             table.fail("friction",
-                       fmt::format("{:.4g} (from {:.4f} up a slipping corner may jam, Painleve's paradox, and rigid "
+                       fmt::format("{:.6g} (from {:.6g} up a slipping corner may jam, Painleve's paradox, and rigid "
                                    "sliding has no answer). Lower it{}, or leave it out: no slip",
                                    friction->highest(), bound, friction->scatters() ? " by its key high" : ""));
         }

@@ -43,20 +43,26 @@ std::vector<std::string> lines_of(std::string const& text) {
 std::string CampaignInput::serialise() const {
     auto json = json_of(*this);
     json["name"] = name;
+    json["program"] = program;
     auto const bytes = Json::to_cbor(json);
     return {bytes.begin(), bytes.end()};
 }
 
 CampaignInput CampaignInput::deserialise(std::string_view bytes) {
-    auto const json = Json::from_cbor(bytes.begin(), bytes.end());
-    CampaignInput input{json.at("name").get<std::string>(),
-                        text_of(json.at("text")),
-                        json.at("settings").get<std::vector<std::string>>(),
-                        {}};
-    for (auto const& [name, content] : json.at("files").items()) {
-        input.files.emplace(name, text_of(content));
+    try {
+        auto const json = Json::from_cbor(bytes.begin(), bytes.end());
+        CampaignInput input{json.at("name").get<std::string>(),
+                            text_of(json.at("text")),
+                            json.at("settings").get<std::vector<std::string>>(),
+                            {},
+                            json.value("program", "an older one")};
+        for (auto const& [name, content] : json.at("files").items()) {
+            input.files.emplace(name, text_of(content));
+        }
+        return input;
+    } catch (Json::exception const&) {
+        throw SystemError("the record of the campaign is not what this program writes (another version's?)");
     }
-    return input;
 }
 
 std::string CampaignInput::sha256() const {
@@ -64,8 +70,13 @@ std::string CampaignInput::sha256() const {
     return store::sha256({reinterpret_cast<char const*>(bytes.data()), bytes.size()});
 }
 
+std::string CampaignInput::block_key() const { return store::sha256(sha256() + program); }
+
 std::vector<std::string> CampaignInput::differences(CampaignInput const& other) const {
     std::vector<std::string> found;
+    if (program != other.program) {
+        found.push_back(fmt::format("begun by overturn {}, this is {}", program, other.program));
+    }
     auto const ours = lines_of(text);
     auto const theirs = lines_of(other.text);
     for (std::size_t i = 0; i < std::max(ours.size(), theirs.size()); ++i) {
@@ -100,6 +111,10 @@ CampaignInput load_campaign(std::filesystem::path const& path, std::span<std::st
              "{}: cannot be read (no such file, or no right to). Check the name", path.string());
     CampaignInput input{
         path.string(), std::string(std::istreambuf_iterator<char>(file), {}), {settings.begin(), settings.end()}, {}};
+    for (auto const& setting : input.settings) {
+        validate(setting.find('\n') == std::string::npos,
+                 "--set {} (spans lines, which a results file cannot carry). State it in the campaign", setting);
+    }
     // A results file carries the text as an attribute, which HDF5 holds to 64 KiB.
     constexpr std::size_t longest = 60'000;
     validate(input.text.size() <= longest,

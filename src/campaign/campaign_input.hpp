@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "campaign/version.hpp"
+
 namespace overturn {
 
 /// The campaign file as written, the settings on top of it, and every file it names.
@@ -17,11 +19,16 @@ struct CampaignInput {
     std::string text;                          ///< TOML
     std::vector<std::string> settings;         ///< "key.sub=value", applied in order
     std::map<std::string, std::string> files;  ///< by the name the campaign uses
+    /// What computes it: blocks of two programs must not be mixed, since a change of either may move a bit.
+    std::string program = program_identity();
 
-    /// SHA-256 of text, settings and files; the name does not count.
+    /// SHA-256 of text, settings and files; neither the name nor the program counts.
     [[nodiscard]] std::string sha256() const;
+    /// What finished blocks belong to: sha256() and the program.
+    [[nodiscard]] std::string block_key() const;
 
     [[nodiscard]] std::string serialise() const;
+    /// \throws SystemError if the bytes are no campaign
     [[nodiscard]] static CampaignInput deserialise(std::string_view bytes);
 
     /// One line per difference between two inputs, naming keys where the texts differ; empty if they are the same.

@@ -8,6 +8,7 @@
 #include "campaign/analysis.hpp"
 #include "campaign/output_place.hpp"
 #include "campaign/stopping.hpp"
+#include "core/note.hpp"
 #include "store/durable.hpp"
 
 namespace overturn {
@@ -69,6 +70,26 @@ std::string resume_command(CampaignInput const& input, std::filesystem::path con
                        settings);
 }
 
+void require_begun(store::ShardFolder const& shards, std::filesystem::path const& output) {
+    if (!shards.begun_with().empty()) {
+        return;
+    }
+    validate(
+        !shards.holds_blocks(),
+        "{}: blocks without the record of their campaign (removed by hand?). Go on with: overturn run CAMPAIGN -o {} "
+        "--resume",
+        shards.folder().string(), output.string());
+    throw InputError(
+        fmt::format("{}: no such results, finished or not (nothing was begun there). Check the name", output.string()));
+}
+
+void require_same_program(CampaignInput const& begun, std::filesystem::path const& output) {
+    validate(begun.program == program_identity(),
+             "{}: begun by overturn {}, this is {} (their blocks must not be mixed). Finish it with that program, or "
+             "start anew with another -o",
+             output.string(), begun.program, program_identity());
+}
+
 MergeEnd merge_parts(std::filesystem::path const& output) {
     if (std::filesystem::exists(output)) {
         store::ResultsReader const file(output);
@@ -77,25 +98,26 @@ MergeEnd merge_parts(std::filesystem::path const& output) {
         return MergeEnd::complete;
     }
     store::ShardFolder const unnamed(output, "");
-    validate(!unnamed.begun_with().empty(), "{}: nothing to merge (no blocks in {}). Run its parts first",
-             output.string(), unnamed.folder().string());
+    require_begun(unnamed, output);
     store::require_writable(output);
     store::Claim const claim(unnamed.folder(), {0, std::numeric_limits<std::int64_t>::max()});
     auto const input = CampaignInput::deserialise(unnamed.begun_with());
     auto const spec = parse_campaign(input);
     Plan const whole(spec);
-    store::ShardFolder const shards(output, input.sha256());
+    require_same_program(input, output);
+    store::ShardFolder const shards(output, input.block_key());
     std::vector<std::string> notes;
-    auto const committed = shards.committed({0, whole.blocks()}, notes);
+    auto const committed = shards.committed({0, whole.blocks()}, notes,
+                                            [&](std::int64_t block) { return BlockRows::packed_size(whole, block); });
     auto const plan = cut_at_target(spec, whole, shards, committed);
     auto const missing = missing_blocks(plan, committed);
     for (auto const& note : notes) {
-        fmt::print(stderr, "{}\n", note);
+        put_note(note + "\n");
     }
     if (!missing.empty()) {
-        fmt::print(stderr, "{}: waves {} are missing ({} of {} blocks). Run their parts again with --resume, or: {}\n",
-                   shards.folder().string(), plan.waves_text(missing), missing.size(), plan.blocks(),
-                   resume_command(input, output));
+        note("{}: waves {} are missing ({} of {} blocks). Run their parts again with --resume, or: {}\n",
+             shards.folder().string(), plan.waves_text(missing), missing.size(), plan.blocks(),
+             resume_command(input, output));
         return MergeEnd::missing;
     }
     auto const tables = merge_blocks(output, input, spec, plan, shards, [] { return true; });

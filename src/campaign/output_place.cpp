@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "campaign/trial.hpp"
+#include "core/note.hpp"
 #include "store/durable.hpp"
 #include "store/results_file.hpp"
 
@@ -31,13 +33,26 @@ void begin(store::ShardFolder const& shards, CampaignInput const& input) {
     refuse_other(CampaignInput::deserialise(shards.begun_with()), input, shards.folder().string());
 }
 
-// A damaged record is written anew: the blocks themselves tell whose they are.
-std::string record_of(store::ShardFolder const& shards) {
+// What an unfinished run was begun with; nothing if there is none.
+std::optional<CampaignInput> begun_there(store::ShardFolder const& shards) {
+    auto const record = shards.begun_with();
+    return record.empty() ? std::nullopt : std::optional(CampaignInput::deserialise(record));
+}
+
+// A damaged record is written anew, since the blocks tell whose they are; but never by chance, and never over others'.
+bool has_sound_record(store::ShardFolder const& shards, CampaignInput const& input, bool resume) {
     try {
-        return shards.begun_with();
+        return begun_there(shards).has_value();
     } catch (SystemError const& error) {
-        fmt::print(stderr, "{}\n", error.what());
-        return {};
+        validate(resume, "{}", error.what());
+        validate(
+            !shards.holds_foreign_blocks(),
+            "{}: blocks of another campaign or program (and the record that would name it is damaged). Choose another "
+            "place with -o",
+            shards.folder().string());
+        note("{}: the damaged record is written anew\n", shards.folder().string());
+        shards.begin_again(input.serialise());
+        return true;
     }
 }
 
@@ -51,10 +66,14 @@ bool becomes_free(store::ShardFolder const& shards) {
     return !store::Claim::held(shards.folder());
 }
 
-// Of this very campaign, by the record or, where a kill came after that had gone, by every block itself.
+// Of this very campaign and program, by the record or, where a kill came after that had gone, by every block itself.
 bool are_leftovers(store::ShardFolder const& shards, CampaignInput const& input) {
-    if (auto const begun = record_of(shards); !begun.empty()) {
-        return CampaignInput::deserialise(begun).sha256() == input.sha256();
+    try {
+        if (auto const begun = begun_there(shards)) {
+            return begun->block_key() == input.block_key();
+        }
+    } catch (SystemError const&) {
+        return false;
     }
     std::vector<std::string> notes;
     (void)shards.committed({0, std::numeric_limits<std::int64_t>::max()}, notes);
@@ -65,9 +84,10 @@ std::vector<std::int64_t> sound_blocks(store::ShardFolder const& shards, Plan co
     auto const range = plan.blocks_of(part);
     shards.remove_unfinished(range);
     std::vector<std::string> notes;
-    auto committed = shards.committed(range, notes);
+    auto committed =
+        shards.committed(range, notes, [&](std::int64_t block) { return BlockRows::packed_size(plan, block); });
     for (auto const& note : notes) {
-        fmt::print(stderr, "{}\n", note);
+        put_note(note + "\n");
     }
     return committed;
 }
@@ -80,25 +100,31 @@ void check_complete(std::filesystem::path const& output, CampaignInput const& in
                  {file.text("campaign_name"), input.text, {}, {}}, output.string());
     validate(file.text("input_sha256") == input.sha256(),
              "output {} (made with other settings or input files). Name another with -o", output.string());
-    store::ShardFolder const shards(output, input.sha256());
-    if (shards.exists() && (claimed || becomes_free(shards)) && are_leftovers(shards, input)) {
-        shards.remove();
-        fmt::print(stderr, "{}: blocks left over from {} (merged already). Removed\n", shards.folder().string(),
-                   output.string());
+    store::ShardFolder const shards(output, input.block_key());
+    if (!shards.exists() || !(claimed || becomes_free(shards))) {
+        return;
     }
+    bool const leftovers = are_leftovers(shards, input);
+    if (leftovers) {
+        shards.remove();
+    }
+    note("{}: {}\n", shards.folder().string(),
+         leftovers ? "blocks left over (merged already). Removed" : "what lies there is not of this file. Left alone");
 }
 
 OutputState take_output(std::filesystem::path const& output, store::ShardFolder const& shards,
                         CampaignInput const& input, Plan const& plan, OutputWish const& wish,
                         std::optional<store::Claim>& claim) {
     validate(!std::filesystem::is_directory(output), "output {} (is a folder). Name a file with -o", output.string());
-    store::require_writable(output);
+    validate(!std::filesystem::exists(output) || std::filesystem::is_regular_file(output),
+             "output {} (is no file that could hold results). Name another with -o", output.string());
     auto const refuse_taken = [&] {
         validate(wish.resume || !std::filesystem::exists(output),
                  "output {} (is there already and would be lost). Remove it, or name another with -o", output.string());
     };
     refuse_taken();
     if (!std::filesystem::exists(output)) {
+        store::require_writable(output);
         claim.emplace(shards.folder(), claimed(plan, wish.part));
     }
     refuse_taken();  // another run may have finished meanwhile
@@ -106,25 +132,27 @@ OutputState take_output(std::filesystem::path const& output, store::ShardFolder 
         check_complete(output, input, claim.has_value());
         return {true, {}};
     }
-    auto const begun = record_of(shards);
-    if (begun.empty()) {
+    bool const begun = has_sound_record(shards, input, wish.resume);
+    if (!begun) {
+        validate(wish.resume || !shards.holds_blocks() || begun_there(shards),
+                 "{} (blocks of an unfinished run lie there). Go on with --resume, or remove it",
+                 shards.folder().string());
         begin(shards, input);
     } else {
         validate(wish.resume || !wish.part.is_whole(),
                  "{} (an unfinished run lies there). Go on with --resume, or remove it", shards.folder().string());
-        refuse_other(CampaignInput::deserialise(begun), input, shards.folder().string());
+        refuse_other(begun_there(shards).value(), input, shards.folder().string());
     }
     auto committed = sound_blocks(shards, plan, wish.part);
-    validate(wish.resume || committed.empty(),
-             "{}: part {}/{} (has been begun there). Go on with --resume, or remove the folder",
+    validate(wish.resume || committed.empty(), "{}: part {}/{} (has been begun there). Go on with --resume",
              shards.folder().string(), wish.part.number, wish.part.of);
-    if (begun.empty() && committed.empty()) {
+    if (!begun && committed.empty()) {
         return {};
     }
     if (wish.resume) {
-        fmt::print(stderr, "resuming {}: {} of {} blocks are done, {} are left\n", output.string(), committed.size(),
-                   plan.blocks_of(wish.part).count(),
-                   plan.blocks_of(wish.part).count() - static_cast<std::int64_t>(committed.size()));
+        note("resuming {}: {} of {} blocks are done, {} are left\n", output.string(), committed.size(),
+             plan.blocks_of(wish.part).count(),
+             plan.blocks_of(wish.part).count() - static_cast<std::int64_t>(committed.size()));
     }
     return {false, std::move(committed)};
 }

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "core/note.hpp"
+
 namespace overturn {
 
 std::string duration_text(double seconds) {
@@ -52,13 +54,12 @@ void Progress::show(std::int64_t fresh) {
     double const left_s = seconds / static_cast<double>(fresh) * static_cast<double>(total_ - done);
     auto const line = fmt::format("{} of {} blocks, {:.0f} trials/s, {}", done, total_, per_second,
                                   done == total_ ? "took " + duration_text(seconds) : duration_text(left_s) + " left");
-    fmt::print(stderr, "{}{:<70}{}", terminal_ ? "\r" : "", line, terminal_ ? "" : "\n");
-    std::fflush(stderr);
+    note("{}{:<70}{}", terminal_ ? "\r" : "", line, terminal_ ? "" : "\n");
 }
 
 void Progress::finish() const {
     if (terminal_ && shown_s_ >= 0) {
-        fmt::print(stderr, "\n");
+        note("\n");
     }
 }
 

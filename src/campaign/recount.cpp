@@ -2,6 +2,14 @@
 
 namespace overturn {
 
+namespace {
+
+void require(bool sound, std::string const& what) {
+    validate(sound, "results file: {} (it is damaged, or not of this program). Run the campaign again", what);
+}
+
+}  // namespace
+
 CampaignInput input_of(store::ResultsReader const& file) {
     CampaignInput input{file.text("campaign_name"), file.text("campaign"), {}, {}};
     auto const settings = file.text("settings");
@@ -13,14 +21,12 @@ CampaignInput input_of(store::ResultsReader const& file) {
     for (auto const& place : file.members("inputs")) {
         input.files.emplace(file.note("inputs/" + place, "description"), file.content("inputs/" + place));
     }
+    require(file.integer("complete") == 1, "it is not marked as complete");
+    require(file.text("input_sha256") == input.sha256(), "its campaign is not the one it was made from");
     return input;
 }
 
 namespace {
-
-void require(bool sound, std::string const& what) {
-    validate(sound, "results file: {} (it is damaged, or not of this program). Run the campaign again", what);
-}
 
 // All waves of the campaign, or fewer where it asks to end once it is precise enough.
 std::int64_t waves_done(store::ResultsReader const& file, CampaignSpec const& spec, Plan const& plan) {
@@ -65,6 +71,19 @@ class Columns {
     std::int64_t rows_;
 };
 
+// What the rows say now is what they said when the file was made.
+void require_stored(store::ResultsReader const& file, BodyStatistics const& counted) {
+    Columns const stripes(file, "stripes/" + counted.body + "/", static_cast<std::int64_t>(counted.stripes.size()));
+    auto const trials = stripes.integers("trials");
+    auto const overturned = stripes.integers("overturned");
+    auto const failed = stripes.integers("failed");
+    for (std::size_t l = 0; l < counted.stripes.size(); ++l) {
+        auto const& stripe = counted.stripes[l];
+        require(trials[l] == stripe.trials && overturned[l] == stripe.overturned && failed[l] == stripe.failed,
+                fmt::format("stripes/{} does not agree with its trials", counted.body));
+    }
+}
+
 // What the statistics ask of /waves/<body>, body by body for each wave.
 std::vector<MeasureRow> stored_measures(store::ResultsReader const& file, CampaignSpec const& spec,
                                         std::int64_t waves) {
@@ -95,6 +114,8 @@ Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec) {
     auto const id = waves.integers("id");
     auto const pga = waves.reals("pga");
     auto const pgv = waves.reals("pgv");
+    auto const matched = waves.integers("matched");
+    auto const iterations = waves.integers("match_iterations");
     auto const measures = stored_measures(file, spec, done);
     for (std::size_t i = 0; i < failed.size(); ++i) {
         WaveRow row;
@@ -103,6 +124,8 @@ Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec) {
         row.pgv_mps = pgv[i];
         row.failed = failed[i];
         row.accepted = accepted[i];
+        row.matched = matched[i];
+        row.match_iterations = iterations[i];
         statistics.add(row, std::span(measures).subspan(i * spec.bodies.size(), spec.bodies.size()));
     }
     auto const wave = trials.integers("wave");
@@ -138,6 +161,9 @@ Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec) {
         row.effects_called = called[i];
         row.rung = rung[i];
         statistics.add(row);
+    }
+    for (auto const& counted : statistics.bodies()) {
+        require_stored(file, counted);
     }
     return statistics;
 }

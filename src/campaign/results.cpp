@@ -168,7 +168,7 @@ void Statistics::add(TrialRow const& row) {
     auto& stripe = body.stripes.at(level);
     ++stripe.trials;
     auto const verdict = static_cast<Verdict>(row.verdict);
-    ++body.rungs.at(static_cast<std::size_t>(row.rung));
+    body.rungs.at(static_cast<std::size_t>(row.rung)) += verdict == Verdict::failed ? 0 : 1;
     stripe.failed += verdict == Verdict::failed ? 1 : 0;
     stripe.contact_lost += verdict == Verdict::contact_lost ? 1 : 0;
     stripe.at_rest += verdict == Verdict::at_rest ? 1 : 0;
@@ -189,13 +189,15 @@ void WaveCounts::add(WaveRow const& row) {
     ++waves;
     failed += row.failed != 0 ? 1 : 0;
     not_accepted += row.failed == 0 && row.accepted == 0 ? 1 : 0;
+    missed += row.failed == 0 && row.accepted < 0 && row.match_iterations > 0 && row.matched == 0 ? 1 : 0;
 }
 
 std::string WaveCounts::text(std::string const& acceptance) const {
-    if (acceptance == "none" && failed == 0) {
+    if (acceptance == "none" && failed == 0 && missed == 0) {
         return "";
     }
     auto text = fmt::format("{} waves", waves);
+    text += missed > 0 ? fmt::format(", {} missed match_tolerance and are used as they are", missed) : "";
     text += failed > 0 ? fmt::format(", {} could not be made", failed) : "";
     text += acceptance == "none" ? "" : fmt::format(", {} not accepted by {}", not_accepted, acceptance);
     return text + (failed + not_accepted > 0 ? " (their trials are failed rows)" : "");

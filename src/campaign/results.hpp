@@ -39,6 +39,8 @@ struct BodyStatistics {
 /// What became of the waves.
 struct WaveCounts {
     std::int64_t waves = 0, failed = 0, not_accepted = 0;
+    std::int64_t missed =
+        0;  ///< iterated to a target and short of match_tolerance, without a rule that would refuse them
 
     void add(WaveRow const& row);
     /// "200 waves, 3 not accepted by srp-3.7.1 (their trials are failed rows)"; empty if there is nothing to say.

@@ -11,6 +11,7 @@
 #include "campaign/runtime_file.hpp"
 #include "campaign/stopping.hpp"
 #include "campaign/worker.hpp"
+#include "core/note.hpp"
 
 namespace overturn {
 namespace {
@@ -26,8 +27,9 @@ std::vector<std::int64_t> blocks_left(store::BlockRange const& range, std::vecto
 }
 
 // Every rank writes, so every node has to see the folder.
-void require_shared(store::ShardFolder const& shards, parallel::Communicator const& comm) {
-    bool const seen = !shards.begun_with().empty();
+void require_shared(store::ShardFolder const& shards, std::string const& key, parallel::Communicator const& comm) {
+    auto const record = shards.begun_with();
+    bool const seen = !record.empty() && CampaignInput::deserialise(record).block_key() == key;
     if (comm.largest(seen ? 0 : 1) == 0) {
         return;
     }
@@ -46,13 +48,13 @@ void require_shared(store::ShardFolder const& shards, parallel::Communicator con
 void tell_what_is_left(CampaignInput const& input, RunOptions const& options, std::int64_t done, std::int64_t blocks) {
     auto const again = resume_command(input, options.output);
     if (options.part.is_whole()) {
-        fmt::print(stderr, "stopped early: {} of {} blocks are done and safe. Go on with: {}\n", done, blocks, again);
+        note("stopped early: {} of {} blocks are done and safe. Go on with: {}\n", done, blocks, again);
         return;
     }
     auto const name = fmt::format("part {}/{}", options.part.number, options.part.of);
     if (done < blocks) {
-        fmt::print(stderr, "stopped early: {} of {} blocks of {} are done and safe. Go on with: {} --part {}/{}\n",
-                   done, blocks, name, again, options.part.number, options.part.of);
+        note("stopped early: {} of {} blocks of {} are done and safe. Go on with: {} --part {}/{}\n", done, blocks,
+             name, again, options.part.number, options.part.of);
         return;
     }
     fmt::print("{}: all {} blocks are done. When all parts are: overturn merge {}\n", name, blocks,
@@ -68,7 +70,7 @@ class Run {
           leave_(options.max_walltime_s),
           spec_(parse_campaign(input)),
           plan_(spec_),
-          shards_(options.output, input.sha256()) {}
+          shards_(options.output, input.block_key()) {}
 
     RunEnd run() {
         auto const found = nlohmann::json::parse(from_root(comm_, [&] {
@@ -82,10 +84,10 @@ class Run {
             }
             return RunEnd::complete;
         }
-        require_shared(shards_, comm_);
+        require_shared(shards_, input_.block_key(), comm_);
         auto const committed = found.at("committed").get<std::vector<std::int64_t>>();
         if (comm_.is_root()) {
-            fmt::print(stderr, "waves: {}\n", spec_.source->describe());
+            note("waves: {}\n", spec_.source->describe());
         }
         // Up to each stopping point, where all ranks wait for the answer; a part cannot know it and does all its
         // blocks.
@@ -137,7 +139,7 @@ class Run {
                               return std::string(meets_target(spec_, plan_, shards_, blocks) ? 1 : 0, 'y');
                           }).empty();
         if (comm_.is_root() && yes) {
-            fmt::print(stderr, "precise enough after {} of {} waves\n", plan_.first(blocks).waves(), plan_.waves());
+            note("precise enough after {} of {} waves\n", plan_.first(blocks).waves(), plan_.waves());
         }
         return yes;
     }
@@ -146,7 +148,7 @@ class Run {
         auto const table = from_root(comm_, [&] {
             auto const begin = std::chrono::steady_clock::now();
             auto const tables =
-                merge_blocks(options_.output, input_, spec_, plan_, shards_, [&] { return leave_.may_go_on(); });
+                merge_blocks(options_.output, input_, spec_, plan_, shards_, [&] { return leave_.may_merge(); });
             done_.seconds.store += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
             return tables.value_or("");
         });
@@ -159,7 +161,7 @@ class Run {
     void account() {
         auto const ranks = comm_.gather(seconds_text(comm_, done_.seconds));
         if (comm_.is_root()) {
-            fmt::print(stderr, "cost: {}\n", rung_costs(sum_of_rungs(ranks)));
+            note("cost: {}\n", rung_costs(sum_of_rungs(ranks)));
             write_runtime(options_.output, options_.part, ranks, wall_s_,
                           done_.committed * plan_.trials() / plan_.blocks());
         }
@@ -180,13 +182,16 @@ class Run {
 
 }  // namespace
 
-std::filesystem::path default_output(std::filesystem::path const& campaign) {
-    return campaign.stem().replace_extension(".h5");
-}
+std::filesystem::path default_output(std::filesystem::path const& campaign) { return campaign.stem() += ".h5"; }
 
 CampaignInput load_campaign_everywhere(std::filesystem::path const& path, std::span<std::string const> settings,
                                        parallel::Communicator const& comm) {
-    return CampaignInput::deserialise(from_root(comm, [&] { return load_campaign(path, settings).serialise(); }));
+    auto input = CampaignInput::deserialise(from_root(comm, [&] { return load_campaign(path, settings).serialise(); }));
+    if (comm.largest(input.program == program_identity() ? 0 : 1) != 0) {
+        throw InputError(fmt::format("ranks of different programs (rank 0 is overturn {}). Install one on all nodes",
+                                     input.program));
+    }
+    return input;
 }
 
 RunEnd run_campaign(CampaignInput const& input, RunOptions const& options, parallel::Communicator const& comm) {

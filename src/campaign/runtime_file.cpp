@@ -5,6 +5,7 @@
 
 #include "campaign/results.hpp"
 #include "core/error.hpp"
+#include "core/note.hpp"
 #include "store/durable.hpp"
 
 namespace overturn {
@@ -52,7 +53,7 @@ void write_runtime(std::filesystem::path const& output, Part part, std::vector<s
     try {
         store::write_durably(path, std::as_bytes(std::span(text)));
     } catch (SystemError const& error) {
-        fmt::print(stderr, "the times of this run are not kept: {}\n", error.what());
+        note("the times of this run are not kept: {}\n", error.what());
     }
 }
 

@@ -63,6 +63,11 @@ bool Leave::may_go_on() const {
     return elapsed_s() <= after_s_;
 }
 
+bool Leave::may_merge() const {
+    constexpr long merge_grace_ms = 60 * ms_per_s;  // of the minutes that batch systems are asked to warn before
+    return may_go_on() && (requested == 0 || now_ms() - requested_ms < merge_grace_ms);
+}
+
 void Leave::block_took(double seconds) { longest_s_ = std::max(longest_s_, seconds); }
 
 }  // namespace overturn

@@ -21,6 +21,8 @@ class Leave {
     [[nodiscard]] bool may_begin() const;
     /// May the block in hand go on?
     [[nodiscard]] bool may_go_on() const;
+    /// May the merge go on? For some time after a SIGUSR1: most are done by then, and it would begin anew.
+    [[nodiscard]] bool may_merge() const;
     /// One more block took this long.
     void block_took(double seconds);
 

@@ -235,8 +235,8 @@ TrialRow run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int6
     return row;
 }
 
-void append_trials(CampaignSpec const& spec, Plan const& plan, std::span<PreparedWave const> waves,
-                   std::vector<TrialRow>& rows, PhaseSeconds& seconds) {
+bool append_trials(CampaignSpec const& spec, Plan const& plan, std::span<PreparedWave const> waves,
+                   std::vector<TrialRow>& rows, PhaseSeconds& seconds, std::function<bool()> const& goes_on) {
     struct Place {
         std::size_t row;
         PreparedWave const* wave;
@@ -256,7 +256,6 @@ void append_trials(CampaignSpec const& spec, Plan const& plan, std::span<Prepare
             for (auto level = first_level; level < first_level + plan.level_count(); ++level) {
                 rows.push_back(open_row(spec, wave, body, level));
                 if (failed(rows.back())) {
-                    ++seconds.rungs[0].trials;
                     continue;
                 }
                 places.push_back({rows.size() - 1, &wave});
@@ -264,12 +263,20 @@ void append_trials(CampaignSpec const& spec, Plan const& plan, std::span<Prepare
             }
         }
     }
+    constexpr std::size_t most_at_once = 4096;  // a second's work or less: some waves have tens of thousands of levels
     std::vector<Response> responses(trials.size());
-    auto const taken = respond(trials, responses);
+    for (std::size_t first = 0; first < trials.size(); first += most_at_once) {
+        if (first > 0 && !goes_on()) {
+            return false;
+        }
+        auto const count = std::min(most_at_once, trials.size() - first);
+        auto const some = std::span(responses).subspan(first, count);
+        account(some, respond(std::span(trials).subspan(first, count), some), seconds);
+    }
     for (std::size_t i = 0; i < trials.size(); ++i) {
         close_row(rows[places[i].row], *places[i].wave, responses[i]);
     }
-    account(responses, taken, seconds);
+    return true;
 }
 
 std::int64_t waves_together(Plan const& plan) {

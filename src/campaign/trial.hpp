@@ -47,8 +47,10 @@ struct PreparedWave {
                                  std::int64_t level, RockingObserver* observer = nullptr);
 
 /// All trials of prepared waves, side by side, appended in order: each row is bit-equal to run_trial's.
-void append_trials(CampaignSpec const& spec, Plan const& plan, std::span<PreparedWave const> waves,
-                   std::vector<TrialRow>& rows, PhaseSeconds& seconds);
+/// \param goes_on asked now and then \return false if it said no: then `rows` is of no use
+bool append_trials(
+    CampaignSpec const& spec, Plan const& plan, std::span<PreparedWave const> waves, std::vector<TrialRow>& rows,
+    PhaseSeconds& seconds, std::function<bool()> const& goes_on = [] { return true; });
 
 /// How many waves' trials go side by side: enough to fill the vector lanes to the end, few enough waves to hold.
 [[nodiscard]] std::int64_t waves_together(Plan const& plan);
@@ -60,6 +62,8 @@ struct BlockRows {
     std::vector<TrialRow> trials;
 
     [[nodiscard]] std::vector<std::byte> pack() const;
+    /// How many bytes pack() makes of a block.
+    [[nodiscard]] static std::size_t packed_size(Plan const& plan, std::int64_t block);
     /// \throws SystemError if the bytes are not those of `waves` waves of this plan
     [[nodiscard]] static BlockRows unpack(std::span<std::byte const> bytes, Plan const& plan, std::int64_t waves);
 };

@@ -7,6 +7,8 @@ namespace overturn {
 
 [[nodiscard]] std::string program_version();
 [[nodiscard]] std::string git_revision();
+/// "0.1.0 (f46588f980a6)"
+[[nodiscard]] std::string program_identity();
 /// "GSL 2.7.1, HDF5 1.10.8, ..."
 [[nodiscard]] std::string library_versions();
 

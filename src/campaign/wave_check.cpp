@@ -36,7 +36,7 @@ void validate_bands(WaveSource const& source, std::vector<BodySpec> const& bodie
         auto const band = rocking_period_band(body.body.radius_m(), radius_unit);
         validate(band.t1_s <= *judged_to,
                  "'{}' beside a body '{}' with T1 = {:.3g} s (waves are compared with their target to {:.3g} s only). "
-                 "Raise waves.target.longest or use a target that goes on",
+                 "Use a target that goes on, and waves.target.longest no shorter",
                  source.acceptance(), body.name, band.t1_s, *judged_to);
     }
 }

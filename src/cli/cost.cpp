@@ -8,6 +8,7 @@
 
 #include "campaign/progress.hpp"
 #include "cli/verbs.hpp"
+#include "core/note.hpp"
 #include "cost/study_output.hpp"
 #include "report/cost_page.hpp"
 #include "store/durable.hpp"
@@ -34,7 +35,7 @@ class Remaining {
         }
         shown_ = done;
         auto const text = fmt::format("{:.0f} %{}", 100 * done, last ? "" : ", " + duration_text(left_s) + " left");
-        fmt::print(stderr, "{}{:<30}{}", terminal_ ? "\r" : "", text, terminal_ && !last ? "" : "\n");
+        note("{}{:<30}{}", terminal_ ? "\r" : "", text, terminal_ && !last ? "" : "\n");
         std::fflush(stderr);
     }
 
@@ -66,12 +67,12 @@ int study(Options const& options) {
     fmt::print("{}", options.json ? cost::study_json(found).dump(2) + "\n" : cost::study_table(found));
     if (!options.output.empty()) {
         cost::write_study(options.output, input, found);
-        fmt::print(stderr, "study: {}\n", options.output);
+        note("study: {}\n", options.output);
     }
     if (!options.page.empty()) {
         auto const page = report::cost_page(cost::study_json(found));
         store::write_durably(options.page, std::as_bytes(std::span(page)));
-        fmt::print(stderr, "page: {}\n", options.page);
+        note("page: {}\n", options.page);
     }
     return done;
 }

@@ -1,8 +1,10 @@
 #include "cli/failed_trials.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "campaign/results.hpp"
+#include "generators/acceptance.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -15,7 +17,28 @@ std::string reason_name(std::int64_t reason) {
     return known ? names[static_cast<std::size_t>(reason)] : fmt::format("reason {}", reason);
 }
 
+// Names of the clauses whose bits are set.
+std::vector<std::string> names_of_clauses(std::int64_t bits) {
+    std::vector<std::string> names;
+    auto const all = clause_names();
+    for (std::size_t bit = 0; bit < all.size(); ++bit) {
+        if ((static_cast<std::uint64_t>(bits) >> bit & 1U) != 0) {
+            names.push_back(all[bit]);
+        }
+    }
+    return names;
+}
+
 }  // namespace
+
+void FailedTrials::know(WaveRow const& row) {
+    if (row.acceptance_failures != 0) {
+        clauses_[row.id] = row.acceptance_failures;
+        for (auto const& name : names_of_clauses(row.acceptance_failures)) {
+            ++not_met_[name];
+        }
+    }
+}
 
 void FailedTrials::add(std::int64_t number, TrialRow const& row) {
     if (static_cast<Verdict>(row.verdict) != Verdict::failed) {
@@ -28,6 +51,10 @@ void FailedTrials::add(std::int64_t number, TrialRow const& row) {
                                      spec_.bodies.at(static_cast<std::size_t>(row.body)).name,
                                      spec_.levels.measure_name(), row.amplitude, spec_.levels.units(),
                                      reason_name(row.failure)));
+        if (auto const found = clauses_.find(row.wave); found != clauses_.end()) {
+            first_.back().pop_back();
+            first_.back() += fmt::format(" ({})\n", fmt::join(names_of_clauses(found->second), ", "));
+        }
     }
 }
 
@@ -43,6 +70,9 @@ std::string FailedTrials::text() const {
     }
     auto text =
         fmt::format("failed trials: {} ({}); left out of P, and counted both ways in its interval\n", count_, reasons);
+    for (auto const& [name, waves] : not_met_) {
+        text += fmt::format("  not met by {} waves: {}\n", waves, name);
+    }
     for (auto const& line : first_) {
         text += line;
     }

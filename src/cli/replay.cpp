@@ -7,6 +7,7 @@
 #include "campaign/results.hpp"
 #include "cli/history.hpp"
 #include "cli/verbs.hpp"
+#include "core/note.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -49,10 +50,10 @@ int replay(Options const& options) {
         return done;
     }
     fmt::print("NOT bit-equal to the stored row: {} differ\n", fmt::join(different, ", "));
-    fmt::print(stderr,
-               "overturn: {}: trial {} is not what this program computes (the file was made by {}, revision {}). "
-               "Replay it with that one\n",
-               options.file, options.trial, file.text("program_version"), file.text("git_revision"));
+    note(
+        "overturn: {}: trial {} is not what this program computes (the file was made by {}, revision {}). "
+        "Replay it with that one\n",
+        options.file, options.trial, file.text("program_version"), file.text("git_revision"));
     return other_failure;
 }
 

@@ -12,6 +12,7 @@
 #include "cli/figures.hpp"
 #include "cli/fit_json.hpp"
 #include "cli/verbs.hpp"
+#include "core/note.hpp"
 #include "report/cost_page.hpp"
 #include "report/figure.hpp"
 #include "store/durable.hpp"
@@ -84,23 +85,32 @@ Json waves_of(CampaignInput const& input, CampaignSpec const& spec, Plan const& 
     return figures;
 }
 
-Json cost_of(fs::path path) {
-    path.replace_extension(".runtime.json");
-    std::ifstream stream(path);
-    auto const runtime = stream ? Json::parse(stream, nullptr, false) : Json();
+Json cost_lines(Json const& runtime, fs::path const& path) {
     auto lines = Json::array();
-    if (!runtime.is_object() || !runtime.contains("ranks")) {
-        return lines;
-    }
     lines.push_back(fmt::format("Took {:.3g} s on {} ranks, {:.3g} trials a second (beside the results, in {}).",
-                                runtime.value("wall_s", 0.0), runtime["ranks"].size(),
-                                runtime.value("trials_per_s", 0.0), path.filename().string()));
+                                runtime.at("wall_s").get<double>(), runtime.at("ranks").size(),
+                                runtime.at("trials_per_s").get<double>(), path.filename().string()));
     std::vector<std::string> ranks;
-    for (auto const& rank : runtime["ranks"]) {
+    for (auto const& rank : runtime.at("ranks")) {
         ranks.push_back(rank.dump());
     }
     lines.push_back(rung_costs(sum_of_rungs(ranks)));
     return lines;
+}
+
+// Times are no part of the results: without them, or with ones that nobody can read, the page just does not tell them.
+Json cost_of(fs::path path) {
+    path.replace_extension(".runtime.json");
+    if (!fs::is_regular_file(path)) {
+        return Json::array();
+    }
+    try {
+        std::ifstream stream(path);
+        return cost_lines(Json::parse(stream), path);
+    } catch (Json::exception const&) {
+        note("{}: not as overturn run writes it (damaged?). The page tells no times\n", path.string());
+        return Json::array();
+    }
 }
 
 int write_report(Options const& options) {
@@ -129,8 +139,8 @@ int write_report(Options const& options) {
     data["cost"] = cost_of(options.file);
     auto const page = report::figure_text("campaign_page.py", data, ".html");
     store::write_durably(options.page, std::as_bytes(std::span(page)));
-    fmt::print(stderr, "page: {}{}\n", options.page,
-               options.figures.empty() ? "" : fmt::format(", figures and tables: {}", options.figures));
+    note("page: {}{}\n", options.page,
+         options.figures.empty() ? "" : fmt::format(", figures and tables: {}", options.figures));
     return done;
 }
 

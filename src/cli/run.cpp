@@ -3,6 +3,7 @@
 #include <charconv>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "campaign/agreement.hpp"
 #include "campaign/stop.hpp"
@@ -18,8 +19,8 @@ struct Options {
     std::string campaign;
     std::string output;
     std::vector<std::string> settings;
-    std::string max_walltime;
-    std::string part;
+    std::optional<std::string> max_walltime;  // given and empty is no wish to leave it out
+    std::optional<std::string> part;
     bool resume = false;
 };
 
@@ -52,6 +53,7 @@ Part read_part(std::string const& text) {
 }
 
 int run(Options const& options) {
+    stop_on_signals();  // first: what comes while MPI starts or records are read must not kill
     parallel::Environment const environment;
     parallel::Communicator const comm;
     // Errors that every rank knows of are thrown by every rank and told by one; all others end the whole job.
@@ -60,14 +62,16 @@ int run(Options const& options) {
         RunOptions run_options;
         run_options.output =
             options.output.empty() ? default_output(options.campaign) : std::filesystem::path(options.output);
+        if (std::filesystem::is_symlink(run_options.output)) {
+            run_options.output = std::filesystem::weakly_canonical(run_options.output);  // or it would be replaced
+        }
         run_options.resume = options.resume;
-        if (!options.max_walltime.empty()) {
-            run_options.max_walltime_s = read_walltime(options.max_walltime);
+        if (options.max_walltime) {
+            run_options.max_walltime_s = read_walltime(*options.max_walltime);
         }
-        if (!options.part.empty()) {
-            run_options.part = read_part(options.part);
+        if (options.part) {
+            run_options.part = read_part(*options.part);
         }
-        stop_on_signals();
         return run_campaign(input, run_options, comm) == RunEnd::complete ? done : resumable;
     } catch (InputError const& error) {
         if (comm.is_root()) {

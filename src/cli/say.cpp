@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "core/note.hpp"
+
 namespace overturn::cli {
 namespace {
 
@@ -26,7 +28,7 @@ void say(std::string message) {
     for (char& c : message) {
         c = c == '\n' || c == '\r' ? ' ' : c;
     }
-    fmt::print(stderr, "overturn: {}\n", message);
+    note("overturn: {}\n", message);
 }
 
 void say_once(std::string message) {

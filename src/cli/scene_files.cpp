@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "core/input_files.hpp"
+#include "core/note.hpp"
 #include "core/units.hpp"
 #include "motion/station.hpp"
 
@@ -31,7 +32,7 @@ PlacedRecord load_motion(RecordOptions const& options) {
     request.components = config::find_entry(component_choices(), options.components, "--components").value;
     auto placed = StationFiles(files).read(options.wave, request);
     if (placed.says != options.wave) {
-        fmt::print(stderr, "wave: {}\n", placed.says);
+        note("wave: {}\n", placed.says);
     }
     return placed;
 }

@@ -9,6 +9,7 @@
 #include "campaign/results.hpp"
 #include "cli/failed_trials.hpp"
 #include "cli/verbs.hpp"
+#include "core/note.hpp"
 #include "store/results_file.hpp"
 #include "store/shards.hpp"
 
@@ -28,6 +29,14 @@ int status_of_file(std::string const& path) {
                                     : std::string());
     auto const reasons = file.integers("trials/failure");
     FailedTrials failed(spec);
+    auto const ids = file.integers("waves/id");
+    auto const clauses = file.integers("waves/acceptance_failures");
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        WaveRow row;
+        row.id = ids[i];
+        row.acceptance_failures = clauses.at(i);
+        failed.know(row);
+    }
     for (std::size_t i = 0; i < verdicts.size(); ++i) {
         if (static_cast<Verdict>(verdicts[i]) == Verdict::failed) {
             TrialRow row;
@@ -50,6 +59,7 @@ void tell_so_far(CampaignSpec const& spec, Plan const& plan, store::ShardFolder 
         auto const rows = BlockRows::unpack(shards.read(block), plan, count);
         for (auto const& row : rows.waves) {
             waves.add(row);
+            failed.know(row);
         }
         auto number = first * plan.trials_per_wave();
         for (auto const& row : rows.trials) {
@@ -67,16 +77,17 @@ int status(std::string const& path) {
         return status_of_file(path);
     }
     store::ShardFolder const unnamed(path, "");
-    validate(unnamed.exists() && !unnamed.begun_with().empty(),
-             "{}: no such results, finished or not (nothing was begun there). Check the name", path);
+    require_begun(unnamed, path);
     auto const input = CampaignInput::deserialise(unnamed.begun_with());
     auto const spec = parse_campaign(input);
     Plan const plan(spec);
     std::vector<std::string> notes;
-    store::ShardFolder const shards(path, input.sha256());
-    auto const committed = shards.committed({0, plan.blocks()}, notes);
+    require_same_program(input, path);
+    store::ShardFolder const shards(path, input.block_key());
+    auto const committed = shards.committed({0, plan.blocks()}, notes,
+                                            [&](std::int64_t block) { return BlockRows::packed_size(plan, block); });
     for (auto const& note : notes) {
-        fmt::print(stderr, "{}\n", note);
+        put_note(note + "\n");
     }
     tell_so_far(spec, plan, shards, committed);
     std::vector<std::int64_t> left;

@@ -10,6 +10,7 @@
 #include "cli/figures.hpp"
 #include "cli/verbs.hpp"
 #include "cli/wave_report.hpp"
+#include "core/note.hpp"
 #include "motion/record_writer.hpp"
 #include "motion/text_lines.hpp"
 #include "report/figure.hpp"
@@ -68,8 +69,7 @@ void write_output(Options const& options, std::uint64_t seed, GeneratedWave cons
                             options.output);
     }
     for (auto const& file : written) {
-        fmt::print(stderr, "{}: {} samples of {} s, {}\n", file, made.motion.samples(), made.motion.time_step_s,
-                   made.label);
+        note("{}: {} samples of {} s, {}\n", file, made.motion.samples(), made.motion.time_step_s, made.label);
     }
 }
 
@@ -100,9 +100,9 @@ int show_wave(Options const& options) {
     }
     if (!options.plot.empty()) {
         draw_campaign_wave(input, spec, made, options.plot);
-        fmt::print(stderr, "{}: {}\n", options.plot, made.label);
+        note("{}: {}\n", options.plot, made.label);
     }
-    fmt::print(stderr, "{}", wave_report(spec, made, check));
+    note("{}", wave_report(spec, made, check));
     return done;
 }
 

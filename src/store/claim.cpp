@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "core/error.hpp"
+#include "core/note.hpp"
 
 namespace overturn::store {
 namespace {
@@ -68,8 +69,8 @@ Claim::Claim(std::filesystem::path const& folder, BlockRange blocks) {
                     fmt::format("{} (another run is writing there now). Wait for it, or choose another place with -o",
                                 folder.string()));
             }
-            fmt::print(stderr, "{}: cannot be locked ({}): see to it that no other run writes there\n", folder.string(),
-                       std::strerror(reason));
+            note("{}: cannot be locked ({}): see to it that no other run writes there\n", folder.string(),
+                 std::strerror(reason));
             return;
         }
         if (is_still_there(fd_, folder)) {
@@ -86,7 +87,7 @@ Claim::~Claim() {
 }
 
 bool Claim::held(std::filesystem::path const& folder) {
-    int const fd = ::open((folder / file_name).c_str(), O_RDWR | O_CLOEXEC);
+    int const fd = ::open((folder / file_name).c_str(), O_RDONLY | O_CLOEXEC);
     if (fd < 0) {
         return false;
     }

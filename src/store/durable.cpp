@@ -114,23 +114,45 @@ void rename_durably(std::filesystem::path const& from, std::filesystem::path con
     make_durable(folder_of(to));
 }
 
-void write_durably(std::filesystem::path const& path, std::span<std::byte const> content) {
+namespace {
+
+// The content, safe on the disk under a name of this process's own; removed again if `place` throws.
+template <class Place>
+void write_beside(std::filesystem::path const& path, std::span<std::byte const> content, Place&& place) {
     auto beside = path;
     beside += own_ending();
     try {
-        Descriptor const file(beside, O_WRONLY | O_CREAT | O_TRUNC);
-        file.write(content);
-        file.sync();
+        {
+            Descriptor const file(beside, O_WRONLY | O_CREAT | O_TRUNC);
+            file.write(content);
+            file.sync();
+        }
+        place(beside);
     } catch (SystemError const&) {
         ::unlink(beside.c_str());  // half a file would only keep a full disk full
         throw;
     }
-    try {
-        rename_durably(beside, path);
-    } catch (SystemError const&) {
+}
+
+}  // namespace
+
+void write_durably(std::filesystem::path const& path, std::span<std::byte const> content) {
+    write_beside(path, content, [&](std::filesystem::path const& beside) { rename_durably(beside, path); });
+}
+
+bool create_durably(std::filesystem::path const& path, std::span<std::byte const> content) {
+    bool made = false;
+    write_beside(path, content, [&](std::filesystem::path const& beside) {
+        made = ::link(beside.c_str(), path.c_str()) == 0;
+        if (!made && errno != EEXIST) {  // a file system without links
+            rename_durably(beside, path);
+            made = true;
+            return;
+        }
         ::unlink(beside.c_str());
-        throw;
-    }
+        make_durable(folder_of(path));
+    });
+    return made;
 }
 
 std::string read_file(std::filesystem::path const& path) {
@@ -140,14 +162,20 @@ std::string read_file(std::filesystem::path const& path) {
 
 void require_writable(std::filesystem::path const& path) {
     auto probe = path;
-    probe += ".probe";
-    int const fd = ::open(probe.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-    if (fd < 0) {
-        throw InputError(fmt::format("output {} (cannot write there: {}). Choose another place with -o", path.string(),
-                                     std::strerror(errno)));
+    probe += own_ending();
+    int const fd = ::open(probe.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0644);
+    if (fd < 0 && errno != EEXIST) {
+        int const reason = errno;
+        auto const text = fmt::format("output {} (cannot write there: {}). ", path.string(), std::strerror(reason));
+        if (reason == ENOENT || reason == ENOTDIR || reason == ENAMETOOLONG) {
+            throw InputError(text + "Choose another place with -o");
+        }
+        throw SystemError(text + "Make it writable, or choose another place with -o");
     }
-    ::close(fd);
-    ::unlink(probe.c_str());
+    if (fd >= 0) {
+        ::close(fd);
+        ::unlink(probe.c_str());
+    }
 }
 
 }  // namespace overturn::store

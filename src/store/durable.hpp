@@ -20,10 +20,14 @@ inline constexpr char const* unfinished_mark = ".tmp";
 /// \throws SystemError saying what failed (full disk, no right, ...)
 void write_durably(std::filesystem::path const& path, std::span<std::byte const> content);
 
+/// The same, unless there is such a file already: of several who try at once, one makes it. \return whether this one
+/// did
+bool create_durably(std::filesystem::path const& path, std::span<std::byte const> content);
+
 /// The bytes of a file. \throws SystemError
 [[nodiscard]] std::string read_file(std::filesystem::path const& path);
 
-/// \throws InputError unless a file can be created in the folder of `path`; leaves nothing behind.
+/// Leaves nothing behind. \throws InputError if there is no such folder, SystemError if no file can be created in it
 void require_writable(std::filesystem::path const& path);
 
 }  // namespace overturn::store

@@ -73,8 +73,8 @@ std::string ShardFolder::begun_with() const {
     auto const text = read_file(record);
     auto const length = text.size() < hash_length ? 0 : text.size() - hash_length;
     if (sha256(std::string_view(text).substr(0, length)) != std::string_view(text).substr(length)) {
-        throw SystemError(
-            fmt::format("{}: damaged (its checksum does not match). Run the campaign with --resume", record.string()));
+        throw SystemError(fmt::format(
+            "{}: damaged (its checksum does not match). Go on with: overturn run CAMPAIGN --resume", record.string()));
     }
     return text.substr(0, length);
 }
@@ -86,6 +86,11 @@ void ShardFolder::begin(std::string const& campaign_record) const {
         throw SystemError(
             fmt::format("cannot make {} ({}). Choose another place with -o", folder_.string(), error.message()));
     }
+    make_durable(folder_.has_parent_path() ? folder_.parent_path() : std::filesystem::path("."));
+    (void)create_durably(folder_ / record_name, bytes_of(campaign_record + sha256(campaign_record)));
+}
+
+void ShardFolder::begin_again(std::string const& campaign_record) const {
     write_durably(folder_ / record_name, bytes_of(campaign_record + sha256(campaign_record)));
 }
 
@@ -96,28 +101,37 @@ void ShardFolder::commit(std::int64_t block, std::span<std::byte const> rows) co
     write_durably(file_of(block), bytes_of(text));
 }
 
-std::vector<std::byte> ShardFolder::read(std::int64_t block) const {
+ShardFolder::Block ShardFolder::look_into(std::int64_t block) const {
     auto const path = file_of(block);
     auto const text = read_file(path);
     auto const head = fmt::format("{}{}\n{}\n", magic, campaign_, block);
-    auto const refuse = [&](char const* why) {
-        throw SystemError(fmt::format("{}: {}. With --resume it is computed again", path.string(), why));
+    auto const refused = [&](Content content, char const* why) {
+        return Block{content, fmt::format("{}: {}. With --resume it is computed again", path.string(), why), {}};
     };
     if (text.size() < head.size() + hash_length || !text.starts_with(magic)) {
-        refuse("not a whole block (truncated or foreign)");
+        return refused(Content::damaged, "not a whole block (truncated or foreign)");
     }
     auto const body = std::string_view(text).substr(0, text.size() - hash_length);
     if (sha256(body) != std::string_view(text).substr(body.size())) {
-        refuse("damaged (its checksum does not match)");
+        return refused(Content::damaged, "damaged (its checksum does not match)");
     }
     if (!text.starts_with(head)) {
-        refuse("a block of another campaign or place");
+        return refused(Content::foreign, "a block of another campaign or place (or of another program)");
     }
     auto const rows = std::as_bytes(std::span(body.substr(head.size())));
-    return {rows.begin(), rows.end()};
+    return {Content::ours, {}, {rows.begin(), rows.end()}};
 }
 
-std::vector<std::int64_t> ShardFolder::committed(BlockRange range, std::vector<std::string>& notes) const {
+std::vector<std::byte> ShardFolder::read(std::int64_t block) const {
+    auto found = look_into(block);
+    if (found.content != Content::ours) {
+        throw SystemError(found.problem);
+    }
+    return std::move(found.rows);
+}
+
+// By name alone; others that look alike are told of in `notes`, if given.
+std::vector<std::int64_t> ShardFolder::block_files(std::vector<std::string>* notes) const {
     std::vector<std::int64_t> blocks;
     if (!exists()) {
         return blocks;
@@ -127,25 +141,48 @@ std::vector<std::int64_t> ShardFolder::committed(BlockRange range, std::vector<s
         if (!name.ends_with(ending)) {
             continue;
         }
-        auto const block = block_of(name);
-        if (!block) {
-            notes.push_back(fmt::format("{}: not a block of ours (left alone)", entry.path().string()));
-            continue;
-        }
-        if (!range.holds(*block)) {
-            continue;
-        }
-        try {
-            (void)read(*block);
+        if (auto const block = block_of(name)) {
             blocks.push_back(*block);
-        } catch (SystemError const& error) {
-            notes.emplace_back(error.what());
+        } else if (notes != nullptr) {
+            notes->push_back(fmt::format("{}: not a block of ours (left alone)", entry.path().string()));
         }
     }
     std::sort(blocks.begin(), blocks.end());
-    std::sort(notes.begin(), notes.end());
     return blocks;
 }
+
+std::vector<std::int64_t> ShardFolder::committed(BlockRange range, std::vector<std::string>& notes,
+                                                 std::function<std::size_t(std::int64_t)> const& bytes) const {
+    std::vector<std::int64_t> sound;
+    for (auto const block : block_files(&notes)) {
+        if (!range.holds(block)) {
+            continue;
+        }
+        try {
+            auto const found = look_into(block);
+            if (found.content != Content::ours) {
+                notes.push_back(found.problem);
+            } else if (bytes && found.rows.size() != bytes(block)) {
+                notes.push_back(fmt::format("{}: {} bytes of rows (must be {}). With --resume it is computed again",
+                                            file_of(block).string(), found.rows.size(), bytes(block)));
+            } else {
+                sound.push_back(block);
+            }
+        } catch (SystemError const& error) {  // cannot be read, or another process has just removed it
+            notes.emplace_back(error.what());
+        }
+    }
+    std::sort(notes.begin(), notes.end());
+    return sound;
+}
+
+bool ShardFolder::holds_foreign_blocks() const {
+    auto const blocks = block_files(nullptr);
+    return std::any_of(blocks.begin(), blocks.end(),
+                       [&](std::int64_t block) { return look_into(block).content == Content::foreign; });
+}
+
+bool ShardFolder::holds_blocks() const { return !block_files(nullptr).empty(); }
 
 void ShardFolder::remove_unfinished(BlockRange range) const {
     std::error_code ignored;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,14 +26,22 @@ class ShardFolder {
     /// The whole campaign as the run began it, kept so that a resume can say what changed; empty if there is none.
     /// \throws SystemError if it is damaged
     [[nodiscard]] std::string begun_with() const;
-    /// Makes the folder. \throws SystemError
+    /// Makes the folder and puts the record into it, unless there is one already: whose it is tells begun_with().
+    /// \throws SystemError
     void begin(std::string const& campaign_record) const;
+    /// The same in the place of a damaged record.
+    void begin_again(std::string const& campaign_record) const;
 
     /// Writes one block, whole and durable. \throws SystemError
     void commit(std::int64_t block, std::span<std::byte const> rows) const;
     /// The blocks of `range` that are there and sound, in rising order. Damaged or foreign files are named in `notes`
-    /// and left out.
-    [[nodiscard]] std::vector<std::int64_t> committed(BlockRange range, std::vector<std::string>& notes) const;
+    /// and left out. \param bytes how many a block's rows must have, if known
+    [[nodiscard]] std::vector<std::int64_t> committed(BlockRange range, std::vector<std::string>& notes,
+                                                      std::function<std::size_t(std::int64_t)> const& bytes = {}) const;
+    /// Are there blocks, sound by themselves, that belong to something else?
+    [[nodiscard]] bool holds_foreign_blocks() const;
+    /// Is there any file that is named like a block?
+    [[nodiscard]] bool holds_blocks() const;
     /// The rows of a committed block. \throws SystemError if it is missing or damaged
     [[nodiscard]] std::vector<std::byte> read(std::int64_t block) const;
     /// Removes what killed writers of these blocks left half done. \pre nobody else writes them now
@@ -43,7 +52,15 @@ class ShardFolder {
     [[nodiscard]] std::filesystem::path const& folder() const { return folder_; }
 
   private:
+    enum class Content { ours, damaged, foreign };
+    struct Block {
+        Content content = Content::damaged;
+        std::string problem;
+        std::vector<std::byte> rows;
+    };
     [[nodiscard]] std::filesystem::path file_of(std::int64_t block) const;
+    [[nodiscard]] Block look_into(std::int64_t block) const;
+    [[nodiscard]] std::vector<std::int64_t> block_files(std::vector<std::string>* notes) const;
 
     std::filesystem::path folder_;
     std::string campaign_;

@@ -146,5 +146,23 @@ TEST(Acceptance, WavesThatMissTheRuleSayWhere) {
     }
 }
 
+/// A rule is not said to be met where the user's target says nothing: below its first period, at another damping of a
+/// further component; and what lies beyond its last one is said and not judged.
+TEST(Acceptance, IsRefusedWhereNoTargetIsStated) {
+    auto const with = [](std::string const& target, std::string const& more = {}) {
+        return testing::source_of("source='spectrum-compatible'\nduration='40 s'\nacceptance='srp-3.7.1'\n[target]\n"
+                                  + target + "[envelope]\nshape='jennings'\nrise='4 s'\nlevel_end='25 s'\nend='36 s'\n"
+                                  + more);
+    };
+    testing::expect_input_error([&] { (void)with("points=[[5,1],[10,0.5]]\nkind='acceleration'\n"); },
+                                "the target begins at 5 s");
+    testing::expect_input_error(
+        [&] { (void)with("spectrum='rg-1.60'\n", "[vertical.target]\nspectrum='rg-1.60-vertical'\ndamping=0.1\n"); },
+        "at 5 % damping");
+    auto const source = with("points=[[0.02,2],[0.1,6],[0.5,6],[3,1]]\nkind='acceleration'\nlongest=10\n");
+    EXPECT_EQ(source->judged_to_s(), 3);
+    EXPECT_NE(source->describe().find("beyond its end at 3 s"), std::string::npos) << source->describe();
+}
+
 }  // namespace
 }  // namespace overturn

@@ -100,5 +100,31 @@ TEST(FilteredNoise, RefusesWhatItCannotMake) {
     testing::expect_input_error([&] { noise("model='kanai-tajimi'\nduration=0.1\nrms=1\n"); }, "time steps");
 }
 
+/// However coarse the time step, the noise that it can hold has the rms that was asked for, and what it cuts is said.
+TEST(FilteredNoise, HasItsRmsAtAnyTimeStep) {
+    for (char const* step : {"0.005 s", "0.02 s", "0.05 s"}) {
+        auto const source = testing::source_of(
+            std::string("source='filtered-noise'\nmodel='kanai-tajimi'\nrms=1\namplitudes='fixed'\ntime_step='") + step
+            + "'\nduration='400 s'\n[envelope]\nshape='constant'\n");
+        double variance = 0;
+        double samples = 0;
+        for (std::uint64_t wave = 0; wave < 8; ++wave) {
+            for (double const a : source->make(3, wave).motion.horizontal_mps2) {
+                variance += a * a;
+                samples += 1;
+            }
+        }
+        EXPECT_TRUE(near(variance / samples, 1, testing::Tolerance{0.01, "a window of the period, and its ends"}))
+            << step;
+        EXPECT_EQ(source->describe().find("cut at") != std::string::npos, std::string(step) != "0.005 s") << step;
+    }
+    testing::expect_input_error(
+        [] {
+            (void)testing::source_of(
+                "source='filtered-noise'\nmodel='kanai-tajimi'\nrms=1\nduration='60 s'\nground_frequency='200 Hz'\n");
+        },
+        "less than 4 time steps a period");
+}
+
 }  // namespace
 }  // namespace overturn

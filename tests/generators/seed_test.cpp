@@ -77,7 +77,7 @@ TEST(Seed, EachRecordIsOneWaveWhateverTheSeed) {
 TEST(Seed, RefusesWhatItCannotKeep) {
     using testing::expect_input_error;
     auto const make = [](std::string const& text) { (void)testing::source_of(text, files()); };
-    expect_input_error([&] { make("time_step=0.02\n" + keys); }, "seed", "no record is resampled");
+    expect_input_error([&] { make("time_step=0.02\n" + keys); }, "seed", "State waves.seed.time_step");
     expect_input_error([&] { make("match='none'\n" + source_key + tables); }, "beside seed");
     expect_input_error([&] { make(keys + "[envelope]\nrise=3\n"); }, "envelope", "nothing reads it");
     expect_input_error([&] { make(keys + "[vertical]\nratio=0.5\n"); }, "vertical", "phases are missing");

@@ -19,6 +19,18 @@ within 60 queue_is_empty || fail "the jobs do not end"
 grep -qh "resuming c.h5: 0 of 33 blocks\|all 33 blocks are done" overturn-part-*.log || fail "no task did a third"
 expect_same c
 
+# A task that fails stops nothing: the merge job names its waves, and what computes them finishes the file.
+campaign torn 60 9
+printf '#!/bin/bash\n[ "${SLURM_ARRAY_TASK_ID:-}" = 2 ] && exit 1\nexec %q "$@"\n' "$OVERTURN" >flaky
+chmod +x flaky
+jobs=$(OVERTURN=$PWD/flaky "$OVERTURN_SLURM/array.sbatch" 3 torn.toml torn.h5) || fail "array.sbatch"
+merge=${jobs##* }
+within 60 queue_is_empty || fail "the jobs of the torn array do not end"
+[ "$(state_of "$merge")" = FAILED ] || fail "the merge of a torn array ended as $(state_of "$merge")"
+grep -q "torn.h5.parts: waves .* are missing" "overturn-merge-$merge.log" || fail "the merge does not name what is missing"
+"$OVERTURN" run torn.toml -o torn.h5 --resume >torn.log 2>&1 || fail "the rest of the torn array"
+expect_same torn
+
 job=$(sbatch --parsable -N 2 --ntasks-per-node=1 -t 10 "$OVERTURN_SLURM/campaign.sbatch" wide.toml) || fail "sbatch"
 within 60 queue_is_empty || fail "the job over two nodes does not end"
 [ "$(state_of "$job")" = COMPLETED ] || fail "the job over two nodes ended as $(state_of "$job")"

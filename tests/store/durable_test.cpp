@@ -34,6 +34,19 @@ TEST(Durable, WritesAndReadsBytes) {
     EXPECT_EQ(files_in(folder), 1U);
 }
 
+// Requirement: of two that begin at once, one makes the file and the other finds it.
+TEST(Durable, CreatesOnce) {
+    TemporaryFolder const folder;
+    auto const bytes = [](std::string const& text) { return std::as_bytes(std::span(text)); };
+    std::string const first = "first";
+    std::string const second = "second";
+
+    EXPECT_TRUE(create_durably(folder / "file", bytes(first)));
+    EXPECT_FALSE(create_durably(folder / "file", bytes(second)));
+    EXPECT_EQ(read_file(folder / "file"), first);
+    EXPECT_EQ(files_in(folder), 1U) << "nothing else is left";
+}
+
 TEST(Durable, EmptyFileIsAFile) {
     TemporaryFolder const folder;
     write(folder / "file", "");

@@ -1,0 +1,24 @@
+#include "core/note.hpp"
+
+#include <cstdio>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace overturn {
+
+void put_note(std::string const& text) noexcept {
+    (void)std::fwrite(text.data(), 1, text.size(), stderr);
+    (void)std::fflush(stderr);
+    std::clearerr(stderr);
+}
+
+void keep_standard_streams() noexcept {
+    for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream) {
+        if (::fcntl(stream, F_GETFD) == -1) {
+            (void)::open("/dev/null", O_RDWR);  // takes the lowest free number, which is this one
+        }
+    }
+}
+
+}  // namespace overturn

@@ -1,0 +1,174 @@
+// Requirement: what is committed is never lost to a mishap or mixed with what is not the same: a log that cannot be
+// written, an early signal, a damaged record, another program's blocks, a results file that was changed by hand.
+#include <sys/stat.h>
+
+#include "campaign/campaign_input.hpp"
+#include "cli/campaign_files.hpp"
+#include "store/shards.hpp"
+#include "support/command.hpp"
+
+namespace overturn::testing {
+namespace {
+
+class Guard : public ::testing::Test {
+  protected:
+    Guard() {
+        folder.write("target.csv", target_csv);
+        folder.write("c.toml", small_campaign());
+    }
+
+    Ended shell(std::string const& tail) const {
+        return execute(folder, {"/bin/sh", "-c", OVERTURN_PROGRAM " " + tail});
+    }
+    void half() const { ASSERT_EQ(overturn(folder, {"run", "c.toml", "--part", "1/2"}).code, 0); }
+    [[nodiscard]] std::string record() const { return folder.read("c.h5.parts/campaign.record"); }
+    void expect_refused(Ended const& ended, std::string const& why) const {
+        EXPECT_EQ(ended.code, 2);
+        EXPECT_TRUE(is_one_error_line(ended.err));
+        EXPECT_NE(ended.err.find(why), std::string::npos) << ended.err;
+        EXPECT_EQ(blocks_done(folder, "c.h5"), 6);
+    }
+    void expect_as_unbroken() const {
+        EXPECT_EQ(overturn(folder, {"run", "c.toml", "-o", "unbroken.h5"}).code, 0);
+        EXPECT_TRUE(folder.read("c.h5") == folder.read("unbroken.h5"));
+    }
+
+    Folder folder;
+};
+
+TEST_F(Guard, ALogThatCannotBeWrittenHarmsNothing) {
+    EXPECT_EQ(shell("run c.toml -o full.h5 2>/dev/full").code, 0);
+    EXPECT_EQ(shell("run nosuch.toml 2>/dev/full").code, 2);
+    EXPECT_EQ(shell("run c.toml --part 1/2 2>&-").code, 0);
+    EXPECT_EQ(folder.read("c.h5.parts/lock"), "") << "nothing meant for stderr goes into a file";
+    EXPECT_EQ(shell("run c.toml --resume 2>&- 0<&-").code, 0);
+    EXPECT_TRUE(folder.read("c.h5") == folder.read("full.h5"));
+}
+
+/// The campaign is a pipe that nobody has written to yet: the run is at reading it.
+TEST_F(Guard, ASignalBeforeTheCampaignIsReadLeavesResumably) {
+    ASSERT_EQ(::mkfifo((folder / "pipe.toml").c_str(), 0600), 0);
+    Running running(folder, {OVERTURN_PROGRAM, "run", "pipe.toml"});
+    int pipe = -1;
+    ASSERT_TRUE(
+        comes_true([&] { return (pipe = ::open((folder / "pipe.toml").c_str(), O_WRONLY | O_NONBLOCK)) >= 0; }));
+    running.signal(SIGUSR1);
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    auto const text = small_campaign();
+    ASSERT_EQ(::write(pipe, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+    ::close(pipe);
+
+    auto const ended = running.wait();
+    EXPECT_EQ(ended.code, 3) << ended.err;
+    EXPECT_NE(ended.err.find("0 of 12 blocks"), std::string::npos) << ended.err;
+}
+
+TEST_F(Guard, ADamagedRecordGivesNoBlockAway) {
+    half();
+    auto damaged = record();
+    damaged[damaged.size() / 2] ^= 1;
+    folder.write("c.h5.parts/campaign.record", damaged);
+    folder.write("other.toml", small_campaign() + "[accuracy]\ntaylor_order=6\n");
+
+    expect_refused(overturn(folder, {"run", "c.toml"}), "campaign.record: damaged");
+    expect_refused(overturn(folder, {"run", "other.toml", "-o", "c.h5"}), "campaign.record: damaged");
+    expect_refused(overturn(folder, {"run", "other.toml", "-o", "c.h5", "--resume"}), "blocks of another campaign");
+    auto const own = overturn(folder, {"run", "c.toml", "--resume"});
+    EXPECT_EQ(own.code, 0) << own.err;
+    EXPECT_NE(own.err.find("6 of 12 blocks are done"), std::string::npos) << own.err;
+    expect_as_unbroken();
+}
+
+TEST_F(Guard, BlocksWithoutARecordAreSaid) {
+    half();
+    std::filesystem::remove(folder / "c.h5.parts/campaign.record");
+
+    for (std::string const verb : {"status", "merge"}) {
+        expect_refused(overturn(folder, {verb, "c.h5"}), "blocks without the record");
+    }
+    expect_refused(overturn(folder, {"run", "c.toml"}), "blocks of an unfinished run lie there");
+    EXPECT_EQ(overturn(folder, {"run", "c.toml", "--resume"}).code, 0);
+    expect_as_unbroken();
+}
+
+TEST_F(Guard, BlocksOfTwoProgramsAreNotMixed) {
+    half();
+    constexpr std::size_t hash_length = 64;
+    auto begun = CampaignInput::deserialise(record().substr(0, record().size() - hash_length));
+    begun.program = "0.0.9 (abcdef)";
+    auto const text = begun.serialise();
+    folder.write("c.h5.parts/campaign.record", text + store::sha256(text));
+
+    expect_refused(overturn(folder, {"run", "c.toml", "--resume"}), "begun by overturn 0.0.9 (abcdef)");
+    for (std::string const verb : {"status", "merge"}) {
+        expect_refused(overturn(folder, {verb, "c.h5"}), "begun by overturn 0.0.9 (abcdef)");
+    }
+}
+
+TEST_F(Guard, ABlockOfAnotherLengthIsComputedAgain) {
+    half();
+    auto const begun = CampaignInput::deserialise(record().substr(0, record().size() - 64));
+    store::ShardFolder const shards(folder / "c.h5", begun.block_key());
+    auto rows = shards.read(2);
+    rows.resize(rows.size() + 8);
+    shards.commit(2, rows);
+
+    auto const status = overturn(folder, {"status", "c.h5"});
+    EXPECT_EQ(status.code, 3);
+    EXPECT_NE(status.err.find("0000000002.block: "), std::string::npos) << status.err;
+    EXPECT_EQ(overturn(folder, {"run", "c.toml", "--resume"}).code, 0);
+    expect_as_unbroken();
+}
+
+TEST_F(Guard, ResultsThatWereChangedByHandAreTold) {
+    if (execute(folder, {OVERTURN_PYTHON, "-c", "import h5py"}).code != 0) {
+        GTEST_SKIP() << "no h5py to write with (install python3-h5py)";
+    }
+    ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
+    auto const sound = folder.read("c.h5");
+    for (std::string const change : {"f['trials/verdict'][5] = 3 if f['trials/verdict'][5] != 3 else 2",
+                                     "f.attrs['complete'] = 0", "f.attrs['input_sha256'] = 'f' * 64",
+                                     "f.attrs['format_version'] = -1", "f.attrs['format_version'] = 'one'"}) {
+        folder.write("c.h5", sound);
+        auto const script = "import h5py\nwith h5py.File('c.h5','r+') as f: " + change;
+        ASSERT_EQ(execute(folder, {OVERTURN_PYTHON, "-c", script}).code, 0) << change;
+        for (std::string const verb : {"status", "fit"}) {
+            auto const told = overturn(folder, {verb, "c.h5"});
+            EXPECT_EQ(told.code, 2) << change;
+            EXPECT_TRUE(is_one_error_line(told.err)) << change;
+            EXPECT_NE(told.err.find("damaged"), std::string::npos) << told.err;
+        }
+    }
+}
+
+TEST_F(Guard, AFileOfTimesThatNobodyCanReadDoesNotMatter) {
+    if (execute(folder, {OVERTURN_PYTHON, "-c", "import h5py, matplotlib"}).code != 0) {
+        GTEST_SKIP() << "no h5py and matplotlib to draw with";
+    }
+    ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
+    for (std::string const text : {"{", "{\"wall_s\":1,\"ranks\":[{\"rank\":0}]}"}) {
+        folder.write("c.runtime.json", text);
+        auto const page = overturn(folder, {"report", "c.h5", "-o", "page.html"});
+        EXPECT_EQ(page.code, 0) << page.err;
+        EXPECT_NE(page.err.find("c.runtime.json: not as overturn run writes it"), std::string::npos) << page.err;
+    }
+}
+
+TEST_F(Guard, EmptyWishesAreNoWishes) {
+    for (std::string const option : {"--part", "--max-walltime"}) {
+        auto const ended = overturn(folder, {"run", "c.toml", option, ""});
+        EXPECT_EQ(ended.code, 2) << option;
+    }
+    EXPECT_EQ(overturn(folder, {"run", "c.toml", "--set", "title=\"\"\"a\nb\"\"\""}).code, 2);
+    EXPECT_FALSE(folder.has("c.h5.parts"));
+}
+
+/// Two studies told apart by what follows a dot do not share a file.
+TEST_F(Guard, NamesWithDotsAreWholeNames) {
+    folder.write("study.0.2.toml", small_campaign("shared", 1));
+    EXPECT_EQ(overturn(folder, {"run", "study.0.2.toml"}).code, 0);
+    EXPECT_TRUE(folder.has("study.0.2.h5"));
+}
+
+}  // namespace
+}  // namespace overturn::testing
