@@ -8,7 +8,7 @@
 # Launchers lose or die of what reaches them in their first seconds; five minutes' warning has room for waiting.
 tell() {
     [ -n "$pid" ] || return 0  # not begun yet: told as soon as it is
-    [ "$1" = TERM ] || while [ $((SECONDS - begun)) -lt 5 ]; do sleep 1; done
+    [ "$1" = TERM ] || while [ $((SECONDS - begun)) -lt 3 ]; do sleep 1; done
     kill "-$1" "$pid" 2>/dev/null
 }
 
