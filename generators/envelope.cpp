@@ -38,6 +38,20 @@ std::vector<std::pair<double, double>> read_points(config::Table const& table) {
     return points;
 }
 
+void read_noda(config::Table const& table, double duration_s, Envelope& envelope) {
+    constexpr double m_per_km = 1000;
+    double const magnitude = table.number("magnitude", Dimension::none, {.low = 4, .high = 9.5});
+    double const distance_km = table.number("distance", Dimension::length, {.low = 1e3, .high = 1e6}) / m_per_km;
+    envelope.rise_s = std::pow(10, 0.5 * magnitude - 2.93);
+    envelope.level_end_s = envelope.rise_s + std::pow(10, 0.3 * magnitude - 1.0);
+    envelope.end_s = envelope.level_end_s + std::pow(10, 0.17 * magnitude + 0.54 * std::log10(distance_km) - 0.6);
+    if (envelope.end_s > duration_s) {
+        table.fail("magnitude", fmt::format("{:g} at {:g} km needs {:.1f} s (longer than the wave of {:g} s). Raise "
+                                            "waves.duration",
+                                            magnitude, distance_km, envelope.end_s, duration_s));
+    }
+}
+
 }  // namespace
 
 std::span<config::Entry<EnvelopeShape> const> envelope_shapes() {
@@ -46,6 +60,8 @@ std::span<config::Entry<EnvelopeShape> const> envelope_shapes() {
                                      EnvelopeShape::jennings},
         config::Entry<EnvelopeShape>{"saragoni-hart", "gamma function: power rise, exponential decay",
                                      EnvelopeShape::saragoni_hart},
+        config::Entry<EnvelopeShape>{
+            "noda-2002", "jennings with durations from magnitude and distance (Noda et al. 2002)", EnvelopeShape::noda},
         config::Entry<EnvelopeShape>{"points", "straight lines through a table", EnvelopeShape::points},
         config::Entry<EnvelopeShape>{"constant", "stationary from beginning to end", EnvelopeShape::constant},
     };
@@ -63,6 +79,7 @@ double Envelope::at(double time_s) const {
         case EnvelopeShape::points:
             return on_lines(points, time_s);
         case EnvelopeShape::jennings:
+        case EnvelopeShape::noda:
             break;
     }
     if (time_s < rise_s) {
@@ -101,6 +118,8 @@ Envelope read_envelope(config::Table const& table, double duration_s) {
         constexpr config::Range steepness{.low = 0, .high = 100, .low_open = true};
         envelope.peak_s = table.number("peak", Dimension::time, time, 0.2 * duration_s);
         envelope.gamma = table.number("gamma", Dimension::none, steepness, 3.0);
+    } else if (envelope.shape == EnvelopeShape::noda) {
+        read_noda(table, duration_s, envelope);
     } else if (envelope.shape == EnvelopeShape::points) {
         envelope.points = read_points(table);
     }

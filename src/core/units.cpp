@@ -23,6 +23,7 @@ constexpr std::array units{
     Unit{Dimension::time, "h", 3600},
     Unit{Dimension::length, "m", 1},
     Unit{Dimension::length, "cm", 1e-2},
+    Unit{Dimension::length, "km", 1e3},
     Unit{Dimension::length, "mm", 1e-3},
     Unit{Dimension::mass, "kg", 1},
     Unit{Dimension::mass, "t", 1e3},

@@ -34,6 +34,23 @@ TEST(Envelope, PointsAreStraightLinesUnderTheirLargest) {
     EXPECT_DOUBLE_EQ(envelope.at(50), 0.5);
 }
 
+// The durations that design-basis motions of M 7.7 are quoted with.
+TEST(Envelope, NodaFollowsFromMagnitudeAndDistance) {
+    auto const envelope = read("shape='noda-2002'\nmagnitude=7.7\ndistance='20 km'\n");
+
+    EXPECT_NEAR(envelope.rise_s, 8.3, 0.05);
+    EXPECT_NEAR(envelope.level_end_s, 28.8, 0.1);
+    EXPECT_DOUBLE_EQ(envelope.at(envelope.rise_s / 2), 0.25);
+    EXPECT_EQ(envelope.at(20), 1);
+    EXPECT_NEAR(envelope.at(envelope.end_s), 0.1, 1e-12);
+    auto const farther = read("shape='noda-2002'\nmagnitude=7.7\ndistance='80 km'\n");
+    EXPECT_NEAR((farther.end_s - farther.level_end_s) / (envelope.end_s - envelope.level_end_s), std::pow(4, 0.54),
+                1e-12);
+    testing::expect_input_error([] { (void)read("shape='noda-2002'\nmagnitude=9\ndistance='300 km'\n"); },
+                                "c.toml:2:", "Raise waves.duration");
+    testing::expect_input_error([] { (void)read("shape='noda-2002'\nmagnitude=7\n"); }, "distance");
+}
+
 TEST(Envelope, RefusesWhatIsNone) {
     using testing::expect_input_error;
     expect_input_error([] { (void)read("shape='points'\npoints=[[1,0],[1,1]]\n"); }, "c.toml:2:", "times must rise");
