@@ -203,9 +203,9 @@ std::vector<RecordComponent> components_of(Rows& rows, std::size_t first, Locati
         constexpr std::array plain{"column 2", "column 3", "column 4"};
         auto const name = named ? rows.names[first + i] : std::string(count > 1 ? plain.at(i) : "");
         components.push_back({name,
-                              said == Direction::down ? said
-                              : count > 1             ? taken
-                                                      : Direction::unknown,
+                              said == Direction::up || said == Direction::down ? said
+                              : count > 1                                      ? taken
+                                                                               : Direction::unknown,
                               std::move(rows.column[first + i])});
     }
     return components;
