@@ -107,7 +107,7 @@ Recording read_itaca_acc(std::string_view content, RecordRequest const& request)
     }
     auto const unit = header.unit_mps2 ? header.unit_mps2 : request.unit_mps2;
     if (!unit) {
-        throw InputError(where, "unit missing (the header does not say m/s2). State --unit gal|g|m/s2");
+        refuse_without_unit(where, "the header does not say m/s2", request);
     }
     auto const step = header.time_step_s ? header.time_step_s : request.time_step_s;
     if (!step || !(*step > 0 && std::isfinite(*step))) {

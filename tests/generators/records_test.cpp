@@ -48,7 +48,7 @@ TEST(Records, RefusesWhatItCannotRead) {
     refuse("files=['no.csv']\nunit='gal'\n", "c.toml:2:", "'no.csv'");
     refuse("files=['bad.csv']\nunit='gal'\n", "bad.csv:2", "x");
     refuse("files=['a.csv']\nunit='kine'\n", "c.toml:3:", "not a unit of acceleration");
-    refuse("files=['a.csv']\n", "a.csv", "unit");
+    refuse("files=['a.csv']\n", "a.csv", "State unit = \"gal\", \"g\" or \"m/s2\"");
     refuse("files=[]\nunit='gal'\n", "c.toml:2:", "empty");
     refuse("unit='gal'\n", "c.toml:1:", "either files or records");
     refuse("[[records]]\nhorizontal='a.csv'\nvertical='slow.csv'\nunit='gal'\n", "c.toml:4:", "time step 0.02 s");
