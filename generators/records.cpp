@@ -68,6 +68,7 @@ Request read_request(config::Table const& table) {
     }
     request.record.time_step_s = table.maybe_number("time_step", Dimension::time, config::Range::positive());
     request.record.may_be_resampled = true;
+    request.record.unit_key = "unit = \"gal\", \"g\" or \"m/s2\"";
     request.record.component = table.text("component", "");
     request.record.components = table.choice<ComponentChoice>("components", component_choices(), ComponentChoice::file);
     request.coarsening = table.choice<Coarsening>("resample", coarsenings, Coarsening::refused);
@@ -86,6 +87,13 @@ Record read_motion(config::Table const& table, std::string_view key, std::string
         return Record{std::move(resampled.motion), fmt::format("{}, {}", placed.says, resampled.says),
                       placed.direction};
     });
+}
+
+Record read_horizontal(config::Table const& table, std::string_view key, std::string const& name,
+                       Request const& request, StationFiles& files) {
+    auto record = read_motion(table, key, name, request, files);
+    table.located(key, [&] { validate_rocking_plane(record.direction, {name}); });
+    return record;
 }
 
 void add_component(config::Table const& table, std::string_view key, Request request, StationFiles& files,
@@ -137,7 +145,7 @@ bool cut_to_shortest(GroundMotion& motion) {
 
 Record read_table(config::Table const& table, StationFiles& files) {
     auto const request = read_request(table);
-    auto record = read_motion(table, "horizontal", table.text("horizontal"), request, files);
+    auto record = read_horizontal(table, "horizontal", table.text("horizontal"), request, files);
     add_component(table, "transverse", request, files, record, &GroundMotion::transverse_mps2);
     add_component(table, "vertical", request, files, record, &GroundMotion::vertical_mps2);
     if (cut_to_shortest(record.motion)) {
@@ -158,7 +166,7 @@ std::unique_ptr<WaveSource> make_records(config::Table const& waves, InputFiles&
     if (waves.has("files")) {
         auto const request = read_request(waves);
         for (auto const& name : waves.texts("files")) {
-            records.push_back(read_motion(waves, "files", name, request, station_files));
+            records.push_back(read_horizontal(waves, "files", name, request, station_files));
         }
     } else {
         for (auto const& table : waves.children("records")) {

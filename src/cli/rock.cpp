@@ -73,7 +73,9 @@ void print_text(BodySpec const& spec, Response const& response) {
 int rock(Options const& options) {
     validate(std::isfinite(options.scale), "--scale {} (must be finite). Give a factor such as 1.5", options.scale);
     auto const spec = load_body(options.body);
-    auto const motion = load_motion(options.record).motion;
+    auto const record = load_motion(options.record);
+    validate_rocking_plane(record.direction, {options.record.wave});
+    auto const& motion = record.motion;
     Scene const scene{spec.body, spec.friction, parse_effects(options.effects), {}};
     std::optional<HistoryFile> history;
     auto const response = respond(scene, motion, options.scale);

@@ -118,6 +118,7 @@ int spectrum(Options const& options) {
     std::optional<BodySpec> body;
     std::optional<BodyEnergy> energy;
     if (!options.body.empty()) {
+        validate_rocking_plane(record.direction, {options.record.wave});
         body = load_body(options.body);
         energy = energy_for(*body, motion);
     }

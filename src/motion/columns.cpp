@@ -133,7 +133,8 @@ Rows read_rows(std::string_view content, std::string const& file) {
         append_row(fields, where, rows);
     }
     if (rows.line.empty()) {
-        throw InputError({file}, "no row of numbers (nothing to shake with). Give columns time,a_horizontal");
+        throw InputError({file, where.line},
+                         "no row of numbers (nothing to shake with). Give columns time,a_horizontal");
     }
     return rows;
 }
@@ -203,9 +204,9 @@ std::vector<RecordComponent> components_of(Rows& rows, std::size_t first, Locati
         constexpr std::array plain{"column 2", "column 3", "column 4"};
         auto const name = named ? rows.names[first + i] : std::string(count > 1 ? plain.at(i) : "");
         components.push_back({name,
-                              said == Direction::down ? said
-                              : count > 1             ? taken
-                                                      : Direction::unknown,
+                              said == Direction::up || said == Direction::down ? said
+                              : count > 1                                      ? taken
+                                                                               : Direction::unknown,
                               std::move(rows.column[first + i])});
     }
     return components;
@@ -232,11 +233,36 @@ bool recognises_columns(std::string_view content) {
     return false;
 }
 
+void check_not_nearly_columns(std::string_view content, RecordRequest const& request) {
+    constexpr int text_lines_at_most = 3;  // names, units and a rule under them; more are another format's header
+    TextLines lines(content);
+    int text_lines = 0;
+    bool may_be_names = false;
+    while (auto const line = lines.next()) {
+        if (is_skipped(*line)) {
+            continue;
+        }
+        auto const fields = split(*line);
+        double value = 0;
+        if (parse_number(fields.text[0], value) && (fields.count < 2 || parse_number(fields.text[1], value))) {
+            (void)read_rows(content, request.name);
+            return;
+        }
+        may_be_names = fields.count > 1 && is_names(fields);
+        if (++text_lines > text_lines_at_most) {
+            return;
+        }
+    }
+    if (text_lines == 1 && may_be_names) {
+        (void)read_rows(content, request.name);
+    }
+}
+
 Recording read_columns(std::string_view content, RecordRequest const& request) {
     auto rows = read_rows(content, request.name);
     Location const start{request.name, rows.line[0]};
     if (!request.unit_mps2) {
-        throw InputError(start, "unit missing (columns of numbers do not say theirs). State --unit gal|g|m/s2");
+        refuse_without_unit(start, "columns of numbers do not say theirs", request);
     }
     bool const timed = rows.columns > 1;
     if (!timed && !request.time_step_s) {

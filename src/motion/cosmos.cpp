@@ -14,6 +14,7 @@ namespace {
 constexpr std::string_view integers_follow = "integer-header values follow";
 constexpr std::string_view reals_follow = "real-header values follow";
 constexpr int text_lines_at_most = 60;  // 13 by the standard
+constexpr double missing = -999;        // a value that the header or the data do not have
 
 // Numbers of header values as the standard counts them, from 1.
 constexpr std::size_t start_year = 40, start_month = 42, start_day = 43, start_hour = 44, start_minute = 45;
@@ -47,7 +48,6 @@ class HeaderValues {
 
     /// Value number `number`; NaN if the header holds none (-999).
     [[nodiscard]] double at(std::size_t number) const {
-        constexpr double missing = -999;
         bool const there = number <= values_.size() && values_[number - 1] != missing;
         return there ? values_[number - 1] : std::nan("");
     }
@@ -133,6 +133,20 @@ std::string_view required(TextLines& lines, std::string const& file) {
     return *line;
 }
 
+/// \throws InputError at the line of the first value that the data do not have: no number may stand in for it.
+void check_none_missing(std::vector<double> const& values, DataLine const& data) {
+    auto const at = std::find(values.begin(), values.end(), missing);
+    if (at == values.end()) {
+        return;
+    }
+    auto const before = static_cast<std::size_t>(at - values.begin());
+    auto const line = data.where.line + 1 + static_cast<int>(before / data.format.per_line);
+    throw InputError({data.where.file, line},
+                     fmt::format("{} as value {} of {} (it marks a missing value in a COSMOS file). Take a record "
+                                 "without gaps",
+                                 missing, before + 1, values.size()));
+}
+
 /// dt from real-header value 62 in milliseconds, held against the stated duration.
 double time_step_of(HeaderValues const& reals, DataLine const& data, RecordRequest const& request) {
     constexpr double ms_s = 1e-3;
@@ -196,6 +210,7 @@ void read_channel(std::string_view announcement, TextLines& lines, RecordRequest
     if (!data.acceleration) {
         return;
     }
+    check_none_missing(values, data);
     for (double& value : values) {
         value *= data.unit_mps2;
     }
@@ -246,8 +261,10 @@ std::string station_of_cosmos(std::string_view head) {
 Recording read_cosmos(std::string_view content, RecordRequest const& request) {
     TextLines lines(content);
     Recording recording;
+    bool channel_seen = false;
     while (auto const line = lines.next()) {
         if (holds(*line, integers_follow)) {
+            channel_seen = true;
             read_channel(*line, lines, request, recording);
         } else if (double value = 0; !recording.components.empty() && parse_number(trimmed(*line), value)) {
             throw InputError({request.name, lines.number()}, fmt::format("{} after the promised values (the header "
@@ -255,6 +272,10 @@ Recording read_cosmos(std::string_view content, RecordRequest const& request) {
                                                                          "anew",
                                                                          quoted(trimmed(*line))));
         }
+    }
+    if (!channel_seen) {
+        throw InputError({request.name},
+                         "no line '100 Integer-header values follow' (a COSMOS file has one). State another format");
     }
     if (recording.components.empty()) {
         throw InputError({request.name},

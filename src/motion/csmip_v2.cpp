@@ -12,6 +12,8 @@ namespace overturn {
 namespace {
 
 constexpr std::string_view data_follow = "points of accel data equally spaced at";
+constexpr std::string_view points_of = " points of ";
+constexpr std::string_view integrated = "accel, veloc and displ data";  // in the text of a channel that has all three
 constexpr FixedFormat data_format{8, 10};
 constexpr double gal_mps2 = 0.01;
 
@@ -21,6 +23,10 @@ struct Channel {
     std::string number;  ///< of the channel, as printed
     double peak_gal = 0;
     Location peak_line;
+    int blocks_promised = 1;  ///< acceleration; velocity and displacement too if the text says so
+    std::size_t count = 0;    ///< of each block's points
+    int blocks = 0;
+    bool begun = false;
 };
 
 /// `CHAN  1:  90 DEG     FROM` -> 1 and "90 DEG"; blanks in a row mean one.
@@ -48,6 +54,36 @@ void read_peak(std::string_view line, Location const& where, Channel& channel) {
     }
 }
 
+bool is_of(std::string_view lower, std::string_view quantity) {
+    auto const at = lower.find(points_of);
+    return at != std::string_view::npos && lower.substr(at + points_of.size()).starts_with(quantity)
+           && lower.find("data equally spaced at", at) != std::string_view::npos;
+}
+
+/// Nothing of velocity and displacement is kept: their values are read to find a file that ends within them.
+void skip_block(std::string_view line, TextLines& lines, std::string const& file, Channel& channel) {
+    Location const where{file, lines.number()};
+    double count = 0;
+    if (!parse_number(trimmed(line.substr(0, lowered(line).find(points_of))), count)
+        || count != static_cast<double>(channel.count)) {
+        throw InputError(where, fmt::format("{} ({} points belong here, as in the acceleration). Fetch the file anew",
+                                            quoted(trimmed(line)), channel.count));
+    }
+    std::vector<double> values;
+    append_fixed(lines, data_format, channel.count, file, values);
+    ++channel.blocks;
+}
+
+/// \throws InputError if a block that the channel's text promises has not come.
+void check_whole(Channel const& channel, Location const& where) {
+    if (channel.begun && channel.blocks < channel.blocks_promised) {
+        throw InputError(where,
+                         fmt::format("channel {} ends after {} of {} blocks of data (the file is cut short). Fetch "
+                                     "it anew",
+                                     channel.number, channel.blocks, channel.blocks_promised));
+    }
+}
+
 /// The number in front of and the one behind `data_follow`.
 std::pair<std::size_t, double> read_size(std::string_view line, Location const& where) {
     auto const lower = lowered(line);
@@ -69,7 +105,7 @@ std::pair<std::size_t, double> read_size(std::string_view line, Location const& 
     return {static_cast<std::size_t>(count), step};
 }
 
-void read_channel(std::string_view line, TextLines& lines, Channel const& channel, RecordRequest const& request,
+void read_channel(std::string_view line, TextLines& lines, Channel& channel, RecordRequest const& request,
                   Recording& recording) {
     Location const where{request.name, lines.number()};
     auto const [count, step] = read_size(line, where);
@@ -90,6 +126,8 @@ void read_channel(std::string_view line, TextLines& lines, Channel const& channe
         check_stated_peak(peak_of(values), channel.peak_gal * gal_mps2, half_of_last_digit * gal_mps2,
                           channel.peak_line);
     }
+    channel.count = count;
+    ++channel.blocks;
     recording.time_step_s = step;
     bool const taken = std::any_of(recording.components.begin(), recording.components.end(),
                                    [&](RecordComponent const& c) { return c.name == channel.name; });
@@ -120,15 +158,23 @@ Recording read_csmip_v2(std::string_view content, RecordRequest const& request) 
     Channel channel;
     while (auto const line = lines.next()) {
         auto const lower = lowered(*line);
+        Location const where{request.name, lines.number()};
         if (lower.starts_with("corrected accelerogram")) {
+            check_whole(channel, where);
             channel = {};
+            channel.begun = true;
             read_channel_name(*line, channel);
+        } else if (lower.find(integrated) != std::string::npos) {
+            channel.blocks_promised = 3;
         } else if (lower.starts_with("peak acceleration")) {
-            read_peak(*line, {request.name, lines.number()}, channel);
+            read_peak(*line, where, channel);
         } else if (lower.find(data_follow) != std::string::npos) {
             read_channel(*line, lines, channel, request, recording);
+        } else if (is_of(lower, "veloc") || is_of(lower, "displ")) {
+            skip_block(*line, lines, request.name, channel);
         }
     }
+    check_whole(channel, {request.name, lines.number()});
     if (recording.components.empty()) {
         throw InputError({request.name},
                          "no line 'POINTS OF ACCEL DATA EQUALLY SPACED AT' (a CSMIP V2 file has one). "

@@ -1,5 +1,8 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,14 +23,41 @@ struct Header {
 
 bool holds(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
-/// The number at the front of `text`, whatever follows a blank; nothing if there is none.
-std::optional<double> number_in(std::string_view text) {
-    double value = 0;
-    return parse_number(text.substr(0, text.find_first_of(" \t")), value) ? std::optional(value) : std::nullopt;
+using Units = std::span<std::string_view const>;
+
+constexpr std::array<std::string_view, 4> seconds{"s", "sec", "second", "seconds"};
+constexpr std::array<std::string_view, 3> hertz{"hz", "1/s", "sps"};
+
+/// \throws InputError unless `unit`, which a header states in `line`, is empty or one of `units`.
+void check_unit(std::string_view unit, Units units, std::string_view line, Location const& where) {
+    auto const lower = lowered(trimmed(unit));
+    if (!lower.empty() && std::find(units.begin(), units.end(), lower) == units.end()) {
+        throw InputError(where, fmt::format("{} ({} where {} belongs). Mend the header", quoted(trimmed(line)),
+                                            quoted(lower), units.empty() ? "a number alone" : units.front()));
+    }
+}
+
+/// The number behind the colon, in one of `units`, which may stand behind it or in brackets in the key; nothing if
+/// there is none. \throws InputError if another unit stands there.
+std::optional<double> number_in(std::string_view line, Units units, Location const& where) {
+    auto const colon = line.find(':');
+    auto const key = line.substr(0, colon);
+    auto const open = key.find_first_of("([");
+    auto const value = trimmed(line.substr(colon + 1));
+    auto const end = std::min(value.find_first_not_of("0123456789+-.eEdD"), value.size());
+    double number = 0;
+    if (!parse_number(value.substr(0, end), number)) {
+        return std::nullopt;
+    }
+    if (open != std::string_view::npos) {
+        check_unit(key.substr(open + 1, key.find_first_of(")]", open) - open - 1), units, line, where);
+    }
+    check_unit(value.substr(end), units, line, where);
+    return number;
 }
 
 /// The archive's editions word their keys differently: a key says what it is by these words or is passed over.
-void take(std::string_view line, Header& header) {
+void take(std::string_view line, Location const& where, Header& header) {
     auto const colon = line.find(':');
     auto const key = lowered(trimmed(line.substr(0, colon)));
     auto const value = trimmed(line.substr(colon + 1));
@@ -37,12 +67,12 @@ void take(std::string_view line, Header& header) {
         header.unit_mps2 = holds(all, "cm/s") ? gal_mps2 : 1;
     }
     if (holds(key, "sampling") && (holds(key, "rate") || holds(key, "freq"))) {
-        auto const rate = number_in(value);
+        auto const rate = number_in(line, hertz, where);
         header.time_step_s = rate ? std::optional(1 / *rate) : std::nullopt;
     } else if ((holds(key, "sampling") && !holds(key, "number")) || holds(key, "time step")) {
-        header.time_step_s = number_in(value);
+        header.time_step_s = number_in(line, seconds, where);
     } else if (holds(key, "number") || holds(key, "samples") || holds(key, "points")) {
-        header.count = number_in(value);
+        header.count = number_in(line, {}, where);
     } else if (holds(key, "component") || holds(key, "channel")) {
         header.component = value;
     }
@@ -68,7 +98,8 @@ Recording read_itaca_acc(std::string_view content, RecordRequest const& request)
     TextLines lines(content);
     Header header;
     for (int i = 0; i < header_lines; ++i) {
-        take(lines.next().value_or(":"), header);
+        auto const line = lines.next().value_or(":");
+        take(line, {request.name, lines.number()}, header);
     }
     Location const where{request.name, lines.number()};
     if (header.unit_mps2) {
@@ -76,7 +107,7 @@ Recording read_itaca_acc(std::string_view content, RecordRequest const& request)
     }
     auto const unit = header.unit_mps2 ? header.unit_mps2 : request.unit_mps2;
     if (!unit) {
-        throw InputError(where, "unit missing (the header does not say m/s2). State --unit gal|g|m/s2");
+        refuse_without_unit(where, "the header does not say m/s2", request);
     }
     auto const step = header.time_step_s ? header.time_step_s : request.time_step_s;
     if (!step || !(*step > 0 && std::isfinite(*step))) {

@@ -114,7 +114,7 @@ Recording read_list(std::string_view content, RecordRequest const& request) {
     auto values = read_values(content, request.name);
     Location const start{request.name, values.line[0]};
     if (!request.unit_mps2) {
-        throw InputError(start, "unit missing (a list of numbers does not say its own). State --unit gal|g|m/s2");
+        refuse_without_unit(start, "a list of numbers does not say its own", request);
     }
     if (!request.time_step_s) {
         throw InputError(start, "time step missing (a list of numbers holds none). State the time step");

@@ -162,7 +162,7 @@ Recording read_peer_at2(std::string_view content, RecordRequest const& request) 
     auto const header = read_header(lines, request.name);
     Location const header_end{request.name, lines.number()};
     if (!header.in_g && !request.unit_mps2) {
-        throw InputError(header_end, "unit missing (the header does not say 'units of g'). State --unit gal|g|m/s2");
+        refuse_without_unit(header_end, "the header does not say 'units of g'", request);
     }
     if (header.in_g) {
         check_stated_unit(request, g0, header_end);

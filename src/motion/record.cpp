@@ -51,6 +51,7 @@ config::Entry<RecordFormat> const& format_of(std::string_view content, RecordReq
             return format;
         }
     }
+    check_not_nearly_columns(content, request);
     std::string known;
     for (auto const& format : formats) {
         known += known.empty() ? "" : ", ";
@@ -110,6 +111,10 @@ std::string station_of_record(std::string_view head) {
         }
     }
     return {};
+}
+
+void refuse_without_unit(Location const& where, std::string_view why, RecordRequest const& request) {
+    throw InputError(where, fmt::format("unit missing ({}). State {}", why, request.unit_key));
 }
 
 void check_stated_unit(RecordRequest const& request, double file_unit_mps2, Location const& where) {

@@ -19,7 +19,8 @@ struct RecordRequest {
     std::optional<double> time_step_s = {};  ///< where the file states none [s]
     std::string component = {};              ///< what goes into the rocking plane; empty: the first horizontal one
     ComponentChoice components = ComponentChoice::file;
-    bool may_be_resampled = false;  ///< a stated step other than the file's own is no contradiction
+    bool may_be_resampled = false;               ///< a stated step other than the file's own is no contradiction
+    std::string unit_key = "--unit gal|g|m/s2";  ///< how its user states the unit, for messages
 };
 
 /// Everything in the file's `content` (all its bytes).

@@ -56,8 +56,15 @@ namespace overturn {
 [[nodiscard]] bool recognises_columns(std::string_view content);
 [[nodiscard]] Recording read_columns(std::string_view content, RecordRequest const& request);
 
+/// Never returns. \throws InputError that asks for the unit under the name that its user writes.
+[[noreturn]] void refuse_without_unit(Location const& where, std::string_view why, RecordRequest const& request);
+
 /// \throws InputError if the user stated a unit other than the file's own.
 void check_stated_unit(RecordRequest const& request, double file_unit_mps2, Location const& where);
+
+/// For content of no known format. \throws InputError with the line and the reason for which it cannot be columns, if
+/// it looks like a table of numbers: a row of them within its first lines, or one line of names alone.
+void check_not_nearly_columns(std::string_view content, RecordRequest const& request);
 
 /// \throws InputError if the user stated a time step that differs from the file's own by more than printed rounding.
 void check_stated_time_step(RecordRequest const& request, double file_time_step_s, Location const& where);

@@ -29,9 +29,9 @@ bool is_bearing(std::string_view name) {
     return parse_number(name, azimuth) && azimuth >= 0 && azimuth <= full_circle;
 }
 
-bool is_vertical(RecordComponent const& component) {
-    return component.direction == Direction::up || component.direction == Direction::down;
-}
+bool is_vertical(Direction direction) { return direction == Direction::up || direction == Direction::down; }
+
+bool is_vertical(RecordComponent const& component) { return is_vertical(component.direction); }
 
 Names names_of(Recording const& recording) {
     Names names;
@@ -164,7 +164,13 @@ PlacedRecord place(Recording recording, std::string_view first, ComponentChoice 
     if (single || choice == ComponentChoice::horizontal) {
         return placed;
     }
-    auto vertical = only(recording, "vertical", where, &is_vertical);
+    if (!first.empty() && is_vertical(horizontal)) {
+        throw InputError(where, fmt::format("component '{}' (it is vertical, and the rocking plane takes a horizontal "
+                                            "one). State a horizontal component: the vertical one finds its place by "
+                                            "itself",
+                                            horizontal.name));
+    }
+    auto vertical = only(recording, "vertical", where, [](RecordComponent const& c) { return is_vertical(c); });
     auto transverse = only(recording, "second horizontal", where,
                            [](RecordComponent const& c) { return c.direction == Direction::horizontal; });
     if (!recording.components.empty() || is_vertical(horizontal)) {
@@ -186,6 +192,15 @@ PlacedRecord place(Recording recording, std::string_view first, ComponentChoice 
     }
     placed.says += cut_to_shortest(placed.motion);
     return placed;
+}
+
+void validate_rocking_plane(Direction direction, Location const& where) {
+    if (is_vertical(direction)) {
+        throw InputError(
+            where,
+            "recorded vertically (the rocking plane takes a horizontal component). Name a horizontal "
+            "record: its vertical one joins it by components = station, or as vertical of [[waves.records]]");
+    }
 }
 
 }  // namespace overturn

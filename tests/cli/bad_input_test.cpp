@@ -80,6 +80,22 @@ TEST_F(BadInput, Files) {
     expect_refused(overturn(folder, {"plan", "c.toml"}), "target.csv:3");
 }
 
+// Requirement: a vertical record shakes no body sideways; its own spectrum may be asked for.
+TEST_F(BadInput, VerticalRecordUnderABody) {
+    std::string text =
+        "PEER\nSomewhere, 1/16/1995, A-B, UP\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 50, DT= .02 SEC\n";
+    for (int i = 0; i < 10; ++i) {
+        text += " .1 .2 -.1 -.2 .0\n";
+    }
+    folder.write("a-UP.AT2", text);
+    folder.write("body.toml", "mass=1\nbase_width=1\ncentre_height=2\ninertia='uniform-block'\n");
+    expect_refused(overturn(folder, {"rock", "--body", "body.toml", "--wave", "a-UP.AT2"}),
+                   "a-UP.AT2: recorded vertically");
+    expect_refused(overturn(folder, {"spectrum", "--body", "body.toml", "--wave", "a-UP.AT2"}),
+                   "a-UP.AT2: recorded vertically");
+    EXPECT_EQ(overturn(folder, {"spectrum", "--wave", "a-UP.AT2"}).code, 0);
+}
+
 // Requirement: a record that is not numbers is refused with its line.
 TEST_F(BadInput, NotANumberInARecord) {
     folder.write("r.csv", "0,0.1\n0.01,0.2\n0.02,nan\n0.03,0\n");

@@ -48,7 +48,7 @@ TEST(Records, RefusesWhatItCannotRead) {
     refuse("files=['no.csv']\nunit='gal'\n", "c.toml:2:", "'no.csv'");
     refuse("files=['bad.csv']\nunit='gal'\n", "bad.csv:2", "x");
     refuse("files=['a.csv']\nunit='kine'\n", "c.toml:3:", "not a unit of acceleration");
-    refuse("files=['a.csv']\n", "a.csv", "unit");
+    refuse("files=['a.csv']\n", "a.csv", "State unit = \"gal\", \"g\" or \"m/s2\"");
     refuse("files=[]\nunit='gal'\n", "c.toml:2:", "empty");
     refuse("unit='gal'\n", "c.toml:1:", "either files or records");
     refuse("[[records]]\nhorizontal='a.csv'\nvertical='slow.csv'\nunit='gal'\n", "c.toml:4:", "time step 0.02 s");
@@ -93,6 +93,25 @@ TEST(Records, NamedComponentsMustPointWhereTheyArePut) {
     expect_input_error([&] { (void)source("vertical='90'\n"); }, "c.toml:4:", "recorded horizontally");
     expect_input_error([&] { (void)source("transverse='D'\n"); }, "c.toml:4:", "recorded vertically");
     expect_input_error([&] { (void)source("vertical='D'\ncomponents='station'\n"); }, "c.toml:4:", "Keep one");
+}
+
+// Requirement: what was recorded vertically is never the horizontal shaking, whichever key names it.
+TEST(Records, VerticalRecordIsNoHorizontalShaking) {
+    std::map<std::string, std::string> const folder{{"0", at2("0", ".1")},
+                                                    {"U", at2("UP", ".1")},
+                                                    {"D", at2("DWN", ".05")},
+                                                    {"v.csv", "t,a_vertical\n0,1\n0.01,2\n"}};
+    auto const refuse = [&](std::string const& keys, char const* where, char const* file) {
+        expect_input_error([&] { (void)source_of("source='records'\n" + keys, folder); }, where, file,
+                           "recorded vertically", "Name a horizontal record");
+    };
+    refuse("files=['0','U']\n", "c.toml:2:", "U: ");
+    refuse("files=['D']\n", "c.toml:2:", "D: ");
+    refuse("[[records]]\nhorizontal='U'\n", "c.toml:3:", "U: ");
+    refuse("[[records]]\nhorizontal='U'\ntime_step='0.01 s'\n", "c.toml:3:", "U: ");
+    refuse("files=['v.csv']\nunit='gal'\n", "c.toml:2:", "v.csv: ");
+    EXPECT_EQ(source_of("source='records'\n[[records]]\nhorizontal='0'\nvertical='U'\n", folder)->make(1, 0).label,
+              "0, vertical U");
 }
 
 // Requirement: another time step than the record's resamples it, and says so.

@@ -141,6 +141,19 @@ TEST(RecordFormats, AreRecognisedByContentOnly) {
     expect_input_error([] { (void)read("0,1\n1,1\n", {.format = "colums"}); }, "Did you mean 'columns'?");
 }
 
+// Requirement: what is nearly columns is refused at its line with the reason, not as an unknown format.
+TEST(RecordFormats, NearlyColumnsAreToldWhatIsWrong) {
+    expect_input_error([] { (void)read("t,a,b,c,d\n0,1,2,3,4\n0.1,1,2,3,4\n"); }, "a.csv:2: ", "more than 4 columns");
+    expect_input_error([] { (void)read("0,1,2,3,4,5\n0.1,1,2,3,4,5\n"); }, "a.csv:1: ", "more than 4 columns");
+    expect_input_error([] { (void)read("time,acc\n(s),(gal)\n0,1\n0.1,2\n"); }, "a.csv:2: ", "second line of text",
+                       "Begin further ones with #");
+    expect_input_error([] { (void)read("# x\ntime,acc\ns,gal\n---,---\n0,1\n0.1,2\n"); },
+                       "a.csv:3: ", "second line of text");
+    expect_input_error([] { (void)read("time,a_horizontal\n"); }, "a.csv:1: ", "no row of numbers");
+    expect_input_error([] { (void)read("one\ntwo\nthree\nfour\n0,1\n"); }, "a.csv: ", "format not recognised");
+    expect_input_error([] { (void)read("<html>\n"); }, "a.csv: ", "format not recognised");
+}
+
 TEST(RecordFormats, AreListedWithASummary) {
     ASSERT_EQ(record_formats().size(), 10U);
     for (auto const& format : record_formats()) {

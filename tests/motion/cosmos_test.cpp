@@ -129,6 +129,28 @@ TEST(Cosmos, OtherUnitsAndQuantitiesAreRefused) {
               -0.5 * g0);
 }
 
+// Requirement: -999 marks a missing value, with or without a peak in the header, and is never read as an acceleration.
+TEST(Cosmos, MissingValuesAreRefusedWithTheirLine) {
+    auto const gap = six_lines.substr(0, 32) + "  -9.990000E+02\n" + six_lines.substr(48);
+    for (double const peak : {-999.0, 999.0}) {
+        expect_input_error([&] { (void)read(channel({.peak = peak, .values = gap})); },
+                           "a.V2c:48: ", "-999 as value 3 of 6", "missing");
+    }
+    expect_input_error(
+        [] {
+            (void)read(channel({.data = "6 acceleration pts, approx 0 secs, units=cm/sec2(04),Format=(4F8.1)",
+                                .peak = -999,
+                                .values = "     1.0     2.0     3.0     4.0\n     5.0  -999.0\n"}));
+        },
+        "a.V2c:47: ", "value 6 of 6");
+    EXPECT_EQ(read(channel({.peak = -999})).horizontal_mps2, six);  // the header may lack its peak
+}
+
+TEST(Cosmos, AnotherFormatIsNotTakenForVelocity) {
+    expect_input_error([] { (void)read("PEER\nA, B\nNPTS= 2, DT= .02 SEC\n 0.0 .1\n", {.format = "cosmos"}); },
+                       "a.V2c: ", "no line '100 Integer-header values follow'", "State another format");
+}
+
 TEST(Cosmos, DamageIsRefusedWithItsLine) {
     auto const whole = channel({.end = ""});
     expect_input_error([&] { (void)read(whole.substr(0, whole.size() - 20)); }, "a.V2c:50: ", "cut short");

@@ -99,6 +99,31 @@ TEST(CsmipV2, DamageIsRefusedWithItsLine) {
     expect_input_error([] { (void)read("x\n", {.format = "csmip-v2"}); }, "POINTS OF ACCEL DATA");
 }
 
+// A whole channel ends with its displacement: no cut before that may cost a component in silence.
+TEST(CsmipV2, FileCutWithinAnyBlockIsRefused) {
+    auto const three = channel({.name = "90 DEG"}) + channel({.name = "UP", .peak = "94.805", .number = "2"})
+                       + channel({.name = "0 DEG", .number = "3"});
+    auto const first = channel({.name = "90 DEG"}).size();
+    auto const cut_after = [&](std::string const& text, std::size_t from, std::size_t more) {
+        return three.substr(0, three.find(text, from) + more);
+    };
+    constexpr std::size_t into_the_block = 120;  // past its first line, into a value
+    expect_input_error([&] { (void)read(cut_after("POINTS OF VELOC", first, into_the_block)); },
+                       "a.V2:31: ", "as value 6 of 10", "cut short");
+    expect_input_error([&] { (void)read(cut_after("POINTS OF DISPL", 0, into_the_block)); },
+                       "a.V2:16: ", "value 6 of 10");
+    expect_input_error([&] { (void)read(cut_after("   10 POINTS OF DISPL", 0, 0)); }, "a.V2:14: ", "channel 1",
+                       "2 of 3 blocks");
+    expect_input_error([&] { (void)read(cut_after("   10 POINTS OF VELOC", first, 0)); }, "a.V2:29: ", "channel 2",
+                       "1 of 3 blocks");
+    expect_input_error([&] { (void)read(cut_after("PEAK ACCEL", 2 * first, 0)); }, "channel 3", "0 of 3 blocks");
+    auto lost = three;
+    lost.erase(lost.find("   10 POINTS OF VELOC"), 2);
+    EXPECT_NO_THROW((void)read(lost));
+    lost.replace(lost.find(" 10 POINTS OF VELOC"), 3, " 11");
+    expect_input_error([&] { (void)read(lost); }, "a.V2:12: ", "10 points belong here");
+}
+
 TEST(RefusedFormats, SayWhatToDo) {
     expect_input_error([] { (void)read("UNCORRECTED ACCELEROGRAM DATA   RAW\n 1 2 3\n"); }, "a.V2:1: ", "V2 file");
     expect_input_error([] { (void)read("2 CORRECTED ACCELEROGRAM   1979\n 1 2\n"); }, "a.V2:1: ", "SMC");

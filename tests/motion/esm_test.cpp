@@ -74,6 +74,23 @@ TEST(ItacaAcc, PackedValuesInMetres) {
     EXPECT_EQ(read(itaca("Sampling rate (Hz) : 200", "Sampling interval : 0.01 s")).time_step_s, 0.01);
 }
 
+// Requirement: what stands behind a number or in its key's brackets is its unit, and never passed over.
+TEST(ItacaAcc, AnotherUnitOfTheStepIsRefused) {
+    std::string const rate = "Sampling rate (Hz) : 200";
+    for (char const* step :
+         {"Sampling interval (s) : 0.005", "Sampling interval (s):5.0E-03", "Sampling interval [s] : 0.005 s",
+          "Time step : .005sec", "Sampling rate : 200 Hz", "Sampling frequency : 200"}) {
+        EXPECT_EQ(read(itaca(rate, step)).time_step_s, 0.005) << step;
+    }
+    for (char const* step : {"Sampling interval (s) : 5 ms", "Sampling interval (ms) : 5", "Sampling interval : 5ms",
+                             "Sampling interval (s) : 0.005 0.005", "Sampling interval (s) : 0,005",
+                             "Sampling rate (kHz) : 0.2", "Sampling rate (Hz) : 200 s", "Sampling rate : 0.2 kHz"}) {
+        expect_input_error([&] { (void)read(itaca(rate, step)); }, "a.ASC:6: ", "Mend the header");
+    }
+    expect_input_error([] { (void)read(itaca("samples : 6", "samples : 6 thousand")); }, "a.ASC:7: ", "'thousand'",
+                       "a number alone");
+}
+
 TEST(ItacaAcc, WhatTheHeaderDoesNotSayIsAskedFor) {
     expect_input_error([] { (void)read(itaca("Unit : m/s2", "Quality : good")); }, "a.ASC:10: ", "unit missing");
     expect_input_error([] { (void)read(itaca("Sampling rate (Hz) : 200", "Quality : good")); },

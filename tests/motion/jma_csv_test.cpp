@@ -56,6 +56,12 @@ TEST(JmaCsv, NamesOfTheColumnsAreObeyed) {
     EXPECT_EQ(motion.horizontal_mps2[0], 0.064 * 0.01);
 }
 
+TEST(JmaCsv, VerticalColumnIsNoHorizontalShaking) {
+    expect_input_error([] { (void)read(jma(rows), {.component = "UD"}); }, "a.csv: ", "component 'UD'",
+                       "it is vertical", "State a horizontal component");
+    EXPECT_EQ(read(jma(rows), {.component = "EW"}).vertical_mps2[0], -0.010 * 0.01);
+}
+
 TEST(JmaCsv, DamageIsRefusedWithItsLine) {
     expect_input_error([] { (void)read(jma(rows + "0.1,0.2\n")); }, "a.csv:11: ", "under UD", "cut short");
     expect_input_error([] { (void)read(jma(rows + "0.1,nan,0.2\n")); }, "a.csv:11: ", "'nan' under EW");

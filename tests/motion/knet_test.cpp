@@ -74,8 +74,35 @@ TEST(Knet, PeakMustBeTheHeadersToItsPrintedDigits) {
 TEST(Knet, TruncatedFileIsRefused) {
     expect_input_error([] { (void)read(knet({.duration = "3"})); }, "100 values where the header promises 3 s",
                        "a.NS:30");
-    expect_input_error([] { (void)read(knet().substr(0, 300)); }, "a.NS:", "header lines");
+    expect_input_error([] { (void)read(knet().substr(0, knet().find("Duration"))); }, "a.NS:11: ", "11 header lines");
     expect_input_error([] { (void)read(knet({}, 0)); }, "0 values");
+    for (int const lost : {1, 4, 12, 28, 52}) {  // the last value; 1, 2, 4 and 7 lines
+        expect_input_error([&] { (void)read(knet({}, 100 - lost)); }, std::to_string(100 - lost) + " values",
+                           "at 100 Hz, 100 values", "cut short");
+    }
+    expect_input_error([] { (void)read(knet({}, 101)); }, "101 values", "too many");
+}
+
+TEST(Knet, FileCutWithinItsLastCountIsRefused) {
+    auto const whole = knet();
+    EXPECT_EQ(read(whole.substr(0, whole.size() - 1)).samples(), 100U);  // the line end
+    EXPECT_EQ(read(whole.substr(0, whole.size() - 2)).samples(), 100U);  // and the blank
+    for (std::size_t const lost : {3U, 4U, 5U}) {                        // digits of 999
+        expect_input_error([&] { (void)read(whole.substr(0, whole.size() - lost)); }, "a.NS:30: ", "cut short");
+    }
+}
+
+TEST(Knet, EveryHeaderLineMustHaveItsKey) {
+    auto const whole = knet();
+    std::size_t begin = 0;
+    for (int line = 1; line <= 17; ++line) {
+        auto const end = whole.find('\n', begin) + 1;
+        auto without = whole;
+        without.erase(begin, end - begin);
+        expect_input_error([&] { (void)read(without, {.format = "knet"}); }, fmt::format("a.NS:{}: ", line),
+                           "a K-NET header has '" + whole.substr(begin, 4));
+        begin = end;
+    }
 }
 
 TEST(Knet, DamagedHeaderOrDataAreRefusedWithTheirLine) {
@@ -87,7 +114,7 @@ TEST(Knet, DamagedHeaderOrDataAreRefusedWithTheirLine) {
     expect_input_error([] { (void)read(knet() + "    nan\n"); }, "a.NS:31: ", "'nan'");
     auto missing_line = knet();
     missing_line.erase(0, missing_line.find('\n') + 1);
-    expect_input_error([&] { (void)read(missing_line, {.format = "knet"}); }, "'Sampling Freq(Hz)' here");
+    expect_input_error([&] { (void)read(missing_line, {.format = "knet"}); }, "a.NS:1: ", "'Origin Time' here");
 }
 
 TEST(Knet, StatedUnitAndStepMustNotContradict) {

@@ -12,13 +12,13 @@ using testing::expect_input_error;
 
 /// 100 counts of 2 gal with one peak of `peak` counts.
 std::string knet(std::string const& direction, int peak, std::string const& station = "XXX008",
-                 std::string const& rate = "100Hz", int samples = 100) {
+                 std::string const& rate = "100Hz", int samples = 100, std::string const& duration = "1") {
     std::string text = "Origin Time       2018/01/24 19:51:00\nLat.              41.0\nLong.             142.5\n"
                        "Depth. (km)       30\nMag.              6.2\nStation Code      "
                        + station
                        + "\nStation Lat.      41.0840\nStation Long.     141.2552\nStation Height(m) 17\n"
                          "Record Time       2018/01/24 19:51:36\nSampling Freq(Hz) "
-                       + rate + "\nDuration Time(s)  1\nDir.              " + direction
+                       + rate + "\nDuration Time(s)  " + duration + "\nDir.              " + direction
                        + "\nScale Factor      2000(gal)/1000\nMax. Acc. (gal)   " + std::to_string(2 * peak)
                        + ".0\nLast Correction   2018/01/24 19:51:36\nMemo.             \n";
     for (int i = 0; i < samples; ++i) {
@@ -72,7 +72,7 @@ TEST(Station, KiknetDepthsStayApart) {
 }
 
 TEST(Station, CutsAndGapsAreSaid) {
-    auto const shorter = with(three, "r/x.UD", knet("U-D", 5, "XXX008", "100Hz", 96));
+    auto const shorter = with(three, "r/x.UD", knet("U-D", 5, "XXX008", "100Hz", 96, "0.96"));
     EXPECT_EQ(read(shorter).says, "r/x.NS, transverse r/x.EW, vertical r/x.UD, cut to 96 samples");
     EXPECT_EQ(read(shorter).motion.samples(), 96U);
     auto const two = Contents{{"r/x.EW", three.at("r/x.EW")}, {"r/x.NS", three.at("r/x.NS")}};
@@ -82,7 +82,7 @@ TEST(Station, CutsAndGapsAreSaid) {
 TEST(Station, WhatIsNotCertainIsRefused) {
     expect_input_error([] { (void)read(with(three, "r/copy.UD", three.at("r/x.UD"))); }, "'r/copy.UD' and 'r/x.UD'",
                        "one vertical component");
-    expect_input_error([] { (void)read(with(three, "r/x.UD", knet("U-D", 5, "XXX008", "99Hz"))); },
+    expect_input_error([] { (void)read(with(three, "r/x.UD", knet("U-D", 5, "XXX008", "50Hz", 50))); },
                        "r/x.UD: ", "components must agree");
     expect_input_error([] { (void)read(three, "r/x.UD"); }, "r/x.UD: ", "Name a horizontal one");
     expect_input_error([] { (void)read({{"r/x.NS", three.at("r/x.NS")}}); }, "r/x.NS: ", "no other file of station");
