@@ -53,12 +53,15 @@ std::string quote_line(MeasuredFragility const& m, QuotedProbability const& q) {
                         : fmt::format("{:.3g} x design basis, {} {:.4g}{}", q.quote.multiple, m.name, q.quote.intensity,
                                       m.units == "1" ? "" : " " + m.units);
     auto const p = q.probability ? fmt::format("{:.3g}", *q.probability) : std::string("not identifiable");
+    auto const rejected = q.curve && q.probability && *q.curve != *q.probability
+                              ? fmt::format(" (the curve's {:.2g} is not believed)", *q.curve)
+                              : std::string();
     auto const seen = q.trials > 0 ? fmt::format(", {:g} of {:g} seen there", q.overturned, q.trials) : std::string();
     auto const bounds = q.source == Source::none ? std::string("no bound")
                                                  : fmt::format("[{:.3g}, {:.3g}]{}", q.bounds.lower, q.bounds.upper,
                                                                q.source == Source::stripe ? " exact" : "");
-    return fmt::format("  P at {}: {} {}{}{}{}\n", at, p, bounds, seen, q.outside_data ? ", outside the data" : "",
-                       q.in_tail ? ", in the tail" : "");
+    return fmt::format("  P at {}: {} {}{}{}{}{}\n", at, p, bounds, seen, rejected,
+                       q.outside_data ? ", outside the data" : "", q.in_tail ? ", in the tail" : "");
 }
 
 std::string share_line(char const* what, Share const& share) {

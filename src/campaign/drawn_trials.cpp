@@ -39,7 +39,7 @@ std::optional<BetaSplit> split_by_draws(CampaignSpec const& spec, std::size_t bo
     std::vector<DrawnTrial> drawn;
     drawn.reserve(trials.size());
     for (auto const& trial : trials) {
-        drawn.push_back({std::log(trial.intensity), scores.at(trial.wave), trial.overturned});
+        drawn.push_back({std::log(trial.intensity), scores.at(trial.wave), trial.overturned, trial.wave});
     }
     return split_beta(drawn);
 }

@@ -21,9 +21,9 @@ struct FragilityRow {
     Interval profile_median = no_interval, profile_beta = no_interval;
     Interval bootstrap_median = no_interval, bootstrap_beta = no_interval;
     double deviance = none, p_value = none, monotone_p_value = none;
-    Interval isotonic_median;
+    Interval isotonic_median = no_interval;
     double penalised_median = none, penalised_beta = none;
-    double lowest = 0, highest = 0, rank_area = none;
+    double lowest = none, highest = none, rank_area = none;
 };
 
 FragilityRow row_of(MeasuredFragility const& measured) {
@@ -54,10 +54,12 @@ FragilityRow row_of(MeasuredFragility const& measured) {
         row.penalised_median = std::exp(fit.penalised->log_median());
         row.penalised_beta = fit.penalised->beta();
     }
-    row.monotone_p_value = fit.monotone.p_value;
-    row.isotonic_median = fit.isotonic_median;
-    row.lowest = fit.lowest;
-    row.highest = fit.highest;
+    if (fit.trials > 0) {
+        row.monotone_p_value = fit.monotone.degrees_of_freedom > 0 ? fit.monotone.p_value : none;
+        row.isotonic_median = fit.isotonic_median;
+        row.lowest = fit.lowest;
+        row.highest = fit.highest;
+    }
     row.rank_area = measured.rank_area;
     return row;
 }

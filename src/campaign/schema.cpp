@@ -143,11 +143,11 @@ store::TableSpec wave_table() {
              "component correlation, rocking band")}};
 }
 
-store::TableSpec measure_table(CampaignSpec const& campaign, std::size_t body) {
+store::TableSpec measure_table(CampaignSpec const& spec, std::size_t body) {
     using Row = MeasureRow;
-    store::TableSpec spec{
-        "waves/" + campaign.bodies.at(body).name,
-        campaign.bodies.size() * sizeof(Row),
+    store::TableSpec table{
+        "waves/" + spec.bodies.at(body).name,
+        spec.bodies.size() * sizeof(Row),
         {OVERTURN_COLUMN(Row, ou_v_e_mps, "ou_v_e", "m/s", real, "Akiyama's ouV_E of the unscaled wave"),
          OVERTURN_COLUMN(Row, v_wes_max_mps, "v_wes", "m/s", real,
                          "max over time of the unscaled wave's window energy spectrum"),
@@ -158,16 +158,16 @@ store::TableSpec measure_table(CampaignSpec const& campaign, std::size_t body) {
          OVERTURN_COLUMN(Row, band_mean_ratio, "band_mean_ratio", "1", real, "mean of computed / target over [T0, T1]"),
          OVERTURN_COLUMN(Row, band_ratio_cov, "band_ratio_cov", "1", real,
                          "coefficient of variation of computed / target over [T0, T1]")}};
-    if (campaign.measures.both_radius_units) {
-        spec.columns.push_back(OVERTURN_COLUMN(Row, other_unit_ou_v_e_mps, "ou_v_e_other_unit", "m/s", real,
-                                               "ouV_E with R in the unit that measures.radius_unit does not name"));
-        spec.columns.push_back(OVERTURN_COLUMN(Row, other_unit_v_wes_max_mps, "v_wes_other_unit", "m/s", real,
-                                               "V_WES with R in the unit that measures.radius_unit does not name"));
+    if (spec.measures.both_radius_units) {
+        table.columns.push_back(OVERTURN_COLUMN(Row, other_unit_ou_v_e_mps, "ou_v_e_other_unit", "m/s", real,
+                                                "ouV_E with R in the unit that measures.radius_unit does not name"));
+        table.columns.push_back(OVERTURN_COLUMN(Row, other_unit_v_wes_max_mps, "v_wes_other_unit", "m/s", real,
+                                                "V_WES with R in the unit that measures.radius_unit does not name"));
     }
-    for (auto& column : spec.columns) {
+    for (auto& column : table.columns) {
         column.offset += body * sizeof(Row);
     }
-    return spec;
+    return table;
 }
 
 std::vector<std::string> differing_columns(TrialRow const& a, TrialRow const& b) {

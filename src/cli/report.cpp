@@ -1,3 +1,4 @@
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -25,6 +26,8 @@ namespace fs = std::filesystem;
 
 struct Options {
     std::string file, page, figures;
+    double beta_u = 0;
+    double confidence = 0;  ///< 0: the campaign's
 };
 
 Json facts_of(CampaignSpec const& spec, Plan const& plan) {
@@ -45,7 +48,6 @@ Json facts_of(CampaignSpec const& spec, Plan const& plan) {
                                    spec.rocking.taylor_order, spec.rocking.substeps, spec.rocking.step_tolerance));
     add("T0, T1",
         fmt::format("R in {}", spec.measures.radius_unit == RadiusUnit::centimetre ? "centimetres" : "metres"));
-    add("confidence", fmt::format("{:g} %", 100 * spec.confidence));
     return facts;
 }
 
@@ -116,6 +118,17 @@ Json cost_of(fs::path path) {
 int write_report(Options const& options) {
     report::check_page_name(options.page);
     store::require_writable(options.page);
+    if (!options.figures.empty()) {
+        std::error_code error;
+        fs::create_directories(options.figures, error);
+        validate(fs::is_directory(options.figures), "--figures {} (is no folder and cannot be one). Name another",
+                 options.figures);
+        store::require_writable(fs::path(options.figures) / "fragility.svg");
+    }
+    validate(options.beta_u >= 0 && std::isfinite(options.beta_u),
+             "--beta-u: {} (must be 0 or above). It is a lognormal standard deviation", options.beta_u);
+    validate(options.confidence >= 0 && options.confidence < 1,
+             "--confidence: {} (must lie between 0 and 1). State e.g. 0.95", options.confidence);
     store::ResultsReader const file(options.file);
     auto const input = input_of(file);
     auto const spec = parse_campaign(input);
@@ -128,9 +141,15 @@ int write_report(Options const& options) {
     for (auto const& body : spec.bodies) {
         data["bodies"].push_back(body.name);
     }
-    auto const analysis = analyse(spec, statistics, {.confidence = spec.confidence, .band_points = 61});
-    data["fit"] = fit_json(statistics, analysis, spec.confidence);
+    double const confidence = options.confidence > 0 ? options.confidence : spec.confidence;
+    auto const analysis =
+        analyse(spec, statistics, {.confidence = confidence, .beta_u = options.beta_u, .band_points = 61});
+    data["fit"] = fit_json(statistics, analysis, confidence);
     data["facts"] = facts_of(spec, plan);
+    data["facts"].push_back({"confidence", fmt::format("{:g} %", 100 * confidence)});
+    if (options.beta_u > 0) {
+        data["facts"].push_back({"beta_U as stated", fmt::format("{:g}", options.beta_u)});
+    }
     data["waves"] = waves_of(input, spec, plan, file);
     data["wave_notes"] = Json::array();
     if (auto const said = statistics.waves().text(spec.source->acceptance()); !said.empty()) {
@@ -153,6 +172,8 @@ void add_report(CLI::App& app, Action& action) {
     verb->add_option("-o,--output", options->page, "the page, .html")->required();
     verb->add_option("--figures", options->figures, "write the figures as svg and png and the tables as csv there too")
         ->option_text("DIR");
+    verb->add_option("--beta-u", options->beta_u, "lognormal standard deviation of what is not known of the body");
+    verb->add_option("--confidence", options->confidence, "of the intervals; default: the campaign's");
     verb->callback([options, &action] { action = [options] { return write_report(*options); }; });
 }
 

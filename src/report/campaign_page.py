@@ -33,6 +33,11 @@ def value_of(value, digits=4, unknown="–"):
     return plain(value, digits) if isinstance(value, float) else str(value)
 
 
+def shares(share):
+    """A share and its exact interval, as two cells."""
+    return value_of(share["share"], 3), interval([share["lower"], share["upper"]], 3)
+
+
 def interval(ends, digits=4):
     if not ends:
         return "–"
@@ -187,10 +192,17 @@ class Report:
     def criterion(self):
         rows, parts = [], []
         for c in self.fit["criterion"]:
-            rows.append([c["body"], MEASURES[c["measure"]][0].split(",")[0], c["radius_unit"], c["false_safe"], c["false_alarm"], c["true_safe"],
-                         c["true_overturn"]])
-        head = ["body", "measure", "unit of R", "false safe", "false alarm", "true safe", "true overturn"]
-        self.csv("criterion", [name.replace(" ", "_") for name in head], rows)
+            rows.append([c["body"], MEASURES[c["measure"]][0].split(",")[0], c["radius_unit"], c["false_safe"],
+                         c["false_alarm"], c["true_safe"], c["true_overturn"], *shares(c["safe_but_overturned"]), *shares(c["unsafe_but_stood"])])
+        head = ["body", "measure", "unit of R", "false safe", "false alarm", "true safe", "true overturn",
+                "safe, yet fell", "interval", "unsafe, yet stood", "interval"]
+        counts = ["body", "measure", "radius_unit", "false_safe", "false_alarm", "true_safe", "true_overturn"]
+        told = [f"{share}_{part}" for share in ("safe_but_overturned", "unsafe_but_stood")
+                for part in ("share", "lower", "upper")]
+        self.csv("criterion", counts + told,
+                 [[c[key] for key in counts] + [c[share][part] for share in ("safe_but_overturned", "unsafe_but_stood")
+                                                for part in ("share", "lower", "upper")]
+                  for c in self.fit["criterion"]])
         for body in self.results.bodies:
             parts.append(f"<h3>{escape(body.name)}</h3>" + self.figure(
                 f"criterion-{body.name}", lambda path, body=body: fragility_figures.criterion(self.results, body, path),

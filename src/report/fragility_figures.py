@@ -65,7 +65,7 @@ def fragility(results, fits, path):
                 axes.axvline(at, color=GREY, lw=0.8, ls=dash, zorder=1)
                 axes.annotate(label, (at, 0.97), xytext=(2, 0), textcoords="offset points", rotation=90, va="top",
                               fontsize=6.5, color=GREY)
-        axes.set_title(body.name)
+        axes.set_title(style.literal(body.name))
         axes.set_xlabel(f"{MEASURES[results.measure][0]}" + (f" [{unit}]" if unit else ""))
         axes.set_ylim(-0.03, 1.03)
         axes.set_xlim(0, 1.06 * float(np.max(amplitude)))
@@ -136,13 +136,15 @@ def measures(results, fits, path):
                 left.errorbar(fit["beta"], y, xerr=np.abs(reach), fmt="o", ms=4, color=colour, elinewidth=0.9, capsize=2)
                 drawn += 1
             if fit and fit.get("rank_area") is not None:
-                right.plot(fit["rank_area"], y, "o", ms=4, color=colour)
+                low, high = fit["rank_interval"]
+                right.errorbar(fit["rank_area"], y, xerr=np.abs([[fit["rank_area"] - low], [high - fit["rank_area"]]]), fmt="o",
+                               ms=4, color=colour, elinewidth=0.9, capsize=2)
     left.set_yticks(range(len(names)), [MEASURES[name][0] for name in names])
     left.invert_yaxis()
     left.set(xlabel="beta of the fit", title="dispersion: less is better")
     left.set_xlim(left=0)
     right.set(xlabel="AUC", title="rank: more is better", xlim=(0.45, 1.02))
-    right.legend(handles=[Line2D([], [], color=colour, marker="o", ls="", label=body.name)
+    right.legend(handles=[Line2D([], [], color=colour, marker="o", ls="", label=style.literal(body.name))
                           for body, (colour, _) in zip(results.bodies, BODIES)],
                  loc="center left", bbox_to_anchor=(1.02, 0.5))
     if drawn:

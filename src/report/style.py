@@ -54,6 +54,12 @@ def save(figure, path):
     plt.close(figure)
 
 
+def literal(name):
+    """A user's own words, drawn as they are: no mathematics, and no leading underscore, which hides a legend's entry."""
+    name = name.replace("$", r"\$")
+    return "\u200b" + name if name.startswith("_") else name
+
+
 def plain(value, digits=3):
     """That many significant figures, written out between 0.001 and a million."""
     if value == 0:

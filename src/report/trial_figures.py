@@ -38,7 +38,7 @@ def bodies(results, path):
         axes.annotate(f"α {np.degrees(alpha):.1f}°", (x + b, 1.25 * h), xytext=(3, 0), textcoords="offset points",
                       color=BLUE)
         axes.annotate(f"2b {2 * b:.3g} m", (x, 0), xytext=(0, -11), textcoords="offset points", ha="center")
-        axes.annotate(body.name, (x, 2 * h), xytext=(0, 5), textcoords="offset points", ha="center", weight="bold")
+        axes.annotate(style.literal(body.name), (x, 2 * h), xytext=(0, 5), textcoords="offset points", ha="center", weight="bold")
     axes.set_xlim(-0.55 * pitch, (count - 0.45) * pitch)
     axes.set_ylim(-0.17 * tallest, 1.15 * tallest)
     axes.axhline(0, color=GREY, lw=0.6, zorder=0)
@@ -98,7 +98,7 @@ def rotations(results, body, path, confidence=0.95):
     axes.annotate("critical angle", (1, 0.02), xytext=(-3, 0), textcoords="offset points", ha="right", fontsize=7,
                   color=GREY)
     axes.set(xlim=(0, 1.15), ylim=(0, 1.02), xlabel="peak rotation / α", ylabel="share of trials",
-             title=f"{body.name}: peak rotation per level")
+             title=f"{style.literal(body.name)}: peak rotation per level")
     axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))
     style.save(figure, path)
 
@@ -111,7 +111,7 @@ def slips(results, body, path):
     style.use()
     figure, axes = plt.subplots(figsize=(5.6, 3.1), layout="constrained")
     by_level(results, body, axes, slip, chosen_levels(body))
-    axes.set(ylim=(0, 1.02), xlabel="peak slip [m]", ylabel="share of trials", title=f"{body.name}: peak slip per level")
+    axes.set(ylim=(0, 1.02), xlabel="peak slip [m]", ylabel="share of trials", title=f"{style.literal(body.name)}: peak slip per level")
     smallest = np.percentile(slip[slip > 0], 5)
     axes.set_xscale("symlog", linthresh=max(smallest, 1e-6))
     axes.set_xlim(left=0)
@@ -145,7 +145,7 @@ def ends(results, body, path):
     every = max(1, -(-count // 7))
     for axes, title in ((left, "verdicts"), (right, "simulated up to")):
         axes.set_xticks(places[::every], [f"{value:.4g}" for value in amplitude[::every]])
-        axes.set(title=f"{body.name}: {title}", ylim=(0, 1), xlabel=f"{MEASURES[results.measure][0]} [{unit}]" if unit
+        axes.set(title=f"{style.literal(body.name)}: {title}", ylim=(0, 1), xlabel=f"{MEASURES[results.measure][0]} [{unit}]" if unit
                  else MEASURES[results.measure][0])
         axes.grid(axis="x", visible=False)
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.24), ncols=3)

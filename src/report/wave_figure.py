@@ -27,7 +27,7 @@ def grouped(bodies):
     groups = {}
     for body in bodies:
         groups.setdefault((body["v_ereq_mps"], body["t0_s"], body["t1_s"]), []).append(body)
-    return [{**same[0], "name": ", ".join(body["name"] for body in same)} for same in groups.values()]
+    return [{**same[0], "name": ", ".join(style.literal(body["name"]) for body in same)} for same in groups.values()]
 
 
 def draw_history(axes, time, values, name, unit, peak):

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <map>
 
 #include "core/error.hpp"
 #include "stats/probit.hpp"
@@ -14,6 +15,7 @@ using Eigen::Index;
 struct Design {
     Eigen::MatrixXd columns;  ///< 1, (ln x - mean), scores
     std::vector<FragilityPoint> outcomes;
+    std::vector<std::int64_t> waves;
     double mean_log_intensity = 0;
 
     [[nodiscard]] double log_likelihood_at(Eigen::VectorXd const& z) const {
@@ -46,6 +48,7 @@ Design design_of(std::vector<DrawnTrial> const& trials) {
         outcome.trials = 1;
         outcome.overturned = trial.overturned ? 1 : 0;
         design.outcomes.push_back(outcome);
+        design.waves.push_back(trial.wave);
     }
     return design;
 }
@@ -57,6 +60,23 @@ struct Fit {
     Eigen::VectorXd coefficients;
     Eigen::MatrixXd covariance;
 };
+
+// Covariance where only waves are independent: inverse information around the scatter of the waves' own scores.
+Eigen::MatrixXd sandwich(Design const& design, Eigen::VectorXd const& first, Eigen::MatrixXd const& inverse) {
+    std::map<std::int64_t, Eigen::VectorXd> gradients;
+    for (Index i = 0; i < first.size(); ++i) {
+        auto& sum =
+            gradients.try_emplace(design.waves[static_cast<std::size_t>(i)], Eigen::VectorXd::Zero(inverse.rows()))
+                .first->second;
+        sum += first[i] * design.columns.row(i).transpose();
+    }
+    Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(inverse.rows(), inverse.cols());
+    for (auto const& [wave, gradient] : gradients) {
+        scatter += gradient * gradient.transpose();
+    }
+    auto const waves = static_cast<double>(gradients.size());
+    return inverse * scatter * inverse * (waves > 1 ? waves / (waves - 1) : 1);
+}
 
 std::optional<Fit> newton(Design const& design) {
     constexpr int most_steps = 60;
@@ -88,7 +108,7 @@ std::optional<Fit> newton(Design const& design) {
         b += share * whole;
         likelihood = next;
         if (whole.lpNorm<Eigen::Infinity>() < enough * (1 + b.lpNorm<Eigen::Infinity>())) {
-            return Fit{b, information.solve(Eigen::MatrixXd::Identity(x.cols(), x.cols()))};
+            return Fit{b, sandwich(design, first, information.solve(Eigen::MatrixXd::Identity(x.cols(), x.cols())))};
         }
     }
     return std::nullopt;  // separated: the coefficients run away

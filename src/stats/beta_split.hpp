@@ -12,14 +12,16 @@ struct DrawnTrial {
     double log_intensity = 0;
     std::vector<double> scores;  ///< of the draws: standard normal deviates, independent of each other
     bool overturned = false;
+    std::int64_t wave = 0;  ///< trials of one wave share its draws, and are not independent
 };
 
 /// P = Phi((ln x - ln median - sum c_k z_k) / beta_r): the scores z shift the median, waves alone scatter about it.
 struct BetaSplit {
-    double beta_r = 0;                    ///< from waves
-    double beta_u = 0;                    ///< sqrt(sum c_k^2), less what chance alone adds to it: from the draws
-    std::vector<double> per_score;        ///< c_k = d ln median / d z_k
-    std::vector<double> per_score_error;  ///< their standard errors, from the information matrix
+    double beta_r = 0;              ///< from waves
+    double beta_u = 0;              ///< sqrt(sum c_k^2), less what chance alone adds to it: from the draws
+    std::vector<double> per_score;  ///< c_k = d ln median / d z_k
+    std::vector<double>
+        per_score_error;  ///< their standard errors, waves as independent: sandwich by waves (Liang & Zeger 1986)
 };
 
 /// Maximum likelihood by Newton's method on the concave log-likelihood (Pratt 1981). Nothing if the trials hold no such

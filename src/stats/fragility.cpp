@@ -92,6 +92,14 @@ void describe(FragilityFit& fit, FragilityData const& data) {
     raise_if(fit, fit.monotone.p_value < chance, FragilityFlag::non_monotone);
 }
 
+// Where the stripe's own interval is quoted, a curve outside it is no estimate of P there.
+void believe_what_was_seen(QuotedProbability& quoted) {
+    if (*quoted.curve < quoted.seen.lower || *quoted.curve > quoted.seen.upper) {
+        quoted.probability = quoted.overturned / quoted.trials;
+        quoted.in_tail = false;
+    }
+}
+
 void fit_line(FragilityFit& fit, FragilityData const& data, FragilityRequest const& request) {
     auto const line = ProbitSolver().fit(data.points);
     if (!line) {
@@ -127,9 +135,11 @@ void fit_line(FragilityFit& fit, FragilityData const& data, FragilityRequest con
     }
     for (auto& quoted : fit.quotes) {
         double const at = quoted.quote.intensity;
-        quoted.probability = gsl_cdf_ugaussian_P(line->at(std::log(at)));
+        quoted.curve = gsl_cdf_ugaussian_P(line->at(std::log(at)));
+        quoted.probability = quoted.curve;
         quoted.in_tail = *quoted.probability < decade * fit.lowest_proportion;
         if (quoted.source == QuotedProbability::Source::stripe) {
+            believe_what_was_seen(quoted);
             continue;
         }
         // A curve that does not describe the proportions is sure of what is not so.
@@ -138,6 +148,9 @@ void fit_line(FragilityFit& fit, FragilityData const& data, FragilityRequest con
         quoted.bounds = !trusted            ? quoted.seen
                         : data.waves_shared ? bootstrap.probability(at, request.confidence)
                                             : profile.probability(at);
+        if (!trusted) {
+            believe_what_was_seen(quoted);
+        }
     }
 }
 
@@ -244,6 +257,12 @@ FragilityFit fit_fragility(FragilityData const& data, FragilityRequest const& re
     }
     if (fit.state == FragilityState::fitted) {
         fit_line(fit, data, request);
+    }
+    for (auto& quoted : fit.quotes) {  // no curve after all: what was seen is all there is
+        if (!fit.identifiable() && quoted.trials > 0) {
+            quoted.source = QuotedProbability::Source::stripe;
+            quoted.bounds = quoted.seen;
+        }
     }
     judge(fit);
     return fit;

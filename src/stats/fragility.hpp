@@ -73,7 +73,8 @@ struct FragilityRequest {
 /// P at one intensity.
 struct QuotedProbability {
     Quote quote;
-    std::optional<double> probability;  ///< of the curve
+    std::optional<double> probability;  ///< of the curve, or seen right there where that lies outside `bounds`
+    std::optional<double> curve;        ///< of the curve, whatever it is worth there
     Interval bounds;                    ///< [0, 1] where nothing is known
     enum class Source { none, curve, stripe };
     /// Of the bounds: stripe where all trials there ended alike, or no curve describes the data.

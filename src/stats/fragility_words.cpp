@@ -38,8 +38,11 @@ std::string bracket_text(Interval const& bracket, std::string const& units) {
 }
 
 std::string separated_text(FragilityFit const& fit, std::string const& units) {
-    auto text = fmt::format("all that stood lie below all that overturned: beta cannot be told, the median lies {}",
-                            bracket_text(fit.isotonic_median, units));
+    auto text = fmt::format(
+        "all that stood lie below all that overturned, or at the one level where both happened: beta cannot be told, "
+        "the "
+        "median lies {}",
+        bracket_text(fit.isotonic_median, units));
     if (fit.penalised) {
         text += fmt::format("; penalised (Firth) median {}, beta {:.3g}",
                             with(std::exp(fit.penalised->log_median()), units), fit.penalised->beta());
@@ -119,7 +122,9 @@ std::vector<std::string> warnings_of(FragilityFit const& fit, std::string const&
         }
     };
     add_if(FragilityFlag::one_overturned, "one trial overturned: whatever is fitted hangs on it");
-    add_if(FragilityFlag::two_levels, "two intensities: the curve goes through both, nothing tests its shape");
+    if (fit.identifiable()) {
+        add_if(FragilityFlag::two_levels, "two intensities: the curve goes through both, nothing tests its shape");
+    }
     add_if(FragilityFlag::non_monotone,
            fmt::format("the proportions fall somewhere, beyond chance (p = {:.2g}): rocking need not be monotone; see "
                        "the isotonic estimate",

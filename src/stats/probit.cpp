@@ -207,14 +207,26 @@ std::optional<ProbitLine> fit_penalised(std::span<FragilityPoint const> points) 
     std::unique_ptr<gsl_multimin_fminimizer, SimplexDeleter> const simplex(
         gsl_multimin_fminimizer_alloc(gsl_multimin_fminimizer_nmsimplex2, 2));
     gsl_multimin_function function{&penalised, 2, &data};
-    constexpr double size = 1e-9;
+    // A simplex may shrink to nothing before it has arrived, so it starts again where it stopped until that moves it no
+    // more.
+    constexpr double size = 1e-8;
     constexpr int most_steps = 2000;
-    int status = gsl_multimin_fminimizer_set(simplex.get(), &function, start.get(), reach.get());
-    for (int step = 0; step < most_steps && status == GSL_SUCCESS; ++step) {
-        status = gsl_multimin_fminimizer_iterate(simplex.get());
-        if (gsl_multimin_test_size(gsl_multimin_fminimizer_size(simplex.get()), size) == GSL_SUCCESS) {
+    constexpr int most_starts = 20;
+    double before = std::numeric_limits<double>::infinity();
+    for (int begin = 0; begin < most_starts; ++begin) {
+        int status = gsl_multimin_fminimizer_set(simplex.get(), &function, start.get(), reach.get());
+        for (int step = 0;
+             step < most_steps && status == GSL_SUCCESS && gsl_multimin_fminimizer_size(simplex.get()) > size; ++step) {
+            status = gsl_multimin_fminimizer_iterate(simplex.get());
+        }
+        double const now = gsl_multimin_fminimizer_minimum(simplex.get());
+        constexpr double rounding = 1e-13;
+        if (std::isfinite(now) && before - now <= rounding * std::abs(now)) {
             return data.unscaled(gsl_vector_get(simplex->x, 0), gsl_vector_get(simplex->x, 1));
         }
+        before = now;
+        gsl_vector_memcpy(start.get(), simplex->x);
+        gsl_vector_set_all(reach.get(), 0.1);
     }
     return std::nullopt;
 }

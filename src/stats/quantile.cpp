@@ -24,7 +24,10 @@ Interval middle_of(std::span<double const> values, double confidence, Interval c
     constexpr double slack = 1e-9;  // (1 - 0.9) / 2 * 100 is a little less than 5
     auto const outside =
         static_cast<std::size_t>(std::floor((1 - confidence) / 2 * static_cast<double>(values.size() + 1) + slack));
-    auto const rank = std::max<std::size_t>(outside, 1) - 1;
+    if (outside == 0) {
+        return widest;  // so few values say nothing of so high a confidence
+    }
+    auto const rank = outside - 1;
     return {lows[rank], highs[highs.size() - 1 - rank]};
 }
 

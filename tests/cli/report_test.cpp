@@ -80,6 +80,26 @@ TEST_F(Report, WritesFiguresAndTablesBesideIt) {
     EXPECT_TRUE(there("some figures/here/criterion.csv"));
 }
 
+/// Names are drawn as they stand, whatever they would mean to a typesetter or a legend.
+TEST_F(Report, DrawsAnyName) {
+    skip_without_packages();
+    if (IsSkipped()) {
+        return;
+    }
+    auto text = small_campaign("shared", 2);
+    text.replace(text.find("name='type-a'"), 13, "name='x$\\foo$'");
+    text.replace(text.find("name='type-b'"), 13, "name='_<b>&\"y'");
+    folder->write("odd.toml", text);
+    ASSERT_EQ(overturn(*folder, {"run", "odd.toml", "-o", "odd.h5"}).code, 0);
+    auto const ended =
+        overturn(*folder, {"report", "odd.h5", "-o", "odd.html", "--beta-u", "0.2", "--confidence", "0.9"});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    auto const page = folder->read("odd.html");
+    EXPECT_NE(page.find("x$\\foo$"), std::string::npos);
+    EXPECT_NE(page.find("beta_U as stated"), std::string::npos);
+    EXPECT_NE(page.find("90 %"), std::string::npos);
+}
+
 TEST_F(Report, SaysWhatToInstallWherePythonIsMissing) {
     ::setenv("OVERTURN_PYTHON", "/nonexistent/python3", 1);
     auto const ended = overturn(*folder, {"report", "c.h5", "-o", "d.html"});
@@ -97,6 +117,9 @@ TEST_F(Report, RefusesAnotherNameOrFile) {
     auto const file = overturn(*folder, {"report", "c.toml", "-o", "d.html"});
     EXPECT_EQ(file.code, 2);
     EXPECT_EQ(overturn(*folder, {"report", "c.h5", "-o", "nowhere/d.html"}).code, 2);
+    auto const figures = overturn(*folder, {"report", "c.h5", "-o", "d.html", "--figures", "c.toml"});
+    EXPECT_EQ(figures.code, 2);
+    EXPECT_TRUE(is_one_error_line(figures.err));
 }
 
 }  // namespace

@@ -21,6 +21,7 @@ std::vector<DrawnTrial> simulated(std::uint64_t seed, std::size_t count, std::ve
     for (std::size_t i = 0; i < count; ++i) {
         RandomStream stream(seed, i, Purpose::body_scatter);
         DrawnTrial trial;
+        trial.wave = static_cast<std::int64_t>(i);
         double capacity = std::log(median) + gsl_ran_gaussian(stream.gsl(), beta_r);
         for (double const shift : shifts) {
             trial.scores.push_back(gsl_ran_ugaussian(stream.gsl()));
@@ -89,6 +90,22 @@ TEST(BetaSplit, IsNothingWhereNoCurveIs) {
     }
     EXPECT_FALSE(split_beta(all));
     EXPECT_FALSE(split_beta({}));
+}
+
+// Property: trials that repeat what their wave has said already make nothing surer.
+TEST(BetaSplit, RepeatedTrialsOfAWaveTeachNothing) {
+    auto const once = simulated(7, 2000, {0.2});
+    std::vector<DrawnTrial> often;
+    for (auto const& trial : once) {
+        often.insert(often.end(), 4, trial);
+    }
+    auto const single = split_beta(once);
+    auto const repeated = split_beta(often);
+    ASSERT_TRUE(single && repeated);
+
+    EXPECT_NEAR(repeated->per_score[0], single->per_score[0], 1e-9);
+    EXPECT_NEAR(repeated->per_score_error[0], single->per_score_error[0], 1e-9);
+    EXPECT_NEAR(repeated->beta_u, single->beta_u, 1e-9);
 }
 
 }  // namespace

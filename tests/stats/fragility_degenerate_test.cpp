@@ -100,6 +100,35 @@ TEST(Degenerate, AlmostSeparated) {
     EXPECT_TRUE(fit.penalised);
 }
 
+/// The maxima of Firth's likelihood, from an independent maximisation in another language.
+TEST(Degenerate, PenalisedFitsOfTouchingData) {
+    auto const expect = [](FragilityFit const& fit, double median, double beta) {
+        ASSERT_TRUE(fit.penalised);
+        EXPECT_NEAR(std::exp(fit.penalised->log_median()), median, 5e-5 * median);
+        EXPECT_NEAR(fit.penalised->beta(), beta, 5e-5);
+    };
+    auto const stripes = [](std::vector<double> const& at, std::vector<std::int64_t> const& overturned) {
+        std::vector<Stripe> list;
+        for (std::size_t i = 0; i < at.size(); ++i) {
+            list.push_back({.amplitude = at[i], .trials = 50, .overturned = overturned[i]});
+        }
+        return list;
+    };
+    expect(fit_of(stripes({1, 1.5, 2}, {0, 20, 50})), 1.54065, 0.10803);
+    expect(fit_of(stripes({1, 2}, {0, 25})), 2.0, 0.28568);
+    expect(fit_of(stripes({1, 2}, {25, 50})), 1.0, 0.28568);
+}
+
+/// Where no curve rises through the stripes, what was seen at a quoted one is still told, with its exact interval.
+TEST(Degenerate, FallingStripesStillBoundTheirQuotes) {
+    auto const fit = fit_of(table_of({{1, 100, 90}, {2, 100, 50}, {3, 100, 10}}), {{1, 1}, {5, 5}});
+
+    EXPECT_FALSE(fit.identifiable());
+    EXPECT_EQ(fit.quotes[0].source, QuotedProbability::Source::stripe);
+    EXPECT_EQ(fit.quotes[0].bounds.lower, clopper_pearson(90, 100, 0.95).lower);
+    EXPECT_EQ(fit.quotes[1].source, QuotedProbability::Source::none);
+}
+
 /// One stripe only, no stripe at all, stripes without any verdict.
 TEST(Degenerate, TooFewStripes) {
     EXPECT_EQ(fit_of(table_of({{2, 20, 7}})).state, FragilityState::one_level);
@@ -141,7 +170,8 @@ TEST(Degenerate, APoorCurveDoesNotOutvoteItsStripe) {
     ASSERT_TRUE(has(fit.flags, FragilityFlag::poor_fit));
     EXPECT_EQ(fit.quotes[0].source, QuotedProbability::Source::stripe);
     EXPECT_EQ(fit.quotes[0].bounds.upper, clopper_pearson(1, 500, 0.95).upper);
-    EXPECT_GT(*fit.quotes[0].probability, 10 * fit.quotes[0].bounds.upper);
+    EXPECT_GT(*fit.quotes[0].curve, 10 * fit.quotes[0].bounds.upper);
+    EXPECT_EQ(*fit.quotes[0].probability, 1.0 / 500) << "a P outside its own bounds is no P";
     EXPECT_EQ(fit.quotes[1].source, QuotedProbability::Source::curve) << "no stripe there";
     auto const warnings = warnings_of(fit, "m/s2", 0.95);
     EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(),

@@ -2,6 +2,7 @@
 #include "stats/rank.hpp"
 
 #include <cmath>
+#include <numeric>
 
 #include "stats/quantile.hpp"
 #include "support/tolerance.hpp"
@@ -75,6 +76,16 @@ TEST(Quantiles, UnknownValuesWidenTheInterval) {
     EXPECT_EQ(wider.lower, -1);
     EXPECT_EQ(wider.upper, 1000);
     EXPECT_EQ(quantile(std::vector<double>{1, 2, 4}, 0.75), 3);
+}
+
+/// A confidence that would need values beyond the outermost ones is not feigned.
+TEST(MiddleOf, IsOpenWhereTheValuesAreTooFew) {
+    std::vector<double> values(1000);
+    std::iota(values.begin(), values.end(), 1.0);
+
+    EXPECT_EQ(middle_of(values, 0.998, {-1, 2000}).lower, 1);
+    EXPECT_EQ(middle_of(values, 0.9999, {-1, 2000}).lower, -1);
+    EXPECT_EQ(middle_of(values, 0.9999, {-1, 2000}).upper, 2000);
 }
 
 }  // namespace
