@@ -27,7 +27,7 @@ std::vector<ResponseBin> response_bins(std::span<ResponseTrial const> trials) {
         if (bin.overturned > 0 || !without.empty() || !with.empty()) {
             bin.without_slip = ratio_quantiles(std::move(without));
             bin.with_slip = ratio_quantiles(std::move(with));
-            bins.push_back(std::move(bin));
+            bins.push_back(bin);
         }
     }
     return bins;
