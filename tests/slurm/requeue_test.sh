@@ -9,7 +9,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 . "$here/campaigns.sh"
 cluster_start 1 2
 cd "$cluster/work" || exit 1
-campaign c 700 7
+campaign c 2500 7  # longer than the three seconds in which a launcher is not told
 
 job=$(sbatch --parsable -n 2 -t 10 "$OVERTURN_SLURM/campaign.sbatch" c.toml) || fail "sbatch"
 within 30 more_blocks_than c 5 || fail "no block was committed"
