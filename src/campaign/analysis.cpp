@@ -162,8 +162,8 @@ class Analyst {
         if (!is_other_unit(measure)) {
             return name;
         }
-        auto const* const plain = measure == FragilityMeasure::v_wes_other_unit ? "v_wes" : "ou_v_e";
-        return fmt::format("{}(R in {})", plain, name_of(other(spec_.measures.radius_unit)));
+        return fmt::format("{}(R in {})", fragility_measure_names()[static_cast<std::size_t>(in_any_unit(measure))],
+                           name_of(other(spec_.measures.radius_unit)));
     }
 
     [[nodiscard]] MeasuredFragility fragility(std::size_t b, FragilityMeasure measure, bool levels) const {

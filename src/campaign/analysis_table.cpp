@@ -74,9 +74,8 @@ std::string share_line(char const* what, Share const& share) {
 
 std::string criterion_text(MeasuredCriterion const& criterion) {
     auto const& s = criterion.study;
-    bool const akiyama =
-        criterion.measure == FragilityMeasure::ou_v_e || criterion.measure == FragilityMeasure::ou_v_e_other_unit;
-    auto text = fmt::format("  criterion {} < v_ereq, R of T0 and T1 in {}\n", akiyama ? "ou_v_e" : "v_wes",
+    auto text = fmt::format("  criterion {} < v_ereq, R of T0 and T1 in {}\n",
+                            fragility_measure_names()[static_cast<std::size_t>(in_any_unit(criterion.measure))],
                             name_of(criterion.radius_unit));
     text += share_line("said safe, overturned", s.safe_but_overturned);
     text += share_line("waves with such a trial", s.waves_safe_but_overturned);

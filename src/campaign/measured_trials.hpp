@@ -30,9 +30,13 @@ enum class FragilityMeasure : std::int64_t {
 /// "v_wes_other_unit", "ou_v_e_other_unit".
 [[nodiscard]] std::vector<std::string> fragility_measure_names();
 
-[[nodiscard]] constexpr bool is_other_unit(FragilityMeasure measure) {
-    return measure == FragilityMeasure::v_wes_other_unit || measure == FragilityMeasure::ou_v_e_other_unit;
+/// The measure itself, in whichever unit R was taken.
+[[nodiscard]] constexpr FragilityMeasure in_any_unit(FragilityMeasure measure) {
+    return measure == FragilityMeasure::v_wes_other_unit    ? FragilityMeasure::v_wes
+           : measure == FragilityMeasure::ou_v_e_other_unit ? FragilityMeasure::ou_v_e
+                                                            : measure;
 }
+[[nodiscard]] constexpr bool is_other_unit(FragilityMeasure measure) { return in_any_unit(measure) != measure; }
 
 /// Holds the first trials, whole waves of them, until there are a million: what they say of a measure's curve is then
 /// known to a fraction of a per cent, and a campaign of any size is merged in bounded memory and time.

@@ -106,14 +106,9 @@ MergeEnd merge_parts(std::filesystem::path const& output) {
     Plan const whole(spec);
     require_same_program(input, output);
     store::ShardFolder const shards(output, input.block_key());
-    std::vector<std::string> notes;
-    auto const committed = shards.committed({0, whole.blocks()}, notes,
-                                            [&](std::int64_t block) { return BlockRows::packed_size(whole, block); });
+    auto const committed = sound_blocks(shards, whole, {0, whole.blocks()});
     auto const plan = cut_at_target(spec, whole, shards, committed);
     auto const missing = missing_blocks(plan, committed);
-    for (auto const& note : notes) {
-        put_note(note + "\n");
-    }
     if (!missing.empty()) {
         note("{}: waves {} are missing ({} of {} blocks). Run their parts again with --resume, or: {}\n",
              shards.folder().string(), plan.waves_text(missing), missing.size(), plan.blocks(),

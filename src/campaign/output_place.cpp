@@ -40,9 +40,9 @@ std::optional<CampaignInput> begun_there(store::ShardFolder const& shards) {
 }
 
 // A damaged record is written anew, since the blocks tell whose they are; but never by chance, and never over others'.
-bool has_sound_record(store::ShardFolder const& shards, CampaignInput const& input, bool resume) {
+std::optional<CampaignInput> sound_record(store::ShardFolder const& shards, CampaignInput const& input, bool resume) {
     try {
-        return begun_there(shards).has_value();
+        return begun_there(shards);
     } catch (SystemError const& error) {
         validate(resume, "{}", error.what());
         validate(
@@ -52,7 +52,7 @@ bool has_sound_record(store::ShardFolder const& shards, CampaignInput const& inp
             shards.folder().string());
         note("{}: the damaged record is written anew\n", shards.folder().string());
         shards.begin_again(input.serialise());
-        return true;
+        return input;
     }
 }
 
@@ -80,9 +80,9 @@ bool are_leftovers(store::ShardFolder const& shards, CampaignInput const& input)
     return notes.empty();
 }
 
-std::vector<std::int64_t> sound_blocks(store::ShardFolder const& shards, Plan const& plan, Part part) {
-    auto const range = plan.blocks_of(part);
-    shards.remove_unfinished(range);
+}  // namespace
+
+std::vector<std::int64_t> sound_blocks(store::ShardFolder const& shards, Plan const& plan, store::BlockRange range) {
     std::vector<std::string> notes;
     auto committed =
         shards.committed(range, notes, [&](std::int64_t block) { return BlockRows::packed_size(plan, block); });
@@ -91,8 +91,6 @@ std::vector<std::int64_t> sound_blocks(store::ShardFolder const& shards, Plan co
     }
     return committed;
 }
-
-}  // namespace
 
 void check_complete(std::filesystem::path const& output, CampaignInput const& input, bool claimed) {
     store::ResultsReader const file(output);
@@ -132,7 +130,7 @@ OutputState take_output(std::filesystem::path const& output, store::ShardFolder 
         check_complete(output, input, claim.has_value());
         return {true, {}};
     }
-    bool const begun = has_sound_record(shards, input, wish.resume);
+    auto const begun = sound_record(shards, input, wish.resume);
     if (!begun) {
         validate(wish.resume || !shards.holds_blocks() || begun_there(shards),
                  "{} (blocks of an unfinished run lie there). Go on with --resume, or remove it",
@@ -141,9 +139,11 @@ OutputState take_output(std::filesystem::path const& output, store::ShardFolder 
     } else {
         validate(wish.resume || !wish.part.is_whole(),
                  "{} (an unfinished run lies there). Go on with --resume, or remove it", shards.folder().string());
-        refuse_other(begun_there(shards).value(), input, shards.folder().string());
+        refuse_other(*begun, input, shards.folder().string());
     }
-    auto committed = sound_blocks(shards, plan, wish.part);
+    auto const range = plan.blocks_of(wish.part);
+    shards.remove_unfinished(range);
+    auto committed = sound_blocks(shards, plan, range);
     validate(wish.resume || committed.empty(), "{}: part {}/{} (has been begun there). Go on with --resume",
              shards.folder().string(), wish.part.number, wish.part.of);
     if (!begun && committed.empty()) {

@@ -33,6 +33,10 @@ struct OutputWish {
                                       CampaignInput const& input, Plan const& plan, OutputWish const& wish,
                                       std::optional<store::Claim>& claim);
 
+/// The blocks of `range` that are committed and sound, in rising order; what is not is named on stderr.
+[[nodiscard]] std::vector<std::int64_t> sound_blocks(store::ShardFolder const& shards, Plan const& plan,
+                                                     store::BlockRange range);
+
 /// The finished file at `output` is that of this campaign: what is left of its shards goes, unless the run that wrote
 /// it is still at that. \param claimed this process holds the claim on the shards \throws InputError if it is
 /// another's, or no results file

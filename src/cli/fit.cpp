@@ -28,10 +28,7 @@ void check(Options const& options) {
     validate(options.file.empty() != options.stripes.empty(),
              "fit: {} (one thing is fitted at a time). Name a results file or --stripes TABLE.csv",
              options.file.empty() ? "nothing to fit" : "a results file and --stripes");
-    validate(options.beta_u >= 0 && std::isfinite(options.beta_u),
-             "--beta-u: {} (must be 0 or above). It is a lognormal standard deviation", options.beta_u);
-    validate(options.confidence >= 0 && options.confidence < 1,
-             "--confidence: {} (must lie between 0 and 1). State e.g. 0.95", options.confidence);
+    check_fit_options(options.beta_u, options.confidence);
     validate(options.design_basis >= 0 && std::isfinite(options.design_basis),
              "--design-basis: {} (must be above 0). State it in the table's unit", options.design_basis);
     validate(options.design_basis == 0 || options.file.empty(),

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/error.hpp"
+
 namespace overturn::cli {
 namespace {
 
@@ -133,6 +135,13 @@ Json quantiles_json(std::optional<RatioQuantiles> const& q) {
 }
 
 }  // namespace
+
+void check_fit_options(double beta_u, double confidence) {
+    validate(beta_u >= 0 && std::isfinite(beta_u),
+             "--beta-u: {} (must be 0 or above). It is a lognormal standard deviation", beta_u);
+    validate(confidence >= 0 && confidence < 1, "--confidence: {} (must lie between 0 and 1). State e.g. 0.95",
+             confidence);
+}
 
 Json stripe_json(std::string const& body, std::size_t level, Stripe const& stripe, double confidence) {
     auto const interval = stripe.interval(confidence);

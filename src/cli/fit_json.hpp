@@ -7,6 +7,9 @@
 
 namespace overturn::cli {
 
+/// What --beta-u and --confidence (0: the campaign's) may be. \throws InputError
+void check_fit_options(double beta_u, double confidence);
+
 /// One stripe; \param body empty for a table that is nobody's campaign
 [[nodiscard]] nlohmann::ordered_json stripe_json(std::string const& body, std::size_t level, Stripe const& stripe,
                                                  double confidence);

@@ -21,8 +21,7 @@ int start(int argc, char** argv) {
     gsl_set_error_handler_off();    // its own would abort; callers look at what came back
     CLI::App app("Overturning of free-standing bodies in earthquakes: fragility campaigns and single trials.",
                  "overturn");
-    app.set_version_flag("--version",
-                         fmt::format("overturn {} ({}); {}", program_version(), git_revision(), library_versions()));
+    app.set_version_flag("--version", fmt::format("overturn {}; {}", program_identity(), library_versions()));
     app.require_subcommand(1);
     cli::Action action;
     cli::add_run(app, action);

@@ -125,10 +125,7 @@ int write_report(Options const& options) {
                  options.figures);
         store::require_writable(fs::path(options.figures) / "fragility.svg");
     }
-    validate(options.beta_u >= 0 && std::isfinite(options.beta_u),
-             "--beta-u: {} (must be 0 or above). It is a lognormal standard deviation", options.beta_u);
-    validate(options.confidence >= 0 && options.confidence < 1,
-             "--confidence: {} (must lie between 0 and 1). State e.g. 0.95", options.confidence);
+    check_fit_options(options.beta_u, options.confidence);
     store::ResultsReader const file(options.file);
     auto const input = input_of(file);
     auto const spec = parse_campaign(input);

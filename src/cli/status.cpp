@@ -5,11 +5,11 @@
 #include <fmt/format.h>
 
 #include "campaign/merge.hpp"
+#include "campaign/output_place.hpp"
 #include "campaign/plan.hpp"
 #include "campaign/results.hpp"
 #include "cli/failed_trials.hpp"
 #include "cli/verbs.hpp"
-#include "core/note.hpp"
 #include "store/results_file.hpp"
 #include "store/shards.hpp"
 
@@ -81,14 +81,9 @@ int status(std::string const& path) {
     auto const input = CampaignInput::deserialise(unnamed.begun_with());
     auto const spec = parse_campaign(input);
     Plan const plan(spec);
-    std::vector<std::string> notes;
     require_same_program(input, path);
     store::ShardFolder const shards(path, input.block_key());
-    auto const committed = shards.committed({0, plan.blocks()}, notes,
-                                            [&](std::int64_t block) { return BlockRows::packed_size(plan, block); });
-    for (auto const& note : notes) {
-        put_note(note + "\n");
-    }
+    auto const committed = sound_blocks(shards, plan, {0, plan.blocks()});
     tell_so_far(spec, plan, shards, committed);
     std::vector<std::int64_t> left;
     for (std::int64_t block = 0; block < plan.blocks(); ++block) {
