@@ -35,12 +35,14 @@ struct Call {
                 return run<6, Restoring, Friction>();
             case 8:
                 return run<8, Restoring, Friction>();
+            case 10:
+                return run<10, Restoring, Friction>();
             case 12:
                 return run<12, Restoring, Friction>();
             default:
                 break;
         }
-        throw InputError(fmt::format("taylor_order {} (not offered). Use 4, 6, 8 or 12", accuracy.taylor_order));
+        throw InputError(fmt::format("taylor_order {} (not offered). Use 4, 6, 8, 10 or 12", accuracy.taylor_order));
     }
 };
 

@@ -69,7 +69,7 @@ template <int Lanes> struct SwingLanes {
 
 /// The last step taken, as power series in the share of its length.
 struct SwingSeries {
-    static constexpr int order = 8;
+    static constexpr int order = 10;
     double length_s = 0;                             ///< as planned
     double share = 1;                                ///< of it, where an impact cut it short
     std::array<double, order> rates{};               ///< phi' length

@@ -70,7 +70,7 @@ HWY_INLINE auto SwingPath<V, Vertical>::expand(V length, V w, Forcing const& a, 
     x.rate[0] = get(Swing::omega) * length;
     x.s[0] = get(Swing::sine);
     x.c[0] = get(Swing::cosine);
-#pragma GCC unroll 8
+#pragma GCC unroll 16
     for (int k = 0; k < trig; ++k) {
         V pull = Vertical ? g.start * x.s[k] : x.s[k];
         if (k > 0) {
@@ -85,7 +85,7 @@ HWY_INLINE auto SwingPath<V, Vertical>::expand(V length, V w, Forcing const& a, 
         }
         V sine = x.rate[k] * x.c[0];
         V cosine = x.rate[k] * x.s[0];
-#pragma GCC unroll 8
+#pragma GCC unroll 16
         for (int j = k - 1; j >= 0; --j) {
             sine = fma(x.rate[j], x.c[k - j], sine);
             cosine = fma(x.rate[j], x.s[k - j], cosine);
@@ -99,9 +99,17 @@ HWY_INLINE auto SwingPath<V, Vertical>::expand(V length, V w, Forcing const& a, 
 // psi turns by minus what phi gains; its sine and cosine turn with it.
 template <class V, bool Vertical> HWY_INLINE auto SwingPath<V, Vertical>::target(Series const& x) const -> Target {
     auto const& r = x.rate;
-    V const late = fma(r[7], 1.0 / 8, fma(r[6], 1.0 / 7, fma(r[5], 1.0 / 6, r[4] * (1.0 / 5))));
+    V late = r[4] * (1.0 / 5);
+    V speed = r[order - 2] + r[order - 1];
+#pragma GCC unroll 16
+    for (int k = 5; k < order; ++k) {
+        late = fma(r[k], 1.0 / (k + 1), late);
+    }
+#pragma GCC unroll 16
+    for (int k = order - 4; k >= 0; k -= 2) {
+        speed = (r[k] + r[k + 1]) + speed;
+    }
     V const turn = fma(r[1], 0.5, r[0]) + (fma(r[3], 0.25, r[2] * (1.0 / 3)) + late);
-    V const speed = (r[0] + r[1]) + ((r[2] + r[3]) + ((r[4] + r[5]) + (r[6] + r[7])));
     V const t2 = turn * turn;
     V const sine_tail = fma(fma(t2, -1.0 / 5040, 1.0 / 120), t2, -1.0 / 6);
     V const cosine_tail = fma(fma(fma(t2, 1.0 / 40320, -1.0 / 720), t2, 1.0 / 24), t2, -0.5);
@@ -124,7 +132,7 @@ template <class V, bool Vertical> HWY_INLINE V SwingPath<V, Vertical>::turning(S
     for (int round = 0; round < rounds; ++round) {
         V value = x.rate[order - 1];
         V slope = static_cast<double>(order - 1) * x.rate[order - 1];
-#pragma GCC unroll 8
+#pragma GCC unroll 16
         for (int k = order - 2; k >= 1; --k) {
             value = fma(value, u, x.rate[k]);
             slope = fma(slope, u, x.rate[k] * static_cast<double>(k));
@@ -139,7 +147,7 @@ template <class V, bool Vertical> HWY_INLINE V SwingPath<V, Vertical>::turning(S
 template <class V, bool Vertical> HWY_INLINE V SwingPath<V, Vertical>::first_zero(Series const& x, M started) const {
     std::array<V, order + 1> c;
     c[0] = choose(started, x.rate[0], get(Swing::phi));
-#pragma GCC unroll 8
+#pragma GCC unroll 16
     for (int k = 1; k < order; ++k) {
         c[k] = choose(started, x.rate[k] * (1.0 / (k + 1)), x.rate[k - 1] * (1.0 / k));
     }
@@ -149,7 +157,7 @@ template <class V, bool Vertical> HWY_INLINE V SwingPath<V, Vertical>::first_zer
     for (int round = 0; round < rounds; ++round) {
         V value = c[order];
         V slope = static_cast<double>(order) * c[order];
-#pragma GCC unroll 8
+#pragma GCC unroll 16
         for (int k = order - 1; k >= 1; --k) {
             value = fma(value, u, c[k]);
             slope = fma(slope, u, c[k] * static_cast<double>(k));

@@ -89,7 +89,7 @@ template <class V, bool Vertical> HWY_INLINE auto Stepper<V, Vertical>::step(Swi
     M const clear = (lift + fall_back > zero) | rises | without(once, lands);
 
     // Every other event must be out of reach, and the series sound.
-    V const last_terms = max(abs(rate[7]), abs(rate[6]) * ph);
+    V const last_terms = max(abs(rate[order - 1]), abs(rate[order - 2]) * ph);
     V const peak = get(Swing::peak);
     M const turns = (rate[0] > zero) & (to.speed <= zero) & (phi + arc > peak);  // perhaps at a record
     M fine = without(
@@ -128,7 +128,7 @@ template <class V, bool Vertical> HWY_INLINE auto Stepper<V, Vertical>::step(Swi
     if (any(strikes)) {
         V const u = first_zero(x, started);
         V at = rate[order - 1];
-#pragma GCC unroll 8
+#pragma GCC unroll 16
         for (int k = order - 2; k >= 0; --k) {
             at = fma(at, u, rate[k]);
         }
@@ -167,7 +167,7 @@ template <class V, bool Vertical> HWY_INLINE auto Stepper<V, Vertical>::step(Swi
     if (M const crests = without(turns, stays); any(crests)) {
         V const u = this->turning(x);
         V crest = rate[order - 1] * (1.0 / order);
-#pragma GCC unroll 8
+#pragma GCC unroll 16
         for (int k = order - 2; k >= 0; --k) {
             crest = fma(crest, u, rate[k] * (1.0 / (k + 1)));
         }

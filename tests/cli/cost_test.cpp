@@ -36,7 +36,7 @@ TEST_F(Cost, QuickstartEndsWithTheSentence) {
     EXPECT_TRUE(folder.has("cost.h5"));
     EXPECT_NE(ended.err.find("left"), std::string::npos) << "no word of the time that remains: " << ended.err;
     EXPECT_NE(ended.out.find("sample: 2 of 40 waves, 48 of 960 trials"), std::string::npos) << ended.out;
-    EXPECT_NE(ended.out.find("The campaign stands on order 8 x 1"), std::string::npos) << ended.out;
+    EXPECT_NE(ended.out.find("The campaign stands on order 10 x 1"), std::string::npos) << ended.out;
     auto const last = ended.out.substr(ended.out.rfind('\n', ended.out.size() - 2) + 1);
     bool const known = last.starts_with("Sampling decides: ") || last.starts_with("Numerical error decides: ")
                        || last.starts_with("Undecided: ");

@@ -49,7 +49,7 @@ TEST(Knobs, EverySettingIsUnderstood) {
 TEST(Knobs, StandWhereTheDefaultsDo) {
     auto const knobs = knobs_from(text);
 
-    EXPECT_EQ(here(knobs, "step"), "order 8 x 1");
+    EXPECT_EQ(here(knobs, "step"), "order 10 x 1");
     EXPECT_EQ(here(knobs, "step_tolerance"), "1e-11");
     EXPECT_EQ(here(knobs, "settle"), "1e-05");
     EXPECT_EQ(here(knobs, "v_wes"), "20 rad");
