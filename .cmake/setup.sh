@@ -4,7 +4,7 @@
 # is really missing is named by cmake.
 set -u
 
-packages=(g++ cmake ninja-build git ca-certificates libopenmpi-dev openmpi-bin libeigen3-dev libhdf5-dev libgsl-dev
+packages=(g++ cmake ninja-build git ca-certificates libopenmpi-dev openmpi-bin libeigen3-dev libhdf5-dev libgsl-dev libfftw3-dev
           libfmt-dev libgtest-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libssl-dev librandom123-dev libhwy-dev)
 for wish in "$@"; do
     case $wish in

@@ -1,41 +1,31 @@
 #include "generators/real_fft.hpp"
 
 #include <algorithm>
-#include <vector>
 
 #include "core/error.hpp"
+#include "spectra/transform.hpp"
 
 namespace overturn {
 
-RealFft::RealFft(std::size_t length)
-    : length_(length),
-      table_(gsl_fft_halfcomplex_wavetable_alloc(length), &gsl_fft_halfcomplex_wavetable_free),
-      real_table_(gsl_fft_real_wavetable_alloc(length), &gsl_fft_real_wavetable_free) {}
-
 void RealFft::synthesise(std::span<std::complex<double> const> lines, std::span<double> series) const {
     OVERTURN_EXPECT(lines.size() <= length_ / 2 && series.size() == length_);
-    std::fill(series.begin(), series.end(), 0.0);
+    auto const transform = real_synthesis(length_);
+    std::fill(transform.in.begin(), transform.in.end(), 0.0);
     for (std::size_t k = 0; k < lines.size(); ++k) {
-        double const share = k == 0 ? 1.0 : 0.5;  // GSL adds the conjugate line itself
-        series[k == 0 ? 0 : 2 * k - 1] = share * lines[k].real();
-        if (k > 0) {
-            series[2 * k] = share * lines[k].imag();
-        }
+        transform.in[k] = k == 0 ? lines[k].real() : 0.5 * lines[k];  // the conjugate line adds as much
     }
-    std::unique_ptr<gsl_fft_real_workspace, decltype(&gsl_fft_real_workspace_free)> const work(
-        gsl_fft_real_workspace_alloc(length_), &gsl_fft_real_workspace_free);
-    gsl_fft_halfcomplex_transform(series.data(), 1, length_, table_.get(), work.get());
+    transform.run();
+    std::copy(transform.out.begin(), transform.out.end(), series.begin());
 }
 
 void RealFft::analyse(std::span<double const> series, std::span<std::complex<double>> lines) const {
     OVERTURN_EXPECT(lines.size() <= length_ / 2 && series.size() == length_);
-    std::vector<double> terms(series.begin(), series.end());
-    std::unique_ptr<gsl_fft_real_workspace, decltype(&gsl_fft_real_workspace_free)> const work(
-        gsl_fft_real_workspace_alloc(length_), &gsl_fft_real_workspace_free);
-    gsl_fft_real_transform(terms.data(), 1, length_, real_table_.get(), work.get());
+    auto const transform = real_analysis(length_);
+    std::copy(series.begin(), series.end(), transform.in.begin());
+    transform.run();
     double const mean = 1 / static_cast<double>(length_);
     for (std::size_t k = 0; k < lines.size(); ++k) {
-        lines[k] = k == 0 ? std::complex(mean * terms[0]) : 2 * mean * std::complex(terms[2 * k - 1], terms[2 * k]);
+        lines[k] = k == 0 ? mean * transform.out[k].real() : 2 * mean * transform.out[k];
     }
 }
 

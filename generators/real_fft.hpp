@@ -1,20 +1,16 @@
-/// Discrete Fourier transforms of real series in plain C (GSL mixed radix): the same bits on every machine.
+/// Real series from their Fourier lines, and the lines of a series.
 #pragma once
 
 #include <complex>
 #include <cstddef>
-#include <memory>
 #include <span>
-
-#include <gsl/gsl_fft_halfcomplex.h>
-#include <gsl/gsl_fft_real.h>
 
 namespace overturn {
 
-/// Tables for one length; const use from several threads is safe.
+/// Of one length.
 class RealFft {
   public:
-    explicit RealFft(std::size_t length);
+    explicit RealFft(std::size_t length) : length_(length) {}
 
     [[nodiscard]] std::size_t length() const { return length_; }
 
@@ -29,8 +25,6 @@ class RealFft {
 
   private:
     std::size_t length_;
-    std::unique_ptr<gsl_fft_halfcomplex_wavetable, decltype(&gsl_fft_halfcomplex_wavetable_free)> table_;
-    std::unique_ptr<gsl_fft_real_wavetable, decltype(&gsl_fft_real_wavetable_free)> real_table_;
 };
 
 }  // namespace overturn

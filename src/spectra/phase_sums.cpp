@@ -15,39 +15,22 @@ constexpr int reach = 15;                         // grid points on either side:
 constexpr double breadth = 4.0 / 3 * reach / pi;  // of the Gaussian, for a grid twice as fine
 
 // The transform of a real signal of `size` points, at any integer frequency.
-class Grid {
-  public:
-    explicit Grid(std::vector<double> signal) : size_(signal.size()), values_(std::move(signal)) {
-        transform_real(values_);
-    }
-    [[nodiscard]] std::complex<double> at(std::ptrdiff_t frequency) const {
-        auto const n = static_cast<std::ptrdiff_t>(size_);
-        auto const l = static_cast<std::size_t>(((frequency % n) + n) % n);
-        if (l == 0) {
-            return values_[0];
-        }
-        if (2 * l == size_) {
-            return values_[size_ - 1];
-        }
-        return l < size_ - l ? std::complex{values_[2 * l - 1], values_[2 * l]}
-                             : std::complex{values_[2 * (size_ - l) - 1], -values_[2 * (size_ - l)]};
-    }
-
-  private:
-    std::size_t size_;
-    std::vector<double> values_;
-};
+std::complex<double> line_at(std::span<std::complex<double> const> lines, std::size_t size, std::ptrdiff_t frequency) {
+    auto const n = static_cast<std::ptrdiff_t>(size);
+    auto const l = static_cast<std::size_t>(((frequency % n) + n) % n);
+    return l < lines.size() ? lines[l] : std::conj(lines[size - l]);
+}
 
 // The signal, counted from its middle and divided by the Gaussian's own transform.
-std::vector<double> sharpened(std::span<double const> samples, std::size_t size) {
-    std::vector<double> signal(size, 0.0);
+void sharpen(std::span<double const> samples, std::span<double> signal) {
+    std::fill(signal.begin(), signal.end(), 0.0);
+    auto const size = signal.size();
     auto const middle = samples.size() / 2;
     for (std::size_t j = 0; j < samples.size(); ++j) {
         double const k = static_cast<double>(j) - static_cast<double>(middle);
         double const angle = pi * k / static_cast<double>(size);
-        signal[(j + size - middle) % size] = samples[j] * std::exp(breadth * angle * angle);
+        signal[j < middle ? j + size - middle : j - middle] = samples[j] * std::exp(breadth * angle * angle);
     }
-    return signal;
 }
 
 }  // namespace
@@ -57,7 +40,9 @@ std::vector<std::complex<double>> fast_phase_sums(std::span<double const> sample
     while (size < 2 * samples.size()) {
         size *= 2;
     }
-    Grid const grid(sharpened(samples, size));
+    auto const grid = real_analysis(size);
+    sharpen(samples, grid.in);
+    grid.run();
     std::array<double, std::size_t{2} * reach> bell{};  // exp(-q^2 / breadth)
     for (int q = 1 - reach; q <= reach; ++q) {
         bell.at(static_cast<std::size_t>(q + reach - 1)) = std::exp(-q * q / breadth);
@@ -73,7 +58,7 @@ std::vector<std::complex<double>> fast_phase_sums(std::span<double const> sample
     std::vector<std::complex<double>> near;
     near.reserve(static_cast<std::size_t>(last - first + 1));
     for (auto l = first; l <= last; ++l) {
-        near.push_back(grid.at(l));
+        near.push_back(line_at(grid.out, size, l));
     }
     auto const half = samples.size() / 2;
     auto const middle = static_cast<double>(half);

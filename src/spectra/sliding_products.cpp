@@ -33,20 +33,20 @@ std::vector<SlidingProducts> sliding_products(std::span<double const> signal,
     }
     auto const taps = kernels.front().size();
     auto const size = block_size(taps, signal.size());
+    auto const forward = forward_transform(size);
+    auto const backward = backward_transform(size);
     std::vector<Spectrum> responses;
     responses.reserve(kernels.size());
     for (auto const& kernel : kernels) {
         OVERTURN_EXPECT(kernel.size() == taps);
-        Spectrum response(size);
+        std::fill(forward.in.begin(), forward.in.end(), 0.0);
         for (std::size_t d = 1; d <= taps; ++d) {
-            response[d] = kernel[d - 1] / static_cast<double>(size);
+            forward.in[d] = kernel[d - 1] / static_cast<double>(size);
         }
-        transform_forward(response);
-        responses.push_back(std::move(response));
+        forward.run();
+        responses.emplace_back(forward.out.begin(), forward.out.end());
     }
     std::size_t const answers = size - 2 * taps;
-    Spectrum input(size);
-    Spectrum output(size);
     auto const sample = [&](std::size_t block, std::size_t i) {  // i counts from `taps` samples before the block
         std::size_t const at = block + i;
         return at >= taps && at - taps < signal.size() ? signal[at - taps] : 0.0;
@@ -54,21 +54,25 @@ std::vector<SlidingProducts> sliding_products(std::span<double const> signal,
     for (std::size_t first = 0; first < signal.size(); first += 2 * answers) {
         std::size_t const second = first + answers;
         for (std::size_t i = 0; i < size; ++i) {
-            input[i] = {sample(first, i), sample(second, i)};
+            forward.in[i] = {sample(first, i), sample(second, i)};
         }
-        transform_forward(input);
+        forward.run();
         for (std::size_t k = 0; k < kernels.size(); ++k) {
             for (bool const backwards : {true, false}) {
+                double const turn = backwards ? 1 : -1;
                 for (std::size_t i = 0; i < size; ++i) {
-                    output[i] = input[i] * (backwards ? responses[k][i] : std::conj(responses[k][i]));
+                    auto const a = forward.out[i];
+                    double const re = responses[k][i].real();
+                    double const im = turn * responses[k][i].imag();
+                    backward.in[i] = {a.real() * re - a.imag() * im, a.real() * im + a.imag() * re};
                 }
-                transform_backward(output);
+                backward.run();
                 auto& to = backwards ? products[k].before : products[k].after;
                 for (std::size_t i = 0; i < answers && first + i < signal.size(); ++i) {
-                    to[first + i] = output[taps + i].real();
+                    to[first + i] = backward.out[taps + i].real();
                 }
                 for (std::size_t i = 0; i < answers && second + i < signal.size(); ++i) {
-                    to[second + i] = output[taps + i].imag();
+                    to[second + i] = backward.out[taps + i].imag();
                 }
             }
         }

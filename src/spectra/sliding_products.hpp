@@ -12,7 +12,7 @@ struct SlidingProducts {
 };
 
 /// One pair per kernel, all of one length m; samples beyond the ends count as zero. Overlapping blocks of fast Fourier
-/// transforms (GSL, the same bits on every machine): errors stay within a block, relative to its largest sample.
+/// transforms: errors stay within a block, relative to its largest sample.
 [[nodiscard]] std::vector<SlidingProducts> sliding_products(std::span<double const> signal,
                                                             std::span<std::vector<double> const> kernels);
 

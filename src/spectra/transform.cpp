@@ -1,62 +1,118 @@
 #include "spectra/transform.hpp"
 
-#include <cstddef>
 #include <map>
 #include <memory>
+#include <mutex>
 
-#include <gsl/gsl_fft_complex.h>
-#include <gsl/gsl_fft_real.h>
+#include <fftw3.h>
+
+#include "core/error.hpp"
 
 namespace overturn {
 namespace {
 
-template <auto Free> struct Freed {
-    template <class T> void operator()(T* p) const { Free(p); }
+using Complex = std::complex<double>;
+
+struct Freed {
+    void operator()(void* p) const { fftw_free(p); }
+};
+template <class T> using Buffer = std::unique_ptr<T[], Freed>;  // aligned for FFTW's vectors
+
+template <class T> Buffer<T> buffer(std::size_t count) {
+    return Buffer<T>(static_cast<T*>(fftw_malloc(count * sizeof(T))));
+}
+
+fftw_complex* raw(Complex* p) { return reinterpret_cast<fftw_complex*>(p); }  // as the standard allows
+
+// FFTW plans one thing at a time.
+std::mutex& planner() {
+    static std::mutex one;
+    return one;
+}
+
+// An estimated plan depends on the length and on the library, not on what else the machine does.
+struct Forward {
+    using In = Complex;
+    using Out = Complex;
+    static std::size_t lines(std::size_t n) { return n; }
+    static std::size_t outs(std::size_t n) { return n; }
+    static fftw_plan plan(int n, Complex* in, Complex* out) {
+        return fftw_plan_dft_1d(n, raw(in), raw(out), FFTW_FORWARD, FFTW_ESTIMATE);
+    }
+};
+struct Backward : Forward {
+    static fftw_plan plan(int n, Complex* in, Complex* out) {
+        return fftw_plan_dft_1d(n, raw(in), raw(out), FFTW_BACKWARD, FFTW_ESTIMATE);
+    }
+};
+struct Analysis {
+    using In = double;
+    using Out = Complex;
+    static std::size_t lines(std::size_t n) { return n; }
+    static std::size_t outs(std::size_t n) { return n / 2 + 1; }
+    static fftw_plan plan(int n, double* in, Complex* out) {
+        return fftw_plan_dft_r2c_1d(n, in, raw(out), FFTW_ESTIMATE);
+    }
+};
+struct Synthesis {
+    using In = Complex;
+    using Out = double;
+    static std::size_t lines(std::size_t n) { return n / 2 + 1; }
+    static std::size_t outs(std::size_t n) { return n; }
+    static fftw_plan plan(int n, Complex* in, double* out) {
+        return fftw_plan_dft_c2r_1d(n, raw(in), out, FFTW_ESTIMATE);
+    }
 };
 
-struct ComplexTables {
-    std::unique_ptr<gsl_fft_complex_wavetable, Freed<gsl_fft_complex_wavetable_free>> factors;
-    std::unique_ptr<gsl_fft_complex_workspace, Freed<gsl_fft_complex_workspace_free>> room;
-    explicit ComplexTables(std::size_t n)
-        : factors(gsl_fft_complex_wavetable_alloc(n)), room(gsl_fft_complex_workspace_alloc(n)) {}
+template <class Kind> class Plan {
+  public:
+    using In = typename Kind::In;
+    using Out = typename Kind::Out;
+
+    explicit Plan(std::size_t length)
+        : length_(length), in_(buffer<In>(Kind::lines(length))), out_(buffer<Out>(Kind::outs(length))) {
+        std::scoped_lock const alone(planner());
+        plan_ = Kind::plan(static_cast<int>(length), in_.get(), out_.get());
+    }
+    Plan(Plan const&) = delete;
+    Plan& operator=(Plan const&) = delete;
+    Plan(Plan&&) = delete;
+    Plan& operator=(Plan&&) = delete;
+    ~Plan() {
+        std::scoped_lock const alone(planner());
+        fftw_destroy_plan(plan_);
+    }
+    [[nodiscard]] Transform<In, Out> transform() const {
+        return {{in_.get(), Kind::lines(length_)}, {out_.get(), Kind::outs(length_)}, plan_};
+    }
+
+  private:
+    std::size_t length_;
+    Buffer<In> in_;
+    Buffer<Out> out_;
+    fftw_plan plan_;
 };
 
-struct RealTables {
-    std::unique_ptr<gsl_fft_real_wavetable, Freed<gsl_fft_real_wavetable_free>> factors;
-    std::unique_ptr<gsl_fft_real_workspace, Freed<gsl_fft_real_workspace_free>> room;
-    explicit RealTables(std::size_t n)
-        : factors(gsl_fft_real_wavetable_alloc(n)), room(gsl_fft_real_workspace_alloc(n)) {}
-};
-
-// A memory of what only the length decides; it changes no result. Making it anew takes longer than the transform.
-template <class Tables> Tables const& tables_of(std::size_t n) {
-    thread_local std::map<std::size_t, Tables> known;
+template <class Kind> auto transform_of(std::size_t length) {
+    OVERTURN_EXPECT(length >= 1 && length <= std::size_t{1} << 30U);
+    thread_local std::map<std::size_t, Plan<Kind>> known;
     constexpr std::size_t most = 16;
     if (known.size() > most) {
         known.clear();
     }
-    return known.try_emplace(n, n).first->second;
-}
-
-double* data(std::vector<std::complex<double>>& x) {
-    return reinterpret_cast<double*>(x.data());  // as the standard allows
+    return known.try_emplace(length, length).first->second.transform();
 }
 
 }  // namespace
 
-void transform_forward(std::vector<std::complex<double>>& values) {
-    auto const& tables = tables_of<ComplexTables>(values.size());
-    gsl_fft_complex_forward(data(values), 1, values.size(), tables.factors.get(), tables.room.get());
-}
+template <class In, class Out> void Transform<In, Out>::run() const { fftw_execute(static_cast<fftw_plan>(plan)); }
+template struct Transform<Complex, Complex>;
+template struct Transform<double, Complex>;
+template struct Transform<Complex, double>;
 
-void transform_backward(std::vector<std::complex<double>>& values) {
-    auto const& tables = tables_of<ComplexTables>(values.size());
-    gsl_fft_complex_backward(data(values), 1, values.size(), tables.factors.get(), tables.room.get());
-}
-
-void transform_real(std::vector<double>& values) {
-    auto const& tables = tables_of<RealTables>(values.size());
-    gsl_fft_real_transform(values.data(), 1, values.size(), tables.factors.get(), tables.room.get());
-}
+ComplexTransform forward_transform(std::size_t length) { return transform_of<Forward>(length); }
+ComplexTransform backward_transform(std::size_t length) { return transform_of<Backward>(length); }
+RealAnalysis real_analysis(std::size_t length) { return transform_of<Analysis>(length); }
+RealSynthesis real_synthesis(std::size_t length) { return transform_of<Synthesis>(length); }
 
 }  // namespace overturn

@@ -1,19 +1,34 @@
-/// GSL's mixed-radix Fourier transforms: plain C, the same bits on every machine.
+/// Discrete Fourier transforms by FFTW 3 (Frigo and Johnson 2005), planned by length alone and never by timing: the
+/// same bits in every run. Plans and their buffers are kept per thread and length; waves of a campaign share theirs.
 #pragma once
 
 #include <complex>
+#include <cstddef>
 #include <span>
-#include <vector>
 
 namespace overturn {
 
-/// In place, exp(-i...). Twiddle factors are kept per length: waves of a campaign share theirs.
-void transform_forward(std::vector<std::complex<double>>& values);
+/// Fill `in`, run, read `out`; both belong to the plan and hold until it is next asked for. `in` may be spoilt.
+template <class In, class Out> struct Transform {
+    std::span<In> in;
+    std::span<Out> out;
+    void* plan;
+    void run() const;
+};
+using ComplexTransform = Transform<std::complex<double>, std::complex<double>>;
+using RealAnalysis = Transform<double, std::complex<double>>;
+using RealSynthesis = Transform<std::complex<double>, double>;
 
-/// In place, exp(+i...), without the division by the length.
-void transform_backward(std::vector<std::complex<double>>& values);
+/// out_k = sum_n in_n exp(-2 pi i k n / length). \pre length >= 1
+[[nodiscard]] ComplexTransform forward_transform(std::size_t length);
 
-/// exp(-i...) of a real signal in place, in GSL's half-complex order: re 0, re 1, im 1, re 2, ...
-void transform_real(std::vector<double>& values);
+/// The same with exp(+...), without the division by the length.
+[[nodiscard]] ComplexTransform backward_transform(std::size_t length);
+
+/// The forward transform of a real series: lines 0 to length / 2.
+[[nodiscard]] RealAnalysis real_analysis(std::size_t length);
+
+/// The backward transform of lines 0 to length / 2; those beyond are their conjugates.
+[[nodiscard]] RealSynthesis real_synthesis(std::size_t length);
 
 }  // namespace overturn
