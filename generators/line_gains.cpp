@@ -53,11 +53,11 @@ struct Contributions {
                 for (int r = 0; r < R::count; ++r) {
                     auto const d = w2.at[r] - x * x;
                     auto const q = damped.at[r] * x;
-                    auto const a = re * pc.at[r] - im * ps.at[r];
-                    auto const b = re * ps.at[r] + im * pc.at[r];
-                    sum.at[r] += (a * d + b * q) / (d * d + q * q);
-                    auto const c = pc.at[r] * tc.at[r] - ps.at[r] * ts.at[r];
-                    ps.at[r] = pc.at[r] * ts.at[r] + ps.at[r] * tc.at[r];
+                    auto const a = wide::fma(ps.at[r], -im, pc.at[r] * re);
+                    auto const b = wide::fma(ps.at[r], re, pc.at[r] * im);
+                    sum.at[r] += wide::fma(a, d, b * q) / wide::fma(d, d, q * q);
+                    auto const c = wide::fma(pc.at[r], tc.at[r], -ps.at[r] * ts.at[r]);
+                    ps.at[r] = wide::fma(pc.at[r], ts.at[r], ps.at[r] * tc.at[r]);
                     pc.at[r] = c;
                 }
             }

@@ -10,7 +10,7 @@
 
 namespace overturn {
 
-// Per block of samples: the largest y^2 in it, y before it, and y one sample earlier; 16 of each.
+// Per block of samples: the largest x^2 in it, x before it, and x one sample earlier; 16 of each.
 struct PeakResponse::Sweep {
     static constexpr std::size_t block_samples = 32;
     static constexpr std::size_t values_per_block = 3 * wide::lanes;
@@ -21,31 +21,30 @@ struct PeakResponse::Sweep {
 
     template <int bytes> OVERTURN_INLINE void run() const {
         using R = wide::Registers<bytes>;
-        R ahead, behind, next, now, last, y, before, square;
+        R ahead, behind, now, last, x, before, square;
         R::load(ahead, group->ahead.data());
         R::load(behind, group->behind.data());
-        R::load(next, group->next.data());
         R::load(now, group->now.data());
         R::load(last, group->last.data());
-        R::clear(y);
+        R::clear(x);
         R::clear(before);
         double a0 = 0;
         double a1 = acceleration[0];
         double* block = blocks;
         for (std::size_t n = 1; n < acceleration.size(); block += values_per_block) {
-            R::store(block + wide::lanes, y);
+            R::store(block + wide::lanes, x);
             R::store(block + 2 * wide::lanes, before);
             R::clear(square);
             for (std::size_t const end = std::min(n + block_samples, acceleration.size()); n < end; ++n) {
                 double const a2 = acceleration[n];
+                auto const filled = a2 - typename R::Vector{};
 #pragma GCC unroll 8
                 for (int r = 0; r < R::count; ++r) {
-                    auto const forced = (next.at[r] * a2 + now.at[r] * a1) + last.at[r] * a0;
-                    auto const y1 = (ahead.at[r] * y.at[r] + forced) + behind.at[r] * before.at[r];
-                    before.at[r] = y.at[r];
-                    y.at[r] = y1;
-                    auto const y2 = y1 * y1;
-                    square.at[r] = y2 > square.at[r] ? y2 : square.at[r];
+                    auto const forced = wide::fma(now.at[r], a1, wide::fma(last.at[r], a0, filled));
+                    auto const next = wide::fma(x.at[r], ahead.at[r], wide::fma(before.at[r], behind.at[r], forced));
+                    before.at[r] = x.at[r];
+                    x.at[r] = next;
+                    square.at[r] = wide::max(next * next, square.at[r]);
                 }
                 a0 = a1;
                 a1 = a2;
@@ -139,9 +138,9 @@ PeakResponse::PeakResponse(std::vector<double> const& periods_s, double damping,
         for (std::size_t lane = group.count; lane < wide::lanes; ++lane) {  // idle lanes repeat the last
             group.ahead.at(lane) = c.yy + c.vv;
             group.behind.at(lane) = c.yv * c.vy - c.yy * c.vv;
-            group.next.at(lane) = c.ya1;
-            group.now.at(lane) = c.ya0 - c.vv * c.ya1 + c.yv * c.va1;
-            group.last.at(lane) = c.yv * c.va0 - c.vv * c.ya0;
+            group.now.at(lane) = (c.ya0 - c.vv * c.ya1 + c.yv * c.va1) / c.ya1;
+            group.last.at(lane) = (c.yv * c.va0 - c.vv * c.ya0) / c.ya1;
+            group.unit.at(lane) = c.ya1;
         }
         ++group.count;
     }
@@ -163,12 +162,12 @@ PeakSwing PeakResponse::peak(std::span<double const> series, Group const& group,
             continue;
         }
         std::size_t const first = 1 + b * Sweep::block_samples;
-        double y = block[wide::lanes + lane];
+        double y = group.unit.at(lane) * block[wide::lanes + lane];
         double v = 0;
         if (first > 1) {
             double const a0 = series[first - 2];
             double const a1 = series[first - 1];
-            double const y0 = block[2 * wide::lanes + lane];
+            double const y0 = group.unit.at(lane) * block[2 * wide::lanes + lane];
             double const v0 = (y - o.sample.yy * y0 - o.sample.ya0 * a0 - o.sample.ya1 * a1) / o.sample.yv;
             v = o.sample.vy * y0 + o.sample.vv * v0 + o.sample.va0 * a0 + o.sample.va1 * a1;
         }

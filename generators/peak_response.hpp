@@ -37,14 +37,14 @@ class PeakResponse {
         double margin;  // of y^2: how much lower than the peak itself the samples around it may be
     };
     using LaneValues = std::array<double, 16>;
-    // Up to 16 neighbours that share a thinning, and y[n+1] = ahead y[n] + behind y[n-1] + next a[n+1] + now a[n] +
-    // last a[n-1] for them: OscillatorStep without its velocity. It loses digits where a step is a small part of the
-    // period, which thinning keeps it from being.
+    // Up to 16 neighbours that share a thinning, and x[n+1] = ahead x[n] + behind x[n-1] + a[n+1] + now a[n] +
+    // last a[n-1] for them, y = unit x: OscillatorStep without its velocity. It loses digits where a step is a small
+    // part of the period, which thinning keeps it from being.
     struct Group {
         std::size_t first, count;
         std::size_t thinning;  // a power of two, as its exponent
         double sample_s;
-        LaneValues ahead, behind, next, now, last;
+        LaneValues ahead, behind, now, last, unit;
     };
     struct Sweep;
 

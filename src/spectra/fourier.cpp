@@ -46,8 +46,8 @@ struct PhaseSum {
                 double const a = part[j];
 #pragma GCC unroll 8
                 for (int r = 0; r < R::count; ++r) {
-                    c.at[r] = c.at[r] + a * cj.at[r];
-                    s.at[r] = s.at[r] + a * sj.at[r];
+                    c.at[r] = wide::fma(cj.at[r], a, c.at[r]);
+                    s.at[r] = wide::fma(sj.at[r], a, s.at[r]);
                 }
             }
 #pragma GCC unroll 8

@@ -47,9 +47,13 @@ struct EnergySweep {
             double const a1 = acceleration[n];
 #pragma GCC unroll 8
             for (int r = 0; r < R::count; ++r) {
-                auto const next = yy.at[r] * y.at[r] + yv.at[r] * v.at[r] + (ya0.at[r] * a0 + ya1.at[r] * a1);
-                auto const mean = my.at[r] * y.at[r] + mv.at[r] * v.at[r] + (ma0.at[r] * a0 + ma1.at[r] * a1);
-                v.at[r] = vy.at[r] * y.at[r] + vv.at[r] * v.at[r] + (va0.at[r] * a0 + va1.at[r] * a1);
+                auto const step = [&](R const& of_y, R const& of_v, R const& of_a0, R const& of_a1) {
+                    auto const forced = wide::fma(of_a1.at[r], a1, of_a0.at[r] * a0);
+                    return wide::fma(y.at[r], of_y.at[r], wide::fma(v.at[r], of_v.at[r], forced));
+                };
+                auto const next = step(yy, yv, ya0, ya1);
+                auto const mean = step(my, mv, ma0, ma1);
+                v.at[r] = step(vy, vv, va0, va1);
                 // int a y' over the step, by parts: a0 (y1 - y0) + (a1 - a0) (y1 - mean y).
                 energy.at[r] = energy.at[r] - (a0 * (next - y.at[r]) + (a1 - a0) * (next - mean));
                 y.at[r] = next;

@@ -15,32 +15,45 @@ namespace {
 
 using LaneValues = std::array<double, wide::lanes>;
 
-// Coefficients and results of 16 oscillators that share a number of steps per sample.
+// Coefficients and results of 16 oscillators that share a number of steps per sample. What the acceleration at the end
+// of a step adds is kept apart from the state, so that each step takes one forcing term; and the state is counted in
+// what that term makes of a unit, so that it takes no product:
+// y = unit_z (z + ya a), v = unit_u (u + va a), z1 = zz z0 + zu u0 + a0, u1 = uz z0 + uu u0 + a0.
 struct Lanes {
-    LaneValues yy, yv, ya0, ya1, vy, vv, va0, va1, cv, cy;
-    LaneValues y2, v2, a2;  // largest squares
+    LaneValues zz, zu, za, ya, uz, uu, ua, va, cv, cy;
+    LaneValues unit_z, unit_u;
+    LaneValues y2, v2, a2;  // largest squares, of y over unit_z and v over unit_u
 };
 
 template <bool all> struct Sweep {
     std::span<double const> acceleration;
     int steps;
+    bool plain;  // some lane's forcing term is too small to count in: units are 1, za and ua factors of a0
     Lanes* lanes;
 
-    template <int bytes> OVERTURN_INLINE void run() const {
+    template <int bytes> OVERTURN_INLINE void run() const { plain ? go<bytes, true>() : go<bytes, false>(); }
+
+    template <int bytes, bool factors> OVERTURN_INLINE void go() const {
         using R = wide::Registers<bytes>;
-        R yy, yv, ya0, ya1, vy, vv, va0, va1, cv, cy, y, v, y2, v2, a2;
-        R::load(yy, lanes->yy.data());
-        R::load(yv, lanes->yv.data());
-        R::load(ya0, lanes->ya0.data());
-        R::load(ya1, lanes->ya1.data());
-        R::load(vy, lanes->vy.data());
-        R::load(vv, lanes->vv.data());
-        R::load(va0, lanes->va0.data());
-        R::load(va1, lanes->va1.data());
+        R zz, zu, za, ya, uz, uu, ua, va, cv, cy, z, u, y2, v2, a2;
+        R::load(zz, lanes->zz.data());
+        R::load(zu, lanes->zu.data());
+        R::load(za, lanes->za.data());
+        R::load(ya, lanes->ya.data());
+        R::load(uz, lanes->uz.data());
+        R::load(uu, lanes->uu.data());
+        R::load(ua, lanes->ua.data());
+        R::load(va, lanes->va.data());
         R::load(cv, lanes->cv.data());
         R::load(cy, lanes->cy.data());
-        for (auto* state : {&y, &v, &y2, &v2, &a2}) {
-            R::clear(*state);
+        for (auto* largest : {&y2, &v2, &a2}) {
+            R::clear(*largest);
+        }
+        double const before = acceleration.empty() ? 0 : acceleration[0];
+#pragma GCC unroll 8
+        for (int r = 0; r < R::count; ++r) {
+            z.at[r] = ya.at[r] * -before;
+            u.at[r] = va.at[r] * -before;
         }
         double const part = 1.0 / steps;
         for (std::size_t n = 1; n < acceleration.size(); ++n) {
@@ -48,19 +61,21 @@ template <bool all> struct Sweep {
             double a0 = acceleration[n - 1];
             for (int s = 1; s <= steps; ++s) {
                 double const a1 = s == steps ? acceleration[n] : acceleration[n - 1] + rise * (s * part);
+                auto const filled = a0 - typename R::Vector{};
 #pragma GCC unroll 8
                 for (int r = 0; r < R::count; ++r) {
-                    auto const next = yy.at[r] * y.at[r] + yv.at[r] * v.at[r] + (ya0.at[r] * a0 + ya1.at[r] * a1);
-                    v.at[r] = vy.at[r] * y.at[r] + vv.at[r] * v.at[r] + (va0.at[r] * a0 + va1.at[r] * a1);
-                    y.at[r] = next;
-                    auto const yy2 = next * next;
-                    y2.at[r] = yy2 > y2.at[r] ? yy2 : y2.at[r];
+                    auto const z0 = factors ? za.at[r] * a0 : filled;
+                    auto const u0 = factors ? ua.at[r] * a0 : filled;
+                    auto const next = wide::fma(z.at[r], zz.at[r], wide::fma(u.at[r], zu.at[r], z0));
+                    u.at[r] = wide::fma(z.at[r], uz.at[r], wide::fma(u.at[r], uu.at[r], u0));
+                    z.at[r] = next;
+                    auto const y = wide::fma(ya.at[r], a1, next);
+                    y2.at[r] = wide::max(y * y, y2.at[r]);
                     if constexpr (all) {
-                        auto const vv2 = v.at[r] * v.at[r];
-                        auto const absolute = cv.at[r] * v.at[r] + cy.at[r] * next;
-                        auto const aa2 = absolute * absolute;
-                        v2.at[r] = vv2 > v2.at[r] ? vv2 : v2.at[r];
-                        a2.at[r] = aa2 > a2.at[r] ? aa2 : a2.at[r];
+                        auto const v = wide::fma(va.at[r], a1, u.at[r]);
+                        auto const absolute = wide::fma(v, cv.at[r], cy.at[r] * y);
+                        v2.at[r] = wide::max(v * v, v2.at[r]);
+                        a2.at[r] = wide::max(absolute * absolute, a2.at[r]);
                     }
                 }
                 a0 = a1;
@@ -72,18 +87,35 @@ template <bool all> struct Sweep {
     }
 };
 
-void set_lane(Lanes& lanes, std::size_t lane, double w, double damping, double step_s) {
-    OscillatorStep const c(w, damping, step_s);
-    lanes.yy.at(lane) = c.yy;
-    lanes.yv.at(lane) = c.yv;
-    lanes.ya0.at(lane) = c.ya0;
-    lanes.ya1.at(lane) = c.ya1;
-    lanes.vy.at(lane) = c.vy;
-    lanes.vv.at(lane) = c.vv;
-    lanes.va0.at(lane) = c.va0;
-    lanes.va1.at(lane) = c.va1;
-    lanes.cv.at(lane) = 2 * damping * w;
-    lanes.cy.at(lane) = w * w;
+// One step, and what is left of the acceleration's part in it: at its start.
+struct Oscillator {
+    double w, damping;
+    OscillatorStep step;
+    double za = step.yy * step.ya1 + step.yv * step.va1 + step.ya0;
+    double ua = step.vy * step.ya1 + step.vv * step.va1 + step.va0;
+
+    // Are they units to count in? A step of less than a sixth of the period makes -0.5 to -1 of what follows.
+    [[nodiscard]] bool forced(double step_s) const {
+        constexpr double least = 0.05;
+        return std::abs(za) > least * step_s * step_s && std::abs(ua) > least * step_s;
+    }
+};
+
+void set_lane(Lanes& lanes, std::size_t lane, Oscillator const& o, bool plain) {
+    double const unit_z = plain ? 1 : o.za;
+    double const unit_u = plain ? 1 : o.ua;
+    lanes.unit_z.at(lane) = unit_z;
+    lanes.unit_u.at(lane) = unit_u;
+    lanes.zz.at(lane) = o.step.yy;
+    lanes.zu.at(lane) = o.step.yv * unit_u / unit_z;
+    lanes.za.at(lane) = o.za;
+    lanes.ya.at(lane) = o.step.ya1 / unit_z;
+    lanes.uz.at(lane) = o.step.vy * unit_z / unit_u;
+    lanes.uu.at(lane) = o.step.vv;
+    lanes.ua.at(lane) = o.ua;
+    lanes.va.at(lane) = o.step.va1 / unit_u;
+    lanes.cv.at(lane) = 2 * o.damping * o.w * unit_u;
+    lanes.cy.at(lane) = o.w * o.w * unit_z;
 }
 
 // Visits the periods in groups of at most 16 that take equally many steps per sample; idle lanes repeat the first.
@@ -105,11 +137,18 @@ void sweep(std::span<double const> acceleration, double time_step_s, std::span<d
             ++end;
         }
         Lanes lanes{};
+        double const step_s = time_step_s / shared;
+        std::vector<Oscillator> oscillators;
         for (std::size_t lane = 0; lane < wide::lanes; ++lane) {
-            double const period = periods_s[order[begin + lane < end ? begin + lane : begin]];
-            set_lane(lanes, lane, 2 * pi / period, damping, time_step_s / shared);
+            double const w = 2 * pi / periods_s[order[begin + lane < end ? begin + lane : begin]];
+            oscillators.push_back({w, damping, OscillatorStep(w, damping, step_s)});
         }
-        wide::dispatch(Sweep<all>{acceleration, shared, &lanes});
+        bool const plain =
+            !std::ranges::all_of(oscillators, [&](Oscillator const& each) { return each.forced(step_s); });
+        for (std::size_t lane = 0; lane < wide::lanes; ++lane) {
+            set_lane(lanes, lane, oscillators[lane], plain);
+        }
+        wide::dispatch(Sweep<all>{acceleration, shared, plain, &lanes});
         for (std::size_t lane = 0; begin + lane < end; ++lane) {
             take(order[begin + lane], lanes, lane);
         }
@@ -134,8 +173,8 @@ ResponseSpectrum response_spectrum(std::span<double const> acceleration_mps2, do
     sweep<true>(acceleration_mps2, time_step_s, periods_s, damping, rule,
                 [&](std::size_t i, Lanes const& lanes, std::size_t lane) {
                     double const w = 2 * pi / periods_s[i];
-                    spectrum.sd_m[i] = std::sqrt(lanes.y2.at(lane));
-                    spectrum.sv_mps[i] = std::sqrt(lanes.v2.at(lane));
+                    spectrum.sd_m[i] = std::abs(lanes.unit_z.at(lane)) * std::sqrt(lanes.y2.at(lane));
+                    spectrum.sv_mps[i] = std::abs(lanes.unit_u.at(lane)) * std::sqrt(lanes.v2.at(lane));
                     spectrum.sa_mps2[i] = std::sqrt(lanes.a2.at(lane));
                     spectrum.psv_mps[i] = w * spectrum.sd_m[i];
                     spectrum.psa_mps2[i] = w * spectrum.psv_mps[i];
@@ -147,7 +186,9 @@ std::vector<double> displacement_spectrum(std::span<double const> acceleration_m
                                           std::span<double const> periods_s, double damping, PeakRule const& rule) {
     std::vector<double> sd(periods_s.size(), 0.0);
     sweep<false>(acceleration_mps2, time_step_s, periods_s, damping, rule,
-                 [&](std::size_t i, Lanes const& lanes, std::size_t lane) { sd[i] = std::sqrt(lanes.y2.at(lane)); });
+                 [&](std::size_t i, Lanes const& lanes, std::size_t lane) {
+                     sd[i] = std::abs(lanes.unit_z.at(lane)) * std::sqrt(lanes.y2.at(lane));
+                 });
     return sd;
 }
 

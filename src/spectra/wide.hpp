@@ -1,9 +1,15 @@
-/// Runs one loop over 16 independent lanes with the widest registers of this machine. Lanes never mix and nothing is
-/// contracted, so every machine gives the same bits.
+/// Runs one loop over 16 independent lanes with the widest registers of this machine. Lanes never mix, and a
+/// product is joined with a sum where fma says so and nowhere else, so every machine gives the same bits.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstring>
+
+// Vectors never pass through a call here: all that takes them is inlined.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wpsabi"
+#endif
 
 namespace overturn::wide {
 
@@ -30,9 +36,22 @@ template <int Bytes> struct Registers {
     }
 };
 
+/// a b + c of registers, in one rounding. The wider ones are used only where the machine has the instruction.
+template <class Vector> OVERTURN_INLINE Vector fma(Vector a, Vector b, Vector c) {
+    if constexpr (sizeof(Vector) > 2 * sizeof(double)) {
+        asm("vfmadd231pd %2, %1, %0" : "+v"(c) : "v"(a), "vm"(b));  // intrinsics do not go through a template
+        return c;
+    } else {
+        return Vector{std::fma(a[0], b[0], c[0]), std::fma(a[1], b[1], c[1])};
+    }
+}
+template <class Vector> OVERTURN_INLINE Vector fma(Vector a, double b, Vector c) { return fma(b - Vector{}, a, c); }
+
+template <class Vector> OVERTURN_INLINE Vector max(Vector a, Vector b) { return a > b ? a : b; }
+
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 template <class Kernel> [[gnu::target("avx512f")]] void run_avx512(Kernel const& kernel) { kernel.template run<64>(); }
-template <class Kernel> [[gnu::target("avx2")]] void run_avx2(Kernel const& kernel) { kernel.template run<32>(); }
+template <class Kernel> [[gnu::target("avx2,fma")]] void run_avx2(Kernel const& kernel) { kernel.template run<32>(); }
 #endif
 
 /// Calls kernel.run<Bytes>(), an OVERTURN_INLINE member, with the register width of this machine.
@@ -42,7 +61,7 @@ template <class Kernel> void dispatch(Kernel const& kernel) {
         run_avx512(kernel);
         return;
     }
-    if (__builtin_cpu_supports("avx2") != 0) {
+    if (__builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0) {
         run_avx2(kernel);
         return;
     }
