@@ -159,12 +159,28 @@ SpectrumMatcher::Component SpectrumMatcher::judged(std::vector<double> accelerat
     return component;
 }
 
+// What to answer at a swept period: its own ratio, or that of a period left out beside it which breaks the rule.
+double SpectrumMatcher::heard(std::span<double const> ratios, std::size_t s) const {
+    auto const breaks = [&](std::size_t i) {
+        auto const& rule = input_.rule;
+        return rule.asks() && (ratios[i] < rule.lowest_ratio || ratios[i] > rule.highest_ratio);
+    };
+    auto const i = swept_[s];
+    if (s > 0 && swept_[s - 1] + 2 == i && breaks(i - 1)) {
+        return ratios[i - 1];
+    }
+    if (s + 1 < swept_.size() && swept_[s + 1] == i + 2 && breaks(i + 1)) {
+        return ratios[i + 1];
+    }
+    return ratios[i];
+}
+
 void SpectrumMatcher::step_lines(Lines& lines, std::span<PeakSwing const> swings, std::span<double const> ratios,
                                  std::span<double const> envelope, LineGains::Trust trust) const {
     std::vector<double> wanted(swept_.size());
     std::vector<double> strength(swept_.size());
     for (std::size_t s = 0; s < swept_.size(); ++s) {
-        wanted[s] = input_.rule.aim / ratios[swept_[s]];
+        wanted[s] = input_.rule.aim / heard(ratios, s);
         auto const sample = static_cast<std::size_t>(swings[s].time_s / input_.time_step_s);
         strength[s] = envelope[std::min(sample, envelope.size() - 1)];
     }
@@ -180,11 +196,12 @@ SpectrumMatcher::Component SpectrumMatcher::matched(Lines lines, Steps const& st
         auto const acceleration = noise_.synthesise(lines, envelope);
         bool const last = iteration == input_.iterations;
         auto const swings = input_.target.is_energy() ? std::vector<PeakSwing>{} : sweep_->swings(acceleration);
-        auto const seen = swings.empty() ? ratios(acceleration) : swept_ratios(swings);
+        auto seen = swings.empty() ? ratios(acceleration) : swept_ratios(swings);
         bool const shaping = iteration == 1 && steps.envelope == EnvelopeStep::sharpen_once;
         if ((!shaping && shortfall(seen) <= promising) || last) {
             auto component = judged(acceleration, iteration);
             double const now = shortfall(component.ratios);
+            seen = component.ratios;  // what the sweep does not see would never be mended
             if (!best || now < best_shortfall) {
                 best = std::move(component);
                 best_shortfall = now;
