@@ -8,6 +8,7 @@
 
 #include "body/response_velocity.hpp"
 #include "core/error.hpp"
+#include "rocking/pause.hpp"
 
 namespace overturn {
 
@@ -27,6 +28,7 @@ struct Climb {
     Slip first = Slip::ignored;  ///< how the first rung looks at friction
     bool absurd = false;
     Response response;
+    rocking::Pause pause;  ///< where friction gave out
 };
 
 bool wants(EffectRequest const& request, Effect effect) {
@@ -121,9 +123,15 @@ void first_rung(std::span<Climb> climbs, Slip slip, RockingAccuracy const& accur
         }
     }
     std::vector<RockingOutcome> outcomes(trials.size());
-    simulate_rocking(trials, accuracy, slip, outcomes);
+    std::vector<rocking::Pause> pauses(trials.size());
+    if (slip == Slip::watched) {
+        watch_friction(trials, accuracy, outcomes, pauses);
+    } else {
+        simulate_rocking(trials, accuracy, slip, outcomes);
+    }
     for (std::size_t i = 0; i < which.size(); ++i) {
         climbs[which[i]].response.rocking = outcomes[i];
+        climbs[which[i]].pause = pauses[i];
     }
 }
 
@@ -173,7 +181,9 @@ LadderSeconds respond(std::span<SceneTrial const> trials, std::span<Response> re
             continue;
         }
         if (climb.first == Slip::simulated || climb.response.rocking.slip_called) {
-            climb.response.rocking = run(climb, trials[i].scene, Slip::simulated);
+            auto const& scene = trials[i].scene;
+            climb.response.rocking = climb.pause.at_hand ? go_on_slipping(climb.trial, scene.accuracy, climb.pause)
+                                                         : run(climb, scene, Slip::simulated);
             climb.response.rung = Rung::sliding;
         }
         conclude(climb, trials[i].scene);

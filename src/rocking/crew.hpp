@@ -14,9 +14,10 @@ template <bool Vertical, Slip Friction> class Crew {
   public:
     using Trial = Integrator<SwingSeries::order, NonlinearRestoring, Vertical, Friction>;
 
+    /// \param pauses filled if there are any
     Crew(std::span<RockingTrial const> trials, std::span<std::size_t const> queue, RockingAccuracy const& accuracy,
-         std::span<RockingOutcome> outcomes)
-        : trials_(trials), queue_(queue), accuracy_(accuracy), outcomes_(outcomes) {}
+         std::span<RockingOutcome> outcomes, std::span<Pause> pauses)
+        : trials_(trials), queue_(queue), accuracy_(accuracy), outcomes_(outcomes), pauses_(pauses) {}
 
     void work() {
         int const width = swing_width();
@@ -60,6 +61,9 @@ template <bool Vertical, Slip Friction> class Crew {
             return;
         }
         outcomes_[place.number] = place.trial->finish();
+        if (!pauses_.empty()) {
+            pauses_[place.number] = place.trial->pause();
+        }
         --busy_;
         aboard(lane);
     }
@@ -83,6 +87,7 @@ template <bool Vertical, Slip Friction> class Crew {
     std::span<std::size_t const> queue_;
     RockingAccuracy accuracy_;
     std::span<RockingOutcome> outcomes_;
+    std::span<Pause> pauses_;
     std::size_t next_ = 0;
     int busy_ = 0;
     std::array<Place, most_lanes> at_;

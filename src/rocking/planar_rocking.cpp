@@ -103,8 +103,10 @@ RockingOutcome simulate_rocking(RockingBlock const& block, Shaking const& shakin
     return call.with_order<rocking::NonlinearRestoring, Slip::simulated>();
 }
 
-void simulate_rocking(std::span<RockingTrial const> trials, RockingAccuracy const& accuracy, Slip slip,
-                      std::span<RockingOutcome> outcomes) {
+namespace {
+
+void side_by_side(std::span<RockingTrial const> trials, RockingAccuracy const& accuracy, Slip slip,
+                  std::span<RockingOutcome> outcomes, std::span<rocking::Pause> pauses) {
     OVERTURN_EXPECT(outcomes.size() == trials.size());
     bool const lanes = accuracy.taylor_order == rocking::SwingSeries::order && accuracy.substeps == 1
                        && accuracy.restoring == Restoring::nonlinear && slip != Slip::simulated;
@@ -120,12 +122,35 @@ void simulate_rocking(std::span<RockingTrial const> trials, RockingAccuracy cons
         }
     }
     if (slip == Slip::ignored) {
-        rocking::Crew<false, Slip::ignored>(trials, plain, accuracy, outcomes).work();
-        rocking::Crew<true, Slip::ignored>(trials, vertical, accuracy, outcomes).work();
+        rocking::Crew<false, Slip::ignored>(trials, plain, accuracy, outcomes, pauses).work();
+        rocking::Crew<true, Slip::ignored>(trials, vertical, accuracy, outcomes, pauses).work();
     } else {
-        rocking::Crew<false, Slip::watched>(trials, plain, accuracy, outcomes).work();
-        rocking::Crew<true, Slip::watched>(trials, vertical, accuracy, outcomes).work();
+        rocking::Crew<false, Slip::watched>(trials, plain, accuracy, outcomes, pauses).work();
+        rocking::Crew<true, Slip::watched>(trials, vertical, accuracy, outcomes, pauses).work();
     }
+}
+
+}  // namespace
+
+void simulate_rocking(std::span<RockingTrial const> trials, RockingAccuracy const& accuracy, Slip slip,
+                      std::span<RockingOutcome> outcomes) {
+    side_by_side(trials, accuracy, slip, outcomes, {});
+}
+
+void watch_friction(std::span<RockingTrial const> trials, RockingAccuracy const& accuracy,
+                    std::span<RockingOutcome> outcomes, std::span<rocking::Pause> pauses) {
+    OVERTURN_EXPECT(pauses.size() == trials.size());
+    side_by_side(trials, accuracy, Slip::watched, outcomes, pauses);
+}
+
+RockingOutcome go_on_slipping(RockingTrial const& trial, RockingAccuracy const& accuracy, rocking::Pause const& pause) {
+    OVERTURN_EXPECT(pause.at_hand);
+    auto const go_on = [&]<bool Vertical>() {
+        using Trial =
+            rocking::Integrator<rocking::SwingSeries::order, rocking::NonlinearRestoring, Vertical, Slip::simulated>;
+        return Trial(trial.block, trial.shaking, accuracy, nullptr).run_from(pause);
+    };
+    return trial.shaking.vertical_mps2.empty() ? go_on.template operator()<false>() : go_on.template operator()<true>();
 }
 
 double painleve_bound(double inertia_ratio) {

@@ -3,6 +3,7 @@
 
 #include "rocking/impact.hpp"
 #include "rocking/page_peaks.hpp"
+#include "rocking/pause.hpp"
 #include "rocking/rocking_events.hpp"
 #include "rocking/sample.hpp"
 #include "rocking/slip_series.hpp"
@@ -11,9 +12,6 @@
 #include "rocking/work.hpp"
 
 namespace overturn::rocking {
-
-/// rest: full base contact, at rest. slide: full contact, slipping. rock: on one corner, stuck. slip_rock: both.
-enum class Mode { rest, slide, rock, slip_rock };
 
 template <int Order, class Restoring, bool Vertical, Slip Friction> class Integrator {
   public:
@@ -29,6 +27,11 @@ template <int Order, class Restoring, bool Vertical, Slip Friction> class Integr
     template <int Lanes> void depart(SwingLanes<Lanes>& lanes, int lane) const;
     template <int Lanes> void arrive(SwingLanes<Lanes> const& lanes, int lane);
     RockingOutcome const& finish();
+
+    /// Where friction gave out, of a trial that is over.
+    [[nodiscard]] Pause const& pause() const { return pause_; }
+    /// Goes on where another one paused.
+    RockingOutcome run_from(Pause const& pause);
 
   private:
     static constexpr bool nonlinear = std::is_same_v<Restoring, NonlinearRestoring>;
@@ -139,6 +142,7 @@ template <int Order, class Restoring, bool Vertical, Slip Friction> class Integr
     bool carried_ = false;          ///< they still hold
     bool careful_ = false;          ///< the next step is one that swing_on refused
     bool steps_together_ = false;
+    Pause pause_;
 };
 
 template <int Order, class Restoring, bool Vertical, Slip Friction>
@@ -199,9 +203,37 @@ bool Integrator<Order, Restoring, Vertical, Friction>::advance() {
         }
         careful_ = false;
         carried_ = false;
+        if constexpr (Friction == Slip::watched) {
+            pause_ = {true, log_.outcome(), log_.energy(), mode_,         start_root_, side_,
+                      phi_, omega_,         index_,        sample_.tau_s, steps_here_};
+        }
         step();
+        if constexpr (Friction == Slip::watched) {
+            pause_.at_hand = log_.outcome().slip_called;
+        }
     }
     return false;
+}
+
+template <int Order, class Restoring, bool Vertical, Slip Friction>
+RockingOutcome Integrator<Order, Restoring, Vertical, Friction>::run_from(Pause const& pause) {
+    steps_together_ = swings && accuracy_.substeps == 1;
+    log_.resume(pause.so_far, pause.energy);
+    mode_ = pause.mode;
+    start_root_ = pause.start_root;
+    side_ = pause.side;
+    phi_ = pause.phi;
+    omega_ = pause.omega;
+    index_ = pause.index;
+    steps_here_ = pause.steps_here;
+    sample_.load(shaking_, block_.gravity_mps2, index_);
+    sample_.tau_s = pause.tau_s;
+    log_.outcome().energy.input = mechanical_energy();
+    step();
+    while (advance()) {
+        swing();
+    }
+    return finish();
 }
 
 template <int Order, class Restoring, bool Vertical, Slip Friction>

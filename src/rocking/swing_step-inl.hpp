@@ -102,8 +102,24 @@ template <class V, bool Vertical> HWY_INLINE auto Stepper<V, Vertical>::step(Swi
     V const friction = abs(fma(s, spin, a.start) - c * grip);
     V const normal = g.start - fma(s, grip, c * spin);
     V const sway = fma(force + spin, 3.0 * arc, change + change);
-    V const lightest = normal - sway;
-    fine = fine & (lightest > zero) & (friction + sway <= get(Swing::friction_limit) * lightest);
+    V const limit = get(Swing::friction_limit);
+    auto const holds = [&](V pulling, V pressing, V astray) HWY_ATTR {
+        V const least = pressing - astray;
+        return (least > zero) & (pulling + astray <= limit * least);
+    };
+    M held = holds(friction, normal, sway);
+    if (any(!held)) {
+        // Near a limit: the forces stray from the line between their ends by an eighth of their second derivatives,
+        // which are below (arc^2 + w force) (spin + 10.06 force) + 6 arc change.
+        V const omega_end = to.speed / length;
+        V const spin_end = get(Swing::r) * (omega_end * omega_end);
+        V const grip_end = get(Swing::inertia_ratio) * pull_end;
+        V const friction_end = abs(fma(to.s, spin_end, a.end) - to.c * grip_end);
+        V const normal_end = g.end - fma(to.s, grip_end, to.c * spin_end);
+        V const bow = 0.125 * fma(fma(arc, arc, w * force), spin + 10.06 * force, 6.0 * arc * change);
+        held = held | (holds(friction, normal, bow) & holds(friction_end, normal_end, bow));
+    }
+    fine = fine & held;
 
     // Energy has a maximum inside where the shaking's power falls through zero: a record there needs care.
     V const spread = omega * get(Swing::inverse_p);

@@ -57,6 +57,11 @@ class TrialLog {
         out_.verdict = verdict;
         done_ = true;
     }
+    /// What another log has remembered up to an instant.
+    void resume(RockingOutcome const& so_far, double energy) {
+        out_ = so_far;
+        energy_ = energy;
+    }
     void call_slip() {
         out_.slip_called = true;
         done_ = true;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "response/response.hpp"
+#include "rocking/pause.hpp"
 #include "support/long_period_wave.hpp"
 #include "support/sliding_blocks.hpp"
 
@@ -90,6 +91,48 @@ TEST(SlipModes, SlipInTheImpactAloneIsCalled) {
     EXPECT_EQ(run(Slip::simulated).peak_slip_m, 0);
     expect_same_motion(run(Slip::watched), run(Slip::simulated));
     expect_same_motion(run(Slip::watched), run(Slip::ignored));
+}
+
+// A trial that calls for slip is not run again from its start: it goes on from where friction gave out.
+TEST(SlipModes, PausedTrialsEndAsIfSlipHadBeenSimulatedFromTheStart) {
+    std::vector<std::vector<double>> waves;
+    for (int number = 0; number < 24; ++number) {
+        waves.push_back(testing::short_wave(number));
+    }
+    std::vector<RockingTrial> trials;
+    for (std::size_t i = 0; i < waves.size(); ++i) {
+        for (double const level : {4.0, 6.6, 7.0, 8.0, 10.0, 14.0, 25.0}) {
+            for (double const mu : {0.3, 0.655, 0.68, 0.72, 0.8, 1.0}) {
+                auto shaking = shaking_of(waves[i], 0.02, level);
+                if (i % 2 == 1) {
+                    shaking.vertical_mps2 = waves[i - 1];
+                }
+                trials.push_back({type_a(mu, 0.9 * mu), shaking});
+            }
+        }
+    }
+    std::vector<RockingOutcome> outcomes(trials.size());
+    std::vector<rocking::Pause> pauses(trials.size());
+    watch_friction(trials, {}, outcomes, pauses);
+
+    std::map<Verdict, int> went_on;
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        EXPECT_TRUE(outcomes[i].slip_called || !pauses[i].at_hand) << i;
+        if (pauses[i].at_hand) {
+            auto const rest = go_on_slipping(trials[i], {}, pauses[i]);
+            auto const whole = simulate(trials[i].block, trials[i].shaking, Slip::simulated);
+            expect_same_motion(rest, whole);
+            EXPECT_FALSE(rest.slip_called);
+            EXPECT_EQ(rest.energy.friction_work, whole.energy.friction_work);
+            auto const& energy = rest.energy;
+            EXPECT_NEAR(energy.input, energy.mechanical + energy.impact_loss + energy.friction_work,
+                        1e-9 * std::abs(whole.energy.input));
+            ++went_on[rest.verdict];
+        }
+    }
+    for (auto const verdict : {Verdict::slid, Verdict::rocked, Verdict::overturned}) {
+        EXPECT_GT(went_on[verdict], 20) << static_cast<int>(verdict);
+    }
 }
 
 TEST(SlipModes, MirroredWaveGivesTheBitEqualMirroredTrial) {
