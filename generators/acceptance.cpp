@@ -107,4 +107,20 @@ bool all_passed(std::span<Clause const> clauses) {
     return std::all_of(clauses.begin(), clauses.end(), [](Clause const& clause) { return clause.passed(); });
 }
 
+void expect_judgeable(config::Table const& waves, char const* key, TargetSpectrum const& target) {
+    constexpr double rule_damping = 0.05;
+    constexpr double stated_from_s = 0.1;
+    if (target.is_energy() || target.damping() != rule_damping) {
+        waves.fail(key,
+                   "beside acceptance, which speaks of response spectra at 5 % damping (the target is another). Use "
+                   "acceptance = 'none'");
+    }
+    if (target.first_period_s() > stated_from_s) {
+        waves.fail(key,
+                   fmt::format("beside acceptance, which speaks of periods from {} s (the target begins at {:g} s). "
+                               "State the target from there on",
+                               stated_from_s, target.first_period_s()));
+    }
+}
+
 }  // namespace overturn

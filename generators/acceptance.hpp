@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "config/registry.hpp"
+#include "config/table.hpp"
 #include "generators/match_figures.hpp"
+#include "spectra/target_spectrum.hpp"
 
 namespace overturn {
 
@@ -33,6 +35,10 @@ struct AcceptanceRule {
 /// velocity at most 1e-6 of the peak, components correlated at most 0.16, and by this program's own standard 5 % mean
 /// misfit over [T0, T1] of every body and over any decade, since the others stop short of what overturns a cask.
 [[nodiscard]] std::span<config::Entry<AcceptanceRule> const> acceptance_rules();
+
+/// Fails at `key` unless the rules can judge waves made for this target: they speak of response spectra at 5 % damping,
+/// and of SI from 0.1 s on.
+void expect_judgeable(config::Table const& waves, char const* key, TargetSpectrum const& target);
 
 /// One demand and how the wave met it.
 struct Clause {

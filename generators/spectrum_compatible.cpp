@@ -231,23 +231,6 @@ void read_seeds(config::Table const& waves, InputFiles& files, Request& request)
     request.input.envelope = {.shape = EnvelopeShape::constant};
 }
 
-// The rules speak of response spectra at 5 % damping, and of SI from 0.1 s on.
-void expect_judgeable(config::Table const& waves, char const* key, TargetSpectrum const& target) {
-    constexpr double rule_damping = 0.05;
-    constexpr double stated_from_s = 0.1;
-    if (target.is_energy() || target.damping() != rule_damping) {
-        waves.fail(key,
-                   "beside acceptance, which speaks of response spectra at 5 % damping (the target is another). Use "
-                   "acceptance = 'none'");
-    }
-    if (target.first_period_s() > stated_from_s) {
-        waves.fail(key,
-                   fmt::format("beside acceptance, which speaks of periods from {} s (the target begins at {:g} s). "
-                               "State the target from there on",
-                               stated_from_s, target.first_period_s()));
-    }
-}
-
 void read_match(config::Table const& waves, Request& request) {
     auto& input = request.input;
     request.match = waves.choice<Match>("match", matches, Match::each);

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -20,7 +21,7 @@ struct Options {
     std::string stripes;
     bool json = false;
     double beta_u = 0;
-    double confidence = 0;  ///< 0: the campaign's, or 0.95
+    std::optional<double> confidence;  ///< none: the campaign's, or 0.95
     double design_basis = 0;
 };
 
@@ -39,7 +40,7 @@ int fit_file(Options const& options) {
     store::ResultsReader const file(options.file);
     auto const spec = parse_campaign(input_of(file));
     auto const statistics = recount(file, spec);
-    double const confidence = options.confidence > 0 ? options.confidence : spec.confidence;
+    double const confidence = options.confidence.value_or(spec.confidence);
     auto const analysis = analyse(spec, statistics, {.confidence = confidence, .beta_u = options.beta_u});
     if (options.json) {
         fmt::print("{}\n", fit_json(statistics, analysis, confidence).dump(2));
@@ -67,7 +68,7 @@ int fit_stripes(Options const& options) {
     auto const stripes = parse_stripes(files.read(options.stripes), options.stripes);
     constexpr double usual = 0.95;
     FragilityRequest request;
-    request.confidence = options.confidence > 0 ? options.confidence : usual;
+    request.confidence = options.confidence.value_or(usual);
     request.beta_u = options.beta_u;
     MeasuredFragility measured;
     measured.name = "amplitude";

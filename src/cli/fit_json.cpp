@@ -136,11 +136,11 @@ Json quantiles_json(std::optional<RatioQuantiles> const& q) {
 
 }  // namespace
 
-void check_fit_options(double beta_u, double confidence) {
+void check_fit_options(double beta_u, std::optional<double> confidence) {
     validate(beta_u >= 0 && std::isfinite(beta_u),
              "--beta-u: {} (must be 0 or above). It is a lognormal standard deviation", beta_u);
-    validate(confidence >= 0 && confidence < 1, "--confidence: {} (must lie between 0 and 1). State e.g. 0.95",
-             confidence);
+    validate(!confidence || (*confidence > 0 && *confidence < 1),
+             "--confidence: {} (must lie between 0 and 1). State e.g. 0.95", confidence.value_or(0));
 }
 
 Json stripe_json(std::string const& body, std::size_t level, Stripe const& stripe, double confidence) {

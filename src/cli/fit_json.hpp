@@ -1,6 +1,8 @@
 /// The statistics as JSON, by the names that scripts depend on. What is not known is null, never 0.
 #pragma once
 
+#include <optional>
+
 #include <nlohmann/json.hpp>
 
 #include "campaign/analysis.hpp"
@@ -8,7 +10,7 @@
 namespace overturn::cli {
 
 /// What --beta-u and --confidence (0: the campaign's) may be. \throws InputError
-void check_fit_options(double beta_u, double confidence);
+void check_fit_options(double beta_u, std::optional<double> confidence);
 
 /// One stripe; \param body empty for a table that is nobody's campaign
 [[nodiscard]] nlohmann::ordered_json stripe_json(std::string const& body, std::size_t level, Stripe const& stripe,

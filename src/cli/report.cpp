@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 struct Options {
     std::string file, page, figures;
     double beta_u = 0;
-    double confidence = 0;  ///< 0: the campaign's
+    std::optional<double> confidence;  ///< none: the campaign's
 };
 
 Json facts_of(CampaignSpec const& spec, Plan const& plan) {
@@ -138,7 +138,7 @@ int write_report(Options const& options) {
     for (auto const& body : spec.bodies) {
         data["bodies"].push_back(body.name);
     }
-    double const confidence = options.confidence > 0 ? options.confidence : spec.confidence;
+    double const confidence = options.confidence.value_or(spec.confidence);
     auto const analysis =
         analyse(spec, statistics, {.confidence = confidence, .beta_u = options.beta_u, .band_points = 61});
     data["fit"] = fit_json(statistics, analysis, confidence);

@@ -18,11 +18,15 @@ struct Cell {
     int column = 0;  ///< from 1
 };
 
-std::vector<Cell> cells_of(std::string_view line) {
+// Cells may stand in quotes; none that a table of stripes needs holds a separator.
+std::vector<Cell> cells_of(std::string_view line, char separator) {
     std::vector<Cell> cells;
     for (std::size_t begin = 0; begin <= line.size();) {
-        auto const end = std::min(line.find(',', begin), line.size());
-        auto const text = trimmed(line.substr(begin, end - begin));
+        auto const end = std::min(line.find(separator, begin), line.size());
+        auto text = trimmed(line.substr(begin, end - begin));
+        if (text.size() >= 2 && text.front() == '"' && text.back() == '"') {
+            text = trimmed(text.substr(1, text.size() - 2));
+        }
         auto const at = text.empty() ? begin : static_cast<std::size_t>(text.data() - line.data());
         cells.push_back({text, static_cast<int>(at) + 1});
         begin = end + 1;
@@ -39,7 +43,11 @@ class Reader {
 
     void read(std::string_view line, int number) {
         line_ = number;
-        auto const cells = cells_of(line.substr(0, line.find('#')));
+        auto const content = line.substr(0, line.find('#'));
+        if (auto const first = content.find_first_of(",;\t"); !has_header_ && first != std::string_view::npos) {
+            separator_ = content[first];  // the header's decides
+        }
+        auto const cells = cells_of(content, separator_);
         if (cells.size() == 1 && cells.front().text.empty()) {
             return;
         }
@@ -142,6 +150,7 @@ class Reader {
     std::string const& file_;
     int line_ = 0;
     bool has_header_ = false;
+    char separator_ = ',';
     std::size_t columns_ = 0;
     std::array<std::optional<std::size_t>, fields> place_;
     std::vector<Stripe> stripes_;

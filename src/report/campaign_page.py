@@ -164,8 +164,13 @@ class Report:
         self.csv("stripes", list(stripes[0]), [list(s.values()) for s in stripes])
         keys = ["body", "measure", "units", "identifiable", "median", "beta", "median_interval", "beta_interval", "hclpf",
                 "hclpf_interval", "flags"]
-        self.csv("fragility", keys, [[" ".join(map(str, f[k])) if isinstance(f[k], list) else f[k] for k in keys]
-                                     for f in self.fit["fragility"]])
+        def cells(fit, key):
+            if key.endswith("_interval"):
+                return fit[key] or [None, None]
+            return [" ".join(fit[key]) if isinstance(fit[key], list) else fit[key]]
+        columns = [name for key in keys for name in (
+            [key.replace("interval", "lower"), key.replace("interval", "upper")] if key.endswith("_interval") else [key])]
+        self.csv("fragility", columns, [[cell for key in keys for cell in cells(f, key)] for f in self.fit["fragility"]])
         fits = [f for f in self.fit["fragility"] if f["measure"] == self.results.measure]
         fitted = [[f["body"], self.amplitude(f["median"]), self.amplitudes(f["median_interval"], 3),
                    value_of(f["beta"], 3), interval(f["beta_interval"], 3), self.amplitude(f["hclpf"]),

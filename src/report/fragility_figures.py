@@ -84,10 +84,20 @@ def sample(count):
     return np.arange(0, count, max(1, -(-count // MOST_POINTS)))
 
 
+def said(axes, name, ratio, stood, fell, top):
+    """How often an energy measure over its limit was what it was, by what came of it."""
+    axes.hist([ratio[stood], ratio[fell]], bins=np.linspace(0, 1.03 * top, 36), stacked=True,
+              color=[style.SKY, VERMILION], label=["stood", "overturned"])
+    axes.axvline(1, color=GREY, lw=0.8, ls="--")
+    axes.set(xlim=(0, 1.03 * top), xlabel=f"{name} / V_Ereq", ylabel="trials")
+
+
 def criterion(results, body, path):
-    """V_resp against V_WES, the paper's figure 12: where the criterion is wrong, and on which side."""
+    """V_resp against V_WES, the paper's figure 12, and what V_WES and ouV_E said: where they are wrong, on which side."""
     style.use()
-    figure, (left, right) = plt.subplots(1, 2, figsize=(6.8, 3.2), layout="constrained")
+    figure, axes = plt.subplot_mosaic([["response", "window"], ["response", "whole"]], figsize=(6.8, 3.8),
+                                      layout="constrained")
+    left = axes["response"]
     lost = body.verdict("contact-lost")  # no verdict: neither stood nor fell
     moved = ~(body.verdict("at-rest") | body.verdict("failed") | lost)
     limit = body.trials("v_ereq")
@@ -102,20 +112,19 @@ def criterion(results, body, path):
         if len(at):
             left.plot(ratio[at], response[at], marker, ms=2.4, mew=0.6, color=colour, alpha=0.5, label=label,
                       rasterized=len(at) > 1000)
-    top = max(1.2, float(np.nanmax(ratio[moved])) if moved.any() else 1.2)
+    whole = body.trials("ou_v_e") / limit
+    top, whole_top = (max(1.2, float(np.nanmax(x[moved])) if moved.any() else 1.2) for x in (ratio, whole))
     left.plot([0, 1], [0, 1], color=GREY, lw=0.8)
     left.axvline(1, color=GREY, lw=0.8, ls="--")
     left.set(xlim=(0, 1.03 * top), ylim=(-0.02, 1.08), xlabel="V_WES / V_Ereq", ylabel="V_resp / V_Ereq",
              title="response against energy offered")
     left.legend(loc="lower right", markerscale=1.6)
-    bins = np.linspace(0, 1.03 * top, 36)
-    right.hist([ratio[moved & ~fell], ratio[fell]], bins=bins, stacked=True, color=[style.SKY, VERMILION],
-               label=["stood", "overturned"])
-    right.axvline(1, color=GREY, lw=0.8, ls="--")
-    right.annotate("criterion", (1, 0.98), xycoords=("data", "axes fraction"), xytext=(3, 0), va="top",
-                   textcoords="offset points", color=GREY, fontsize=7)
-    right.set(xlabel="V_WES / V_Ereq", ylabel="trials", title="what V_WES said")
-    right.legend(loc="upper right")
+    said(axes["window"], "V_WES", ratio, moved & ~fell, fell, top)
+    said(axes["whole"], "ouV_E", whole, moved & ~fell, fell, whole_top)
+    axes["window"].annotate("criterion", (1, 0.98), xycoords=("data", "axes fraction"), xytext=(3, 0), va="top",
+                            textcoords="offset points", color=GREY, fontsize=7)
+    axes["window"].set_title("what the energy measures said")
+    axes["window"].legend(loc="upper left")
     style.save(figure, path)
 
 

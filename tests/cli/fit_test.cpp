@@ -54,6 +54,13 @@ TEST_F(Fit, TableOfKnownAnswer) {
     EXPECT_EQ(curve["probabilities"][3]["outside_data"], true);
 }
 
+TEST_F(Fit, TablesAsOtherProgramsWriteThem) {
+    auto const plain = table("amplitude,trials,overturned\n1,54,2\n1.5,54,25\n2,54,43\n");
+    EXPECT_EQ(table("amplitude;trials;overturned\n1;54;2\n1.5;54;25\n2;54;43\n"), plain);
+    EXPECT_EQ(table("Amplitude\tTrials\tOverturned\r\n1\t54\t2\r\n1.5\t54\t25\r\n2\t54\t43\r\n"), plain);
+    EXPECT_EQ(table("\"amplitude\",\"trials\",\"overturned\"\n\"1\",54,2\n1.5,54,25\n2,54,43\n"), plain);
+}
+
 TEST_F(Fit, BetaUMovesHclpf) {
     std::string const stripes = "amplitude,trials,overturned\n1,54,2\n1.5,54,25\n2,54,43\n";
     double const with = table(stripes, {"--beta-u", "0.3"})["fragility"][0]["hclpf"];
@@ -97,7 +104,9 @@ TEST_F(Fit, BadTablesAreRefusedWhereTheyAreWrong) {
     refuse(head + "1,54,-1\n", "not a count");
     refuse(head + "1,0,0\n", "no trial");
     refuse(head + "1,54,1\n1,54,2\n", "t.csv:3:1: amplitude 1 twice");
+    refuse("amplitude;trials;overturned\n1,5;54;2\n", "t.csv:2:1: '1,5'");
     EXPECT_EQ(overturn(folder, {"fit"}).code, 2);
+    EXPECT_EQ(overturn(folder, {"fit", "--stripes", "t.csv", "--confidence", "0"}).code, 2);
     EXPECT_EQ(overturn(folder, {"fit", "no.csv", "--stripes", "t.csv"}).code, 2);
     EXPECT_EQ(overturn(folder, {"fit", "--stripes", "none.csv"}).code, 2);
 }

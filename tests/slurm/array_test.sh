@@ -8,7 +8,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 . "$here/cluster.sh"
 . "$here/campaigns.sh"
 cluster_start 2 2
-cd "$cluster/work" || exit 1
+cd "$cluster/runs" || exit 1
 campaign c 100 7
 campaign wide 60 8
 

@@ -45,7 +45,7 @@ cluster_start() {
     cluster=$(mktemp -d "${TMPDIR:-/tmp}/overturn-slurm.XXXXXX")
     trap cluster_stop EXIT
     chmod 755 "$cluster"
-    mkdir -p "$cluster"/{state,run,work}
+    mkdir -p "$cluster"/{state,run,runs}
     mkdir -m 700 "$cluster/munge"
     host=$(hostname -s)
     ports=$(free_ports $((nodes + 1))) || skip "no free ports"
@@ -125,6 +125,6 @@ state_of() { grep "^JobId=$1 " "$cluster/jobs.txt" | tail -1 | grep -o 'JobState
 # Fails the test, with what the jobs and daemons said.
 fail() {
     echo "FAILED: $*"
-    tail -n 12 "$cluster"/work/*.log "$cluster/jobs.txt" "$cluster/slurmctld.log" 2>/dev/null
+    tail -n 12 "$cluster"/runs/*.log "$cluster/jobs.txt" "$cluster/slurmctld.log" 2>/dev/null
     exit 1
 }

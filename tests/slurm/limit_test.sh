@@ -9,7 +9,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 . "$here/cluster.sh"
 . "$here/campaigns.sh"
 cluster_start 1 2
-cd "$cluster/work" || exit 1
+cd "$cluster/runs" || exit 1
 campaign c 1000000 7  # longer than any leg
 
 job=$(sbatch --parsable -n 1 -t 5 "$OVERTURN_SLURM/campaign.sbatch" c.toml) || fail "sbatch"

@@ -8,7 +8,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 . "$here/cluster.sh"
 . "$here/campaigns.sh"
 cluster_start 1 2
-cd "$cluster/work" || exit 1
+cd "$cluster/runs" || exit 1
 campaign c 2500 7  # longer than the three seconds in which a launcher is not told
 
 job=$(sbatch --parsable -n 2 -t 10 "$OVERTURN_SLURM/campaign.sbatch" c.toml) || fail "sbatch"

@@ -8,7 +8,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 . "$here/cluster.sh"
 . "$here/campaigns.sh"
 cluster_start 1 2
-cd "$cluster/work" || exit 1
+cd "$cluster/runs" || exit 1
 campaign first 30 7
 campaign second 30 8
 echo "seed = 1" >bad.toml
