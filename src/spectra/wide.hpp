@@ -37,17 +37,20 @@ template <int Bytes> struct Registers {
 };
 
 /// a b + c of registers, in one rounding. The wider ones are used only where the machine has the instruction.
-template <class Vector> OVERTURN_INLINE Vector fma(Vector a, Vector b, Vector c) {
+template <class Vector> OVERTURN_INLINE Vector fma(Vector const& a, Vector const& b, Vector const& c) {
     if constexpr (sizeof(Vector) > 2 * sizeof(double)) {
-        asm("vfmadd231pd %2, %1, %0" : "+v"(c) : "v"(a), "vm"(b));  // intrinsics do not go through a template
-        return c;
+        Vector sum = c;
+        asm("vfmadd231pd %2, %1, %0" : "+v"(sum) : "v"(a), "vm"(b));  // intrinsics do not go through a template
+        return sum;
     } else {
         return Vector{std::fma(a[0], b[0], c[0]), std::fma(a[1], b[1], c[1])};
     }
 }
-template <class Vector> OVERTURN_INLINE Vector fma(Vector a, double b, Vector c) { return fma(b - Vector{}, a, c); }
+template <class Vector> OVERTURN_INLINE Vector fma(Vector const& a, double b, Vector const& c) {
+    return fma(b - Vector{}, a, c);
+}
 
-template <class Vector> OVERTURN_INLINE Vector max(Vector a, Vector b) { return a > b ? a : b; }
+template <class Vector> OVERTURN_INLINE Vector max(Vector const& a, Vector const& b) { return a > b ? a : b; }
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 template <class Kernel> [[gnu::target("avx512f")]] void run_avx512(Kernel const& kernel) { kernel.template run<64>(); }
