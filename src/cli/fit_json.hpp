@@ -9,7 +9,7 @@
 
 namespace overturn::cli {
 
-/// What --beta-u and --confidence (0: the campaign's) may be. \throws InputError
+/// What --beta-u and --confidence (none: the campaign's) may be. \throws InputError
 void check_fit_options(double beta_u, std::optional<double> confidence);
 
 /// One stripe; \param body empty for a table that is nobody's campaign

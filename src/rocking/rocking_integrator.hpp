@@ -55,10 +55,11 @@ template <int Order, class Restoring, bool Vertical, Slip Friction> class Integr
         }
     };
 
-    // time loop (this file, below)
+    // time loop (this file, below; step_watched and run_from: rocking_pause.hpp)
     void skip_rest();
     [[nodiscard]] bool next_sample();
     void step();
+    void step_watched();
     void run_out(double end_s);
     [[nodiscard]] bool decided() const;
     // swings (rocking_swing.hpp)
@@ -203,37 +204,9 @@ bool Integrator<Order, Restoring, Vertical, Friction>::advance() {
         }
         careful_ = false;
         carried_ = false;
-        if constexpr (Friction == Slip::watched) {
-            pause_ = {true, log_.outcome(), log_.energy(), mode_,         start_root_, side_,
-                      phi_, omega_,         index_,        sample_.tau_s, steps_here_};
-        }
-        step();
-        if constexpr (Friction == Slip::watched) {
-            pause_.at_hand = log_.outcome().slip_called;
-        }
+        step_watched();
     }
     return false;
-}
-
-template <int Order, class Restoring, bool Vertical, Slip Friction>
-RockingOutcome Integrator<Order, Restoring, Vertical, Friction>::run_from(Pause const& pause) {
-    steps_together_ = swings && accuracy_.substeps == 1;
-    log_.resume(pause.so_far, pause.energy);
-    mode_ = pause.mode;
-    start_root_ = pause.start_root;
-    side_ = pause.side;
-    phi_ = pause.phi;
-    omega_ = pause.omega;
-    index_ = pause.index;
-    steps_here_ = pause.steps_here;
-    sample_.load(shaking_, block_.gravity_mps2, index_);
-    sample_.tau_s = pause.tau_s;
-    log_.outcome().energy.input = mechanical_energy();
-    step();
-    while (advance()) {
-        swing();
-    }
-    return finish();
 }
 
 template <int Order, class Restoring, bool Vertical, Slip Friction>
@@ -324,6 +297,7 @@ RockingOutcome const& Integrator<Order, Restoring, Vertical, Friction>::finish()
 }  // namespace overturn::rocking
 
 #include "rocking/rocking_impact.hpp"
+#include "rocking/rocking_pause.hpp"
 #include "rocking/rocking_rest.hpp"
 #include "rocking/rocking_step.hpp"
 #include "rocking/rocking_swing.hpp"
