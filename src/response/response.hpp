@@ -68,7 +68,8 @@ struct LadderSeconds {
 };
 
 /// Many trials from rest, the lower rungs side by side in the machine's vector lanes: responses[i] is bit-equal to that
-/// of trials[i] alone. \pre one accuracy for all
+/// of trials[i] alone, but for the energies of what called for slip: they count from where friction gave out.
+/// \pre one accuracy for all
 LadderSeconds respond(std::span<SceneTrial const> trials, std::span<Response> responses);
 
 }  // namespace overturn

@@ -47,7 +47,8 @@ struct EnergySweep {
             double const a1 = acceleration[n];
 #pragma GCC unroll 8
             for (int r = 0; r < R::count; ++r) {
-                auto const step = [&](R const& of_y, R const& of_v, R const& of_a0, R const& of_a1) {
+                auto const step = [&](R const& of_y, R const& of_v, R const& of_a0, R const& of_a1)
+                    __attribute__((always_inline)) {
                     auto const forced = wide::fma(of_a1.at[r], a1, of_a0.at[r] * a0);
                     return wide::fma(y.at[r], of_y.at[r], wide::fma(v.at[r], of_v.at[r], forced));
                 };

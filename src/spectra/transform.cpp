@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <new>
 
 #include <fftw3.h>
 
@@ -19,7 +20,11 @@ struct Freed {
 template <class T> using Buffer = std::unique_ptr<T[], Freed>;  // aligned for FFTW's vectors
 
 template <class T> Buffer<T> buffer(std::size_t count) {
-    return Buffer<T>(static_cast<T*>(fftw_malloc(count * sizeof(T))));
+    Buffer<T> made(static_cast<T*>(fftw_malloc(count * sizeof(T))));
+    if (!made) {
+        throw std::bad_alloc();
+    }
+    return made;
 }
 
 fftw_complex* raw(Complex* p) { return reinterpret_cast<fftw_complex*>(p); }  // as the standard allows
