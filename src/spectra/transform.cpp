@@ -17,7 +17,7 @@ using Complex = std::complex<double>;
 struct Freed {
     void operator()(void* p) const { fftw_free(p); }
 };
-template <class T> using Buffer = std::unique_ptr<T[], Freed>;  // aligned for FFTW's vectors
+template <class T> using Buffer = std::unique_ptr<T, Freed>;  // aligned for FFTW's vectors
 
 template <class T> Buffer<T> buffer(std::size_t count) {
     Buffer<T> made(static_cast<T*>(fftw_malloc(count * sizeof(T))));
