@@ -8,8 +8,7 @@
 
 namespace overturn {
 
-/// Fill `in`, run, read `out`; both hold until this thread next asks for a transform of
-/// the kind. `in` may be spoilt.
+/// Fill `in`, run, read `out`; both hold until this thread next asks for a transform of the kind. `in` may be spoilt.
 template <class In, class Out> struct Transform {
     std::span<In> in;
     std::span<Out> out;
