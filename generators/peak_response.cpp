@@ -37,7 +37,7 @@ struct PeakResponse::Sweep {
             R::clear(square);
             for (std::size_t const end = std::min(n + block_samples, acceleration.size()); n < end; ++n) {
                 double const a2 = acceleration[n];
-                auto const filled = a2 - typename R::Vector{};
+                auto const filled = wide::filled<typename R::Vector>(a2);
 #pragma GCC unroll 8
                 for (int r = 0; r < R::count; ++r) {
                     auto const forced = wide::fma(now.at[r], a1, wide::fma(last.at[r], a0, filled));

@@ -61,7 +61,7 @@ template <bool all> struct Sweep {
             double a0 = acceleration[n - 1];
             for (int s = 1; s <= steps; ++s) {
                 double const a1 = s == steps ? acceleration[n] : acceleration[n - 1] + rise * (s * part);
-                auto const filled = a0 - typename R::Vector{};
+                auto const filled = wide::filled<typename R::Vector>(a0);
 #pragma GCC unroll 8
                 for (int r = 0; r < R::count; ++r) {
                     auto const z0 = factors ? za.at[r] * a0 : filled;

@@ -36,6 +36,9 @@ template <int Bytes> struct Registers {
     }
 };
 
+/// All lanes alike. A subtraction, since adding nothing would lose the sign of a negative zero.
+template <class Vector> OVERTURN_INLINE Vector filled(double value) { return value - Vector{}; }
+
 /// a b + c of registers, in one rounding. The wider ones are used only where the machine has the instruction.
 template <class Vector> OVERTURN_INLINE Vector fma(Vector const& a, Vector const& b, Vector const& c) {
     if constexpr (sizeof(Vector) > 2 * sizeof(double)) {
@@ -47,7 +50,7 @@ template <class Vector> OVERTURN_INLINE Vector fma(Vector const& a, Vector const
     }
 }
 template <class Vector> OVERTURN_INLINE Vector fma(Vector const& a, double b, Vector const& c) {
-    return fma(b - Vector{}, a, c);
+    return fma(filled<Vector>(b), a, c);
 }
 
 template <class Vector> OVERTURN_INLINE Vector max(Vector const& a, Vector const& b) { return a > b ? a : b; }
