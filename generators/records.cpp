@@ -54,6 +54,7 @@ class Records : public WaveSource {
 struct Request {
     RecordRequest record;
     Coarsening coarsening = Coarsening::refused;
+    double scale = 1;
 };
 
 Request read_request(config::Table const& table) {
@@ -72,7 +73,22 @@ Request read_request(config::Table const& table) {
     request.record.component = table.text("component", "");
     request.record.components = table.choice<ComponentChoice>("components", component_choices(), ComponentChoice::file);
     request.coarsening = table.choice<Coarsening>("resample", coarsenings, Coarsening::refused);
+    request.scale = table.number("scale", Dimension::none, {.low = 0, .high = 1000, .low_open = true}, request.scale);
     return request;
+}
+
+// All components alike: what they are to each other stays.
+void scale(Record& record, double factor) {
+    if (factor == 1) {
+        return;
+    }
+    for (auto* component :
+         {&record.motion.horizontal_mps2, &record.motion.transverse_mps2, &record.motion.vertical_mps2}) {
+        for (double& value : *component) {
+            value *= factor;
+        }
+    }
+    record.label += fmt::format(", times {:g}", factor);
 }
 
 Record read_motion(config::Table const& table, std::string_view key, std::string const& name, Request const& request,
@@ -151,6 +167,7 @@ Record read_table(config::Table const& table, StationFiles& files) {
     if (cut_to_shortest(record.motion)) {
         record.label += fmt::format(" (components cut to {} samples)", record.motion.samples());
     }
+    scale(record, request.scale);
     table.finish();
     return record;
 }
@@ -167,6 +184,7 @@ std::unique_ptr<WaveSource> make_records(config::Table const& waves, InputFiles&
         auto const request = read_request(waves);
         for (auto const& name : waves.texts("files")) {
             records.push_back(read_horizontal(waves, "files", name, request, station_files));
+            scale(records.back(), request.scale);
         }
     } else {
         for (auto const& table : waves.children("records")) {

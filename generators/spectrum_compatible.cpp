@@ -24,17 +24,17 @@ constexpr std::array line_amplitudes{
     config::Entry<LineAmplitudes>{"gaussian", "random phases and amplitudes", LineAmplitudes::gaussian},
 };
 
-using Place = std::vector<double> GroundMotion::*;
-
-// What the table of a further component is called, where its motion goes, and which streams it draws from.
+// What the table of a further component is called, where its motion and its match go, which streams it draws from.
 struct ComponentKind {
     char const* name;
-    Place place;
+    std::vector<double> GroundMotion::*place;
+    MatchReport GeneratedWave::*match;
     std::uint64_t stream;
 };
-constexpr ComponentKind horizontal_kind{"horizontal", &GroundMotion::horizontal_mps2, 0};
-constexpr std::array further_kinds{ComponentKind{"transverse", &GroundMotion::transverse_mps2, 2},
-                                   ComponentKind{"vertical", &GroundMotion::vertical_mps2, 1}};
+constexpr ComponentKind horizontal_kind{"horizontal", &GroundMotion::horizontal_mps2, &GeneratedWave::match, 0};
+constexpr std::array further_kinds{
+    ComponentKind{"transverse", &GroundMotion::transverse_mps2, &GeneratedWave::transverse_match, 2},
+    ComponentKind{"vertical", &GroundMotion::vertical_mps2, &GeneratedWave::vertical_match, 1}};
 
 struct Part {
     ComponentKind kind;
@@ -102,12 +102,10 @@ class SpectrumCompatible : public WaveSource {
                                             : part.matcher.match_motion(seeds_[wave].*(part.kind.place));
             add_clauses(part, component.match, made.clauses);
             made.motion.*(part.kind.place) = std::move(component.acceleration_mps2);
+            made.*(part.kind.match) = component.match;
             if (part.kind.place == horizontal_kind.place) {
-                made.match = component.match;
                 made.judged_periods_s = part.matcher.periods_s();
                 made.ratios = std::move(component.ratios);
-            } else if (part.kind.place == &GroundMotion::vertical_mps2) {
-                made.vertical_match = component.match;
             }
         }
         return made;

@@ -31,9 +31,10 @@ struct MatchReport {
 
 struct GeneratedWave {
     GroundMotion motion;
-    MatchReport match;           ///< of the horizontal component
-    MatchReport vertical_match;  ///< of the vertical one
-    std::string label;           ///< one line that tells this wave from its neighbours
+    MatchReport match;             ///< of the horizontal component
+    MatchReport transverse_match;  ///< of the other horizontal one
+    MatchReport vertical_match;    ///< of the vertical one
+    std::string label;             ///< one line that tells this wave from its neighbours
 
     std::vector<double> judged_periods_s;  ///< where the horizontal component was compared; empty without a target
     std::vector<double> ratios;            ///< computed over target there

@@ -21,7 +21,7 @@ struct WaveRow {
     std::int64_t failed = 0;
     double duration_s = 0;
     double pga_mps2 = 0, pgv_mps = 0, pgd_m = 0, arias_mps = 0;
-    double vertical_pga_mps2 = 0;
+    double transverse_pga_mps2 = 0, vertical_pga_mps2 = 0;
     std::int64_t matched = 0;
     std::int64_t match_iterations = 0;
     double match_mean_misfit = 0, match_max_misfit = 0, match_max_misfit_period_s = 0;
@@ -30,6 +30,7 @@ struct WaveRow {
     double match_lowest_ratio = 0, match_highest_ratio = 0;
     std::int64_t match_longest_below = 0;
     double match_worst_decade = 0, si_ratio = 0, psd_lowest_ratio = 0, psd_lowest_hz = 0;
+    double transverse_match_mean_misfit = 0, transverse_match_worst_decade = 0;
     double vertical_match_mean_misfit = 0, vertical_match_worst_decade = 0;
     double duration_5_75_s = 0, duration_5_95_s = 0;
     double residual_velocity_mps = 0, residual_displacement_m = 0;

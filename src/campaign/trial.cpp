@@ -24,7 +24,8 @@ class Stopwatch {
     std::chrono::steady_clock::time_point begin_;
 };
 
-void describe_match(WaveRow& row, MatchReport const& match, MatchReport const& vertical) {
+void describe_match(WaveRow& row, GeneratedWave const& wave) {
+    auto const& match = wave.match;
     row.matched = match.matched ? 1 : 0;
     row.match_iterations = match.iterations;
     row.match_mean_misfit = match.all.mean_misfit;
@@ -41,8 +42,10 @@ void describe_match(WaveRow& row, MatchReport const& match, MatchReport const& v
     row.si_ratio = match.intensity_ratio;
     row.psd_lowest_ratio = match.psd_lowest_ratio;
     row.psd_lowest_hz = match.psd_lowest_hz;
-    row.vertical_match_mean_misfit = vertical.all.mean_misfit;
-    row.vertical_match_worst_decade = vertical.worst_decade;
+    row.transverse_match_mean_misfit = wave.transverse_match.all.mean_misfit;
+    row.transverse_match_worst_decade = wave.transverse_match.worst_decade;
+    row.vertical_match_mean_misfit = wave.vertical_match.all.mean_misfit;
+    row.vertical_match_worst_decade = wave.vertical_match.worst_decade;
 }
 
 void describe_motion(WaveRow& row, GroundMotion const& motion, Intensity const& intensity) {
@@ -51,6 +54,7 @@ void describe_motion(WaveRow& row, GroundMotion const& motion, Intensity const& 
     row.pgv_mps = intensity.pgv_mps;
     row.pgd_m = intensity.pgd_m;
     row.arias_mps = intensity.arias_mps;
+    row.transverse_pga_mps2 = peak_of(motion.transverse_mps2);
     row.vertical_pga_mps2 = peak_of(motion.vertical_mps2);
 }
 
@@ -119,7 +123,7 @@ PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64
         auto generated = spec.source->make(spec.seed, id);
         validate_motion(generated.motion);
         describe_check(prepared, check_wave(generated, spec.bodies, spec.measures.radius_unit));
-        describe_match(prepared.row, generated.match, generated.vertical_match);
+        describe_match(prepared.row, generated);
         prepared.motion = std::move(generated.motion);
     } catch (InputError const&) {
         prepared.row.failed = 1;

@@ -1,6 +1,11 @@
 #include "cli/wave_report.hpp"
 
+#include <utility>
+
 #include <nlohmann/json.hpp>
+
+#include "motion/ground_motion.hpp"
+#include "motion/intensity.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -43,7 +48,8 @@ Json match_json(MatchReport const& match) {
 }  // namespace
 
 std::string wave_report(CampaignSpec const& spec, GeneratedWave const& wave, WaveCheck const& check) {
-    auto text = match_text("match", wave.match) + match_text("vertical match", wave.vertical_match);
+    auto text = match_text("match", wave.match) + match_text("transverse match", wave.transverse_match)
+                + match_text("vertical match", wave.vertical_match);
     for (std::size_t b = 0; b < spec.bodies.size() && !wave.ratios.empty(); ++b) {
         auto const band = rocking_period_band(spec.bodies[b].body.radius_m(), spec.measures.radius_unit);
         text +=
@@ -65,14 +71,25 @@ std::string wave_report(CampaignSpec const& spec, GeneratedWave const& wave, Wav
 
 std::string wave_json(CampaignSpec const& spec, GeneratedWave const& wave, WaveCheck const& check) {
     auto const& q = check.quality;
+    auto const intensity = intensity_of(wave.motion.horizontal_mps2, wave.motion.time_step_s);
     Json json{{"label", wave.label},
               {"time_step_s", wave.motion.time_step_s},
               {"duration_s", wave.motion.duration_s()},
+              {"pga_mps2", intensity.pga_mps2},
+              {"pgv_mps", intensity.pgv_mps},
+              {"pgd_m", intensity.pgd_m},
+              {"arias_mps", intensity.arias_mps},
               {"duration_5_75_s", q.duration_5_75_s},
               {"duration_5_95_s", q.duration_5_95_s},
               {"residual_velocity_mps", q.residual_velocity_mps},
               {"residual_displacement_m", q.residual_displacement_m},
               {"correlation", q.correlation}};
+    for (auto const& [name, values] : {std::pair{"transverse_pga_mps2", &wave.motion.transverse_mps2},
+                                       std::pair{"vertical_pga_mps2", &wave.motion.vertical_mps2}}) {
+        if (!values->empty()) {
+            json[name] = peak_of(*values);
+        }
+    }
     if (!wave.ratios.empty()) {
         json["match"] = match_json(wave.match);
         json["bands"] = Json::array();
@@ -85,8 +102,11 @@ std::string wave_json(CampaignSpec const& spec, GeneratedWave const& wave, WaveC
             json["bands"].push_back(std::move(entry));
         }
     }
-    if (wave.vertical_match.all.mean_ratio > 0) {
-        json["vertical_match"] = match_json(wave.vertical_match);
+    for (auto const& [name, match] :
+         {std::pair{"transverse_match", &wave.transverse_match}, std::pair{"vertical_match", &wave.vertical_match}}) {
+        if (match->all.mean_ratio > 0) {
+            json[name] = match_json(*match);
+        }
     }
     Json acceptance{{"rule", spec.source->acceptance()}};
     acceptance["accepted"] = check.clauses.empty() ? Json() : Json(all_passed(check.clauses));

@@ -1,5 +1,7 @@
 #include "report/wave_figure.hpp"
 
+#include <utility>
+
 #include "motion/intensity.hpp"
 #include "report/figure.hpp"
 #include "spectra/input_energy.hpp"
@@ -91,9 +93,15 @@ Json wave_data(WaveFigure const& figure) {
               {"v_e_mps", input_energy_velocities(motion.horizontal_mps2, step, periods, energy_damping)},
               {"v_e0_mps", undamped_energy_velocities(motion.horizontal_mps2, step, periods)},
               {"bodies", bodies_json(figure)}};
-    if (!motion.vertical_mps2.empty()) {
-        data["vertical_mps2"] = motion.vertical_mps2;
-        data["vertical_psa_mps2"] = response_spectrum(motion.vertical_mps2, step, periods, figure.damping).psa_mps2;
+    data["further"] = Json::array();
+    for (auto const& [name, values] :
+         {std::pair{"transverse", &motion.transverse_mps2}, std::pair{"vertical", &motion.vertical_mps2}}) {
+        if (!values->empty()) {
+            data["further"].push_back(
+                {{"name", name},
+                 {"acceleration_mps2", *values},
+                 {"psa_mps2", response_spectrum(*values, step, periods, figure.damping).psa_mps2}});
+        }
     }
     if (energy_target) {
         data["energy_target"] = energy_target_json(*figure.target, periods);

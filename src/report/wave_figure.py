@@ -5,11 +5,14 @@ import sys
 import textwrap
 
 import style
-from style import BLUE, BODIES, GREY, INK, ORANGE, SKY, number
+from style import BLUE, BODIES, GREEN, GREY, INK, ORANGE, SKY, number
 
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullFormatter
+
+
+FURTHER = {"transverse": (GREEN, ":"), "vertical": (SKY, "-.")}  # components beside the rocking plane
 
 
 def mark_peak(axes, time, values, text):
@@ -80,8 +83,9 @@ def draw_response(axes, data):
                               alpha=0.28, lw=0, label=band["name"])
         axes.plot(t, psa, color=INK, lw=1.0, ls="--", label=f"target {target['name']}")
     axes.plot(periods, data["psa_mps2"], color=BLUE, lw=1.2, label=f"this wave, {damping}")
-    if "vertical_psa_mps2" in data:
-        axes.plot(periods, data["vertical_psa_mps2"], color=SKY, lw=0.9, ls="-.", label="vertical component")
+    for component in data["further"]:
+        colour, line = FURTHER[component["name"]]
+        axes.plot(periods, component["psa_mps2"], color=colour, lw=0.9, ls=line, label=f"{component['name']} component")
     axes.set_yscale("log")
     top = max(data["psa_mps2"] + (target["psa_mps2"] if target else []))
     axes.set_ylim(max(min(data["psa_mps2"]) / 1.5, top / 3e4), 2.2 * top)
@@ -117,8 +121,7 @@ def draw(data, path):
     style.use()
     step = data["time_step_s"]
     bodies = grouped(data["bodies"])
-    vertical = "vertical_mps2" in data
-    rows = ["acceleration"] + (["vertical"] if vertical else []) + ["velocity", "displacement"]
+    rows = ["acceleration"] + [component["name"] for component in data["further"]] + ["velocity", "displacement"]
     rows += ["energy"] if bodies else []
     heights = [{"acceleration": 1.5, "energy": 1.9}.get(row, 1.0) for row in rows] + [3.1]
     figure = plt.figure(figsize=(8.27, 1.25 + 1.12 * sum(heights)), layout="constrained")
@@ -131,9 +134,10 @@ def draw(data, path):
     draw_history(axes["acceleration"], time, np.array(data["acceleration_mps2"]), "acceleration", "m/s²",
                  f"PGA {number(data['pga_mps2'])} m/s² = {number(100 * data['pga_mps2'], 4)} gal")
     axes["acceleration"].set_title(textwrap.fill(data["subtitle"], 125), fontsize=7.5, fontweight="normal", color=GREY)
-    if vertical:
-        values = np.array(data["vertical_mps2"])
-        draw_history(axes["vertical"], time, values, "vertical", "m/s²", f"{number(np.max(np.abs(values)))} m/s²")
+    for component in data["further"]:
+        values = np.array(component["acceleration_mps2"])
+        draw_history(axes[component["name"]], time, values, component["name"], "m/s²",
+                     f"{number(np.max(np.abs(values)))} m/s²")
     draw_history(axes["velocity"], time, np.array(data["velocity_mps"]), "velocity", "m/s",
                  f"PGV {number(data['pgv_mps'])} m/s")
     draw_history(axes["displacement"], time, np.array(data["displacement_m"]), "displacement", "m",

@@ -76,6 +76,25 @@ TEST(TrialPurity, AloneAndInACrowd) {
     EXPECT_TRUE(same_bits(block.waves[0], wave.row));
     EXPECT_TRUE(same_bits(block.trials[1], run_trial(spec, wave, 0, 1)));
     EXPECT_GT(block.waves[0].vertical_pga_mps2, 0);
+    EXPECT_EQ(block.waves[0].transverse_pga_mps2, 0);
+}
+
+// Requirement: how each component was matched is stored with the wave.
+TEST(TrialPurity, TransverseMotionIsReportedAndChangesNoTrial) {
+    auto const transverse = testing::quick_waves + "[waves.transverse]\nratio=0.85\n" + vertical + testing::type_b
+                            + scatter + testing::levels("values=[4,6]\n");
+    auto const spec = campaign_from(small_campaign);
+    auto const other = campaign_from(transverse);
+    auto const without = prepared(spec, 1);
+    auto const with = prepared(other, 1);
+    auto const& row = with.row;
+    EXPECT_TRUE(same_bits(run_trial(spec, without, 0, 1), run_trial(other, with, 0, 1)));
+    EXPECT_EQ(row.vertical_pga_mps2, without.row.vertical_pga_mps2);
+    EXPECT_EQ(without.row.transverse_match_mean_misfit, 0);
+    EXPECT_GT(row.transverse_pga_mps2, 0);
+    EXPECT_GT(row.transverse_match_mean_misfit, 0);
+    EXPECT_GE(row.transverse_match_worst_decade, row.transverse_match_mean_misfit);
+    EXPECT_NE(row.transverse_match_mean_misfit, row.vertical_match_mean_misfit);
 }
 
 TEST(TrialPurity, MoreWaves) { expect_same_trials(campaign_from(with_count(small_campaign, 900)), 0, {0, 1}); }

@@ -1,5 +1,6 @@
 // Requirement: the program says of each wave how right it is, clause by clause, and of a run how many waves it refused.
 #include <cmath>
+#include <sstream>
 
 #include <nlohmann/json.hpp>
 
@@ -42,6 +43,19 @@ TEST_F(Acceptance, WaveReportsEveryClause) {
     EXPECT_EQ(json.at("bands").size(), 2U);
     EXPECT_GT(json.at("vertical_match").at("mean_misfit").get<double>(), 0);
     EXPECT_LT(std::abs(json.at("correlation").get<double>()), 0.16);
+    EXPECT_FALSE(json.contains("transverse_match"));
+    EXPECT_GT(json.at("vertical_pga_mps2").get<double>(), 0);
+
+    auto const csv = overturn(folder, {"wave", "c.toml", "--wave", "1"});
+    double pga = 0;
+    std::istringstream lines(csv.out);
+    for (std::string line; std::getline(lines, line);) {
+        auto const comma = line.find(',');
+        pga = std::max(pga, std::abs(std::strtod(line.c_str() + comma + 1, nullptr)));
+    }
+    EXPECT_NEAR(json.at("pga_mps2").get<double>(), pga, 1e-12 * pga);
+    EXPECT_GT(json.at("pgv_mps").get<double>(), 0);
+    EXPECT_GT(json.at("pgd_m").get<double>(), 0);
 
     auto const written = overturn(folder, {"wave", "c.toml", "--wave", "1", "-o", "w.csv"});
     EXPECT_NE(written.err.find("japan: SI ratio"), std::string::npos) << written.err;
@@ -71,7 +85,7 @@ TEST_F(Acceptance, RunPlanAndStatusCountRefusedWaves) {
     EXPECT_NE(status.out.find("4 not accepted by japan"), std::string::npos) << status.out;
     EXPECT_NE(status.out.find("failed trials: 24 (wave-not-accepted 24)"), std::string::npos) << status.out;
     EXPECT_NE(status.out.find("  trial 4: wave 0, type-b, pga 6 m/s2: wave-not-accepted ("), std::string::npos);
-    EXPECT_NE(status.out.find("  not met by 4 waves: SI ratio\n"), std::string::npos) << status.out;
+    EXPECT_NE(status.out.find("  not met by 4 waves: judged to\n"), std::string::npos) << status.out;
     EXPECT_EQ(run.out.find("rungs: 24 at-rest"), std::string::npos) << "what failed was on no rung";
     EXPECT_NE(status.out.find("  and 4 more"), std::string::npos) << status.out;
 }

@@ -95,7 +95,10 @@ TEST_F(Figures, DrawWhatIsMeasured) {
     EXPECT_EQ(wave["target"]["name"], "target.csv");
     EXPECT_NEAR(wave["target"]["psa_mps2"][0].get<double>(), 2.5, 1e-12);
     EXPECT_EQ(wave["target"]["bands"][0]["lower"], 0.9);
-    EXPECT_EQ(wave["vertical_mps2"].size(), wave["acceleration_mps2"].size());
+    ASSERT_EQ(wave["further"].size(), 1U);
+    EXPECT_EQ(wave["further"][0]["name"], "vertical");
+    EXPECT_EQ(wave["further"][0]["acceleration_mps2"].size(), wave["acceleration_mps2"].size());
+    EXPECT_EQ(wave["further"][0]["psa_mps2"].size(), wave["period_s"].size());
     EXPECT_LT(wave["target"]["period_s"].back().get<double>(), 10.0 + 1e-9);
 }
 

@@ -41,6 +41,20 @@ TEST(Records, TablesPlaceComponents) {
     EXPECT_TRUE(made.motion.transverse_mps2.empty());
 }
 
+// Requirement: a record may be scaled, all components alike, and the run says so.
+TEST(Records, ScaleIsForAllComponents) {
+    auto const one = source_of(
+        "source='records'\n[[records]]\nhorizontal='a.csv'\nvertical='b.csv'\nunit='m/s2'\nscale=1.5\n", files);
+    auto const made = one->make(1, 0);
+    EXPECT_EQ(made.motion.horizontal_mps2, (std::vector<double>{0, 15, -30}));
+    EXPECT_EQ(made.motion.vertical_mps2, (std::vector<double>{0, 1.5, 3}));
+    EXPECT_EQ(made.label, "a.csv, vertical b.csv (components cut to 3 samples), times 1.5");
+
+    auto const list = source_of("source='records'\nfiles=['a.csv','b.csv']\nunit='gal'\nscale=2\n", files);
+    EXPECT_DOUBLE_EQ(list->make(1, 0).motion.horizontal_mps2[2], -0.4);
+    EXPECT_EQ(list->make(1, 1).label, "b.csv, times 2");
+}
+
 TEST(Records, RefusesWhatItCannotRead) {
     auto const refuse = [](std::string const& keys, char const* where, char const* part) {
         expect_input_error([&] { (void)source_of("source='records'\n" + keys, files); }, where, part);
@@ -52,7 +66,9 @@ TEST(Records, RefusesWhatItCannotRead) {
     refuse("files=[]\nunit='gal'\n", "c.toml:2:", "empty");
     refuse("unit='gal'\n", "c.toml:1:", "either files or records");
     refuse("[[records]]\nhorizontal='a.csv'\nvertical='slow.csv'\nunit='gal'\n", "c.toml:4:", "time step 0.02 s");
-    refuse("[[records]]\nhorizontal='a.csv'\nunit='gal'\nscale=2\n", "c.toml:5:", "unknown key");
+    refuse("[[records]]\nhorizontal='a.csv'\nunit='gal'\nfilter=2\n", "c.toml:5:", "unknown key");
+    refuse("files=['a.csv']\nunit='gal'\nscale=0\n", "c.toml:4:", "scale");
+    refuse("files=['a.csv']\nunit='gal'\nscale='2 gal'\n", "c.toml:4:", "scale");
     refuse("files=['a.csv']\nunit='gal'\ntime_step='0.02 s'\n", "c.toml:2:", "resample = \"coarser\"");
     refuse("files=['a.csv']\nunit='gal'\ncomponents='sation'\n", "c.toml:4:", "Did you mean 'station'?");
     refuse("files=['a.csv']\nunit='gal'\ncomponents='station'\n", "a.csv", "station or direction not stated");
