@@ -6,26 +6,39 @@
 namespace overturn {
 namespace {
 
-// Per sample, the share of a unit sample in the end velocity / dt and the end displacement / dt^2.
-struct EndShare {
-    double velocity, displacement;
+struct Ends {
+    double velocity, displacement;  // over dt and dt^2
 };
 
-EndShare end_share(std::size_t i, std::size_t last) {
-    if (i == 0) {
-        return {0.5, 0.5 * static_cast<double>(last) - 1.0 / 6};
+// From rest, of accelerations on straight lines: a sample's share in the end velocity is 1, in the end displacement the
+// number of samples that follow; the first and the last have half of a triangle. Four sums side by side, as one would
+// wait for itself.
+Ends ends_of(std::span<double const> a, int last) {
+    constexpr int width = 4;
+    std::array<double, width> velocity{}, displacement{};
+    int i = 1;
+    for (; i + width <= last; i += width) {
+        for (int j = 0; j < width; ++j) {
+            double const value = a[i + j];
+            velocity[j] += value;
+            displacement[j] += (last - i - j) * value;
+        }
     }
-    if (i == last) {
-        return {0.5, 1.0 / 6};
+    for (; i < last; ++i) {
+        velocity[0] += a[i];
+        displacement[0] += (last - i) * a[i];
     }
-    return {1, static_cast<double>(last - i)};
+    Ends ends{0.5 * (a[0] + a[last]), (0.5 * last - 1.0 / 6) * a[0] + a[last] / 6};
+    for (int j = 0; j < width; ++j) {
+        ends.velocity += velocity[j];
+        ends.displacement += displacement[j];
+    }
+    return ends;
 }
 
-std::array<double, 2> shapes(std::size_t i, double share_per_sample) {
-    double const s = static_cast<double>(i) * share_per_sample;
-    double const bump = s * (1 - s);
-    return {bump, bump * (2 * s - 1)};
-}
+// Zero at both ends, of the share of the duration; the second is odd about the middle and has no end velocity.
+double bump(double s) { return s * (1 - s); }
+double wave(double s) { return bump(s) * (2 * s - 1); }
 
 }  // namespace
 
@@ -33,30 +46,21 @@ void correct_baseline(std::span<double> acceleration_mps2) {
     if (acceleration_mps2.size() < 5) {
         return;
     }
-    std::size_t const last = acceleration_mps2.size() - 1;
-    double const per_sample = 1 / static_cast<double>(last);
-    double v0 = 0, v1 = 0, d0 = 0, d1 = 0;
-    for (std::size_t i = 0; i <= last; ++i) {
-        auto const share = end_share(i, last);
-        auto const shape = shapes(i, per_sample);
-        v0 += share.velocity * shape[0];
-        v1 += share.velocity * shape[1];
-        d0 += share.displacement * shape[0];
-        d1 += share.displacement * shape[1];
-    }
-    double const determinant = v0 * d1 - v1 * d0;
+    int const last = static_cast<int>(acceleration_mps2.size()) - 1;
+    double const n = last;
+    double const per_sample = 1 / n;
+    double const squares = (n - 1) * (2 * n - 1) / (6 * n);  // sums of (i/n)^k over 0 < i < n
+    double const cubes = (n - 1) * (n - 1) / (4 * n);
+    double const fourths = (n - 1) * (2 * n - 1) * (3 * n * n - 3 * n - 1) / (30 * n * n * n);
+    Ends const by_bump{(n * n - 1) / (6 * n), (n * n - 1) / 12};
+    double const displacement_by_wave = n * (2 * fourths - 3 * cubes + squares);
     for (int pass = 0; pass < 2; ++pass) {  // the second removes what rounding left
-        double v = 0, d = 0;
-        for (std::size_t i = 0; i <= last; ++i) {
-            auto const share = end_share(i, last);
-            v += share.velocity * acceleration_mps2[i];
-            d += share.displacement * acceleration_mps2[i];
-        }
-        double const c0 = (v * d1 - v1 * d) / determinant;
-        double const c1 = (v0 * d - v * d0) / determinant;
-        for (std::size_t i = 0; i <= last; ++i) {
-            auto const shape = shapes(i, per_sample);
-            acceleration_mps2[i] -= c0 * shape[0] + c1 * shape[1];
+        auto const ends = ends_of(acceleration_mps2, last);
+        double const bumps = ends.velocity / by_bump.velocity;
+        double const waves = (ends.displacement - bumps * by_bump.displacement) / displacement_by_wave;
+        for (int i = 0; i <= last; ++i) {
+            double const s = i * per_sample;
+            acceleration_mps2[i] -= bumps * bump(s) + waves * wave(s);
         }
     }
 }

@@ -32,12 +32,12 @@ class LineGains {
   private:
     // What each band of lines puts into each swing, in parts of it; bands beyond an oscillator's reach are left out.
     struct Matrix {
-        std::vector<double> values;
+        std::vector<float> values;
         std::vector<std::size_t> used;  // bands per row
     };
     [[nodiscard]] Matrix contributions(std::span<std::complex<double> const> lines, std::span<PeakSwing const> swings,
                                        std::span<double const> envelope) const;
-    [[nodiscard]] std::vector<double> solve(Matrix const& matrix, std::vector<double> residual, Trust trust) const;
+    [[nodiscard]] std::vector<float> solve(Matrix const& matrix, std::vector<float> residual, Trust trust) const;
 
     std::vector<double> periods_s_;
     double damping_, spacing_radps_;

@@ -6,214 +6,252 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "spectra/response_spectrum.hpp"
-#include "spectra/wide.hpp"
 
 namespace overturn {
+namespace {
 
-// Per block of samples: the largest x^2 in it, x before it, and x one sample earlier; 16 of each.
-struct PeakResponse::Sweep {
-    static constexpr std::size_t block_samples = 32;
-    static constexpr std::size_t values_per_block = 3 * wide::lanes;
+constexpr double rounding = 1e-9;           // by which a bound may err
+constexpr double least_oscillating = 0.95;  // damping from which C says little
+constexpr int looks_per_period = 24;        // at least; between two looks a swing rises by 2 % of its height at most
 
-    std::span<double const> acceleration;
-    Group const* group;
-    double* blocks;
+std::size_t stride_of(double period_s, double time_step_s) {
+    double const room = period_s / (looks_per_period * time_step_s);
+    return room >= 8 ? 8 : room >= 2 ? 2 : 1;
+}
 
-    template <int bytes> OVERTURN_INLINE void run() const {
-        using R = wide::Registers<bytes>;
-        R ahead, behind, now, last, x, before, square;
-        R::load(ahead, group->ahead.data());
-        R::load(behind, group->behind.data());
-        R::load(now, group->now.data());
-        R::load(last, group->last.data());
-        R::clear(x);
-        R::clear(before);
-        double a0 = 0;
-        double a1 = acceleration[0];
-        double* block = blocks;
-        for (std::size_t n = 1; n < acceleration.size(); block += values_per_block) {
-            R::store(block + wide::lanes, x);
-            R::store(block + 2 * wide::lanes, before);
-            R::clear(square);
-            for (std::size_t const end = std::min(n + block_samples, acceleration.size()); n < end; ++n) {
-                double const a2 = acceleration[n];
-                auto const filled = wide::filled<typename R::Vector>(a2);
-#pragma GCC unroll 8
-                for (int r = 0; r < R::count; ++r) {
-                    auto const forced = wide::fma(now.at[r], a1, wide::fma(last.at[r], a0, filled));
-                    auto const next = wide::fma(x.at[r], ahead.at[r], wide::fma(before.at[r], behind.at[r], forced));
-                    before.at[r] = x.at[r];
-                    x.at[r] = next;
-                    square.at[r] = wide::max(next * next, square.at[r]);
-                }
-                a0 = a1;
-                a1 = a2;
-            }
-            R::store(block, square);
-        }
+// |C|, over a step from (y, v), of the free vibration about the ground's line p: |y''| <= w^2 |C|, so that y strays
+// from the straight line between two samples by dt^2/8 times that.
+struct Bend {
+    double real_a0, real_a1, imaginary_y, imaginary_v, imaginary_a0, imaginary_a1, scale;
+
+    Bend(double w, double damping, double dt) {
+        double const per_slope = -2 * damping / (w * w * w * dt);  // of a1 - a0 in y - p
+        imaginary_v = 1 / (w * std::sqrt(1 - damping * damping));
+        imaginary_y = damping * w * imaginary_v;
+        real_a0 = 1 / (w * w) - per_slope;
+        real_a1 = per_slope;
+        imaginary_a0 = imaginary_y * real_a0 - imaginary_v / (w * w * dt);
+        imaginary_a1 = imaginary_y * real_a1 + imaginary_v / (w * w * dt);
+        scale = w * w * dt * dt / 8;
+    }
+    [[nodiscard]] double operator()(double y, double v, double a0, double a1) const {
+        double const real = y + (real_a0 * a0 + real_a1 * a1);
+        double const imaginary = imaginary_y * y + imaginary_v * v + (imaginary_a0 * a0 + imaginary_a1 * a1);
+        return scale * (std::abs(real) + std::abs(imaginary));
     }
 };
 
-namespace {
-
-// Odd taps of a half-band low-pass, sinc under a Hamming window; the even ones are 0, the middle one is 1/2.
-constexpr std::size_t odd_taps = 6;
-std::array<double, odd_taps> half_band_taps() {
-    std::array<double, odd_taps> taps{};
-    double sum = 0;
-    for (std::size_t m = 0; m < odd_taps; ++m) {
-        auto const k = static_cast<double>(2 * m + 1);
-        double const window = 0.54 + 0.46 * std::cos(pi * k / (2 * odd_taps));
-        taps.at(m) = std::sin(pi * k / 2) / (pi * k) * window;
-        sum += 2 * taps.at(m);
-    }
-    for (double& tap : taps) {
-        tap *= 0.5 / sum;
-    }
-    return taps;
-}
-
-// Every second sample of the low-passed series; nothing lies beyond its ends.
-std::vector<double> thinned(std::span<double const> series) {
-    static std::array<double, odd_taps> const taps = half_band_taps();
-    constexpr std::size_t reach = 2 * odd_taps - 1;
-    std::vector<double> padded(series.size() + 2 * reach + 1, 0.0);
-    std::copy(series.begin(), series.end(), padded.begin() + reach);
-    std::vector<double> half(series.size() / 2 + 1);
-    for (std::size_t i = 0; i < half.size(); ++i) {
-        double const* const middle = padded.data() + reach + 2 * i;
-        double sum = 0.5 * *middle;
-        for (std::size_t m = 0; m < odd_taps; ++m) {
-            auto const k = static_cast<std::ptrdiff_t>(2 * m + 1);
-            sum += taps[m] * (middle[-k] + middle[k]);
-        }
-        half[i] = sum;
-    }
-    return half;
-}
-
-std::size_t thinning_of(double period_s, double time_step_s) {
-    constexpr double points_per_period = 24;
-    double const room = std::log2(period_s / (points_per_period * time_step_s));
-    return room < 1 ? 0 : static_cast<std::size_t>(room);
-}
-
-// Straight lines between samples pass a sinusoid with sinc^2.
-double straight_line_gain(double step_s, double period_s) {
-    double const x = pi * step_s / period_s;
-    double const sinc = std::sin(x) / x;
-    return sinc * sinc;
-}
-
-// The extremum of the parabola through three points, the middle one the highest, beyond its own value.
-double beyond_middle(double left, double middle, double right) {
-    double const curvature = left - 2 * middle + right;
-    double const slope = (right - left) / 2;
-    return curvature != 0 ? -slope * slope / (2 * curvature) : 0.0;
-}
-
 }  // namespace
 
-PeakResponse::PeakResponse(std::vector<double> const& periods_s, double damping, double time_step_s) {
-    constexpr double least_margin = 0.6;
+struct PeakResponse::Close {
+    std::span<double const> series;
+    Group const* group;
+    SweepBlocks const* blocks;
+
+    [[nodiscard]] double state(std::size_t lane, std::size_t block) const {
+        return blocks->at(block)[wide::lanes + lane];
+    }
+    [[nodiscard]] double other(std::size_t lane, std::size_t block) const {
+        return blocks->at(block)[2 * wide::lanes + lane];
+    }
+    [[nodiscard]] std::size_t end(std::size_t first) const {
+        return std::min(first + SweepBlocks::samples, series.size());
+    }
+};
+
+PeakResponse::PeakResponse(std::vector<double> const& periods_s, double damping, double time_step_s)
+    : damping_(damping), time_step_s_(time_step_s) {
     for (std::size_t i = 0; i < periods_s.size(); ++i) {
         double const period = periods_s[i];
         OVERTURN_EXPECT(i == 0 || period > periods_s[i - 1]);
-        auto const thinning = thinning_of(period, time_step_s);
-        if (groups_.empty() || groups_.back().count == wide::lanes || groups_.back().thinning != thinning) {
-            groups_.push_back(
-                {i, 0, thinning, std::ldexp(time_step_s, static_cast<int>(thinning)), {}, {}, {}, {}, {}});
+        int const steps = steps_per_sample(period, time_step_s, {});
+        auto const stride = stride_of(period, time_step_s);
+        auto const form = stride > 1                                 ? SweepForm::strided
+                          : steps > 1 && damping < least_oscillating ? SweepForm::amplitude
+                                                                     : SweepForm::samples;
+        if (groups_.empty() || groups_.back().count == wide::lanes || groups_.back().swept.form != form
+            || groups_.back().swept.stride != stride) {
+            groups_.push_back({i, 0, {.form = form, .stride = stride}});
         }
         auto& group = groups_.back();
         double const w = 2 * pi / period;
-        int const steps = steps_per_sample(period, group.sample_s, {});
-        double const turn = std::cos(std::min(pi * group.sample_s / period, pi / 2));
-        oscillators_.push_back(
-            {.sample = OscillatorStep(w, damping, group.sample_s),
-             .fine = OscillatorStep(w, damping, group.sample_s / steps),
-             .steps = steps,
-             .gain = straight_line_gain(time_step_s, period) / straight_line_gain(group.sample_s, period),
-             .margin = std::max(least_margin, turn * turn)});
-        auto const& c = oscillators_.back().sample;
+        OscillatorStep const sample(w, damping, time_step_s);
+        oscillators_.push_back({w, steps, sample, OscillatorStep(w, damping, time_step_s / steps)});
         for (std::size_t lane = group.count; lane < wide::lanes; ++lane) {  // idle lanes repeat the last
-            group.ahead.at(lane) = c.yy + c.vv;
-            group.behind.at(lane) = c.yv * c.vy - c.yy * c.vv;
-            group.now.at(lane) = (c.ya0 - c.vv * c.ya1 + c.yv * c.va1) / c.ya1;
-            group.last.at(lane) = (c.yv * c.va0 - c.vv * c.ya0) / c.ya1;
-            group.unit.at(lane) = c.ya1;
+            group.swept.set(lane, w, damping, sample, time_step_s);
         }
         ++group.count;
     }
 }
 
-PeakSwing PeakResponse::peak(std::span<double const> series, Group const& group, std::size_t lane,
-                             std::vector<double> const& blocks) const {
-    auto const& o = oscillators_[group.first + lane];
-    std::size_t const count = blocks.size() / Sweep::values_per_block;
-    double highest = 0;
-    for (std::size_t b = 0; b < count; ++b) {
-        highest = std::max(highest, blocks[b * Sweep::values_per_block + lane]);
+PeakResponse::Ground PeakResponse::ground_of(std::span<double const> series) {
+    Ground ground;
+    for (std::size_t first = 1; first < series.size(); first += SweepBlocks::samples) {
+        double most = std::abs(series[first - 1]);
+        double steepest = 0;
+        for (std::size_t n = first; n < std::min(first + SweepBlocks::samples, series.size()); ++n) {
+            most = std::max(most, std::abs(series[n]));
+            steepest = std::max(steepest, std::abs(series[n] - series[n - 1]));
+        }
+        ground.most.push_back(most);
+        ground.steepest.push_back(steepest);
+        ground.peak = std::max(ground.peak, most);
     }
-    PeakSwing found;
-    double best = 0;
-    for (std::size_t b = 0; b < count; ++b) {
-        double const* const block = blocks.data() + b * Sweep::values_per_block;
-        if (block[lane] < o.margin * highest || highest == 0) {
+    return ground;
+}
+
+// Puts the largest |y| that there may be in place of |C|^2: the ground's line, and the free vibration about it.
+void PeakResponse::bound_blocks(Group const& group, Ground const& ground, SweepBlocks& blocks) const {
+    LaneValues per_most{}, per_steepest{};
+    for (std::size_t lane = 0; lane < wide::lanes; ++lane) {
+        double const w = oscillators_[group.first + std::min(lane, group.count - 1)].w;
+        per_most[lane] = (1 + rounding) / (w * w);
+        per_steepest[lane] = (1 + rounding) * 2 * damping_ / (w * w * w * time_step_s_);
+    }
+    blocks.highest.fill(0);
+    for (std::size_t b = 0; b < blocks.count(); ++b) {
+        double* const block = blocks.at(b);
+        for (std::size_t lane = 0; lane < wide::lanes; ++lane) {
+            double const line = per_most[lane] * ground.most[b] + per_steepest[lane] * ground.steepest[b];
+            block[lane] = line + (1 + rounding) * group.swept.unit[lane] * std::sqrt(block[lane]);
+            blocks.highest[lane] = std::max(blocks.highest[lane], block[lane]);
+        }
+    }
+}
+
+// x^2 in a block from which the peak may lie in it. Between two looks, h apart, y strays from the line between them by
+// h^2/8 max |y''|; |y''| <= |a| + w^2 |y| + 2 zeta w |y'| and |y'| <= 2 |y| / h + h/2 |y''|.
+PeakResponse::LaneValues PeakResponse::limits(Group const& group, SweepBlocks const& blocks, double peak_mps2) const {
+    LaneValues limit{};
+    for (std::size_t lane = 0; lane < wide::lanes; ++lane) {
+        auto const& o = oscillators_[group.first + std::min(lane, group.count - 1)];
+        if (group.swept.form == SweepForm::samples) {
+            limit[lane] = o.steps == 1 ? blocks.highest[lane] : 0;
             continue;
         }
-        std::size_t const first = 1 + b * Sweep::block_samples;
-        double y = group.unit.at(lane) * block[wide::lanes + lane];
-        double v = 0;
-        if (first > 1) {
-            double const a0 = series[first - 2];
-            double const a1 = series[first - 1];
-            double const y0 = group.unit.at(lane) * block[2 * wide::lanes + lane];
-            double const v0 = (y - o.sample.yy * y0 - o.sample.ya0 * a0 - o.sample.ya1 * a1) / o.sample.yv;
-            v = o.sample.vy * y0 + o.sample.vv * v0 + o.sample.va0 * a0 + o.sample.va1 * a1;
+        double const h = static_cast<double>(group.swept.stride) * time_step_s_;
+        double const y = std::abs(group.swept.unit[lane]) * std::sqrt(blocks.highest[lane]);
+        double const given = 1 - damping_ * o.w * h - o.w * o.w * h * h / 8;
+        double const bent = (peak_mps2 + y * (o.w * o.w + 4 * damping_ * o.w / h)) / given;
+        double const least = given > 0 ? std::max(0.0, y * (1 - rounding) - h * h / 8 * bent) : 0.0;
+        double const x = least / group.swept.unit[lane];
+        limit[lane] = x * x;
+    }
+    return limit;
+}
+
+void PeakResponse::look_between(Close const& close, std::size_t lane, std::size_t block, PeakSwing& found) const {
+    auto const& series = close.series;
+    auto const& o = oscillators_[close.group->first + lane];
+    std::size_t const first = 1 + block * SweepBlocks::samples;
+    double const unit = close.group->swept.unit[lane];
+    double y = 0;
+    double v = 0;
+    bool const bends = close.group->swept.form == SweepForm::amplitude;
+    if (bends) {
+        double const slope = (series[first] - series[first - 1]) / time_step_s_;
+        double const turned = close.group->swept.now[lane];
+        double const aside = close.group->swept.last[lane];
+        double const f = unit * (turned * close.state(lane, block) - aside * close.other(lane, block));
+        double const q = unit * (aside * close.state(lane, block) + turned * close.other(lane, block));
+        y = f + (2 * damping_ * slope / o.w - series[first - 1]) / (o.w * o.w);
+        v = o.w * (std::sqrt(1 - damping_ * damping_) * q - damping_ * f) - slope / (o.w * o.w);
+    } else if (first > 1) {
+        double const a0 = series[first - 2];
+        double const a1 = series[first - 1];
+        double const y0 = unit * close.other(lane, block);
+        y = unit * close.state(lane, block);
+        double const v0 = (y - o.sample.yy * y0 - o.sample.ya0 * a0 - o.sample.ya1 * a1) / o.sample.yv;
+        v = o.sample.vy * y0 + o.sample.vv * v0 + o.sample.va0 * a0 + o.sample.va1 * a1;
+    }
+    auto const beats = [&](double value, double time_steps) {
+        if (std::abs(value) > std::abs(found.displacement_m)) {
+            found = {value, time_step_s_ * time_steps};
         }
-        double before = y;
-        for (std::size_t n = first; n < std::min(first + Sweep::block_samples, series.size()); ++n) {
-            double const rise = (series[n] - series[n - 1]) / o.steps;
-            for (int s = 0; s < o.steps; ++s) {
-                double const a0 = series[n - 1] + rise * s;
-                double const a1 = series[n - 1] + rise * (s + 1);
-                double const next = o.fine.yy * y + o.fine.yv * v + (o.fine.ya0 * a0 + o.fine.ya1 * a1);
-                v = o.fine.vy * y + o.fine.vv * v + (o.fine.va0 * a0 + o.fine.va1 * a1);
-                double const earlier = before;
-                before = y;
+    };
+    Bend const bend(o.w, bends ? damping_ : 0, time_step_s_);
+    for (std::size_t n = first; n < close.end(first); ++n) {
+        double const a0 = series[n - 1];
+        double const a1 = series[n];
+        double const y1 = o.sample.yy * y + o.sample.yv * v + (o.sample.ya0 * a0 + o.sample.ya1 * a1);
+        double const v1 = o.sample.vy * y + o.sample.vv * v + (o.sample.va0 * a0 + o.sample.va1 * a1);
+        double const height = std::max(std::abs(y), std::abs(y1)) * (1 + rounding);
+        if (o.steps > 1 && (!bends || height + bend(y, v, a0, a1) > std::abs(found.displacement_m))) {
+            double const rise = (a1 - a0) / o.steps;
+            for (int s = 0; s + 1 < o.steps; ++s) {
+                double const from = a0 + rise * s;
+                double const to = a0 + rise * (s + 1);
+                double const next = o.fine.yy * y + o.fine.yv * v + (o.fine.ya0 * from + o.fine.ya1 * to);
+                v = o.fine.vy * y + o.fine.vv * v + (o.fine.va0 * from + o.fine.va1 * to);
                 y = next;
-                if (std::abs(y) > best) {
-                    best = std::abs(y);
-                    found.time_s = group.sample_s * (static_cast<double>(n - 1) + (s + 1.0) / o.steps);
-                    found.displacement_m = y;
-                } else if (group.thinning > 0 && std::abs(before) == best && std::abs(earlier) <= best) {
-                    found.displacement_m = before + beyond_middle(earlier, before, y);
-                }
+                beats(y, static_cast<double>(n - 1) + (s + 1.0) / o.steps);
+            }
+        }
+        y = y1;
+        v = v1;
+        beats(y, static_cast<double>(n));
+    }
+}
+
+void PeakResponse::look_at_samples(Close const& close, std::size_t lane, std::size_t block, PeakSwing& found) const {
+    auto const& swept = close.group->swept;
+    double w = close.state(lane, block);
+    double d = close.other(lane, block);
+    std::size_t const first = 1 + block * SweepBlocks::samples;
+    for (std::size_t n = first; n < close.end(first); ++n) {
+        double const next = swept.ahead[lane] * d + (swept.behind[lane] * w + close.series[n]);
+        double const before = w;
+        w += d;
+        d = next;
+        double const y = swept.unit[lane] * (swept.now[lane] * w + (swept.last[lane] * before + d));
+        if (std::abs(y) > std::abs(found.displacement_m)) {
+            found = {y, time_step_s_ * static_cast<double>(n)};
+        }
+    }
+}
+
+// Into the blocks that reach a limit; where only some samples were looked at, a peak may also lie before the first.
+// What is found raises the limit of a form whose blocks hold heights.
+void PeakResponse::look(Close const& close, LaneValues limit, std::span<PeakSwing> found) const {
+    bool const strided = close.group->swept.form == SweepForm::strided;
+    bool const heights = close.group->swept.form == SweepForm::amplitude;
+    for (std::size_t b = 0; b < close.blocks->count(); ++b) {
+        double const* const block = close.blocks->at(b);
+        double const* const before = strided && b > 0 ? close.blocks->at(b - 1) : block;
+        int some = 0;
+        for (std::size_t lane = 0; lane < wide::lanes; ++lane) {
+            some |= static_cast<int>(std::max(block[lane], before[lane]) >= limit[lane]);
+        }
+        for (std::size_t lane = 0; some != 0 && lane < close.group->count; ++lane) {
+            if (std::max(block[lane], before[lane]) >= limit[lane]) {
+                strided ? look_at_samples(close, lane, b, found[lane]) : look_between(close, lane, b, found[lane]);
+                limit[lane] = heights ? std::max(limit[lane], std::abs(found[lane].displacement_m)) : limit[lane];
             }
         }
     }
-    found.displacement_m *= o.gain;
-    return found;
 }
 
 std::vector<PeakSwing> PeakResponse::swings(std::span<double const> acceleration_mps2) const {
-    std::vector<std::vector<double>> thinner;
-    std::vector<PeakSwing> found;
-    found.reserve(oscillators_.size());
-    std::vector<double> blocks;
+    std::vector<PeakSwing> swings(oscillators_.size());
+    auto const ground = ground_of(acceleration_mps2);
+    SweepBlocks blocks;
     for (auto const& group : groups_) {
-        while (thinner.size() < group.thinning) {
-            thinner.push_back(thinned(thinner.empty() ? acceleration_mps2 : std::span<double const>(thinner.back())));
+        sweep(group.swept, acceleration_mps2, blocks);
+        auto const found = std::span(swings).subspan(group.first, group.count);
+        Close const close{acceleration_mps2, &group, &blocks};
+        if (group.swept.form != SweepForm::amplitude) {
+            look(close, limits(group, blocks, ground.peak), found);
+            continue;
         }
-        auto const series =
-            group.thinning == 0 ? acceleration_mps2 : std::span<double const>(thinner[group.thinning - 1]);
-        blocks.resize(Sweep::values_per_block * ((series.size() + Sweep::block_samples - 2) / Sweep::block_samples));
-        wide::dispatch(Sweep{series, &group, blocks.data()});
+        bound_blocks(group, ground, blocks);
+        look(close, blocks.highest, found);  // the more there is to beat, the less is left to look at
+        LaneValues limit{};
         for (std::size_t lane = 0; lane < group.count; ++lane) {
-            found.push_back(peak(series, group, lane, blocks));
+            limit[lane] = std::abs(found[lane].displacement_m);
         }
+        look(close, limit, found);
     }
-    return found;
+    return swings;
 }
 
 }  // namespace overturn

@@ -32,6 +32,16 @@ std::vector<std::size_t> swept_periods(std::span<double const> periods_s, double
     return swept;
 }
 
+std::vector<std::size_t> every_second(std::vector<std::size_t> const& all) {
+    std::vector<std::size_t> some;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (i % 2 == 0 || i + 1 == all.size()) {
+            some.push_back(all[i]);
+        }
+    }
+    return some;
+}
+
 // Sums of squares over a window around each sample.
 std::vector<double> smoothed_power(std::span<double const> series, std::size_t half_window) {
     std::vector<double> sums(series.size() + 1, 0.0);
@@ -65,6 +75,15 @@ void sharpen(std::vector<double>& envelope, std::span<double const> acceleration
     }
 }
 
+// What swings will be under another envelope, which changes slowly beside their memory.
+void foresee(std::span<PeakSwing> swings, std::span<double const> before, std::span<double const> after,
+             double time_step_s) {
+    for (auto& swing : swings) {
+        auto const sample = std::min(static_cast<std::size_t>(swing.time_s / time_step_s), before.size() - 1);
+        swing.displacement_m *= before[sample] > 0 ? after[sample] / before[sample] : 1.0;
+    }
+}
+
 }  // namespace
 
 SpectrumMatcher::SpectrumMatcher(SpectrumMatcherInput input)
@@ -78,56 +97,61 @@ SpectrumMatcher::SpectrumMatcher(SpectrumMatcherInput input)
               .refined = input_.calibrated}) {
     double const dt = input_.time_step_s;
     double const shortest = std::max(shortest_period_s, 2 * dt);
-    periods_s_ = log_periods_per_decade(shortest, input_.longest_s, periods_per_decade);
-    for (double const period : periods_s_) {
-        target_mps_.push_back(input_.target.psv_mps(period));
+    judged_.period_s = log_periods_per_decade(shortest, input_.longest_s, periods_per_decade);
+    for (double const period : judged_.period_s) {
+        judged_.target_mps.push_back(input_.target.psv_mps(period));
     }
+    double const damping = input_.target.damping();
     constexpr double dense_from_steps = 64;
-    swept_ = swept_periods(periods_s_, dense_from_steps * dt);
-    std::vector<double> swept_s;
-    swept_s.reserve(swept_.size());
-    for (auto const i : swept_) {
-        swept_s.push_back(periods_s_[i]);
+    auto const swept = swept_periods(judged_.period_s, dense_from_steps * dt);
+    looks_.emplace_back(judged_, every_second(swept), damping, noise_);
+    looks_.emplace_back(judged_, swept, damping, noise_);
+    for (std::size_t i = 0; i < judged_.period_s.size(); ++i) {
+        if (!std::binary_search(swept.begin(), swept.end(), i)) {
+            left_.push_back(i);
+        }
     }
-    sweep_.emplace(swept_s, input_.target.damping(), dt);
-    gains_.emplace(swept_s, input_.target.damping(), noise_.spacing_radps(), noise_.first(), noise_.count());
+    rest_.emplace(judged_.at(left_), damping, dt);
     if (input_.calibrated) {
         median_ = calibrate(noise_, input_.target,
                             log_periods_per_decade(shortest, input_.longest_s, periods_per_decade / 2));
     }
 }
 
+// The exact spectrum over the target.
 std::vector<double> SpectrumMatcher::ratios(std::span<double const> acceleration_mps2) const {
     double const damping = input_.target.damping();
-    bool const energy = input_.target.is_energy();
-    auto values = energy ? input_energy_velocities(acceleration_mps2, input_.time_step_s, periods_s_, damping)
-                         : displacement_spectrum(acceleration_mps2, input_.time_step_s, periods_s_, damping);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        values[i] *= (energy ? 1 : 2 * pi / periods_s_[i]) / target_mps_[i];
+    double const dt = input_.time_step_s;
+    std::vector<double> values(judged_.period_s.size());
+    if (input_.target.is_energy()) {
+        auto const velocities = input_energy_velocities(acceleration_mps2, dt, judged_.period_s, damping);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            values[i] = velocities[i] / judged_.target_mps[i];
+        }
+        return values;
     }
-    return values;
+    return exact(acceleration_mps2, looks_.back().swings(acceleration_mps2));
 }
 
-std::vector<double> SpectrumMatcher::swept_ratios(std::span<PeakSwing const> swings) const {
-    std::vector<double> values(periods_s_.size());
-    for (std::size_t s = 0; s < swept_.size(); ++s) {
-        auto const i = swept_[s];
-        values[i] = std::abs(swings[s].displacement_m) * 2 * pi / (periods_s_[i] * target_mps_[i]);
-        if (s > 0 && swept_[s - 1] + 2 == i) {
-            values[i - 1] = (values[i - 2] + values[i]) / 2;
-        }
+// The same from the swings of the closest look, which need not be found again.
+std::vector<double> SpectrumMatcher::exact(std::span<double const> acceleration_mps2,
+                                           std::span<PeakSwing const> swings) const {
+    auto values = looks_.back().ratios(swings);
+    auto const others = rest_->swings(acceleration_mps2);
+    for (std::size_t i = 0; i < left_.size(); ++i) {
+        values[left_[i]] = judged_.ratio(left_[i], others[i].displacement_m);
     }
     return values;
 }
 
 double SpectrumMatcher::shortfall(std::span<double const> ratios) const {
-    auto const all = match_figures(periods_s_, ratios, 0, input_.longest_s);
+    auto const all = match_figures(judged_.period_s, ratios, 0, input_.longest_s);
     auto const& rule = input_.rule;
-    double const misfit = std::max(all.mean_misfit, worst_decade_misfit(periods_s_, ratios)) / input_.tolerance;
+    double const misfit = std::max(all.mean_misfit, worst_decade_misfit(judged_.period_s, ratios)) / input_.tolerance;
     if (!rule.asks()) {
         return misfit;
     }
-    double const si = spectral_intensity_ratio(periods_s_, ratios, input_.target);
+    double const si = spectral_intensity_ratio(judged_.period_s, ratios, input_.target);
     return std::max({misfit, (1 - all.lowest_ratio) / (1 - rule.lowest_ratio),
                      (all.highest_ratio - 1) / (rule.highest_ratio - 1), all.longest_below / rule.most_adjacent_below,
                      all.cov / rule.largest_cov, std::abs(all.mean_ratio - 1) / rule.largest_mean_error,
@@ -140,70 +164,48 @@ void SpectrumMatcher::scale_lines(Lines& lines, std::span<double const> ratios) 
     for (double& value : divisors) {
         value = std::clamp(value / input_.rule.aim, 1 / most, most);
     }
-    divide_lines(lines, noise_.spacing_radps(), periods_s_, divisors);
+    divide_lines(lines, noise_.spacing_radps(), judged_.period_s, divisors);
 }
 
-SpectrumMatcher::Component SpectrumMatcher::judged(std::vector<double> acceleration_mps2, int iterations) const {
+SpectrumMatcher::Component SpectrumMatcher::judged(std::vector<double> acceleration_mps2, std::vector<double> ratios,
+                                                   int iterations) const {
     constexpr double long_from_s = 1;
     constexpr double long_to_s = 10;
     Component component;
-    component.ratios = ratios(acceleration_mps2);
+    component.ratios = std::move(ratios);
     component.acceleration_mps2 = std::move(acceleration_mps2);
     auto& match = component.match;
     match.iterations = iterations;
-    match.all = match_figures(periods_s_, component.ratios, 0, input_.longest_s);
-    match.long_period = match_figures(periods_s_, component.ratios, long_from_s, long_to_s);
-    match.worst_decade = worst_decade_misfit(periods_s_, component.ratios);
-    match.intensity_ratio = spectral_intensity_ratio(periods_s_, component.ratios, input_.target);
+    match.all = match_figures(judged_.period_s, component.ratios, 0, input_.longest_s);
+    match.long_period = match_figures(judged_.period_s, component.ratios, long_from_s, long_to_s);
+    match.worst_decade = worst_decade_misfit(judged_.period_s, component.ratios);
+    match.intensity_ratio = spectral_intensity_ratio(judged_.period_s, component.ratios, input_.target);
     match.matched = input_.iterations > 0 && shortfall(component.ratios) <= 1;
     return component;
 }
 
-// What to answer at a swept period: its own ratio, or that of a period left out beside it which breaks the rule.
-double SpectrumMatcher::heard(std::span<double const> ratios, std::size_t s) const {
-    auto const breaks = [&](std::size_t i) {
-        auto const& rule = input_.rule;
-        return rule.asks() && (ratios[i] < rule.lowest_ratio || ratios[i] > rule.highest_ratio);
-    };
-    auto const i = swept_[s];
-    if (s > 0 && swept_[s - 1] + 2 == i && breaks(i - 1)) {
-        return ratios[i - 1];
-    }
-    if (s + 1 < swept_.size() && swept_[s + 1] == i + 2 && breaks(i + 1)) {
-        return ratios[i + 1];
-    }
-    return ratios[i];
-}
-
-void SpectrumMatcher::step_lines(Lines& lines, std::span<PeakSwing const> swings, std::span<double const> ratios,
-                                 std::span<double const> envelope, LineGains::Trust trust) const {
-    std::vector<double> wanted(swept_.size());
-    std::vector<double> strength(swept_.size());
-    for (std::size_t s = 0; s < swept_.size(); ++s) {
-        wanted[s] = input_.rule.aim / heard(ratios, s);
-        auto const sample = static_cast<std::size_t>(swings[s].time_s / input_.time_step_s);
-        strength[s] = envelope[std::min(sample, envelope.size() - 1)];
-    }
-    gains_->apply(lines, swings, strength, wanted, trust);
-}
-
 SpectrumMatcher::Component SpectrumMatcher::matched(Lines lines, Steps const& steps) const {
-    constexpr double promising = 1.05;  // the sweep errs a little: let the exact spectrum decide near the border
+    constexpr double promising = 1.05;  // a look leaves periods out: let the exact spectrum decide near the border
     std::optional<Component> best;
     double best_shortfall = 0;
     auto envelope = noise_.envelope();
+    bool const energy = input_.target.is_energy();
     for (int iteration = 0;; ++iteration) {
         auto const acceleration = noise_.synthesise(lines, envelope);
         bool const last = iteration == input_.iterations;
-        auto const swings = input_.target.is_energy() ? std::vector<PeakSwing>{} : sweep_->swings(acceleration);
-        auto seen = swings.empty() ? ratios(acceleration) : swept_ratios(swings);
         bool const shaping = iteration == 1 && steps.envelope == EnvelopeStep::sharpen_once;
+        auto const* look = &(iteration <= std::max(steps.plain, 1) ? looks_.front() : looks_.back());
+        auto swings = energy ? std::vector<PeakSwing>{} : look->swings(acceleration);
+        auto seen = energy ? ratios(acceleration) : look->ratios(swings);
         if ((!shaping && shortfall(seen) <= promising) || last) {
-            auto component = judged(acceleration, iteration);
-            double const now = shortfall(component.ratios);
-            seen = component.ratios;  // what the sweep does not see would never be mended
+            if (!energy && look != &looks_.back()) {
+                look = &looks_.back();
+                swings = look->swings(acceleration);
+            }
+            seen = energy ? seen : exact(acceleration, swings);  // what no look sees would never be mended
+            double const now = shortfall(seen);
             if (!best || now < best_shortfall) {
-                best = std::move(component);
+                best = judged(acceleration, seen, iteration);
                 best_shortfall = now;
             }
         }
@@ -212,13 +214,16 @@ SpectrumMatcher::Component SpectrumMatcher::matched(Lines lines, Steps const& st
             return *std::move(best);
         }
         if (shaping) {
+            auto const before = envelope;
             sharpen(envelope, acceleration, noise_.envelope());
+            foresee(swings, before, envelope, input_.time_step_s);
+            seen = energy ? seen : look->ratios(swings);
         }
-        if (iteration < steps.plain || swings.empty()) {
+        if (iteration < steps.plain || energy) {
             scale_lines(lines, seen);
         } else {
-            constexpr int patience = 10;  // nearly every wave is there after half of them
-            step_lines(lines, swings, seen, envelope,
+            constexpr int patience = 3;  // enough for a mean misfit of 5 %
+            look->step(lines, swings, seen, envelope, input_.rule,
                        iteration < steps.plain + patience ? LineGains::Trust::little : LineGains::Trust::much);
         }
     }
@@ -229,8 +234,7 @@ SpectrumMatcher::Component SpectrumMatcher::make(std::uint64_t seed, std::uint64
     RandomStream phases(seed, wave, Purpose::wave_phase, component);
     RandomStream amplitudes(seed, wave, Purpose::wave_amplitude, component);
     auto lines = noise_.draw(phases, amplitudes);
-    auto made = input_.iterations == 0 ? judged(noise_.synthesise(lines, noise_.envelope()), 0)
-                                       : matched(std::move(lines), {1, EnvelopeStep::sharpen_once});
+    auto made = matched(std::move(lines), {0, EnvelopeStep::sharpen_once});
     std::tie(made.match.psd_lowest_ratio, made.match.psd_lowest_hz) = noise_.lowest_power(made.acceleration_mps2);
     return made;
 }

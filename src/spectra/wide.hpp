@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <type_traits>
 
 // Vectors never pass through a call here: all that takes them is inlined.
 #if defined(__GNUC__) && !defined(__clang__)
@@ -19,15 +20,15 @@ inline constexpr std::size_t lanes = 16;
 /// Inlined into each machine's own version of a kernel.
 #define OVERTURN_INLINE [[gnu::always_inline]] inline
 
-/// 16 doubles as an array of registers of `Bytes` bytes each.
-template <int Bytes> struct Registers {
-    using Vector [[gnu::vector_size(Bytes)]] = double;
-    static constexpr int count = static_cast<int>(lanes * sizeof(double)) / Bytes;
+/// `Lanes` numbers as an array of registers of `Bytes` bytes each.
+template <int Bytes, std::size_t Lanes = lanes, class Real = double> struct Registers {
+    using Vector [[gnu::vector_size(Bytes)]] = Real;
+    static constexpr int count = static_cast<int>(Lanes * sizeof(Real)) / Bytes;
 
     Vector at[count];  // NOLINT(modernize-avoid-c-arrays): an array of registers
 
-    OVERTURN_INLINE static void load(Registers& to, double const* from) { std::memcpy(&to.at, from, sizeof to.at); }
-    OVERTURN_INLINE static void store(double* to, Registers const& from) { std::memcpy(to, &from.at, sizeof from.at); }
+    OVERTURN_INLINE static void load(Registers& to, Real const* from) { std::memcpy(&to.at, from, sizeof to.at); }
+    OVERTURN_INLINE static void store(Real* to, Registers const& from) { std::memcpy(to, &from.at, sizeof from.at); }
     OVERTURN_INLINE static void clear(Registers& to) {
 #pragma GCC unroll 8
         for (int i = 0; i < count; ++i) {
@@ -36,20 +37,47 @@ template <int Bytes> struct Registers {
     }
 };
 
-/// All lanes alike. A subtraction, since adding nothing would lose the sign of a negative zero.
-template <class Vector> OVERTURN_INLINE Vector filled(double value) { return value - Vector{}; }
+/// As many lanes as a recursion with three states and its constants keeps in registers of `Bytes` bytes, of which there
+/// are 16, or 32 of the widest.
+template <int Bytes> inline constexpr std::size_t held_lanes = Bytes == 64 ? lanes : lanes / 2;
+
+/// The type of a register's lanes.
+template <class Vector> using Lane = std::remove_cvref_t<decltype(Vector{}[0])>;
+
+template <class Vector> inline constexpr bool broad = sizeof(Vector) > 16;  ///< of a machine with AVX2 at least
+
+/// All lanes alike.
+template <class Vector> OVERTURN_INLINE Vector filled(Lane<Vector> value) {
+    Vector all;
+    if constexpr (broad<Vector> && sizeof(value) == sizeof(double)) {
+        asm("vbroadcastsd %1, %0" : "=v"(all) : "xm"(value));  // what the compiler makes of loops takes four
+    } else if constexpr (broad<Vector>) {
+        asm("vbroadcastss %1, %0" : "=v"(all) : "xm"(value));
+    } else {
+#pragma GCC unroll 4
+        for (std::size_t i = 0; i < sizeof(Vector) / sizeof(value); ++i) {
+            all[i] = value;
+        }
+    }
+    return all;
+}
 
 /// a b + c of registers, in one rounding. The wider ones are used only where the machine has the instruction.
 template <class Vector> OVERTURN_INLINE Vector fma(Vector const& a, Vector const& b, Vector const& c) {
-    if constexpr (sizeof(Vector) > 2 * sizeof(double)) {
-        Vector sum = c;
+    Vector sum = c;
+    if constexpr (broad<Vector> && sizeof(Lane<Vector>) == sizeof(double)) {
         asm("vfmadd231pd %2, %1, %0" : "+v"(sum) : "v"(a), "vm"(b));  // intrinsics do not go through a template
-        return sum;
+    } else if constexpr (broad<Vector>) {
+        asm("vfmadd231ps %2, %1, %0" : "+v"(sum) : "v"(a), "vm"(b));
     } else {
-        return Vector{std::fma(a[0], b[0], c[0]), std::fma(a[1], b[1], c[1])};
+#pragma GCC unroll 4
+        for (std::size_t i = 0; i < sizeof(Vector) / sizeof(sum[0]); ++i) {
+            sum[i] = std::fma(a[i], b[i], c[i]);
+        }
     }
+    return sum;
 }
-template <class Vector> OVERTURN_INLINE Vector fma(Vector const& a, double b, Vector const& c) {
+template <class Vector> OVERTURN_INLINE Vector fma(Vector const& a, Lane<Vector> b, Vector const& c) {
     return fma(filled<Vector>(b), a, c);
 }
 
