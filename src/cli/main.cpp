@@ -8,6 +8,7 @@
 #include "cli/command_line.hpp"
 #include "cli/say.hpp"
 #include "cli/verbs.hpp"
+#include "core/allocation.hpp"
 #include "core/error.hpp"
 #include "core/note.hpp"
 
@@ -17,6 +18,7 @@ using namespace overturn;
 
 int start(int argc, char** argv) {
     keep_standard_streams();
+    keep_freed_memory();
     std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error like a full disk, not a death
     gsl_set_error_handler_off();    // its own would abort; callers look at what came back
     CLI::App app("Overturning of free-standing bodies in earthquakes: fragility campaigns and single trials.",

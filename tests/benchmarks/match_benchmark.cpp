@@ -1,6 +1,7 @@
 /// What it costs to make one wave of 16384 samples that follows CH1 to 10 s, and where the time goes.
 #include <benchmark/benchmark.h>
 
+#include "core/allocation.hpp"
 #include "generators/spectrum_matcher.hpp"
 #include "spectra/named_targets.hpp"
 #include "spectra/response_spectrum.hpp"
@@ -9,6 +10,8 @@ namespace overturn {
 namespace {
 
 constexpr std::size_t samples = 16384;
+
+bool const kept = (keep_freed_memory(), true);  // all benchmarks run as the program does
 
 SpectrumMatcherInput input_for(double tolerance, char const* rule) {
     return {.target = config::find_entry(named_targets(), "mlit-ch1", "target").value({}),
