@@ -18,10 +18,14 @@ PeriodBand rocking_period_band(double radius_m, RadiusUnit unit) {
     return {0.05 * root, 0.5 * root};
 }
 
-BandRule band_rule(PeriodBand const& band, double length_s, double panel_phase_rad) {
+void validate_band(PeriodBand const& band, double panel_phase_rad) {
     validate(band.t0_s > 0 && band.t1_s > band.t0_s && std::isfinite(band.t1_s),
              "period band {} s to {} s (needs 0 < T0 < T1). Mend it", band.t0_s, band.t1_s);
     validate(panel_phase_rad > 0, "panel phase {} rad (must be positive). Use 20", panel_phase_rad);
+}
+
+BandRule band_rule(PeriodBand const& band, double length_s, double panel_phase_rad) {
+    validate_band(band, panel_phase_rad);
     double const low = 2 * pi / band.t1_s;
     double const high = 2 * pi / band.t0_s;
     constexpr double fewest = 4;  // for f(T) dT/dw itself, which falls like 1/w^2

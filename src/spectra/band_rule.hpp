@@ -29,8 +29,11 @@ struct BandRule {
     std::vector<double> weight;
 };
 
-/// Gauss panels of 16 nodes, equal in frequency, none spanning more than `panel_phase_rad` of w `length_s`.
 /// \throws InputError unless 0 < T0 < T1 and the panel phase is positive.
+void validate_band(PeriodBand const& band, double panel_phase_rad);
+
+/// Gauss panels of 16 nodes, equal in frequency, none spanning more than `panel_phase_rad` of w `length_s`.
+/// \throws as validate_band
 [[nodiscard]] BandRule band_rule(PeriodBand const& band, double length_s, double panel_phase_rad);
 
 }  // namespace overturn

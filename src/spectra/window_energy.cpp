@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
+#include <map>
+#include <optional>
 
 #include "core/error.hpp"
 #include "core/units.hpp"
@@ -13,32 +16,99 @@
 namespace overturn {
 namespace {
 
-std::vector<double> window_history(std::span<double const> samples, double time_step_s, std::size_t window,
-                                   BandRule const& rule, WindowReading reading) {
-    auto history = reading == WindowReading::running ? swept_window_squares(samples, time_step_s, window, rule, reading)
-                                                     : window_squares(samples, time_step_s, window, rule);
-    for (double& value : history) {
-        value = std::sqrt(std::max(0.0, value));
-    }
-    return history;
-}
-
 std::size_t samples_of(double time_s, double time_step_s) {
     return static_cast<std::size_t>(std::max(1.0, std::round(time_s / time_step_s)));
+}
+
+// ouV_E of waves of one length.
+class WholeWave {
+  public:
+    WholeWave(std::size_t samples, double time_step_s, PeriodBand const& band, double panel_phase_rad)
+        : rule_(band_rule(band, time_step_s * static_cast<double>(samples), panel_phase_rad)),
+          integrals_(samples, time_step_s, rule_.frequency_radps) {}
+
+    [[nodiscard]] double velocity_mps(std::span<double const> acceleration_mps2) const {
+        auto const amplitudes = integrals_.of(acceleration_mps2);
+        double sum = 0;
+        for (std::size_t i = 0; i < amplitudes.size(); ++i) {
+            sum += rule_.weight[i] * std::norm(amplitudes[i]);
+        }
+        return std::sqrt(std::max(0.0, sum));
+    }
+
+  private:
+    BandRule rule_;
+    FourierIntegrals integrals_;
+};
+
+// Measures waves of one length, all alike but for their samples.
+struct Kind {
+    std::size_t samples;
+    double time_step_s, t0_s, t1_s, panel_phase_rad;
+    WindowReading reading;
+    auto operator<=>(Kind const&) const = default;
+};
+
+class Meter {
+  public:
+    explicit Meter(Kind const& kind)
+        : kind_(kind),
+          window_(samples_of(kind.t1_s, kind.time_step_s)),
+          mean_(samples_of(kind.t0_s, kind.time_step_s)),
+          whole_(kind.samples, kind.time_step_s, band(), kind.panel_phase_rad),
+          rule_(band_rule(band(), resolved_s(), kind.panel_phase_rad)) {
+        if (kind.reading == WindowReading::restarted) {
+            kernel_.emplace(followed(), kind.time_step_s, window_, rule_);
+        }
+    }
+
+    [[nodiscard]] double whole(std::span<double const> acceleration_mps2) const {
+        return whole_.velocity_mps(acceleration_mps2);
+    }
+
+    /// V_WES at every sample and on until window and mean have left the wave: a body swings on after the last sample.
+    [[nodiscard]] std::vector<double> history(std::span<double const> acceleration_mps2, bool smoothed) const {
+        std::vector<double> samples(acceleration_mps2.begin(), acceleration_mps2.end());
+        samples.resize(followed(), 0.0);
+        auto history = kernel_ ? kernel_->squares(samples)
+                               : swept_window_squares(samples, kind_.time_step_s, window_, rule_, kind_.reading);
+        for (double& value : history) {
+            value = std::sqrt(std::max(0.0, value));
+        }
+        return smoothed ? trailing_mean(history, mean_) : history;
+    }
+
+  private:
+    [[nodiscard]] PeriodBand band() const { return {kind_.t0_s, kind_.t1_s}; }
+    [[nodiscard]] std::size_t followed() const { return kind_.samples + window_ + mean_; }
+    [[nodiscard]] double resolved_s() const {
+        bool const running = kind_.reading == WindowReading::running;
+        return static_cast<double>(running ? followed() : window_) * kind_.time_step_s;
+    }
+
+    Kind kind_;
+    std::size_t window_, mean_;
+    WholeWave whole_;
+    BandRule rule_;
+    std::optional<WindowKernel> kernel_;
+};
+
+// Waves of a campaign are of one kind per body, and share what is prepared for it.
+Meter const& meter_for(Kind const& kind) {
+    validate_band({kind.t0_s, kind.t1_s}, kind.panel_phase_rad);  // a key that is not a number would fit any
+    thread_local std::map<Kind, Meter> known;
+    constexpr std::size_t most = 8;
+    if (known.size() >= most && !known.contains(kind)) {
+        known.clear();
+    }
+    return known.try_emplace(kind, kind).first->second;
 }
 
 }  // namespace
 
 double overturning_energy_velocity(std::span<double const> acceleration_mps2, double time_step_s,
                                    PeriodBand const& band, double panel_phase_rad) {
-    double const length = time_step_s * static_cast<double>(acceleration_mps2.size());
-    auto const rule = band_rule(band, length, panel_phase_rad);
-    auto const amplitudes = fourier_amplitudes(acceleration_mps2, time_step_s, rule.frequency_radps);
-    double sum = 0;
-    for (std::size_t i = 0; i < amplitudes.size(); ++i) {
-        sum += rule.weight[i] * std::norm(amplitudes[i]);
-    }
-    return std::sqrt(std::max(0.0, sum));
+    return WholeWave(acceleration_mps2.size(), time_step_s, band, panel_phase_rad).velocity_mps(acceleration_mps2);
 }
 
 std::vector<double> trailing_mean(std::span<double const> values, std::size_t count) {
@@ -63,23 +133,14 @@ WindowEnergy window_energy(std::span<double const> acceleration_mps2, double tim
                            WindowOptions const& options) {
     validate(time_step_s > 0 && std::isfinite(time_step_s), "time step {} s (must be positive and finite). Mend it",
              time_step_s);
+    auto const& meter = meter_for(
+        {acceleration_mps2.size(), time_step_s, band.t0_s, band.t1_s, options.panel_phase_rad, options.reading});
     WindowEnergy energy;
-    energy.ou_v_e_mps = overturning_energy_velocity(acceleration_mps2, time_step_s, band, options.panel_phase_rad);
+    energy.ou_v_e_mps = meter.whole(acceleration_mps2);
     if (acceleration_mps2.empty()) {
         return energy;
     }
-    // A body swings on after the last sample: quiet ground follows until window and mean have left the wave.
-    auto const window = samples_of(band.t1_s, time_step_s);
-    auto const mean = samples_of(band.t0_s, time_step_s);
-    std::vector<double> samples(acceleration_mps2.begin(), acceleration_mps2.end());
-    samples.resize(samples.size() + window + mean, 0.0);
-    bool const whole = options.reading == WindowReading::running;
-    auto const resolved = static_cast<double>(whole ? samples.size() : window) * time_step_s;
-    auto history = window_history(samples, time_step_s, window, band_rule(band, resolved, options.panel_phase_rad),
-                                  options.reading);
-    if (options.smoothed) {
-        history = trailing_mean(history, mean);
-    }
+    auto history = meter.history(acceleration_mps2, options.smoothed);
     auto const largest = std::max_element(history.begin(), history.end());
     energy.v_wes_max_mps = *largest;
     energy.v_wes_time_s = time_step_s * static_cast<double>(largest - history.begin());

@@ -7,19 +7,32 @@
 
 #include "core/error.hpp"
 #include "spectra/fourier.hpp"
-#include "spectra/sliding_products.hpp"
+#include "spectra/transform.hpp"
 
 namespace overturn {
 namespace {
 
-// Weights of products of two samples, d samples apart: both inside the window, one at its end, both at its ends.
-struct Kernels {
-    std::vector<double> inside, edge, edges;  // d = 0 ... window
+// A sum in twice the working precision (Knuth's two-sum): what goes in can come out again without a trace.
+class Balance {
+  public:
+    void add(double x) {
+        double const sum = high_ + x;
+        double const back = sum - high_;
+        low_ += (high_ - (sum - back)) + (x - back);
+        high_ = sum;
+    }
+    [[nodiscard]] double value() const { return high_ + low_; }
+
+  private:
+    double high_ = 0, low_ = 0;
 };
 
-Kernels kernels_of(BandRule const& rule, double time_step_s, std::size_t window) {
+}  // namespace
+
+WindowKernel::Weights WindowKernel::weights_of(BandRule const& rule, double time_step_s, std::size_t window) {
+    OVERTURN_EXPECT(window >= 1 && time_step_s > 0);
     std::size_t const count = window + 1;
-    Kernels k{std::vector<double>(count), std::vector<double>(count), std::vector<double>(count)};
+    Weights k{std::vector<double>(count), std::vector<double>(count), std::vector<double>(count)};
     constexpr std::size_t stretch = 64;  // the phase is turned step by step this far, then set anew
     for (std::size_t i = 0; i < rule.weight.size(); ++i) {
         double const x = rule.frequency_radps[i] * time_step_s;
@@ -50,98 +63,91 @@ Kernels kernels_of(BandRule const& rule, double time_step_s, std::size_t window)
     return k;
 }
 
-// A sum in twice the working precision (Knuth's two-sum): what goes in can come out again without a trace.
-class Balance {
-  public:
-    void add(double x) {
-        double const sum = high_ + x;
-        double const back = sum - high_;
-        low_ += (high_ - (sum - back)) + (x - back);
-        high_ = sum;
+WindowKernel::WindowKernel(std::size_t samples, double time_step_s, std::size_t window, BandRule const& rule)
+    : samples_(samples),
+      window_(window),
+      weights_(weights_of(rule, time_step_s, window)),
+      sliding_(std::array{std::vector<double>(weights_.inside.begin() + 1, weights_.inside.end() - 1),
+                          std::vector<double>(weights_.edge.begin() + 1, weights_.edge.end() - 1)},
+               samples) {
+    for (std::size_t i = 0; i < rule.weight.size(); ++i) {
+        edge_alone_ += rule.weight[i] * time_step_s * time_step_s
+                       * std::norm(HatWeights(rule.frequency_radps[i] * time_step_s).right);
     }
-    [[nodiscard]] double value() const { return high_ + low_; }
-
-  private:
-    double high_ = 0, low_ = 0;
-};
-
-// Sum over all pairs of samples first ... last, plainly.
-double sum_of_pairs(std::span<double const> samples, std::size_t first, std::size_t last,
-                    std::span<double const> kernel) {
-    double total = 0;
-    for (std::size_t j = first; j <= last; ++j) {
-        std::array<double, 4> rows{};  // four at a time: additions wait for each other
-        std::size_t d = 1;
-        for (; d + 3 <= j - first; d += 4) {
-            for (std::size_t lane = 0; lane < rows.size(); ++lane) {
-                rows[lane] += samples[j - d - lane] * kernel[d + lane];
-            }
-        }
-        for (; d <= j - first; ++d) {
-            rows[0] += samples[j - d] * kernel[d];
-        }
-        total += samples[j] * (2 * ((rows[0] + rows[1]) + (rows[2] + rows[3])) + kernel[0] * samples[j]);
+    while (pairs_size_ < 2 * window) {
+        pairs_size_ *= 2;
     }
-    return total;
+    auto const transform = real_analysis(pairs_size_);  // of K in a circle: a window fits in twice without touching
+    std::fill(transform.in.begin(), transform.in.end(), 0.0);
+    transform.in[0] = weights_.inside[0];
+    for (std::size_t d = 1; d < window; ++d) {
+        transform.in[d] = weights_.inside[d];
+        transform.in[pairs_size_ - d] = weights_.inside[d];
+    }
+    transform.run();
+    for (std::size_t l = 0; l < transform.out.size(); ++l) {
+        bool const alone = l == 0 || 2 * l == pairs_size_;  // others stand for their conjugates too
+        pairs_.push_back((alone ? 1 : 2) * transform.out[l].real() / static_cast<double>(pairs_size_));
+    }
 }
 
-}  // namespace
+// sum_ij a_i a_j K(|i - j|) over samples that fit into a window: by the power of their transform.
+double WindowKernel::all_pairs(std::span<double const> samples) const {
+    auto const transform = real_analysis(pairs_size_);
+    std::copy(samples.begin(), samples.end(), transform.in.begin());
+    std::fill(transform.in.begin() + static_cast<std::ptrdiff_t>(samples.size()), transform.in.end(), 0.0);
+    transform.run();
+    double sum = 0;
+    for (std::size_t l = 0; l < pairs_.size(); ++l) {
+        sum += pairs_[l] * std::norm(transform.out[l]);
+    }
+    return sum;
+}
 
-std::vector<double> window_squares(std::span<double const> acceleration_mps2, double time_step_s, std::size_t window,
-                                   BandRule const& rule) {
-    OVERTURN_EXPECT(window >= 1 && time_step_s > 0);
-    std::size_t const n = acceleration_mps2.size();
+std::vector<double> WindowKernel::squares(std::span<double const> acceleration_mps2) const {
+    OVERTURN_EXPECT(acceleration_mps2.size() == samples_);
+    std::size_t const n = samples_;
     std::vector<double> squares(n, 0.0);
     if (n < 2) {
         return squares;
     }
-    auto const k = kernels_of(rule, time_step_s, window);
-    double const edge_alone = [&] {  // |right|^2: an edge with itself
-        double sum = 0;
-        for (std::size_t i = 0; i < rule.weight.size(); ++i) {
-            sum += rule.weight[i] * time_step_s * time_step_s
-                   * std::norm(HatWeights(rule.frequency_radps[i] * time_step_s).right);
-        }
-        return sum;
-    }();
+    auto const& k = weights_;
     // The first sample is never inside a window: it is the edge of all that are cut there.
     std::vector<double> inner(acceleration_mps2.begin(), acceleration_mps2.end());
     inner.front() = 0;
-    std::array const taps{std::vector<double>(k.inside.begin() + 1, k.inside.end() - 1),
-                          std::vector<double>(k.edge.begin() + 1, k.edge.end() - 1)};
-    auto const products = sliding_products(inner, taps);
+    auto const products = sliding_.products(inner);
     auto const& inside = products[0];
     auto const& edge = products[1];
 
     Balance total;       // of products of samples inside the window
     Balance from_first;  // of the first sample's edge with them, while the window is cut there
     for (std::size_t end = 1; end < n; ++end) {
-        bool const cut = end < window;
-        std::size_t const begin = cut ? 0 : end - window;
+        bool const cut = end < window_;
+        std::size_t const begin = cut ? 0 : end - window_;
         if (end >= 2) {  // the sample before is inside from now on
             double const a = inner[end - 1];
             total.add(2 * a * inside.before[end - 1]);
             total.add(k.inside[0] * a * a);
-            if (end - 1 < window) {
+            if (end - 1 < window_) {
                 from_first.add(a * k.edge[end - 1]);
             }
         }
-        if (end > window) {  // and this one no longer
+        if (end > window_) {  // and this one no longer
             double const a = inner[begin];
             total.add(-2 * a * inside.after[begin]);
             total.add(-k.inside[0] * a * a);
         }
         // What a strong part left behind by rounding is forgotten a few windows later.
         constexpr std::size_t anew = 8;
-        if (end > window && end % (anew * window) == 0) {
+        if (end > window_ && end % (anew * window_) == 0) {
             total = Balance();
-            total.add(sum_of_pairs(inner, begin + 1, end - 1, k.inside));
+            total.add(all_pairs(std::span<double const>(inner).subspan(begin + 1, end - 1 - begin)));
         }
         double const first = acceleration_mps2[begin];
         double const last = acceleration_mps2[end];
         double const with_first = begin == 0 ? from_first.value() : edge.after[begin];
         squares[end] = total.value() + 2 * (last * edge.before[end] + first * with_first)
-                       + edge_alone * (first * first + last * last) + 2 * first * last * k.edges[end - begin];
+                       + edge_alone_ * (first * first + last * last) + 2 * first * last * k.edges[end - begin];
     }
     return squares;
 }

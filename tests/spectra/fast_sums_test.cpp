@@ -27,7 +27,7 @@ TEST(FastSums, PhaseSumsEqualPlainSums) {
         }
         std::vector<double> const x{0, 1e-9, 0.0123, 0.5, 1, 2, 3, pi, 3.2, 6, 2 * pi, 7.5, -0.4};
 
-        auto const fast = fast_phase_sums(wave, x);
+        auto const fast = PhaseSums(samples, x).of(wave);
 
         for (std::size_t i = 0; i < x.size(); ++i) {
             std::complex<double> plain = 0;
@@ -37,7 +37,7 @@ TEST(FastSums, PhaseSumsEqualPlainSums) {
             EXPECT_LE(std::abs(fast[i] - plain), 1e-12 * total) << samples << " samples, x = " << x[i];
         }
     }
-    EXPECT_TRUE(fast_phase_sums(std::vector{1.0, 2.0}, {}).empty());
+    EXPECT_TRUE(PhaseSums(2, {}).of(std::vector{1.0, 2.0}).empty());
 }
 
 TEST(FastSums, SlidingProductsEqualPlainSums) {
@@ -50,7 +50,7 @@ TEST(FastSums, SlidingProductsEqualPlainSums) {
                 kernels[1][d] = 1.0 / static_cast<double>(d + 1);
             }
 
-            auto const products = sliding_products(wave, kernels);
+            auto const products = SlidingKernels(kernels, samples).products(wave);
 
             for (std::size_t k = 0; k < kernels.size(); ++k) {
                 for (std::size_t n = 0; n < samples; ++n) {
@@ -81,7 +81,7 @@ TEST(FastSums, WindowsEqualTheSweptOscillators) {
                 }
             }
 
-            auto const fast = window_squares(wave, 0.01, window, rule);
+            auto const fast = WindowKernel(wave.size(), 0.01, window, rule).squares(wave);
             auto const swept =
                 swept_window_squares(wave, 0.01, std::min(window, wave.size()), rule, WindowReading::restarted);
 
