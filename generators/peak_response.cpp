@@ -69,8 +69,11 @@ PeakResponse::PeakResponse(std::vector<double> const& periods_s, double damping,
         auto const form = stride > 1                                 ? SweepForm::strided
                           : steps > 1 && damping < least_oscillating ? SweepForm::amplitude
                                                                      : SweepForm::samples;
-        if (groups_.empty() || groups_.back().count == wide::lanes || groups_.back().swept.form != form
-            || groups_.back().swept.stride != stride) {
+        // Lanes are filled up with periods that may be looked at less often; only the amplitudes of those that need no
+        // substeps would say too little.
+        constexpr double alike = 8;
+        if (groups_.empty() || groups_.back().count == wide::lanes || period > alike * periods_s[groups_.back().first]
+            || (groups_.back().swept.form == SweepForm::amplitude) != (form == SweepForm::amplitude)) {
             groups_.push_back({i, 0, {.form = form, .stride = stride}});
         }
         auto& group = groups_.back();
