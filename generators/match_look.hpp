@@ -42,8 +42,6 @@ class MatchLook {
     void step(Lines& lines, std::span<PeakSwing const> swings, std::span<double const> ratios,
               std::span<double const> envelope, AcceptanceRule const& rule, LineGains::Trust trust) const;
 
-    [[nodiscard]] std::vector<std::size_t> const& chosen() const { return chosen_; }
-
   private:
     [[nodiscard]] double heard(std::span<double const> ratios, std::size_t c, AcceptanceRule const& rule) const;
 

@@ -61,6 +61,10 @@ struct PeakResponse::Close {
 
 PeakResponse::PeakResponse(std::vector<double> const& periods_s, double damping, double time_step_s)
     : damping_(damping), time_step_s_(time_step_s) {
+    constexpr double heaviest = 5;
+    constexpr double least_steps = 2 * (1 - rounding);
+    OVERTURN_EXPECT(damping >= 0 && damping <= heaviest);
+    OVERTURN_EXPECT(periods_s.empty() || periods_s.front() >= least_steps * time_step_s);
     for (std::size_t i = 0; i < periods_s.size(); ++i) {
         double const period = periods_s[i];
         OVERTURN_EXPECT(i == 0 || period > periods_s[i - 1]);
@@ -236,6 +240,9 @@ void PeakResponse::look(Close const& close, LaneValues limit, std::span<PeakSwin
 
 std::vector<PeakSwing> PeakResponse::swings(std::span<double const> acceleration_mps2) const {
     std::vector<PeakSwing> swings(oscillators_.size());
+    if (acceleration_mps2.size() < 2) {
+        return swings;
+    }
     auto const ground = ground_of(acceleration_mps2);
     SweepBlocks blocks;
     for (auto const& group : groups_) {

@@ -1,4 +1,5 @@
-/// Where and how high oscillators swing: the reading of displacement_spectrum, with sign and instant, in half its time.
+/// Where and how high oscillators swing: the reading of displacement_spectrum, with sign and instant; of matched waves,
+/// at the damping of spectra, in half its time.
 #pragma once
 
 #include <cstddef>
@@ -21,10 +22,11 @@ struct PeakSwing {
 /// displacement_spectrum to rounding.
 class PeakResponse {
   public:
-    /// \param periods_s rising \param damping ratio to critical
+    /// \param periods_s rising, none below two time steps \param damping ratio to critical, at most 5: beyond it a step
+    /// forgets what went before and the recursions their digits
     PeakResponse(std::vector<double> const& periods_s, double damping, double time_step_s);
 
-    /// One swing per period.
+    /// One swing per period; zero for a wave of fewer than two samples.
     [[nodiscard]] std::vector<PeakSwing> swings(std::span<double const> acceleration_mps2) const;
 
   private:

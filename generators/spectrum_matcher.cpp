@@ -188,6 +188,8 @@ SpectrumMatcher::Component SpectrumMatcher::matched(Lines lines, Steps const& st
     constexpr double promising = 1.05;  // a look leaves periods out: let the exact spectrum decide near the border
     std::optional<Component> best;
     double best_shortfall = 0;
+    std::vector<double> nearest;  // of all, as far as the looks can tell
+    double least_seen = 0;
     auto envelope = noise_.envelope();
     bool const energy = input_.target.is_energy();
     for (int iteration = 0;; ++iteration) {
@@ -197,15 +199,21 @@ SpectrumMatcher::Component SpectrumMatcher::matched(Lines lines, Steps const& st
         auto const* look = &(iteration <= std::max(steps.plain, 1) ? looks_.front() : looks_.back());
         auto swings = energy ? std::vector<PeakSwing>{} : look->swings(acceleration);
         auto seen = energy ? ratios(acceleration) : look->ratios(swings);
-        if ((!shaping && shortfall(seen) <= promising) || last) {
-            if (!energy && look != &looks_.back()) {
+        double const shortfall_seen = shortfall(seen);
+        if (nearest.empty() || shortfall_seen < least_seen) {
+            nearest = acceleration;
+            least_seen = shortfall_seen;
+        }
+        if ((!shaping && shortfall_seen <= promising) || last) {
+            auto const& wave = last ? nearest : acceleration;
+            if (!energy && (last || look != &looks_.back())) {
                 look = &looks_.back();
-                swings = look->swings(acceleration);
+                swings = look->swings(wave);
             }
-            seen = energy ? seen : exact(acceleration, swings);  // what no look sees would never be mended
+            seen = energy ? ratios(wave) : exact(wave, swings);  // what no look sees would never be mended
             double const now = shortfall(seen);
             if (!best || now < best_shortfall) {
-                best = judged(acceleration, seen, iteration);
+                best = judged(wave, seen, iteration);
                 best_shortfall = now;
             }
         }

@@ -33,7 +33,8 @@ struct SpectrumMatcherInput {
 /// 10 % of the duration): at any time the mean share of energy that has come is within 1.2 % of the stated envelope's.
 ///
 /// Measured on 120 s to 164 s at 0.01 s, to 10 s: mean misfit below 5 % over any decade after 2 or 3 iterations
-/// (RG 1.60 up to 5), 2 % after 5 to 8 (up to 16), srp-3.7.1 after 3 to 5 (of 4500 waves one took 24, the next 13).
+/// (RG 1.60 up to 6), 2 % after 4 to 11 as a rule (up to 16), srp-3.7.1 after 3 to 10 (of 4700 waves one took 24 and
+/// one 33).
 class SpectrumMatcher {
   public:
     struct Component {

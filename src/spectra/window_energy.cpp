@@ -97,7 +97,8 @@ class Meter {
 Meter const& meter_for(Kind const& kind) {
     validate_band({kind.t0_s, kind.t1_s}, kind.panel_phase_rad);  // a key that is not a number would fit any
     thread_local std::map<Kind, Meter> known;
-    constexpr std::size_t most = 8;
+    // Few of long waves, which take some dozen numbers a sample.
+    std::size_t const most = std::clamp<std::size_t>(4'000'000 / (kind.samples + 1), 4, 64);
     if (known.size() >= most && !known.contains(kind)) {
         known.clear();
     }

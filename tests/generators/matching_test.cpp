@@ -80,6 +80,25 @@ TEST(Matching, ReportIsThatOfTheFinishedWave) {
     EXPECT_GE(made.match.all.max_misfit, made.match.all.mean_misfit);
 }
 
+// Where the tolerance is out of reach, more iterations give no worse wave (but for what a look leaves out).
+TEST(Matching, TheBestIterateIsKept) {
+    auto const shortfall = [](int iterations, std::uint64_t wave) {
+        auto const source = testing::source_of(
+            "source='spectrum-compatible'\nduration='40.96 s'\nmatch_tolerance=0.001\nmatch_iterations="
+            + std::to_string(iterations) + "\n[target]\nspectrum='mlit-ch1'\n");
+        auto const match = source->make(2013, wave).match;
+        return std::max(match.all.mean_misfit, match.worst_decade);
+    };
+    for (std::uint64_t wave = 0; wave < 6; ++wave) {
+        double least = shortfall(2, wave);
+        for (int const iterations : {3, 4, 6, 8, 10}) {
+            double const now = shortfall(iterations, wave);
+            EXPECT_LT(now, 1.05 * least) << "wave " << wave << ", " << iterations << " iterations";
+            least = std::min(least, now);
+        }
+    }
+}
+
 // Drawn, not matched, waves have the target as their mean spectrum.
 TEST(Matching, UnmatchedWavesScatterAroundTheTarget) {
     auto const source = testing::source_of(
