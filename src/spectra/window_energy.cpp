@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <map>
 #include <optional>
+#include <tuple>
 
 #include "core/error.hpp"
 #include "core/units.hpp"
@@ -46,7 +46,9 @@ struct Kind {
     std::size_t samples;
     double time_step_s, t0_s, t1_s, panel_phase_rad;
     WindowReading reading;
-    auto operator<=>(Kind const&) const = default;
+
+    [[nodiscard]] auto parts() const { return std::tie(samples, time_step_s, t0_s, t1_s, panel_phase_rad, reading); }
+    friend bool operator<(Kind const& a, Kind const& b) { return a.parts() < b.parts(); }
 };
 
 class Meter {

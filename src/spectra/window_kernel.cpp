@@ -105,7 +105,7 @@ double WindowKernel::all_pairs(std::span<double const> samples) const {
 }
 
 std::vector<double> WindowKernel::squares(std::span<double const> acceleration_mps2) const {
-    OVERTURN_EXPECT(acceleration_mps2.size() == samples_);
+    OVERTURN_EXPECT(acceleration_mps2.size() == samples_ && window_ >= 1);
     std::size_t const n = samples_;
     std::vector<double> squares(n, 0.0);
     if (n < 2) {
