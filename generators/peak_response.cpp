@@ -61,8 +61,8 @@ struct PeakResponse::Close {
 
 PeakResponse::PeakResponse(std::vector<double> const& periods_s, double damping, double time_step_s)
     : damping_(damping), time_step_s_(time_step_s) {
-    constexpr double heaviest = 5;
-    constexpr double least_steps = 2 * (1 - rounding);
+    [[maybe_unused]] constexpr double heaviest = 5;
+    [[maybe_unused]] constexpr double least_steps = 2 * (1 - rounding);
     OVERTURN_EXPECT(damping >= 0 && damping <= heaviest);
     OVERTURN_EXPECT(periods_s.empty() || periods_s.front() >= least_steps * time_step_s);
     for (std::size_t i = 0; i < periods_s.size(); ++i) {
