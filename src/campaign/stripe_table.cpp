@@ -34,7 +34,7 @@ void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& bo
                         stripe.amplitude, stripe.trials, stripe.at_rest, stripe.slid, stripe.overturned,
                         stripe.contact_lost, stripe.failed, probability_text(stripe), interval.lower, interval.upper,
                         s.v_wes[l].true_safe + s.v_wes[l].false_safe, s.v_wes[l].false_safe,
-                        purpose == LevelClass::ordinary ? "" : " " + name_of(purpose));
+                        purpose == LevelClass::ordinary ? std::string() : fmt::format(" {}", name_of(purpose)));
         sliding += s.sliding_called[l];
     }
     text += "rungs:";
