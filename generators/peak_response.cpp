@@ -19,29 +19,24 @@ std::size_t stride_of(double period_s, double time_step_s) {
     return room >= 8 ? 8 : room >= 2 ? 2 : 1;
 }
 
-// |C|, over a step from (y, v), of the free vibration about the ground's line p: |y''| <= w^2 |C|, so that y strays
-// from the straight line between two samples by dt^2/8 times that.
-struct Bend {
-    double real_a0, real_a1, imaginary_y, imaginary_v, imaginary_a0, imaginary_a1, scale;
-
-    Bend(double w, double damping, double dt) {
-        double const per_slope = -2 * damping / (w * w * w * dt);  // of a1 - a0 in y - p
-        imaginary_v = 1 / (w * std::sqrt(1 - damping * damping));
-        imaginary_y = damping * w * imaginary_v;
-        real_a0 = 1 / (w * w) - per_slope;
-        real_a1 = per_slope;
-        imaginary_a0 = imaginary_y * real_a0 - imaginary_v / (w * w * dt);
-        imaginary_a1 = imaginary_y * real_a1 + imaginary_v / (w * w * dt);
-        scale = w * w * dt * dt / 8;
-    }
-    [[nodiscard]] double operator()(double y, double v, double a0, double a1) const {
-        double const real = y + (real_a0 * a0 + real_a1 * a1);
-        double const imaginary = imaginary_y * y + imaginary_v * v + (imaginary_a0 * a0 + imaginary_a1 * a1);
-        return scale * (std::abs(real) + std::abs(imaginary));
-    }
-};
-
 }  // namespace
+
+PeakResponse::Bend::Bend(double w, double damping, double dt) {
+    double const per_slope = -2 * damping / (w * w * w * dt);  // of a1 - a0 in y - p
+    imaginary_v = 1 / (w * std::sqrt(1 - damping * damping));
+    imaginary_y = damping * w * imaginary_v;
+    real_a0 = 1 / (w * w) - per_slope;
+    real_a1 = per_slope;
+    imaginary_a0 = imaginary_y * real_a0 - imaginary_v / (w * w * dt);
+    imaginary_a1 = imaginary_y * real_a1 + imaginary_v / (w * w * dt);
+    scale = w * w * dt * dt / 8;
+}
+
+double PeakResponse::Bend::operator()(double y, double v, double a0, double a1) const {
+    double const real = y + (real_a0 * a0 + real_a1 * a1);
+    double const imaginary = imaginary_y * y + imaginary_v * v + (imaginary_a0 * a0 + imaginary_a1 * a1);
+    return scale * (std::abs(real) + std::abs(imaginary));
+}
 
 struct PeakResponse::Close {
     std::span<double const> series;
@@ -83,7 +78,8 @@ PeakResponse::PeakResponse(std::vector<double> const& periods_s, double damping,
         auto& group = groups_.back();
         double const w = 2 * pi / period;
         OscillatorStep const sample(w, damping, time_step_s);
-        oscillators_.push_back({w, steps, sample, OscillatorStep(w, damping, time_step_s / steps)});
+        oscillators_.push_back({w, steps, sample, OscillatorStep(w, damping, time_step_s / steps),
+                                Bend(w, form == SweepForm::amplitude ? damping : 0, time_step_s)});
         for (std::size_t lane = group.count; lane < wide::lanes; ++lane) {  // idle lanes repeat the last
             group.swept.set(lane, w, damping, sample, time_step_s);
         }
@@ -176,14 +172,13 @@ void PeakResponse::look_between(Close const& close, std::size_t lane, std::size_
             found = {value, time_step_s_ * time_steps};
         }
     };
-    Bend const bend(o.w, bends ? damping_ : 0, time_step_s_);
     for (std::size_t n = first; n < close.end(first); ++n) {
         double const a0 = series[n - 1];
         double const a1 = series[n];
         double const y1 = o.sample.yy * y + o.sample.yv * v + (o.sample.ya0 * a0 + o.sample.ya1 * a1);
         double const v1 = o.sample.vy * y + o.sample.vv * v + (o.sample.va0 * a0 + o.sample.va1 * a1);
         double const height = std::max(std::abs(y), std::abs(y1)) * (1 + rounding);
-        if (o.steps > 1 && (!bends || height + bend(y, v, a0, a1) > std::abs(found.displacement_m))) {
+        if (o.steps > 1 && (!bends || height + o.bend(y, v, a0, a1) > std::abs(found.displacement_m))) {
             double const rise = (a1 - a0) / o.steps;
             for (int s = 0; s + 1 < o.steps; ++s) {
                 double const from = a0 + rise * s;

@@ -31,11 +31,19 @@ class PeakResponse {
 
   private:
     using LaneValues = OscillatorGroup::LaneValues;
+    // |C|, over a step from (y, v), of the free vibration about the ground's line p: |y''| <= w^2 |C|, so that y strays
+    // from the straight line between two samples by dt^2/8 times that.
+    struct Bend {
+        double real_a0, real_a1, imaginary_y, imaginary_v, imaginary_a0, imaginary_a1, scale;
+        Bend(double w, double damping, double dt);
+        [[nodiscard]] double operator()(double y, double v, double a0, double a1) const;
+    };
     struct Oscillator {
         double w;
         int steps;              // per sample
         OscillatorStep sample;  // over one sample
         OscillatorStep fine;    // over one of `steps` parts of it
+        Bend bend;              // in the form amplitude
     };
     struct Group {
         std::size_t first, count;  // of the oscillators

@@ -118,22 +118,17 @@ SpectrumMatcher::SpectrumMatcher(SpectrumMatcherInput input)
     }
 }
 
-// The exact spectrum over the target.
-std::vector<double> SpectrumMatcher::ratios(std::span<double const> acceleration_mps2) const {
-    double const damping = input_.target.damping();
-    double const dt = input_.time_step_s;
-    std::vector<double> values(judged_.period_s.size());
-    if (input_.target.is_energy()) {
-        auto const velocities = input_energy_velocities(acceleration_mps2, dt, judged_.period_s, damping);
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            values[i] = velocities[i] / judged_.target_mps[i];
-        }
-        return values;
+// The energy spectrum over the target.
+std::vector<double> SpectrumMatcher::energy_ratios(std::span<double const> acceleration_mps2) const {
+    auto values =
+        input_energy_velocities(acceleration_mps2, input_.time_step_s, judged_.period_s, input_.target.damping());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] /= judged_.target_mps[i];
     }
-    return exact(acceleration_mps2, looks_.back().swings(acceleration_mps2));
+    return values;
 }
 
-// The same from the swings of the closest look, which need not be found again.
+// The response spectrum over the target. \param swings of the closest look, which need not be found again
 std::vector<double> SpectrumMatcher::exact(std::span<double const> acceleration_mps2,
                                            std::span<PeakSwing const> swings) const {
     auto values = looks_.back().ratios(swings);
@@ -196,21 +191,28 @@ SpectrumMatcher::Component SpectrumMatcher::matched(Lines lines, Steps const& st
         auto const acceleration = noise_.synthesise(lines, envelope);
         bool const last = iteration == input_.iterations;
         bool const shaping = iteration == 1 && steps.envelope == EnvelopeStep::sharpen_once;
-        auto const* look = &(iteration <= std::max(steps.plain, 1) ? looks_.front() : looks_.back());
+        bool const rough = iteration <= std::max(steps.plain, 1) && input_.iterations > 0;
+        auto const* look = &(rough ? looks_.front() : looks_.back());
         auto swings = energy ? std::vector<PeakSwing>{} : look->swings(acceleration);
-        auto seen = energy ? ratios(acceleration) : look->ratios(swings);
+        auto seen = energy ? energy_ratios(acceleration) : look->ratios(swings);
         double const shortfall_seen = shortfall(seen);
-        if (nearest.empty() || shortfall_seen < least_seen) {
+        bool const nearer = nearest.empty() || shortfall_seen < least_seen;
+        if (nearer) {
             nearest = acceleration;
             least_seen = shortfall_seen;
         }
         if ((!shaping && shortfall_seen <= promising) || last) {
-            auto const& wave = last ? nearest : acceleration;
-            if (!energy && (last || look != &looks_.back())) {
-                look = &looks_.back();
-                swings = look->swings(wave);
+            bool const earlier = last && !nearer;
+            auto const& wave = earlier ? nearest : acceleration;
+            if (energy) {
+                seen = earlier ? energy_ratios(wave) : seen;
+            } else {
+                if (rough || earlier) {
+                    look = &looks_.back();
+                    swings = look->swings(wave);
+                }
+                seen = exact(wave, swings);  // what no look sees would never be mended
             }
-            seen = energy ? ratios(wave) : exact(wave, swings);  // what no look sees would never be mended
             double const now = shortfall(seen);
             if (!best || now < best_shortfall) {
                 best = judged(wave, seen, iteration);

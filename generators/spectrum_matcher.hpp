@@ -66,7 +66,7 @@ class SpectrumMatcher {
     [[nodiscard]] Component matched(Lines lines, Steps const& steps) const;
     [[nodiscard]] Component judged(std::vector<double> acceleration_mps2, std::vector<double> ratios,
                                    int iterations) const;
-    [[nodiscard]] std::vector<double> ratios(std::span<double const> acceleration_mps2) const;
+    [[nodiscard]] std::vector<double> energy_ratios(std::span<double const> acceleration_mps2) const;
     [[nodiscard]] std::vector<double> exact(std::span<double const> acceleration_mps2,
                                             std::span<PeakSwing const> swings) const;
     [[nodiscard]] double shortfall(std::span<double const> ratios) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -16,12 +17,11 @@ constexpr double breadth = 4.0 / 3 * reach / pi;  // of the Gaussian, for a grid
 
 // The smallest of 2^k and 3 2^k that is twice as fine as the signal needs.
 std::size_t grid_size(std::size_t samples) {
-    std::size_t size = 64;  // more than twice the reach
-    while (size < 2 * samples) {
-        size *= 2;
-    }
+    constexpr std::size_t least = 64;  // more than twice the reach
+    std::size_t const wanted = std::max(least, 2 * samples);
+    std::size_t const size = std::bit_ceil(wanted);
     std::size_t const between = size / 4 * 3;
-    return between >= 64 && between >= 2 * samples ? between : size;
+    return between >= wanted ? between : size;
 }
 
 // The transform of a real signal of `size` points, at any integer frequency.

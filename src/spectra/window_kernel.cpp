@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <complex>
 
@@ -69,13 +70,11 @@ WindowKernel::WindowKernel(std::size_t samples, double time_step_s, std::size_t 
       weights_(weights_of(rule, time_step_s, window)),
       sliding_(std::array{std::vector<double>(weights_.inside.begin() + 1, weights_.inside.end() - 1),
                           std::vector<double>(weights_.edge.begin() + 1, weights_.edge.end() - 1)},
-               samples) {
+               samples),
+      pairs_size_(std::bit_ceil(2 * window)) {
     for (std::size_t i = 0; i < rule.weight.size(); ++i) {
         edge_alone_ += rule.weight[i] * time_step_s * time_step_s
                        * std::norm(HatWeights(rule.frequency_radps[i] * time_step_s).right);
-    }
-    while (pairs_size_ < 2 * window) {
-        pairs_size_ *= 2;
     }
     auto const transform = real_analysis(pairs_size_);  // of K in a circle: a window fits in twice without touching
     std::fill(transform.in.begin(), transform.in.end(), 0.0);

@@ -37,7 +37,7 @@ class WindowKernel {
     Weights weights_;
     double edge_alone_ = 0;  // of an edge with itself
     SlidingKernels sliding_;
-    std::size_t pairs_size_ = 2;
+    std::size_t pairs_size_;
     std::vector<double> pairs_;  // weights of the power of a whole window's transform
 };
 
