@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "spectra/phase_sums.hpp"
+#include "spectra/thinned_sums.hpp"
 
 namespace overturn {
 
@@ -41,7 +41,7 @@ class FourierIntegrals {
     double time_step_s_;
     std::vector<double> phases_;
     std::vector<Ends> ends_;
-    std::optional<PhaseSums> fast_;
+    std::optional<ThinnedSums> fast_;
 };
 
 /// The same for one wave.

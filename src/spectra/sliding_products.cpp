@@ -17,6 +17,23 @@ std::size_t block_size(std::size_t taps, std::size_t samples) {
     return size;
 }
 
+using Line = std::complex<double>;
+
+// The lines of a real signal, those beyond the middle included, times a response.
+void respond(std::span<Line const> lines, std::span<Line const> response, std::span<Line> product) {
+    std::size_t const size = response.size();
+    for (std::size_t l = 0; l < lines.size(); ++l) {
+        double const re = lines[l].real(), im = lines[l].imag();
+        product[l] = {re * response[l].real() - im * response[l].imag(),
+                      re * response[l].imag() + im * response[l].real()};
+    }
+    for (std::size_t l = lines.size(); l < size; ++l) {  // conjugates
+        double const re = lines[size - l].real(), im = lines[size - l].imag();
+        product[l] = {re * response[l].real() + im * response[l].imag(),
+                      re * response[l].imag() - im * response[l].real()};
+    }
+}
+
 }  // namespace
 
 SlidingKernels::SlidingKernels(std::span<std::vector<double> const> kernels, std::size_t samples)
@@ -29,16 +46,18 @@ SlidingKernels::SlidingKernels(std::span<std::vector<double> const> kernels, std
     for (std::size_t k = 0; k < kernels.size(); ++k) {
         OVERTURN_EXPECT(kernels[k].size() == taps_);
         std::fill(forward.in.begin(), forward.in.end(), 0.0);
-        for (std::size_t d = 1; d <= taps_; ++d) {
-            forward.in[d] = kernels[k][d - 1] / static_cast<double>(size_);
+        for (std::size_t d = 1; d <= taps_; ++d) {  // a sample's echo after it, and i times that before it
+            double const share = kernels[k][d - 1] / static_cast<double>(size_);
+            forward.in[d] += share;
+            forward.in[size_ - d] += std::complex<double>(0, share);
         }
         forward.run();
         responses_[k].assign(forward.out.begin(), forward.out.end());
     }
 }
 
-// Two blocks at a time, one as the real part of the transform's input and one as the imaginary part: real kernels keep
-// them apart. A block carries m samples more on both sides than it answers for.
+// A block carries m samples more on both sides than it answers for. One transform brings both sums: those backwards as
+// its real part and those forwards as its imaginary part.
 std::vector<SlidingProducts> SlidingKernels::products(std::span<double const> signal) const {
     OVERTURN_EXPECT(signal.size() == samples_);
     std::vector<SlidingProducts> products(responses_.size(),
@@ -46,41 +65,25 @@ std::vector<SlidingProducts> SlidingKernels::products(std::span<double const> si
     if (size_ == 0) {
         return products;
     }
-    auto const forward = forward_transform(size_);
+    auto const forward = real_analysis(size_);
     auto const backward = backward_transform(size_);
     std::size_t const answers = size_ - 2 * taps_;
-    std::size_t const pairs = (samples_ + 2 * answers - 1) / (2 * answers);
-    std::vector<double> padded(taps_ + 2 * pairs * answers + size_, 0.0);
-    std::copy(signal.begin(), signal.end(), padded.begin() + static_cast<std::ptrdiff_t>(taps_));
-    std::vector<std::complex<double>> ahead(size_);
-    auto const answer = [&](std::vector<double>& to, std::size_t first) {
-        std::size_t const second = first + answers;
-        for (std::size_t i = 0; i < answers && first + i < samples_; ++i) {
-            to[first + i] = backward.out[taps_ + i].real();
-        }
-        for (std::size_t i = 0; i < answers && second + i < samples_; ++i) {
-            to[second + i] = backward.out[taps_ + i].imag();
-        }
-    };
-    for (std::size_t first = 0; first < samples_; first += 2 * answers) {
-        for (std::size_t i = 0; i < size_; ++i) {
-            forward.in[i] = {padded[first + i], padded[first + answers + i]};
-        }
+    for (std::size_t first = 0; first < samples_; first += answers) {
+        std::size_t const count = std::min(answers, samples_ - first);
+        std::size_t const missing = taps_ - std::min(first, taps_);  // before the signal's first sample
+        std::size_t const from = first + missing - taps_;
+        auto const part = signal.subspan(from, std::min(size_ - missing, samples_ - from));
+        std::fill_n(forward.in.begin(), missing, 0.0);
+        auto const end = std::copy(part.begin(), part.end(), forward.in.begin() + static_cast<std::ptrdiff_t>(missing));
+        std::fill(end, forward.in.end(), 0.0);
         forward.run();
         for (std::size_t k = 0; k < responses_.size(); ++k) {
-            for (std::size_t i = 0; i < size_; ++i) {  // times the response, and times its conjugate
-                auto const a = forward.out[i];
-                auto const r = responses_[k][i];
-                double const p = a.real() * r.real(), q = a.imag() * r.imag();
-                double const s = a.real() * r.imag(), t = a.imag() * r.real();
-                backward.in[i] = {p - q, t + s};
-                ahead[i] = {p + q, t - s};
+            respond(forward.out, responses_[k], backward.in);
+            backward.run();
+            for (std::size_t i = 0; i < count; ++i) {
+                products[k].before[first + i] = backward.out[taps_ + i].real();
+                products[k].after[first + i] = backward.out[taps_ + i].imag();
             }
-            backward.run();
-            answer(products[k].before, first);
-            std::copy(ahead.begin(), ahead.end(), backward.in.begin());
-            backward.run();
-            answer(products[k].after, first);
         }
     }
     return products;

@@ -70,9 +70,11 @@ class Meter {
 
     /// V_WES at every sample and on until window and mean have left the wave: a body swings on after the last sample.
     [[nodiscard]] std::vector<double> history(std::span<double const> acceleration_mps2, bool smoothed) const {
-        std::vector<double> samples(acceleration_mps2.begin(), acceleration_mps2.end());
+        std::vector<double> samples;
+        samples.reserve(followed());
+        samples.assign(acceleration_mps2.begin(), acceleration_mps2.end());
         samples.resize(followed(), 0.0);
-        auto history = kernel_ ? kernel_->squares(samples)
+        auto history = kernel_ ? kernel_->squares(std::move(samples))
                                : swept_window_squares(samples, kind_.time_step_s, window_, rule_, kind_.reading);
         for (double& value : history) {
             value = std::sqrt(std::max(0.0, value));

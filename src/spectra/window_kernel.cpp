@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <complex>
+#include <utility>
 
 #include "core/error.hpp"
 #include "spectra/fourier.hpp"
@@ -103,50 +104,54 @@ double WindowKernel::all_pairs(std::span<double const> samples) const {
     return sum;
 }
 
-std::vector<double> WindowKernel::squares(std::span<double const> acceleration_mps2) const {
+std::vector<double> WindowKernel::squares(std::vector<double> acceleration_mps2) const {
     OVERTURN_EXPECT(acceleration_mps2.size() == samples_ && window_ >= 1);
     std::size_t const n = samples_;
     std::vector<double> squares(n, 0.0);
     if (n < 2) {
         return squares;
     }
-    auto const& k = weights_;
     // The first sample is never inside a window: it is the edge of all that are cut there.
-    std::vector<double> inner(acceleration_mps2.begin(), acceleration_mps2.end());
-    inner.front() = 0;
-    auto const products = sliding_.products(inner);
+    double const start = std::exchange(acceleration_mps2.front(), 0.0);
+    auto const& a = acceleration_mps2;
+    auto const products = sliding_.products(a);
+    auto const& k = weights_;
     auto const& inside = products[0];
     auto const& edge = products[1];
+    // What a sample brings with those before it inside the window, and takes away with those after it.
+    auto const brings = [&](std::size_t i) { return a[i] * (2 * inside.before[i] + k.inside[0] * a[i]); };
+    auto const takes = [&](std::size_t i) { return a[i] * (2 * inside.after[i] + k.inside[0] * a[i]); };
 
     Balance total;       // of products of samples inside the window
-    Balance from_first;  // of the first sample's edge with them, while the window is cut there
-    for (std::size_t end = 1; end < n; ++end) {
-        bool const cut = end < window_;
-        std::size_t const begin = cut ? 0 : end - window_;
-        if (end >= 2) {  // the sample before is inside from now on
-            double const a = inner[end - 1];
-            total.add(2 * a * inside.before[end - 1]);
-            total.add(k.inside[0] * a * a);
-            if (end - 1 < window_) {
-                from_first.add(a * k.edge[end - 1]);
-            }
-        }
-        if (end > window_) {  // and this one no longer
-            double const a = inner[begin];
-            total.add(-2 * a * inside.after[begin]);
-            total.add(-k.inside[0] * a * a);
-        }
-        // What a strong part left behind by rounding is forgotten a few windows later.
-        constexpr std::size_t anew = 8;
-        if (end > window_ && end % (anew * window_) == 0) {
+    Balance from_start;  // of the first sample's edge with them
+    std::size_t const sliding = std::min(n, window_ + 1);
+    for (std::size_t end = 1; end < sliding; ++end) {
+        total.add(brings(end - 1));
+        from_start.add(a[end - 1] * k.edge[end - 1]);
+        squares[end] = total.value() + 2 * (a[end] * edge.before[end] + start * from_start.value())
+                       + edge_alone_ * (start * start + a[end] * a[end]) + 2 * start * a[end] * k.edges[end];
+    }
+    // Three passes, of which only the middle one has to wait for its own sums.
+    for (std::size_t end = sliding; end < n; ++end) {
+        squares[end] = brings(end - 1) - takes(end - window_);
+    }
+    // What a strong part left behind by rounding is forgotten a few windows later.
+    constexpr std::size_t anew = 8;
+    std::size_t next = anew * window_;
+    for (std::size_t end = sliding; end < n; ++end) {
+        total.add(squares[end]);
+        if (end == next) {
+            next += anew * window_;
             total = Balance();
-            total.add(all_pairs(std::span<double const>(inner).subspan(begin + 1, end - 1 - begin)));
+            total.add(all_pairs(std::span(a).subspan(end - window_ + 1, window_ - 1)));
         }
-        double const first = acceleration_mps2[begin];
-        double const last = acceleration_mps2[end];
-        double const with_first = begin == 0 ? from_first.value() : edge.after[begin];
-        squares[end] = total.value() + 2 * (last * edge.before[end] + first * with_first)
-                       + edge_alone_ * (first * first + last * last) + 2 * first * last * k.edges[end - begin];
+        squares[end] = total.value();
+    }
+    for (std::size_t end = sliding; end < n; ++end) {
+        double const first = a[end - window_];
+        double const last = a[end];
+        squares[end] += 2 * (last * edge.before[end] + first * edge.after[end - window_])
+                        + edge_alone_ * (first * first + last * last) + 2 * first * last * k.edges[window_];
     }
     return squares;
 }

@@ -22,7 +22,7 @@ class WindowKernel {
     WindowKernel(std::size_t samples, double time_step_s, std::size_t window, BandRule const& rule);
 
     /// \pre as many samples as stated
-    [[nodiscard]] std::vector<double> squares(std::span<double const> acceleration_mps2) const;
+    [[nodiscard]] std::vector<double> squares(std::vector<double> acceleration_mps2) const;
 
   private:
     // Weights of products of two samples, d = 0 ... window samples apart: both inside the window, one at its end, both

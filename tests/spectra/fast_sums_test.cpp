@@ -10,6 +10,7 @@
 #include "spectra/band_rule.hpp"
 #include "spectra/phase_sums.hpp"
 #include "spectra/sliding_products.hpp"
+#include "spectra/thinned_sums.hpp"
 #include "spectra/window_kernel.hpp"
 #include "spectra/window_sweep.hpp"
 #include "support/waves.hpp"
@@ -38,6 +39,37 @@ TEST(FastSums, PhaseSumsEqualPlainSums) {
         }
     }
     EXPECT_TRUE(PhaseSums(2, {}).of(std::vector{1.0, 2.0}).empty());
+}
+
+// Phases from zero to where thinning just begins, each kind of them alone: strides of 1 to 64, beside strong content at
+// phases that thinning folds onto slow ones.
+TEST(FastSums, ThinnedSumsEqualPlainSums) {
+    for (std::size_t const samples : {3U, 700U, 5001U}) {
+        auto wave = testing::broad_wave(samples, 0.01);
+        for (std::size_t j = 0; j < samples; ++j) {
+            for (double const folding : {2 * pi / 64, 2 * pi / 16, 2 * pi / 4, 3 * pi / 4, pi}) {
+                wave[j] += 10 * std::cos(folding * static_cast<double>(j) + 0.3);
+            }
+        }
+        double total = 0;
+        for (double const a : wave) {
+            total += std::abs(a);
+        }
+        for (double const fastest : {0.0, 0.01, 0.05, 0.114, 0.3, 0.785, 0.786, 2.0}) {
+            std::vector<double> const x{0, 1e-3 * fastest, 0.4 * fastest, -0.7 * fastest, fastest};
+
+            auto const thinned = ThinnedSums(samples, x).of(wave);
+
+            for (std::size_t i = 0; i < x.size(); ++i) {
+                std::complex<double> plain = 0;
+                for (std::size_t j = 0; j < samples; ++j) {
+                    plain += wave[j] * std::polar(1.0, -x[i] * static_cast<double>(j));
+                }
+                EXPECT_LE(std::abs(thinned[i] - plain), 1e-12 * total) << samples << " samples, x = " << x[i];
+            }
+        }
+    }
+    EXPECT_TRUE(ThinnedSums(500, {}).of(std::vector<double>(500, 1.0)).empty());
 }
 
 TEST(FastSums, SlidingProductsEqualPlainSums) {
