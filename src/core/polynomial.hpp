@@ -1,6 +1,7 @@
 /// Small polynomials of the time integrators: evaluation, and every real root inside an interval.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -47,6 +48,18 @@ template <std::size_t N> [[nodiscard]] double root_between(std::array<double, N>
     return t;
 }
 
+/// An upper bound of |sum_{k >= first} c[k] t^k| for 0 <= t <= h.
+template <std::size_t N> [[nodiscard]] double tail_bound(std::array<double, N> const& c, std::size_t first, double h) {
+    double bound = 0;
+    for (std::size_t k = N; k-- > first;) {
+        bound = bound * h + std::abs(c[k]);
+    }
+    for (std::size_t k = 0; k < first; ++k) {
+        bound *= h;
+    }
+    return bound;
+}
+
 /// Every place in (lo, hi] where c changes sign, in rising order; a touching double root may be left out.
 /// Works down through the derivatives, so that each bracket is monotone and none can be missed.
 template <std::size_t N> struct Roots {
@@ -59,6 +72,9 @@ template <std::size_t N> struct Roots {
 template <std::size_t N> [[nodiscard]] Roots<N> roots_in(std::array<double, N> const& c, double lo, double hi) {
     Roots<N> found;
     if constexpr (N >= 2) {
+        if (std::abs(c[0]) > tail_bound(c, 1, std::max(std::abs(lo), std::abs(hi)))) {
+            return found;  // too far from zero to get there
+        }
         auto const turning = roots_in(derivative(c), lo, hi);
         double left = lo;
         double left_value = evaluate(c, lo);
@@ -73,18 +89,6 @@ template <std::size_t N> [[nodiscard]] Roots<N> roots_in(std::array<double, N> c
         }
     }
     return found;
-}
-
-/// An upper bound of |sum_{k >= first} c[k] t^k| for 0 <= t <= h.
-template <std::size_t N> [[nodiscard]] double tail_bound(std::array<double, N> const& c, std::size_t first, double h) {
-    double bound = 0;
-    for (std::size_t k = N; k-- > first;) {
-        bound = bound * h + std::abs(c[k]);
-    }
-    for (std::size_t k = 0; k < first; ++k) {
-        bound *= h;
-    }
-    return bound;
 }
 
 }  // namespace overturn

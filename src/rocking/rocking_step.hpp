@@ -205,7 +205,9 @@ void Integrator<Order, Restoring, Vertical, Friction>::find_overturning(Series<O
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 void Integrator<Order, Restoring, Vertical, Friction>::move(Series<Order> const& series, Ending const& ending) {
     double const now = sample_.now();
-    for_each_maximum(series.phi, ending.at, [&](double t) { log_.raise_peak(evaluate(series.phi, t), now + t); });
+    if (phi_ + tail_bound(series.phi, 1, ending.at) > log_.outcome().peak_rotation_rad) {
+        for_each_maximum(series.phi, ending.at, [&](double t) { log_.raise_peak(evaluate(series.phi, t), now + t); });
+    }
     phi_ = ending.event == Event::impact ? 0 : evaluate(series.phi, ending.at);
     omega_ = evaluate(derivative(series.phi), ending.at);
     sample_.advance(ending.at, ending.event != Event::none);

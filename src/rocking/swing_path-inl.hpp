@@ -62,14 +62,16 @@ HWY_INLINE auto SwingPath<V, Vertical>::forcing(Swing samples, V scale, V index,
     return {fma(rise, into, a), fma(-rise, into, rise), end};
 }
 
-// phi'' = -p^2 (Gv sin psi + A cos psi), psi' = -phi', in the share of the step; w = (p length)^2. The newest terms
-// come last into every sum: they are what the next ones wait for.
+// phi'' = -p^2 (Gv sin psi + A cos psi), psi' = -phi', in the share of the step; w = (p length)^2. Of every sum the
+// newest terms come last: they are what the next ones wait for.
 template <class V, bool Vertical>
 HWY_INLINE auto SwingPath<V, Vertical>::expand(V length, V w, Forcing const& a, Forcing const& g) const -> Series {
     Series x;
     x.rate[0] = get(Swing::omega) * length;
     x.s[0] = get(Swing::sine);
     x.c[0] = get(Swing::cosine);
+    x.s[1] = -(x.rate[0] * x.c[0]);
+    x.c[1] = x.rate[0] * x.s[0];
 #pragma GCC unroll 16
     for (int k = 0; k < trig; ++k) {
         V pull = Vertical ? g.start * x.s[k] : x.s[k];
@@ -80,18 +82,20 @@ HWY_INLINE auto SwingPath<V, Vertical>::expand(V length, V w, Forcing const& a, 
             }
         }
         x.rate[k + 1] = (w * (-1.0 / (k + 1))) * fma(a.start, x.c[k], pull);
-        if (k + 1 == trig) {
-            break;
+        if (k == 0 || k + 1 == trig) {
+            continue;
         }
-        V sine = x.rate[k] * x.c[0];
-        V cosine = x.rate[k] * x.s[0];
+        V sine = x.rate[1] * x.c[k - 1];
+        V cosine = x.rate[1] * x.s[k - 1];
 #pragma GCC unroll 16
-        for (int j = k - 1; j >= 0; --j) {
+        for (int j = 2; j <= k; ++j) {
             sine = fma(x.rate[j], x.c[k - j], sine);
             cosine = fma(x.rate[j], x.s[k - j], cosine);
         }
+        sine = fma(x.rate[0], x.c[k], sine);
+        cosine = fma(x.rate[0], x.s[k], cosine);
         x.s[k + 1] = sine * (-1.0 / (k + 1));
-        x.c[k + 1] = k == 0 ? cosine : cosine * (1.0 / (k + 1));
+        x.c[k + 1] = cosine * (1.0 / (k + 1));
     }
     return x;
 }
