@@ -25,9 +25,10 @@ template <bool Vertical, Slip Friction> class Crew {
             aboard(lane);
         }
         while (busy_ > 0) {
-            fill_idle(width);
-            auto const calls = swing_on(lanes_, Vertical);
-            for (int lane = 0; lane < width; ++lane) {
+            int const used = busy_ <= width / 2 ? close_ranks(width) : width;
+            fill_idle(used);
+            auto const calls = swing_on(lanes_, used, Vertical);
+            for (int lane = 0; lane < used; ++lane) {
                 if ((calls >> static_cast<unsigned>(lane) & 1U) != 0 && at_[lane].trial) {
                     at_[lane].trial->arrive(lanes_, lane);
                     go_on(lane);
@@ -67,16 +68,32 @@ template <bool Vertical, Slip Friction> class Crew {
         --busy_;
         aboard(lane);
     }
+    // The last trials move to the first lanes. Returns how many of those are in use: half of all.
+    int close_ranks(int width) {
+        int free = 0;
+        for (int lane = width / 2; lane < width; ++lane) {
+            if (at_[lane].trial) {
+                while (at_[free].trial) {
+                    ++free;
+                }
+                at_[free].trial.emplace(*at_[lane].trial);
+                at_[free].number = at_[lane].number;
+                at_[lane].trial.reset();
+                lanes_.copy(lane, free);
+            }
+        }
+        return width / 2;
+    }
     // A lane without a trial shadows one that has one.
-    void fill_idle(int width) {
-        if (busy_ == width) {
+    void fill_idle(int used) {
+        if (busy_ == used) {
             return;
         }
         int busy = 0;
         while (!at_[busy].trial) {
             ++busy;
         }
-        for (int lane = 0; lane < width; ++lane) {
+        for (int lane = 0; lane < used; ++lane) {
             if (!at_[lane].trial) {
                 lanes_.copy(busy, lane);
             }

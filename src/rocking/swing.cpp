@@ -12,11 +12,12 @@ HWY_BEFORE_NAMESPACE();
 namespace overturn::rocking::HWY_NAMESPACE {
 
 using Wide = Lanes<hn::ScalableTag<double>, 2>;
+using Half = Lanes<hn::ScalableTag<double>, 1>;
 using Single = Lanes<hn::CappedTag<double, 1>, 1>;
 
 // NOLINTBEGIN(readability-non-const-parameter): the steppers write through it
-template <bool Vertical> std::uint32_t swing_many(double* values) {
-    Stepper<Wide, Vertical> stepper(values, most_lanes);
+template <class V, bool Vertical> std::uint32_t swing_many(double* values) {
+    Stepper<V, Vertical> stepper(values, most_lanes);
     for (;;) {
         if (auto const care = stepper.step(nullptr); any(care)) {
             return bits(care);
@@ -33,8 +34,11 @@ template <bool Vertical> bool swing_shown(double* values, SwingSeries* series) {
     return !any(Stepper<Single, Vertical>(values, 1).step(series));
 }
 
-std::uint32_t many_lanes(double* values, bool vertical) {
-    return vertical ? swing_many<true>(values) : swing_many<false>(values);
+std::uint32_t many_lanes(double* values, int used, bool vertical) {
+    if (used <= Half::count) {
+        return vertical ? swing_many<Half, true>(values) : swing_many<Half, false>(values);
+    }
+    return vertical ? swing_many<Wide, true>(values) : swing_many<Wide, false>(values);
 }
 void one_lane(double* values, bool vertical) { vertical ? swing_alone<true>(values) : swing_alone<false>(values); }
 bool shown_lane(double* values, bool vertical, SwingSeries* series) {
@@ -54,8 +58,8 @@ HWY_EXPORT(shown_lane);
 HWY_EXPORT(one_lane);
 HWY_EXPORT(lane_count);
 
-std::uint32_t swing_on(SwingLanes<most_lanes>& lanes, bool vertical) {
-    return HWY_DYNAMIC_DISPATCH(many_lanes)(lanes.values.data(), vertical);
+std::uint32_t swing_on(SwingLanes<most_lanes>& lanes, int used, bool vertical) {
+    return HWY_DYNAMIC_DISPATCH(many_lanes)(lanes.values.data(), used, vertical);
 }
 
 void swing_on(SwingLanes<1>& lane, bool vertical) { HWY_DYNAMIC_DISPATCH(one_lane)(lane.values.data(), vertical); }

@@ -79,8 +79,9 @@ struct SwingSeries {
 
 /// Steps every lane on until one of them needs care: its next step may hold an event other than a clear impact, or a
 /// new peak inside, or its wave is over. That lane's state is then the one before this step.
+/// \param used lanes that hold a trial, from the first on: half of the registers are enough for half of the lanes
 /// \return one bit per such lane
-[[nodiscard]] std::uint32_t swing_on(SwingLanes<most_lanes>& lanes, bool vertical);
+[[nodiscard]] std::uint32_t swing_on(SwingLanes<most_lanes>& lanes, int used, bool vertical);
 
 /// The same for a lane alone.
 void swing_on(SwingLanes<1>& lane, bool vertical);

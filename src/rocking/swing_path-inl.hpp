@@ -45,6 +45,7 @@ template <class V, bool Vertical> class SwingPath {
     HWY_INLINE V first_zero(Series const& x, M started) const;
     HWY_INLINE V turning(Series const& x) const;
     static HWY_INLINE V falling_root(V c0, V c1, V c2);
+    template <std::size_t N> static HWY_INLINE V at(V u, std::array<V, N> const& c);
 
   private:
     double* values_;
@@ -129,19 +130,32 @@ template <class V, bool Vertical> HWY_INLINE V SwingPath<V, Vertical>::falling_r
     return (c0 + c0) / (sqrt(max(c1 * c1 - 4.0 * c0 * c2, 0)) - c1);
 }
 
+// sum c[k] u^k in two chains, even and odd, as one would wait for itself.
+template <class V, bool Vertical>
+template <std::size_t N>
+HWY_INLINE V SwingPath<V, Vertical>::at(V u, std::array<V, N> const& c) {
+    constexpr int top = static_cast<int>(N) - 1;
+    V const u2 = u * u;
+    V even = c[top - top % 2];
+    V odd = c[top - 1 + top % 2];
+#pragma GCC unroll 16
+    for (int k = top - 2; k >= 0; --k) {
+        V& sum = k % 2 == 0 ? even : odd;
+        sum = fma(sum, u2, c[k]);
+    }
+    return fma(odd, u, even);
+}
+
 // Where phi turns from rising to falling, as a share of the step.
 template <class V, bool Vertical> HWY_INLINE V SwingPath<V, Vertical>::turning(Series const& x) const {
+    std::array<V, order - 1> slope;
+    for (int k = 1; k < order; ++k) {
+        slope[k - 1] = x.rate[k] * static_cast<double>(k);
+    }
     V u = falling_root(x.rate[0], x.rate[1], x.rate[2]);
     constexpr int rounds = 2;
     for (int round = 0; round < rounds; ++round) {
-        V value = x.rate[order - 1];
-        V slope = static_cast<double>(order - 1) * x.rate[order - 1];
-#pragma GCC unroll 16
-        for (int k = order - 2; k >= 1; --k) {
-            value = fma(value, u, x.rate[k]);
-            slope = fma(slope, u, x.rate[k] * static_cast<double>(k));
-        }
-        u = u - fma(value, u, x.rate[0]) / slope;
+        u = u - at(u, x.rate) / at(u, slope);
     }
     return u;
 }
@@ -156,19 +170,21 @@ template <class V, bool Vertical> HWY_INLINE V SwingPath<V, Vertical>::first_zer
         c[k] = choose(started, x.rate[k] * (1.0 / (k + 1)), x.rate[k - 1] * (1.0 / k));
     }
     c[order] = choose(started, V(0), x.rate[order - 1] * (1.0 / order));
-    V u = falling_root(c[0], c[1], c[2]);
-    constexpr int rounds = 3;
-    for (int round = 0; round < rounds; ++round) {
-        V value = c[order];
-        V slope = static_cast<double>(order) * c[order];
-#pragma GCC unroll 16
-        for (int k = order - 1; k >= 1; --k) {
-            value = fma(value, u, c[k]);
-            slope = fma(slope, u, c[k] * static_cast<double>(k));
-        }
-        u = u - fma(value, u, c[0]) / slope;
+    // The first terms find the way; what they leave out is below 1e-7 of the root, and the last step brings it.
+    constexpr std::size_t leading = 6;
+    std::array<V, leading> lead;
+    std::array<V, leading - 1> slope;
+    lead[0] = c[0];
+    for (std::size_t k = 1; k < leading; ++k) {
+        lead[k] = c[k];
+        slope[k - 1] = c[k] * static_cast<double>(k);
     }
-    return u;
+    V u = falling_root(c[0], c[1], c[2]);
+    constexpr int rounds = 2;
+    for (int round = 0; round < rounds; ++round) {
+        u = u - at(u, lead) / at(u, slope);
+    }
+    return u - at(u, c) / at(u, slope);
 }
 
 }  // namespace overturn::rocking::HWY_NAMESPACE

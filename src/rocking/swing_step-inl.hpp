@@ -143,12 +143,7 @@ template <class V, bool Vertical> HWY_INLINE auto Stepper<V, Vertical>::step(Swi
     M strikes = lands & fine;
     if (any(strikes)) {
         V const u = first_zero(x, started);
-        V at = rate[order - 1];
-#pragma GCC unroll 16
-        for (int k = order - 2; k >= 0; --k) {
-            at = fma(at, u, rate[k]);
-        }
-        V const approach = -at / length;
+        V const approach = -Path::at(u, rate) / length;
         V const rebound = get(Swing::restitution) * approach;
         V const gv = Vertical ? fma(g.change, u, g.start) : one;
         V const hold = gv * get(Swing::uplift_ratio) - abs(fma(a.change, u, a.start));
@@ -182,12 +177,11 @@ template <class V, bool Vertical> HWY_INLINE auto Stepper<V, Vertical>::step(Swi
     V peak_after = fma(index1 - index, dt, tau1 - tau);  // since the step's start
     if (M const crests = without(turns, stays); any(crests)) {
         V const u = this->turning(x);
-        V crest = rate[order - 1] * (1.0 / order);
-#pragma GCC unroll 16
-        for (int k = order - 2; k >= 0; --k) {
-            crest = fma(crest, u, rate[k] * (1.0 / (k + 1)));
+        std::array<V, order> gain;  // phi over u
+        for (int k = 0; k < order; ++k) {
+            gain[k] = rate[k] * (1.0 / (k + 1));
         }
-        crest = fma(crest, u, phi);
+        V const crest = fma(Path::at(u, gain), u, phi);
         M const tops = crests & (crest > peak1);
         peak1 = choose(tops, crest, peak1);
         peak_after = choose(tops, u * length, peak_after);
