@@ -35,10 +35,9 @@ EffectRequest read_effects(Table const& table) {
 
 RockingAccuracy read_accuracy(Table const& table) {
     RockingAccuracy a;
-    static constexpr std::array orders{4, 6, 8, 10, 12};
     auto const order = table.integer("taylor_order", 1, 99, a.taylor_order);
-    if (std::find(orders.begin(), orders.end(), order) == orders.end()) {
-        table.fail("taylor_order", fmt::format("{} (not offered). Use 4, 6, 8, 10 or 12", order));
+    if (std::ranges::find(taylor_orders, order) == taylor_orders.end()) {
+        table.fail("taylor_order", fmt::format("{} (not offered). Use {}", order, fmt::join(taylor_orders, ", ")));
     }
     a.taylor_order = static_cast<int>(order);
     constexpr int most_substeps = 1000;

@@ -38,7 +38,7 @@ Setting one_key(std::string const& key, double value, std::string const& unit = 
 
 Knob step_knob(RockingAccuracy const& own) {
     Knob knob{"step", "Taylor order and sub-steps of a wave sample", peak_error, "trial", Acts::trials, {}, {}};
-    for (int const order : {4, 6, 8, 10, 12}) {
+    for (int const order : taylor_orders) {
         std::vector<int> substeps{1, 2, 4};
         if (order == own.taylor_order && std::find(substeps.begin(), substeps.end(), own.substeps) == substeps.end()) {
             substeps.push_back(own.substeps);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
@@ -28,21 +29,15 @@ struct Call {
     }
 
     template <class Restoring, Slip Friction> [[nodiscard]] RockingOutcome with_order() const {
-        switch (accuracy.taylor_order) {
-            case 4:
-                return run<4, Restoring, Friction>();
-            case 6:
-                return run<6, Restoring, Friction>();
-            case 8:
-                return run<8, Restoring, Friction>();
-            case 10:
-                return run<10, Restoring, Friction>();
-            case 12:
-                return run<12, Restoring, Friction>();
-            default:
-                break;
-        }
-        throw InputError(fmt::format("taylor_order {} (not offered). Use 4, 6, 8, 10 or 12", accuracy.taylor_order));
+        RockingOutcome outcome;
+        auto const one_of = [&]<std::size_t... i>(std::index_sequence<i...>) {
+            return ((accuracy.taylor_order == taylor_orders[i]
+                     && (outcome = run<taylor_orders[i], Restoring, Friction>(), true))
+                    || ...);
+        };
+        validate(one_of(std::make_index_sequence<taylor_orders.size()>()), "taylor_order {} (not offered). Use {}",
+                 accuracy.taylor_order, fmt::join(taylor_orders, ", "));
+        return outcome;
     }
 };
 
