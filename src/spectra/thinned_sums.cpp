@@ -22,7 +22,7 @@ std::size_t filled_up(std::size_t taps) { return (taps + wide::lanes - 1) / wide
 struct Smoothing {
     std::span<double const> kernel, signal;
     std::size_t stride;
-    std::span<double> smoothed;  // an even number
+    std::span<double> smoothed;  // an even number; the signal goes on for a kernel after the last one's start
 
     template <int bytes> OVERTURN_INLINE void run() const {
         using R = wide::Registers<bytes>;
@@ -72,13 +72,17 @@ ThinnedSums::ThinnedSums(std::size_t samples, std::span<double const> x) : sampl
         stride_ *= 2;
     }
     // The kernel's main lobe ends where the nearest phase is that folds onto the fastest one.
-    double const lobe = 2 * pi / static_cast<double>(stride_) - fastest;
-    half_ = static_cast<std::size_t>(std::ceil(shape / lobe));
-    if (stride_ == 1 || samples < 4 * half_) {
-        stride_ = 1;
+    auto const half_for = [&](std::size_t stride) {
+        return static_cast<std::size_t>(std::ceil(shape / (2 * pi / static_cast<double>(stride) - fastest)));
+    };
+    while (stride_ > 1 && samples < 4 * half_for(stride_)) {  // too short a signal for so long a kernel
+        stride_ /= 2;
+    }
+    if (stride_ == 1) {
         sums_.emplace(samples, x);
         return;
     }
+    half_ = half_for(stride_);
     std::size_t const taps = 2 * half_ + 1;
     auto const reach = static_cast<double>(half_);
     kernel_.assign(filled_up(taps), 0.0);

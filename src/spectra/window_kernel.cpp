@@ -14,7 +14,7 @@
 namespace overturn {
 namespace {
 
-// A sum in twice the working precision (Knuth's two-sum): what goes in can come out again without a trace.
+// A sum in twice the working precision (Knuth's two-sum): many additions leave no more than one does.
 class Balance {
   public:
     void add(double x) {

@@ -44,6 +44,21 @@ TEST(Polynomial, ARootAtTheEndIsFound) {
     EXPECT_EQ(roots_in(c, 0.0, 1.0).count, 1U);
 }
 
+// An interval that does not begin at zero, and a root at its end that the bound only just reaches.
+TEST(Polynomial, RootsAreFoundWhereverTheIntervalLies) {
+    Cubic const c{-0.006, 0.11, -0.6, 1.0};  // roots 0.1, 0.2, 0.3
+    EXPECT_EQ(roots_in(c, 0.15, 0.25).count, 1U);
+    EXPECT_EQ(roots_in(c, 0.31, 9.0).count, 0U);
+
+    Cubic const mirrored{-0.006, -0.11, -0.6, -1.0};  // roots -0.3, -0.2, -0.1
+    EXPECT_EQ(roots_in(mirrored, -1.0, 0.0).count, 3U);
+    EXPECT_EQ(roots_in(mirrored, -0.25, 0.5).count, 2U);
+
+    Cubic const rising{-3.0, 1.0, 1.0, 1.0};  // root 1
+    EXPECT_EQ(roots_in(rising, 0.0, 1.0).count, 1U);
+    EXPECT_EQ(roots_in(rising, 0.0, 1 - 1e-15).count, 0U);
+}
+
 TEST(Polynomial, TailBoundHolds) {
     Cubic const c{1.0, -2.0, 3.0, -4.0};
     for (double t = 0; t <= 0.5; t += 0.01) {

@@ -44,7 +44,7 @@ TEST(FastSums, PhaseSumsEqualPlainSums) {
 // Phases from zero to where thinning just begins, each kind of them alone: strides of 1 to 64, beside strong content at
 // phases that thinning folds onto slow ones.
 TEST(FastSums, ThinnedSumsEqualPlainSums) {
-    for (std::size_t const samples : {3U, 700U, 5001U}) {
+    for (std::size_t const samples : {3U, 104U, 700U, 5001U}) {
         auto wave = testing::broad_wave(samples, 0.01);
         for (std::size_t j = 0; j < samples; ++j) {
             for (double const folding : {2 * pi / 64, 2 * pi / 16, 2 * pi / 4, 3 * pi / 4, pi}) {
@@ -55,7 +55,7 @@ TEST(FastSums, ThinnedSumsEqualPlainSums) {
         for (double const a : wave) {
             total += std::abs(a);
         }
-        for (double const fastest : {0.0, 0.01, 0.05, 0.114, 0.3, 0.785, 0.786, 2.0}) {
+        for (double const fastest : {0.0, pi / 128, pi / 64, 0.0491, 0.114, pi / 8, pi / 4, 0.786, 2.0, 2 * pi, 7.5}) {
             std::vector<double> const x{0, 1e-3 * fastest, 0.4 * fastest, -0.7 * fastest, fastest};
 
             auto const thinned = ThinnedSums(samples, x).of(wave);
@@ -95,6 +95,29 @@ TEST(FastSums, SlidingProductsEqualPlainSums) {
                     ASSERT_NEAR(products[k].before[n], before, 1e-11) << samples << ", " << taps << ", " << n;
                     ASSERT_NEAR(products[k].after[n], after, 1e-11) << samples << ", " << taps << ", " << n;
                 }
+            }
+        }
+    }
+}
+
+// Waves of no, one and few samples, and windows just shorter than, as long as and just longer than the wave.
+TEST(FastSums, WindowsOfShortWaves) {
+    for (std::size_t const samples : {0U, 1U, 2U, 3U, 40U}) {
+        auto const wave = testing::broad_wave(samples, 0.01);
+        for (std::size_t const window : {1U, 2U, 3U, 39U, 40U, 41U}) {
+            auto const rule = band_rule({0.5, 5.0}, static_cast<double>(window) * 0.01, 20);
+
+            auto const fast = WindowKernel(samples, 0.01, window, rule).squares(wave);
+
+            ASSERT_EQ(fast.size(), samples);
+            if (samples < 2) {
+                continue;
+            }
+            auto const swept =
+                swept_window_squares(wave, 0.01, std::min(window, samples), rule, WindowReading::restarted);
+            double const largest = *std::max_element(swept.begin(), swept.end());
+            for (std::size_t n = 0; n < samples; ++n) {
+                EXPECT_NEAR(fast[n], swept[n], 1e-12 * largest) << samples << ", window " << window << ", " << n;
             }
         }
     }
