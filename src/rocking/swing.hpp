@@ -79,7 +79,8 @@ struct SwingSeries {
 
 /// Steps every lane on until one of them needs care: its next step may hold an event other than a clear impact, or a
 /// new peak inside, or its wave is over. That lane's state is then the one before this step.
-/// \param used lanes that hold a trial, from the first on: half of the registers are enough for half of the lanes
+/// \param used the first so many lanes are stepped, at least; half of swing_width() costs half. All that are stepped
+///     hold a trial or a copy of one: ask for all or for half
 /// \return one bit per such lane
 [[nodiscard]] std::uint32_t swing_on(SwingLanes<most_lanes>& lanes, int used, bool vertical);
 

@@ -7,6 +7,8 @@
 #define OVERTURN_SWING_PATH
 #endif
 
+#include <algorithm>
+
 #include "rocking/lanes-inl.hpp"
 #include "rocking/swing.hpp"
 
@@ -36,13 +38,18 @@ template <class V, bool Vertical> class SwingPath {
         V phi, speed, s, c;
     };
 
+    struct Zero {
+        V share;
+        M found;  // else the search has not come to its end
+    };
+
     HWY_INLINE V get(Swing f) const { return V::load(values_ + static_cast<std::ptrdiff_t>(f) * stride_); }
     HWY_INLINE void put(Swing f, V v) { v.store(values_ + static_cast<std::ptrdiff_t>(f) * stride_); }
 
     HWY_INLINE Forcing forcing(Swing samples, V scale, V index, V into) const;
     HWY_INLINE Series expand(V length, V w, Forcing const& a, Forcing const& g) const;
     HWY_INLINE Target target(Series const& x) const;
-    HWY_INLINE V first_zero(Series const& x, M started) const;
+    HWY_INLINE Zero first_zero(Series const& x, M started) const;
     HWY_INLINE V turning(Series const& x) const;
     static HWY_INLINE V falling_root(V c0, V c1, V c2);
     template <std::size_t N> static HWY_INLINE V at(V u, std::array<V, N> const& c);
@@ -134,6 +141,7 @@ template <class V, bool Vertical> HWY_INLINE V SwingPath<V, Vertical>::falling_r
 template <class V, bool Vertical>
 template <std::size_t N>
 HWY_INLINE V SwingPath<V, Vertical>::at(V u, std::array<V, N> const& c) {
+    static_assert(N >= 2);
     constexpr int top = static_cast<int>(N) - 1;
     V const u2 = u * u;
     V even = c[top - top % 2];
@@ -149,6 +157,7 @@ HWY_INLINE V SwingPath<V, Vertical>::at(V u, std::array<V, N> const& c) {
 // Where phi turns from rising to falling, as a share of the step.
 template <class V, bool Vertical> HWY_INLINE V SwingPath<V, Vertical>::turning(Series const& x) const {
     std::array<V, order - 1> slope;
+#pragma GCC unroll 16
     for (int k = 1; k < order; ++k) {
         slope[k - 1] = x.rate[k] * static_cast<double>(k);
     }
@@ -162,7 +171,8 @@ template <class V, bool Vertical> HWY_INLINE V SwingPath<V, Vertical>::turning(S
 
 // Where phi falls to zero, as a share of the step: from its parabola, by Newton's steps. A zero at the start is
 // divided out first.
-template <class V, bool Vertical> HWY_INLINE V SwingPath<V, Vertical>::first_zero(Series const& x, M started) const {
+template <class V, bool Vertical>
+HWY_INLINE auto SwingPath<V, Vertical>::first_zero(Series const& x, M started) const -> Zero {
     std::array<V, order + 1> c;
     c[0] = choose(started, x.rate[0], get(Swing::phi));
 #pragma GCC unroll 16
@@ -170,21 +180,23 @@ template <class V, bool Vertical> HWY_INLINE V SwingPath<V, Vertical>::first_zer
         c[k] = choose(started, x.rate[k] * (1.0 / (k + 1)), x.rate[k - 1] * (1.0 / k));
     }
     c[order] = choose(started, V(0), x.rate[order - 1] * (1.0 / order));
-    // The first terms find the way; what they leave out is below 1e-7 of the root, and the last step brings it.
-    constexpr std::size_t leading = 6;
-    std::array<V, leading> lead;
-    std::array<V, leading - 1> slope;
-    lead[0] = c[0];
-    for (std::size_t k = 1; k < leading; ++k) {
-        lead[k] = c[k];
+    std::array<V, order> slope;
+#pragma GCC unroll 16
+    for (int k = 1; k <= order; ++k) {
         slope[k - 1] = c[k] * static_cast<double>(k);
     }
+    constexpr int leading = 6;  // terms that bring the parabola's root close enough
+    std::array<V, leading> lead;
+    std::array<V, leading - 1> lead_slope;
+    std::copy_n(c.begin(), leading, lead.begin());
+    std::copy_n(slope.begin(), leading - 1, lead_slope.begin());
     V u = falling_root(c[0], c[1], c[2]);
-    constexpr int rounds = 2;
-    for (int round = 0; round < rounds; ++round) {
-        u = u - at(u, lead) / at(u, slope);
-    }
-    return u - at(u, c) / at(u, slope);
+    u = u - at(u, lead) / at(u, lead_slope);
+    u = u - at(u, c) / at(u, slope);
+    V const last = at(u, c) / at(u, slope);
+    // Newton's error squares itself: after a step this small it is rounding.
+    constexpr double small = 1e-7;
+    return {u - last, abs(last) <= small * u};
 }
 
 }  // namespace overturn::rocking::HWY_NAMESPACE

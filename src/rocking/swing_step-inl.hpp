@@ -142,7 +142,7 @@ template <class V, bool Vertical> HWY_INLINE auto Stepper<V, Vertical>::step(Swi
     M taken = clear & fine;
     M strikes = lands & fine;
     if (any(strikes)) {
-        V const u = first_zero(x, started);
+        auto const [u, found] = first_zero(x, started);
         V const approach = -Path::at(u, rate) / length;
         V const rebound = get(Swing::restitution) * approach;
         V const gv = Vertical ? fma(g.change, u, g.start) : one;
@@ -151,7 +151,7 @@ template <class V, bool Vertical> HWY_INLINE auto Stepper<V, Vertical>::step(Swi
         constexpr double invisible = 1e-3;
         M const lasts =
             (rebound > settle * invisible) & (rebound * get(Swing::settle_rate) > fma(-u, length, length) * hold);
-        strikes = strikes & ((rebound > settle) | lasts) & (u > zero) & (u < one)
+        strikes = strikes & found & ((rebound > settle) | lasts) & (u > zero) & (u < one)
                   & (get(Swing::impact_demand) <= get(Swing::friction_limit));
         V const approach_spread = approach * get(Swing::inverse_p);
         energy1 = choose(strikes, max(energy1, 0.5 * approach_spread * approach_spread), energy1);
@@ -178,6 +178,7 @@ template <class V, bool Vertical> HWY_INLINE auto Stepper<V, Vertical>::step(Swi
     if (M const crests = without(turns, stays); any(crests)) {
         V const u = this->turning(x);
         std::array<V, order> gain;  // phi over u
+#pragma GCC unroll 16
         for (int k = 0; k < order; ++k) {
             gain[k] = rate[k] * (1.0 / (k + 1));
         }
