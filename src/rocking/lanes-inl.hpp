@@ -18,42 +18,51 @@ HWY_BEFORE_NAMESPACE();
 namespace overturn::rocking::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-template <class D, int Registers> struct Truth { std::array<hn::Mask<D>, Registers> part; };
+// One register or two side by side. As members: copies of arrays would go through memory.
+template <class T, int Count> struct Registers;
+template <class T> struct Registers<T, 1> { T a; };
+template <class T> struct Registers<T, 2> { T a, b; };
 
-template <class D, int Registers> struct Lanes {
+template <class D, int R> struct Truth { Registers<hn::Mask<D>, R> part; };
+
+template <class D, int R> struct Lanes {
     static constexpr int width = static_cast<int>(hn::MaxLanes(D()));
-    static constexpr int count = Registers * width;
-    using Mask = Truth<D, Registers>;
+    static constexpr int count = R * width;
+    using Mask = Truth<D, R>;
 
-    std::array<hn::Vec<D>, Registers> part;
+    Registers<hn::Vec<D>, R> part;
 
     Lanes() = default;
     // NOLINTNEXTLINE(google-explicit-constructor): constants in formulas
     HWY_INLINE Lanes(double x) {
-        for (auto& v : part) {
-            v = hn::Set(D(), x);
+        part.a = hn::Set(D(), x);
+        if constexpr (R == 2) {
+            part.b = part.a;
         }
     }
     static HWY_INLINE Lanes load(double const* from) {
         Lanes x;
-        for (int i = 0; i < Registers; ++i) {
-            x.part[i] = hn::Load(D(), from + static_cast<std::ptrdiff_t>(i) * width);
+        x.part.a = hn::Load(D(), from);
+        if constexpr (R == 2) {
+            x.part.b = hn::Load(D(), from + width);
         }
         return x;
     }
     HWY_INLINE void store(double* to) const {
-        for (int i = 0; i < Registers; ++i) {
-            hn::Store(part[i], D(), to + static_cast<std::ptrdiff_t>(i) * width);
+        hn::Store(part.a, D(), to);
+        if constexpr (R == 2) {
+            hn::Store(part.b, D(), to + width);
         }
     }
-    [[nodiscard]] HWY_INLINE double first() const { return hn::GetLane(part[0]); }
+    [[nodiscard]] HWY_INLINE double first() const { return hn::GetLane(part.a); }
 };
 
 #define OVERTURN_LANEWISE(name, operation)                                                                             \
     template <class D, int R> HWY_INLINE Lanes<D, R> name(Lanes<D, R> a, Lanes<D, R> b) {                              \
         Lanes<D, R> x;                                                                                                 \
-        for (int i = 0; i < R; ++i) {                                                                                  \
-            x.part[i] = hn::operation(a.part[i], b.part[i]);                                                           \
+        x.part.a = hn::operation(a.part.a, b.part.a);                                                                  \
+        if constexpr (R == 2) {                                                                                        \
+            x.part.b = hn::operation(a.part.b, b.part.b);                                                              \
         }                                                                                                              \
         return x;                                                                                                      \
     }                                                                                                                  \
@@ -70,8 +79,9 @@ OVERTURN_LANEWISE(max, Max)
 #define OVERTURN_LANEWISE(name, operation)                                 \
     template <class D, int R> HWY_INLINE Lanes<D, R> name(Lanes<D, R> a) { \
         Lanes<D, R> x;                                                     \
-        for (int i = 0; i < R; ++i) {                                      \
-            x.part[i] = hn::operation(a.part[i]);                          \
+        x.part.a = hn::operation(a.part.a);                                \
+        if constexpr (R == 2) {                                            \
+            x.part.b = hn::operation(a.part.b);                            \
         }                                                                  \
         return x;                                                          \
     }
@@ -83,8 +93,9 @@ OVERTURN_LANEWISE(sqrt, Sqrt)
 #define OVERTURN_LANEWISE(name, operation)                                                \
     template <class D, int R> HWY_INLINE Truth<D, R> name(Lanes<D, R> a, Lanes<D, R> b) { \
         Truth<D, R> x;                                                                    \
-        for (int i = 0; i < R; ++i) {                                                     \
-            x.part[i] = hn::operation(a.part[i], b.part[i]);                              \
+        x.part.a = hn::operation(a.part.a, b.part.a);                                     \
+        if constexpr (R == 2) {                                                           \
+            x.part.b = hn::operation(a.part.b, b.part.b);                                 \
         }                                                                                 \
         return x;                                                                         \
     }                                                                                     \
@@ -98,8 +109,9 @@ OVERTURN_LANEWISE(operator>=, Ge)
 #define OVERTURN_LANEWISE(name, operation)                                                \
     template <class D, int R> HWY_INLINE Truth<D, R> name(Truth<D, R> a, Truth<D, R> b) { \
         Truth<D, R> x;                                                                    \
-        for (int i = 0; i < R; ++i) {                                                     \
-            x.part[i] = hn::operation(a.part[i], b.part[i]);                              \
+        x.part.a = hn::operation(a.part.a, b.part.a);                                     \
+        if constexpr (R == 2) {                                                           \
+            x.part.b = hn::operation(a.part.b, b.part.b);                                 \
         }                                                                                 \
         return x;                                                                         \
     }
@@ -112,8 +124,9 @@ OVERTURN_LANEWISE(but_not, AndNot)  // of the second what is not in the first: s
 template <class D, int R> HWY_INLINE Truth<D, R> without(Truth<D, R> a, Truth<D, R> b) { return but_not(b, a); }
 
 template <class D, int R> HWY_INLINE Truth<D, R> operator!(Truth<D, R> a) {
-    for (auto& m : a.part) {
-        m = hn::Not(m);
+    a.part.a = hn::Not(a.part.a);
+    if constexpr (R == 2) {
+        a.part.b = hn::Not(a.part.b);
     }
     return a;
 }
@@ -121,13 +134,17 @@ template <class D, int R> HWY_INLINE Truth<D, R> operator!(Truth<D, R> a) {
 /// a b + c in one rounding, also where the machine has no instruction for it: bits never depend on the machine.
 template <class D, int R> HWY_INLINE Lanes<D, R> fma(Lanes<D, R> a, Lanes<D, R> b, Lanes<D, R> c) {
     Lanes<D, R> x;
-    for (int i = 0; i < R; ++i) {
 #if HWY_TARGET == HWY_SCALAR
-        x.part[i] = hn::Vec<D>(std::fma(a.part[i].raw, b.part[i].raw, c.part[i].raw));
-#else
-        x.part[i] = hn::MulAdd(a.part[i], b.part[i], c.part[i]);
-#endif
+    x.part.a = hn::Vec<D>(std::fma(a.part.a.raw, b.part.a.raw, c.part.a.raw));
+    if constexpr (R == 2) {
+        x.part.b = hn::Vec<D>(std::fma(a.part.b.raw, b.part.b.raw, c.part.b.raw));
     }
+#else
+    x.part.a = hn::MulAdd(a.part.a, b.part.a, c.part.a);
+    if constexpr (R == 2) {
+        x.part.b = hn::MulAdd(a.part.b, b.part.b, c.part.b);
+    }
+#endif
     return x;
 }
 template <class D, int R> HWY_INLINE Lanes<D, R> fma(Lanes<D, R> a, double b, Lanes<D, R> c) {
@@ -141,52 +158,59 @@ template <class D, int R> HWY_INLINE Lanes<D, R> fma(Lanes<D, R> a, double b, do
 }
 
 template <class D, int R> HWY_INLINE Lanes<D, R> choose(Truth<D, R> condition, Lanes<D, R> yes, Lanes<D, R> no) {
-    for (int i = 0; i < R; ++i) {
-        no.part[i] = hn::IfThenElse(condition.part[i], yes.part[i], no.part[i]);
+    no.part.a = hn::IfThenElse(condition.part.a, yes.part.a, no.part.a);
+    if constexpr (R == 2) {
+        no.part.b = hn::IfThenElse(condition.part.b, yes.part.b, no.part.b);
     }
     return no;
 }
 
 template <class D, int R> HWY_INLINE bool any(Truth<D, R> a) {
-    auto all = a.part[0];
-    for (int i = 1; i < R; ++i) {
-        all = hn::Or(all, a.part[i]);
+    auto all = a.part.a;
+    if constexpr (R == 2) {
+        all = hn::Or(all, a.part.b);
     }
     return !hn::AllFalse(D(), all);
 }
 
 /// One bit per lane.
 template <class D, int R> HWY_INLINE std::uint32_t bits(Truth<D, R> a) {
-    std::uint32_t all = 0;
-    for (int i = 0; i < R; ++i) {
-        std::array<std::uint8_t, 8> part{};
-        hn::StoreMaskBits(D(), a.part[i], part.data());
-        all |= static_cast<std::uint32_t>(part[0]) << (i * Lanes<D, R>::width);
+    auto const of = [](hn::Mask<D> m) HWY_ATTR {
+        std::array<std::uint8_t, 8> bytes{};
+        hn::StoreMaskBits(D(), m, bytes.data());
+        return static_cast<std::uint32_t>(bytes[0]);
+    };
+    if constexpr (R == 2) {
+        return of(a.part.a) | of(a.part.b) << Lanes<D, R>::width;
     }
-    return all;
+    return of(a.part.a);
 }
 
 /// The sample at each lane's address (a number of doubles) and the one after it.
-template <class D, int R> HWY_INLINE void fetch(Lanes<D, R> address, Lanes<D, R>& here, Lanes<D, R>& next) {
+template <class D> HWY_INLINE void fetch_one(hn::Vec<D> address, hn::Vec<D>& here, hn::Vec<D>& next) {
     D const d;
     hn::RebindToSigned<D> const di;
     auto const magic =
         hn::Set(d, 4503599627370496.0);  // 2^52: what is added to it stands in the mantissa as an integer
-    constexpr int width = Lanes<D, R>::width;
-    for (int i = 0; i < R; ++i) {
-        auto const at = hn::Sub(hn::BitCast(di, hn::Add(address.part[i], magic)), hn::BitCast(di, magic));
-        HWY_ALIGN std::array<std::int64_t, width> from;
-        HWY_ALIGN std::array<double, width> first;
-        HWY_ALIGN std::array<double, width> second;
-        hn::Store(at, di, from.data());
-        for (int lane = 0; lane < width; ++lane) {
-            // NOLINTNEXTLINE(performance-no-int-to-ptr): addresses travel in the lanes
-            auto const* const sample = reinterpret_cast<double const*>(static_cast<std::uintptr_t>(from[lane]) * 8);
-            first[lane] = sample[0];
-            second[lane] = sample[1];
-        }
-        here.part[i] = hn::Load(d, first.data());
-        next.part[i] = hn::Load(d, second.data());
+    constexpr int width = static_cast<int>(hn::MaxLanes(D()));
+    auto const at = hn::Sub(hn::BitCast(di, hn::Add(address, magic)), hn::BitCast(di, magic));
+    HWY_ALIGN std::array<std::int64_t, width> from;
+    HWY_ALIGN std::array<double, width> first;
+    HWY_ALIGN std::array<double, width> second;
+    hn::Store(at, di, from.data());
+    for (int lane = 0; lane < width; ++lane) {
+        // NOLINTNEXTLINE(performance-no-int-to-ptr): addresses travel in the lanes
+        auto const* const sample = reinterpret_cast<double const*>(static_cast<std::uintptr_t>(from[lane]) * 8);
+        first[lane] = sample[0];
+        second[lane] = sample[1];
+    }
+    here = hn::Load(d, first.data());
+    next = hn::Load(d, second.data());
+}
+template <class D, int R> HWY_INLINE void fetch(Lanes<D, R> address, Lanes<D, R>& here, Lanes<D, R>& next) {
+    fetch_one<D>(address.part.a, here.part.a, next.part.a);
+    if constexpr (R == 2) {
+        fetch_one<D>(address.part.b, here.part.b, next.part.b);
     }
 }
 
