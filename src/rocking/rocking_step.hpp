@@ -245,25 +245,31 @@ void Integrator<Order, Restoring, Vertical, Friction>::lose_contact(bool at_rest
     }
 }
 
-// Energy is stationary inside a step where the shaking's power -omega (A cos psi + (Gv - 1) sin psi) changes sign.
+// Energy is stationary inside a step where the block turns and where the shaking lets go of it: its power is
+// -omega (A cos psi + (Gv - 1) sin psi).
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 void Integrator<Order, Restoring, Vertical, Friction>::raise_energy_inside(Series<Order> const& series,
                                                                            Forcing const& forcing, double end) {
     log_.raise_energy(rocking_energy());
-    double const power0 = -(forcing.horizontal * series.cosine[0] + (forcing.vertical - 1) * series.sine[0]) * omega_;
-    if (power0 <= 0) {
-        return;
-    }
-    auto const at = [&](double t) {
-        double const phi = evaluate(series.phi, t);
-        double const rate = evaluate(derivative(series.phi), t);
-        double const pull = (forcing.horizontal + forcing.horizontal_slope * t) * evaluate(series.cosine, t)
-                            + (forcing.vertical + forcing.vertical_slope * t - 1) * evaluate(series.sine, t);
-        double const speed = rate / block_.p_radps;
-        return std::pair{-pull * rate, 0.5 * speed * speed + Restoring::potential(block_.alpha_rad, phi)};
+    auto const velocity = derivative(series.phi);
+    auto const shove = [&](double t) {
+        return (forcing.horizontal + forcing.horizontal_slope * t) * evaluate(series.cosine, t)
+               + (forcing.vertical + forcing.vertical_slope * t - 1) * evaluate(series.sine, t);
     };
-    if (double const power1 = at(end).first; power1 < 0) {
-        log_.raise_energy(at(end * power0 / (power0 - power1)).second);
+    auto const energy = [&](double t) {
+        double const speed = evaluate(velocity, t) / block_.p_radps;
+        return 0.5 * speed * speed + Restoring::potential(block_.alpha_rad, evaluate(series.phi, t));
+    };
+    if (velocity[0] * evaluate(velocity, end) < 0) {
+        log_.raise_energy(energy(root_between(velocity, 0.0, end)));
+    }
+    double const here = shove(0);
+    double const there = shove(end);
+    if (here * there < 0) {
+        double const yield = (here - there) / end;
+        double const t = here / yield;
+        double const left = shove(t);  // next to nothing, as the shove is almost a line
+        log_.raise_energy(energy(t) - 0.5 * evaluate(velocity, t) * left * left / yield);
     }
 }
 

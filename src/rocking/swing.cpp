@@ -17,7 +17,7 @@ using Single = Lanes<hn::CappedTag<double, 1>, 1>;
 
 // NOLINTBEGIN(readability-non-const-parameter): the steppers write through it
 template <class V, bool Vertical> std::uint32_t swing_many(double* values) {
-    Stepper<V, Vertical> stepper(values, most_lanes);
+    Stepper<V, most_lanes, Vertical> stepper(values);
     for (;;) {
         if (auto const care = stepper.step(nullptr); any(care)) {
             return bits(care);
@@ -26,12 +26,12 @@ template <class V, bool Vertical> std::uint32_t swing_many(double* values) {
 }
 
 template <bool Vertical> void swing_alone(double* values) {
-    Stepper<Single, Vertical> stepper(values, 1);
+    Stepper<Single, 1, Vertical> stepper(values);
     while (!any(stepper.step(nullptr))) {}
 }
 
 template <bool Vertical> bool swing_shown(double* values, SwingSeries* series) {
-    return !any(Stepper<Single, Vertical>(values, 1).step(series));
+    return !any(Stepper<Single, 1, Vertical>(values).step(series));
 }
 
 std::uint32_t many_lanes(double* values, int used, bool vertical) {

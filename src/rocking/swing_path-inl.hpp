@@ -15,11 +15,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace overturn::rocking::HWY_NAMESPACE {
 
-template <class V, bool Vertical> class SwingPath {
+template <class V, int Stride, bool Vertical> class SwingPath {
   public:
     using M = typename V::Mask;
 
-    SwingPath(double* values, int stride) : values_(values), stride_(stride) {}
+    explicit SwingPath(double* values) : values_(values) {}
 
   protected:
     static constexpr int order = SwingSeries::order;
@@ -38,29 +38,33 @@ template <class V, bool Vertical> class SwingPath {
         V phi, speed, s, c;
     };
 
+    struct Turned {
+        V s, c;
+    };
     struct Zero {
         V share;
         M found;  // else the search has not come to its end
     };
 
-    HWY_INLINE V get(Swing f) const { return V::load(values_ + static_cast<std::ptrdiff_t>(f) * stride_); }
-    HWY_INLINE void put(Swing f, V v) { v.store(values_ + static_cast<std::ptrdiff_t>(f) * stride_); }
+    HWY_INLINE V get(Swing f) const { return V::load(values_ + static_cast<std::ptrdiff_t>(f) * Stride); }
+    HWY_INLINE void put(Swing f, V v) { v.store(values_ + static_cast<std::ptrdiff_t>(f) * Stride); }
 
     HWY_INLINE Forcing forcing(Swing samples, V scale, V index, V into) const;
     HWY_INLINE Series expand(V length, V w, Forcing const& a, Forcing const& g) const;
     HWY_INLINE Target target(Series const& x) const;
     HWY_INLINE Zero first_zero(Series const& x, M started) const;
-    HWY_INLINE V turning(Series const& x) const;
+    HWY_INLINE Zero turning(Series const& x) const;
+    HWY_INLINE V gain(V u, Series const& x) const;
+    HWY_INLINE Turned turned(Series const& x, V gain) const;
     static HWY_INLINE V falling_root(V c0, V c1, V c2);
     template <std::size_t N> static HWY_INLINE V at(V u, std::array<V, N> const& c);
 
   private:
     double* values_;
-    int stride_;
 };
 
-template <class V, bool Vertical>
-HWY_INLINE auto SwingPath<V, Vertical>::forcing(Swing samples, V scale, V index, V into) const -> Forcing {
+template <class V, int Stride, bool Vertical>
+HWY_INLINE auto SwingPath<V, Stride, Vertical>::forcing(Swing samples, V scale, V index, V into) const -> Forcing {
     V here;
     V next;
     fetch(get(samples) + index, here, next);
@@ -72,26 +76,29 @@ HWY_INLINE auto SwingPath<V, Vertical>::forcing(Swing samples, V scale, V index,
 
 // phi'' = -p^2 (Gv sin psi + A cos psi), psi' = -phi', in the share of the step; w = (p length)^2. Of every sum the
 // newest terms come last: they are what the next ones wait for.
-template <class V, bool Vertical>
-HWY_INLINE auto SwingPath<V, Vertical>::expand(V length, V w, Forcing const& a, Forcing const& g) const -> Series {
+template <class V, int Stride, bool Vertical>
+HWY_INLINE auto SwingPath<V, Stride, Vertical>::expand(V length, V w, Forcing const& a, Forcing const& g) const
+    -> Series {
     Series x;
     x.rate[0] = get(Swing::omega) * length;
     x.s[0] = get(Swing::sine);
     x.c[0] = get(Swing::cosine);
     x.s[1] = -(x.rate[0] * x.c[0]);
     x.c[1] = x.rate[0] * x.s[0];
+    V const across = w * a.start;
+    V const across_change = w * a.change;
+    V const down = Vertical ? w * g.start : w;
+    V const down_change = w * g.change;
+    x.rate[1] = -fma(across, x.c[0], down * x.s[0]);
 #pragma GCC unroll 16
-    for (int k = 0; k < trig; ++k) {
-        V pull = Vertical ? g.start * x.s[k] : x.s[k];
-        if (k > 0) {
-            pull = fma(a.change, x.c[k - 1], pull);
-            if constexpr (Vertical) {
-                pull = fma(g.change, x.s[k - 1], pull);
-            }
+    for (int k = 1; k < trig; ++k) {
+        V pull = fma(across, x.c[k], across_change * x.c[k - 1]);
+        if constexpr (Vertical) {
+            pull = fma(down_change, x.s[k - 1], pull);
         }
-        x.rate[k + 1] = (w * (-1.0 / (k + 1))) * fma(a.start, x.c[k], pull);
-        if (k == 0 || k + 1 == trig) {
-            continue;
+        x.rate[k + 1] = fma(down, x.s[k], pull) * (-1.0 / (k + 1));
+        if (k + 1 == trig) {
+            break;
         }
         V sine = x.rate[1] * x.c[k - 1];
         V cosine = x.rate[1] * x.s[k - 1];
@@ -109,7 +116,19 @@ HWY_INLINE auto SwingPath<V, Vertical>::expand(V length, V w, Forcing const& a, 
 }
 
 // psi turns by minus what phi gains; its sine and cosine turn with it.
-template <class V, bool Vertical> HWY_INLINE auto SwingPath<V, Vertical>::target(Series const& x) const -> Target {
+template <class V, int Stride, bool Vertical>
+HWY_INLINE auto SwingPath<V, Stride, Vertical>::turned(Series const& x, V gain) const -> Turned {
+    V const t2 = gain * gain;
+    V const sine_tail = fma(fma(t2, -1.0 / 5040, 1.0 / 120), t2, -1.0 / 6);
+    V const cosine_tail = fma(fma(fma(t2, 1.0 / 40320, -1.0 / 720), t2, 1.0 / 24), t2, -0.5);
+    V const sine = fma(sine_tail * t2, gain, gain);
+    V const drop = cosine_tail * t2;  // cos - 1
+    return {x.s[0] + fma(x.s[0], drop, -(x.c[0] * sine)), x.c[0] + fma(x.c[0], drop, x.s[0] * sine)};
+}
+constexpr double most_arc = 0.03;  // to which the sums above are exact to rounding [rad]
+
+template <class V, int Stride, bool Vertical>
+HWY_INLINE auto SwingPath<V, Stride, Vertical>::target(Series const& x) const -> Target {
     auto const& r = x.rate;
     V late = r[4] * (1.0 / 5);
     V speed = r[order - 2] + r[order - 1];
@@ -121,26 +140,32 @@ template <class V, bool Vertical> HWY_INLINE auto SwingPath<V, Vertical>::target
     for (int k = order - 4; k >= 0; k -= 2) {
         speed = (r[k] + r[k + 1]) + speed;
     }
-    V const turn = fma(r[1], 0.5, r[0]) + (fma(r[3], 0.25, r[2] * (1.0 / 3)) + late);
-    V const t2 = turn * turn;
-    V const sine_tail = fma(fma(t2, -1.0 / 5040, 1.0 / 120), t2, -1.0 / 6);
-    V const cosine_tail = fma(fma(fma(t2, 1.0 / 40320, -1.0 / 720), t2, 1.0 / 24), t2, -0.5);
-    V const sine = fma(sine_tail * t2, turn, turn);
-    V const drop = cosine_tail * t2;  // cos - 1
-    return {get(Swing::phi) + turn, speed, x.s[0] + fma(x.s[0], drop, -(x.c[0] * sine)),
-            x.c[0] + fma(x.c[0], drop, x.s[0] * sine)};
+    V const gain = fma(r[1], 0.5, r[0]) + (fma(r[3], 0.25, r[2] * (1.0 / 3)) + late);
+    auto const [s, c] = turned(x, gain);
+    return {get(Swing::phi) + gain, speed, s, c};
 }
-constexpr double most_arc = 0.03;  // to which the sums above are exact to rounding [rad]
+
+// What phi has gained at a share of the step.
+template <class V, int Stride, bool Vertical>
+HWY_INLINE V SwingPath<V, Stride, Vertical>::gain(V u, Series const& x) const {
+    std::array<V, order> c;
+#pragma GCC unroll 16
+    for (int k = 0; k < order; ++k) {
+        c[k] = x.rate[k] * (1.0 / (k + 1));
+    }
+    return at(u, c) * u;
+}
 
 // Where c0 + c1 u + c2 u^2 falls through zero.
-template <class V, bool Vertical> HWY_INLINE V SwingPath<V, Vertical>::falling_root(V c0, V c1, V c2) {
+template <class V, int Stride, bool Vertical>
+HWY_INLINE V SwingPath<V, Stride, Vertical>::falling_root(V c0, V c1, V c2) {
     return (c0 + c0) / (sqrt(max(c1 * c1 - 4.0 * c0 * c2, 0)) - c1);
 }
 
 // sum c[k] u^k in two chains, even and odd, as one would wait for itself.
-template <class V, bool Vertical>
+template <class V, int Stride, bool Vertical>
 template <std::size_t N>
-HWY_INLINE V SwingPath<V, Vertical>::at(V u, std::array<V, N> const& c) {
+HWY_INLINE V SwingPath<V, Stride, Vertical>::at(V u, std::array<V, N> const& c) {
     static_assert(N >= 2);
     constexpr int top = static_cast<int>(N) - 1;
     V const u2 = u * u;
@@ -155,24 +180,25 @@ HWY_INLINE V SwingPath<V, Vertical>::at(V u, std::array<V, N> const& c) {
 }
 
 // Where phi turns from rising to falling, as a share of the step.
-template <class V, bool Vertical> HWY_INLINE V SwingPath<V, Vertical>::turning(Series const& x) const {
+template <class V, int Stride, bool Vertical>
+HWY_INLINE auto SwingPath<V, Stride, Vertical>::turning(Series const& x) const -> Zero {
     std::array<V, order - 1> slope;
 #pragma GCC unroll 16
     for (int k = 1; k < order; ++k) {
         slope[k - 1] = x.rate[k] * static_cast<double>(k);
     }
     V u = falling_root(x.rate[0], x.rate[1], x.rate[2]);
-    constexpr int rounds = 2;
-    for (int round = 0; round < rounds; ++round) {
-        u = u - at(u, x.rate) / at(u, slope);
-    }
-    return u;
+    u = u - at(u, x.rate) / at(u, slope);
+    V const last = at(u, x.rate) / at(u, slope);
+    // phi is flat here: an error of the instant enters squared.
+    constexpr double small = 1e-5;
+    return {u - last, abs(last) <= small * u};
 }
 
 // Where phi falls to zero, as a share of the step: from its parabola, by Newton's steps. A zero at the start is
 // divided out first.
-template <class V, bool Vertical>
-HWY_INLINE auto SwingPath<V, Vertical>::first_zero(Series const& x, M started) const -> Zero {
+template <class V, int Stride, bool Vertical>
+HWY_INLINE auto SwingPath<V, Stride, Vertical>::first_zero(Series const& x, M started) const -> Zero {
     std::array<V, order + 1> c;
     c[0] = choose(started, x.rate[0], get(Swing::phi));
 #pragma GCC unroll 16

@@ -14,9 +14,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace overturn::rocking::HWY_NAMESPACE {
 
-template <class V, bool Vertical> class Stepper : private SwingPath<V, Vertical> {
+template <class V, int Stride, bool Vertical> class Stepper : private SwingPath<V, Stride, Vertical> {
   public:
-    using Path = SwingPath<V, Vertical>;
+    using Path = SwingPath<V, Stride, Vertical>;
     using M = typename Path::M;
     using Path::Path;
 
@@ -35,9 +35,27 @@ template <class V, bool Vertical> class Stepper : private SwingPath<V, Vertical>
     using typename Path::Forcing;
     using typename Path::Series;
     using typename Path::Target;
+
+    HWY_INLINE V energy_near(V u, Series const& x, Forcing const& a, Forcing const& g, V yield) const;
 };
 
-template <class V, bool Vertical> HWY_INLINE auto Stepper<V, Vertical>::step(SwingSeries* shown) -> M {
+// Energy where the shaking lets go, near a share of the step: over cos psi it falls almost along a line, by `yield`.
+template <class V, int Stride, bool Vertical>
+HWY_INLINE V Stepper<V, Stride, Vertical>::energy_near(V u, Series const& x, Forcing const& a, Forcing const& g,
+                                                       V yield) const {
+    auto const [s, c] = this->turned(x, this->gain(u, x));
+    V const rate = Path::at(u, x.rate);
+    V const spread = rate / (get(Swing::p) * (get(Swing::time_step) - get(Swing::tau)));
+    V const energy = fma(0.5 * spread, spread, c - get(Swing::cosine_alpha));
+    if constexpr (Vertical) {
+        V const left = fma(fma(g.change, u, g.start) - 1.0, s, fma(a.change, u, a.start) * c);
+        return energy - 0.5 * rate * left * left / (yield * c);
+    }
+    return energy;
+}
+
+template <class V, int Stride, bool Vertical>
+HWY_INLINE auto Stepper<V, Stride, Vertical>::step(SwingSeries* shown) -> M {
     V const zero = 0;
     V const one = 1;
     V const index = get(Swing::index);
@@ -70,31 +88,66 @@ template <class V, bool Vertical> HWY_INLINE auto Stepper<V, Vertical>::step(Swi
     V const pull = Vertical ? fma(g.start, s, push) : s + push;
     V const pull_end = Vertical ? fma(g.end, to.s, push_end) : to.s + push_end;
     V const change = Vertical ? abs(a.change) + abs(g.change) : abs(a.change);
-    V const force = max(abs(a.start), abs(a.end)) + (Vertical ? max(abs(g.start), abs(g.end)) : one);
+    V const across = max(abs(a.start), abs(a.end));
+    V const force = across + (Vertical ? max(abs(g.start), abs(g.end)) : one);
     V const arc = fma(w, force, abs(rate[0]));
     V const off_line = fma(force, fma(arc, arc, w * force), (change + change) * arc);
     V const most_curved = w * (off_line - min(pull, pull_end));
     V const least_curved = -(w * (off_line + max(pull, pull_end)));
 
     // Does phi stay clear of zero, or fall through it once?
+    V const slowest = rate[0] + min(least_curved, zero);
+    V const fastest = rate[0] + max(most_curved, zero);
+    M const concave = most_curved < zero;
+    M const convex = least_curved > zero;
     M const started = get(Swing::start) > zero;
     V const lift = choose(started, rate[0], phi);  // what keeps it off the ground at first
     V const drop = 0.5 * min(least_curved, zero);
     V const fall_back = choose(started, drop, min(rate[0], zero) + drop);
-    M const concave = most_curved < zero;
-    M const falling = without(rate[0] + max(most_curved, zero) < zero, started);
-    M const once = (lift > zero) & (concave | falling);
+    M const once = (lift > zero) & (concave | without(fastest < zero, started));
     M const lands = once & (to.phi <= zero);
-    M const rises = (rate[0] >= zero) & (least_curved > zero);
-    M const clear = (lift + fall_back > zero) | rises | without(once, lands);
+    M const clear = (lift + fall_back > zero) | ((rate[0] >= zero) & convex) | without(once, lands);
 
     // Every other event must be out of reach, and the series sound.
     V const last_terms = max(abs(rate[order - 1]), abs(rate[order - 2]) * ph);
+    M fine = (last_terms <= get(Swing::tolerance)) & (arc <= most_arc) & (to.phi < 0.5 * std::numbers::pi - most_arc);
+
+    // A record of rotation or of energy inside? Energy is stationary where the block turns and where the shaking lets
+    // go of it. A path that bends one way has no more than one turn.
     V const peak = get(Swing::peak);
-    M const turns = (rate[0] > zero) & (to.speed <= zero) & (phi + arc > peak);  // perhaps at a record
-    M fine = without(
-        (last_terms <= get(Swing::tolerance)) & (arc <= most_arc) & (to.phi < 0.5 * std::numbers::pi - most_arc),
-        turns);
+    V const record = get(Swing::energy);
+    V const spread = omega * get(Swing::inverse_p);
+    V const energy = fma(0.5 * spread, spread, c - get(Swing::cosine_alpha));
+    V const down = Vertical ? g.start - 1.0 : zero;
+    V const down_end = Vertical ? g.end - 1.0 : zero;
+    V const shove = Vertical ? fma(down, s, push) : push;
+    V const shove_end = Vertical ? fma(down_end, to.s, push_end) : push_end;
+    M const reaches = phi + arc > peak;
+    M const charged = energy + arc * (Vertical ? across + max(abs(down), abs(down_end)) : across) > record;
+    M const wavers = without(without((slowest <= zero) & (fastest >= zero), concave), convex);
+    M const falters = charged & (rate[0] < zero) & (to.speed > zero);
+    fine = without(fine, (wavers & (reaches | charged)) | falters);
+    M const turns = fine & (reaches | charged) & (rate[0] > zero) & (to.speed <= zero);
+    V crest = zero;
+    V crest_energy = zero;
+    V crest_share = one;
+    if (any(turns)) {
+        auto const [u, found] = this->turning(x);
+        fine = without(fine, without(turns, found));
+        V const gain = this->gain(u, x);
+        crest = choose(turns, phi + gain, zero);
+        crest_energy = choose(turns, this->turned(x, gain).c - get(Swing::cosine_alpha), zero);
+        crest_share = u;
+    }
+    M const lets_go = fine & charged & (shove * shove_end < zero);
+    V free_energy = zero;
+    V free_share = one;
+    if (any(lets_go)) {
+        V const slant = Vertical ? fma(down, s / c, a.start) : a.start;
+        V const yield = slant - (Vertical ? fma(down_end, to.s / to.c, a.end) : a.end);
+        free_share = choose(lets_go, slant / yield, one);
+        free_energy = choose(lets_go, energy_near(free_share, x, a, g, yield), zero);
+    }
 
     // Contact forces here, and how far they could move: r p^2 = inertia_ratio < 1.
     V const spin = get(Swing::r) * (omega * omega);
@@ -120,14 +173,6 @@ template <class V, bool Vertical> HWY_INLINE auto Stepper<V, Vertical>::step(Swi
         held = held | (holds(friction, normal, bow) & holds(friction_end, normal_end, bow));
     }
     fine = fine & held;
-
-    // Energy has a maximum inside where the shaking's power falls through zero: a record there needs care.
-    V const spread = omega * get(Swing::inverse_p);
-    V const energy = fma(0.5 * spread, spread, c - get(Swing::cosine_alpha));
-    V const power = -rate[0] * (Vertical ? fma(g.start - 1.0, s, push) : push);
-    V const power_end = -to.speed * (Vertical ? fma(g.end - 1.0, to.s, push_end) : push_end);
-    V const record = get(Swing::energy);
-    fine = without(fine, (power > zero) & (power_end < zero) & (energy + power > record));
 
     V phi1 = to.phi;
     V omega1 = to.speed / length;  // its inverse would err one way in every step
@@ -169,27 +214,16 @@ template <class V, bool Vertical> HWY_INLINE auto Stepper<V, Vertical>::step(Swi
         put(Swing::impacts, choose(strikes, get(Swing::impacts) + 1.0, get(Swing::impacts)));
     }
     M const stays = !taken;
+    energy1 = max(energy1, max(crest_energy, choose(free_share < share, free_energy, zero)));
     M const demands = without(friction > demand1 * normal, stays);
     if (any(demands)) {
         demand1 = choose(demands, friction / normal, demand1);
     }
-    V peak1 = max(peak, phi1);
-    V peak_after = fma(index1 - index, dt, tau1 - tau);  // since the step's start
-    if (M const crests = without(turns, stays); any(crests)) {
-        V const u = this->turning(x);
-        std::array<V, order> gain;  // phi over u
-#pragma GCC unroll 16
-        for (int k = 0; k < order; ++k) {
-            gain[k] = rate[k] * (1.0 / (k + 1));
-        }
-        V const crest = fma(Path::at(u, gain), u, phi);
-        M const tops = crests & (crest > peak1);
-        peak1 = choose(tops, crest, peak1);
-        peak_after = choose(tops, u * length, peak_after);
-    }
-    if (M const higher = without(peak1 > peak, stays); any(higher)) {
-        put(Swing::peak_time, choose(higher, fma(index, dt, tau + peak_after), get(Swing::peak_time)));
-        put(Swing::peak, choose(higher, peak1, peak));
+    if (M const higher = without(max(phi1, crest) > peak, stays); any(higher)) {
+        M const inside = crest > phi1;
+        V const after = choose(inside, crest_share * length, fma(index1 - index, dt, tau1 - tau));
+        put(Swing::peak_time, choose(higher, fma(index, dt, tau + after), get(Swing::peak_time)));
+        put(Swing::peak, choose(higher, max(phi1, crest), peak));
     }
     bool const some_stay = any(stays);
     auto const keep = [&](Swing field, V now)

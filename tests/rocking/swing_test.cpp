@@ -1,6 +1,8 @@
-// Requirement: an impact that the lanes take without care lies where the step's own series is zero.
+// Requirement: an impact, a peak or an energy that the lanes take without care is the step's own series' zero or
+// highest.
 #include "rocking/swing.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -58,13 +60,15 @@ class Draw {
         set(Swing::samples, address_of(samples.data()));
         return lane;
     }
+    [[nodiscard]] double between(double low, double high) {
+        return std::uniform_real_distribution<>(low, high)(numbers_);
+    }
     [[nodiscard]] std::array<double, 2> samples() {
         double const a = between(-1, 1) * spread(0.01, 1);
         return {a, a + between(-1, 1) * spread(0.001, 0.3)};
     }
 
   private:
-    double between(double low, double high) { return std::uniform_real_distribution<>(low, high)(numbers_); }
     double spread(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
     bool coin() { return between(0, 1) < 0.5; }
 
@@ -105,6 +109,81 @@ TEST(Swing, ImpactsLieOnTheSeries) {
     EXPECT_GT(impacts, 50000);
     std::printf("%d impacts, %d steps left to care\n", impacts, refused);
 }
+
+// The highest value of a function over [0, end]: the best of many points, then ever closer around it.
+template <class Function> long double highest(Function const& f, long double end) {
+    constexpr int points = 64;
+    long double best = 0;
+    for (int i = 1; i <= points; ++i) {
+        best = f(end * i / points) > f(best) ? end * i / points : best;
+    }
+    long double low = std::max(0.0L, best - end / points);
+    long double high = std::min(end, best + end / points);
+    constexpr int thirds = 60;
+    for (int i = 0; i < thirds; ++i) {
+        long double const a = low + (high - low) / 3;
+        long double const b = high - (high - low) / 3;
+        (f(a) < f(b) ? low : high) = f(a) < f(b) ? a : b;
+    }
+    return std::max({f(0.0L), f(0.5L * (low + high)), f(end)});
+}
+
+// Peaks before the step: just here, and a little above what is reached from here.
+void expect_highest(bool vertical, double off) {
+    Draw draw;
+    int crests = 0;
+    int summits = 0;
+    double worst = 0;
+    for (int i = 0; i < 20000; ++i) {
+        auto const samples = draw.samples();
+        auto const vertical_samples = draw.samples();
+        auto lane = draw.lane(samples);
+        lane.at(Swing::vertical, 0) = address_of(vertical_samples.data());
+        double const phi = lane.at(Swing::phi, 0);
+        double const reach = std::abs(lane.at(Swing::omega, 0)) * lane.at(Swing::time_step, 0);
+        lane.at(Swing::peak, 0) = i % 2 == 0 ? phi : phi + draw.between(0, 0.5) * reach;
+        lane.at(Swing::energy, 0) = 0;
+        auto const before = lane;
+        SwingSeries series;
+        (void)swing_once(lane, vertical, series);
+        if (lane.at(Swing::steps, 0) == 0) {
+            continue;
+        }
+        bool const started = before.at(Swing::start, 0) > 0;
+        auto const rotation = [&](long double u) { return height(series, phi, started, u) * (started ? u : 1); };
+        auto const energy = [&](long double u) {
+            long double rate = 0;
+            for (int k = SwingSeries::order - 1; k >= 0; --k) {
+                rate = rate * u + static_cast<long double>(series.rates.at(k));
+            }
+            long double const alpha = std::acos(static_cast<long double>(before.at(Swing::cosine_alpha, 0)));
+            long double const spread = rate / (before.at(Swing::p, 0) * static_cast<long double>(series.length_s));
+            return 0.5L * spread * spread + std::cos(alpha - rotation(u)) - std::cos(alpha);
+        };
+        long double const share = series.share;
+        long double const top = highest(rotation, share);
+        long double const most = highest(energy, share);
+        double const peak = std::max(before.at(Swing::peak, 0), static_cast<double>(top));
+        EXPECT_NEAR(lane.at(Swing::peak, 0), peak, 1e-14 * peak) << "draw " << i;
+        crests += top > std::max<long double>(rotation(share), before.at(Swing::peak, 0)) * (1 + 1e-9L) ? 1 : 0;
+        // Of the energy every step raises what it starts with; what it ends with is the next one's.
+        long double const ends = std::max(energy(0), lane.at(Swing::impacts, 0) > 0 ? energy(share) : 0);
+        if (most > std::max(ends, energy(share)) * (1 + 1e-6L)) {
+            ++summits;
+            worst = std::max(worst, static_cast<double>(std::abs(lane.at(Swing::energy, 0) - most)));
+        } else {
+            EXPECT_GE(lane.at(Swing::energy, 0), ends - off) << "draw " << i;
+            EXPECT_LE(lane.at(Swing::energy, 0), most + off) << "draw " << i;
+        }
+    }
+    EXPECT_GT(crests, 1000);
+    EXPECT_GT(summits, 1000);
+    EXPECT_LT(worst, off);
+    std::printf("%d crests, %d summits, worst energy off by %.1e\n", crests, summits, worst);
+}
+
+TEST(Swing, PeaksAndEnergiesAreTheSeriesHighest) { expect_highest(false, 1e-15); }
+TEST(Swing, PeaksAndEnergiesUnderVerticalMotionToo) { expect_highest(true, 1e-8); }
 
 }  // namespace
 }  // namespace overturn::rocking
