@@ -87,6 +87,7 @@ template <int Order, class Restoring, bool Vertical, Slip Friction> class Integr
     }
     [[nodiscard]] Ending limits_of_contact(Series<Order> const& series, Forcing const& forcing,
                                            ContactForces const& forces, double h) const;
+    void watch_landing();
     void find_overturning(Series<Order> const& series, Ending& ending) const;
     void move(Series<Order> const& series, Ending const& ending);
     void start_slip(double friction);

@@ -63,6 +63,9 @@ void Integrator<Order, Restoring, Vertical, Friction>::rock() {
     move(series, ending);
     switch (ending.event) {
         case Event::impact:
+            if constexpr (nonlinear) {
+                watch_landing();
+            }
             strike();
             break;
         case Event::overturned:
@@ -125,6 +128,7 @@ void Integrator<Order, Restoring, Vertical, Friction>::slip_rock() {
         x_m_ += sigma_ * integral(speed, ending.at);
         v_mps_ = ending.event == Event::slip_stops ? 0 : sigma_ * evaluate(speed, ending.at);
         log_.raise_slip(x_m_);
+        log_.lower_contact(evaluate(slip.normal, ending.at));
         move(series, ending);
         switch (ending.event) {
             case Event::impact:
@@ -152,6 +156,18 @@ auto Integrator<Order, Restoring, Vertical, Friction>::contact_now(Series<Order>
     double const spin = omega_ * omega_;
     return {r_ * (series.cosine[0] * acceleration + series.sine[0] * spin) + forcing.horizontal,
             r_ * (series.sine[0] * acceleration - series.cosine[0] * spin) + forcing.vertical};
+}
+
+// Just before an impact the corner carries least: the block turns fastest.
+template <int Order, class Restoring, bool Vertical, Slip Friction>
+void Integrator<Order, Restoring, Vertical, Friction>::watch_landing() {
+    double const a = side_ * sample_.horizontal(sample_.tau_s);
+    double const gv = sample_.vertical(sample_.tau_s);
+    double const s = law_.sine_alpha;
+    double const c = law_.cosine_alpha;
+    double const spin = r_ * omega_ * omega_;
+    double const grip = block_.inertia_ratio * (gv * s + a * c);
+    log_.watch_forces(s * spin + a - c * grip, gv - s * grip - c * spin);
 }
 
 // Where within the step friction or contact would give out. The forces' series are worked out only near a limit. What

@@ -36,8 +36,21 @@ template <class V, int Stride, bool Vertical> class Stepper : private SwingPath<
     using typename Path::Series;
     using typename Path::Target;
 
+    struct Forces {
+        V spin, friction, normal;  // friction's amount
+    };
+    HWY_INLINE Forces forces(V s, V c, V rate, V a, V g) const;
     HWY_INLINE V energy_near(V u, Series const& x, Forcing const& a, Forcing const& g, V yield) const;
 };
+
+// Contact forces over m g.
+template <class V, int Stride, bool Vertical>
+HWY_INLINE auto Stepper<V, Stride, Vertical>::forces(V s, V c, V rate, V a, V g) const -> Forces {
+    V const spin = get(Swing::r) * (rate * rate);
+    V const push = a * c;
+    V const grip = get(Swing::inertia_ratio) * (Vertical ? fma(g, s, push) : s + push);
+    return {spin, abs(fma(s, spin, a) - c * grip), g - fma(s, grip, c * spin)};
+}
 
 // Energy where the shaking lets go, near a share of the step: over cos psi it falls almost along a line, by `yield`.
 template <class V, int Stride, bool Vertical>
@@ -150,27 +163,20 @@ HWY_INLINE auto Stepper<V, Stride, Vertical>::step(SwingSeries* shown) -> M {
     }
 
     // Contact forces here, and how far they could move: r p^2 = inertia_ratio < 1.
-    V const spin = get(Swing::r) * (omega * omega);
-    V const grip = get(Swing::inertia_ratio) * pull;
-    V const friction = abs(fma(s, spin, a.start) - c * grip);
-    V const normal = g.start - fma(s, grip, c * spin);
-    V const sway = fma(force + spin, 3.0 * arc, change + change);
+    Forces const here = forces(s, c, omega, a.start, g.start);
+    V const sway = fma(force + here.spin, 3.0 * arc, change + change);
     V const limit = get(Swing::friction_limit);
     auto const holds = [&](V pulling, V pressing, V astray) HWY_ATTR {
         V const least = pressing - astray;
         return (least > zero) & (pulling + astray <= limit * least);
     };
-    M held = holds(friction, normal, sway);
+    M held = holds(here.friction, here.normal, sway);
     if (any(!held)) {
         // Near a limit: the forces stray from the line between their ends by an eighth of their second derivatives,
         // which are below (arc^2 + w force) (spin + 10.06 force) + 6 arc change.
-        V const omega_end = to.speed / length;
-        V const spin_end = get(Swing::r) * (omega_end * omega_end);
-        V const grip_end = get(Swing::inertia_ratio) * pull_end;
-        V const friction_end = abs(fma(to.s, spin_end, a.end) - to.c * grip_end);
-        V const normal_end = g.end - fma(to.s, grip_end, to.c * spin_end);
-        V const bow = 0.125 * fma(fma(arc, arc, w * force), spin + 10.06 * force, 6.0 * arc * change);
-        held = held | (holds(friction, normal, bow) & holds(friction_end, normal_end, bow));
+        Forces const there = forces(to.s, to.c, to.speed / length, a.end, g.end);
+        V const bow = 0.125 * fma(fma(arc, arc, w * force), here.spin + 10.06 * force, 6.0 * arc * change);
+        held = held | (holds(here.friction, here.normal, bow) & holds(there.friction, there.normal, bow));
     }
     fine = fine & held;
 
@@ -183,6 +189,7 @@ HWY_INLINE auto Stepper<V, Stride, Vertical>::step(SwingSeries* shown) -> M {
     V start1 = zero;
     V energy1 = max(record, energy);
     V demand1 = get(Swing::demand);
+    V normal1 = min(here.normal, get(Swing::normal));
     V share = one;
     M taken = clear & fine;
     M strikes = lands & fine;
@@ -191,7 +198,8 @@ HWY_INLINE auto Stepper<V, Stride, Vertical>::step(SwingSeries* shown) -> M {
         V const approach = -Path::at(u, rate) / length;
         V const rebound = get(Swing::restitution) * approach;
         V const gv = Vertical ? fma(g.change, u, g.start) : one;
-        V const hold = gv * get(Swing::uplift_ratio) - abs(fma(a.change, u, a.start));
+        V const av = fma(a.change, u, a.start);
+        V const hold = gv * get(Swing::uplift_ratio) - abs(av);
         V const settle = get(Swing::settle_speed);
         constexpr double invisible = 1e-3;
         M const lasts =
@@ -201,6 +209,10 @@ HWY_INLINE auto Stepper<V, Stride, Vertical>::step(SwingSeries* shown) -> M {
         V const approach_spread = approach * get(Swing::inverse_p);
         energy1 = choose(strikes, max(energy1, 0.5 * approach_spread * approach_spread), energy1);
         demand1 = choose(strikes, max(demand1, get(Swing::impact_demand)), demand1);
+        auto const before = forces(get(Swing::sine_alpha), get(Swing::cosine_alpha), approach, av, gv);
+        normal1 = choose(strikes, min(normal1, before.normal), normal1);
+        demand1 =
+            choose(strikes & (before.friction > demand1 * before.normal), before.friction / before.normal, demand1);
         share = choose(strikes, u, one);
         phi1 = choose(strikes, zero, phi1);
         omega1 = choose(strikes, rebound, omega1);
@@ -215,9 +227,9 @@ HWY_INLINE auto Stepper<V, Stride, Vertical>::step(SwingSeries* shown) -> M {
     }
     M const stays = !taken;
     energy1 = max(energy1, max(crest_energy, choose(free_share < share, free_energy, zero)));
-    M const demands = without(friction > demand1 * normal, stays);
+    M const demands = without(here.friction > demand1 * here.normal, stays);
     if (any(demands)) {
-        demand1 = choose(demands, friction / normal, demand1);
+        demand1 = choose(demands, here.friction / here.normal, demand1);
     }
     if (M const higher = without(max(phi1, crest) > peak, stays); any(higher)) {
         M const inside = crest > phi1;
@@ -237,7 +249,7 @@ HWY_INLINE auto Stepper<V, Stride, Vertical>::step(SwingSeries* shown) -> M {
     keep(Swing::start, start1);
     keep(Swing::energy, energy1);
     keep(Swing::demand, demand1);
-    keep(Swing::normal, min(normal, get(Swing::normal)));
+    keep(Swing::normal, normal1);
     keep(Swing::steps, get(Swing::steps) + 1.0);
 
     if (shown != nullptr) {

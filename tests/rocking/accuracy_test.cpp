@@ -1,6 +1,6 @@
-// Requirement: at default settings peak rotation is within 1e-9 of a converged reference on long-period waves, impact
-// times within 1e-10 s; on dense rocking the error stays within ten times that of one unit in the last place of the
-// input.
+// Requirement: at default settings peak rotation is within 1e-9 of a converged reference on long-period waves, peak
+// energy within 1e-8, impact times within 1e-10 s; on dense rocking the error stays within ten times that of one unit
+// in the last place of the input.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -44,6 +44,9 @@ TEST(Accuracy, LongPeriodPeaksWithin1em9) {
         ++rocked;
         double const error = std::abs(ours.peak_rotation_rad / reference.peak_rotation_rad - 1);
         EXPECT_LT(error, 1e-9) << "level " << level << ", " << ours.impacts << " impacts";
+        EXPECT_NEAR(ours.peak_energy_ratio, reference.peak_energy_ratio, 1e-8 * reference.peak_energy_ratio) << level;
+        EXPECT_NEAR(ours.friction_demand, reference.friction_demand, 1e-4 * reference.friction_demand) << level;
+        EXPECT_NEAR(ours.min_contact_force_ratio, reference.min_contact_force_ratio, 1e-3) << level;
     }
     EXPECT_GE(rocked, 10);  // the set must hold rocking trials for this to mean anything
 }

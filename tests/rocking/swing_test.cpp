@@ -39,8 +39,8 @@ class Draw {
         set(Swing::start, started ? 1 : 0);
         set(Swing::peak, 10);
         set(Swing::energy, unlimited);
-        set(Swing::demand, unlimited);
-        set(Swing::normal, -unlimited);
+        set(Swing::demand, 0);
+        set(Swing::normal, unlimited);
         set(Swing::p, p);
         set(Swing::inverse_p, 1 / p);
         set(Swing::r, 0.75 / (p * p));
@@ -84,6 +84,19 @@ long double height(SwingSeries const& series, double phi, bool started, long dou
     return started ? sum : phi + sum * u;
 }
 
+struct Forces {
+    double friction, normal;
+};
+
+// Contact forces over m g of a block that turns at `rate`, under a horizontal acceleration over g.
+Forces forces(SwingLanes<1> const& lane, double sine, double cosine, double rate, double a) {
+    double const r = lane.at(Swing::r, 0);
+    double const p = lane.at(Swing::p, 0);
+    double const turn = -p * p * (sine + a * cosine);  // phi''
+    double const spin = rate * rate;
+    return {std::abs(r * (cosine * turn + sine * spin) + a), r * (sine * turn - cosine * spin) + 1};
+}
+
 TEST(Swing, ImpactsLieOnTheSeries) {
     Draw draw;
     int impacts = 0;
@@ -105,6 +118,20 @@ TEST(Swing, ImpactsLieOnTheSeries) {
         double const phi = before.at(Swing::phi, 0);
         EXPECT_GT(height(series, phi, started, u * (1 - aside)), 0) << "draw " << i;
         EXPECT_LT(height(series, phi, started, u * (1 + aside)), 0) << "draw " << i;
+
+        // What the corner carries, and the friction it needs, is looked at here and just before the impact.
+        auto const before_sine = before.at(Swing::sine, 0);
+        auto const before_cosine = before.at(Swing::cosine, 0);
+        auto const s = before.at(Swing::sine_alpha, 0);
+        auto const c = before.at(Swing::cosine_alpha, 0);
+        double const omega = before.at(Swing::omega, 0);
+        double const landing = lane.at(Swing::omega, 0) / before.at(Swing::restitution, 0);
+        auto const start = forces(before, before_sine, before_cosine, omega, series.horizontal[0]);
+        auto const end = forces(before, s, c, landing, series.horizontal[0] + series.share * series.horizontal[1]);
+        double const least = std::min(start.normal, end.normal);
+        EXPECT_NEAR(lane.at(Swing::normal, 0), least, 1e-12 * (1 + std::abs(end.normal))) << "draw " << i;
+        double const needs = std::max(start.friction / start.normal, end.friction / end.normal);
+        EXPECT_NEAR(lane.at(Swing::demand, 0), needs, 1e-11 * (1 + needs)) << "draw " << i;
     }
     EXPECT_GT(impacts, 50000);
     std::printf("%d impacts, %d steps left to care\n", impacts, refused);
