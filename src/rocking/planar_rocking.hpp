@@ -56,8 +56,8 @@ enum class Restoring { nonlinear, linear };
 inline constexpr std::array taylor_orders{4, 6, 8, 10, 12};
 
 /// Orders and tolerances. Measured on 28 800 trials of a campaign (82 s at 0.01 s) against order 12 with 8 sub-steps,
-/// median relative error of the peak and verdicts that differ: order 8 2.4e-12 and 56, order 10 1.1e-15 and 10, order 12
-/// 0.6e-15 and 10. From order 10 on, what differs is decided by rounding.
+/// median relative error of the peak and verdicts that differ: order 8 2.4e-12 and 56, order 10 1.1e-15 and 10, order
+/// 12 0.6e-15 and 10. From order 10 on, what differs is decided by rounding.
 struct RockingAccuracy {
     int taylor_order = 10;          ///< terms of the series of theta per step, one of taylor_orders
     int substeps = 1;               ///< steps per wave sample, before any that step_tolerance adds
@@ -91,10 +91,12 @@ struct RockingOutcome {
     double overturn_time_s = -1;
     double first_uplift_s = -1;
     std::int64_t impacts = 0;
-    double friction_demand = 0;          ///< max |F| / N that no slip needs, impacts included
-    double min_contact_force_ratio = 1;  ///< min N / (m g)
-    std::int64_t steps = 0;              ///< series evaluated
-    double contact_lost_s = -1;          ///< first time of N <= 0, in whatever mode
+    /// Largest |F| / N that no slip needs, impacts included, and least N / (m g): where steps start and just before
+    /// impacts.
+    double friction_demand = 0;
+    double min_contact_force_ratio = 1;
+    std::int64_t steps = 0;      ///< series evaluated
+    double contact_lost_s = -1;  ///< first time of N <= 0, in whatever mode
 
     bool slip_called = false;    ///< Slip::watched ended here: nothing else of this outcome counts
     double peak_slip_m = 0;      ///< max |x| of the base

@@ -11,6 +11,7 @@ template <int Order, class Restoring, bool Vertical, Slip Friction>
 void Integrator<Order, Restoring, Vertical, Friction>::run_out(double end_s) {
     double const length = shaking_.time_step_s > 0 ? shaking_.time_step_s : 0.01 / block_.p_radps;
     double const balance_s = 100 / block_.p_radps;  // exp(37) lifts the last bit to one; only an exact balance lasts
+    log_.raise_energy(rocking_energy());
     for (std::int64_t i = 0; !log_.done() && mode_ != Mode::rest; ++i) {
         sample_.calm(end_s + static_cast<double>(i) * length, length);
         if ((!slipped_ && decided()) || sample_.now() - end_s > balance_s) {

@@ -217,7 +217,7 @@ void Integrator<Order, Restoring, Vertical, Friction>::find_overturning(Series<O
     }
 }
 
-// Advances the rotation to the ending, peaks included.
+// Advances the rotation to the ending, peaks included, and looks at the energy there.
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 void Integrator<Order, Restoring, Vertical, Friction>::move(Series<Order> const& series, Ending const& ending) {
     double const now = sample_.now();
@@ -229,6 +229,7 @@ void Integrator<Order, Restoring, Vertical, Friction>::move(Series<Order> const&
     sample_.advance(ending.at, ending.event != Event::none);
     start_root_ = ending.at > 0 ? StartRoot::none : start_root_;
     log_.raise_peak(phi_, sample_.now());
+    log_.raise_energy(rocking_energy());
 }
 
 // The ground cannot give the friction that no slip needs (mirrored, over m g): the corner slips against it.
@@ -276,16 +277,16 @@ void Integrator<Order, Restoring, Vertical, Friction>::raise_energy_inside(Serie
         double const speed = evaluate(velocity, t) / block_.p_radps;
         return 0.5 * speed * speed + Restoring::potential(block_.alpha_rad, evaluate(series.phi, t));
     };
-    if (velocity[0] * evaluate(velocity, end) < 0) {
-        log_.raise_energy(energy(root_between(velocity, 0.0, end)));
+    auto const turns = roots_in(velocity, 0.0, end);
+    for (std::size_t i = 0; i < turns.count; ++i) {
+        log_.raise_energy(energy(turns.at[i]));
     }
     double const here = shove(0);
     double const there = shove(end);
     if (here * there < 0) {
         double const yield = (here - there) / end;
-        double const t = here / yield;
-        double const left = shove(t);  // next to nothing, as the shove is almost a line
-        log_.raise_energy(energy(t) - 0.5 * evaluate(velocity, t) * left * left / yield);
+        double const near = here / yield;  // the shove is almost a line
+        log_.raise_energy(energy(std::clamp(near + shove(near) / yield, 0.0, end)));
     }
 }
 

@@ -40,7 +40,8 @@ template <class V, int Stride, bool Vertical> class Stepper : private SwingPath<
         V spin, friction, normal;  // friction's amount
     };
     HWY_INLINE Forces forces(V s, V c, V rate, V a, V g) const;
-    HWY_INLINE V energy_near(V u, Series const& x, Forcing const& a, Forcing const& g, V yield) const;
+    HWY_INLINE V slant(V u, Series const& x, Forcing const& a, Forcing const& g) const;
+    HWY_INLINE V energy_at(V u, Series const& x, V length) const;
 };
 
 // Contact forces over m g.
@@ -52,19 +53,21 @@ HWY_INLINE auto Stepper<V, Stride, Vertical>::forces(V s, V c, V rate, V a, V g)
     return {spin, abs(fma(s, spin, a) - c * grip), g - fma(s, grip, c * spin)};
 }
 
-// Energy where the shaking lets go, near a share of the step: over cos psi it falls almost along a line, by `yield`.
+// The shaking's pull over m g, along the way of the centre of gravity and over cos psi: almost a line.
 template <class V, int Stride, bool Vertical>
-HWY_INLINE V Stepper<V, Stride, Vertical>::energy_near(V u, Series const& x, Forcing const& a, Forcing const& g,
-                                                       V yield) const {
-    auto const [s, c] = this->turned(x, this->gain(u, x));
-    V const rate = Path::at(u, x.rate);
-    V const spread = rate / (get(Swing::p) * (get(Swing::time_step) - get(Swing::tau)));
-    V const energy = fma(0.5 * spread, spread, c - get(Swing::cosine_alpha));
+HWY_INLINE V Stepper<V, Stride, Vertical>::slant(V u, Series const& x, Forcing const& a, Forcing const& g) const {
+    V const across = fma(a.change, u, a.start);
     if constexpr (Vertical) {
-        V const left = fma(fma(g.change, u, g.start) - 1.0, s, fma(a.change, u, a.start) * c);
-        return energy - 0.5 * rate * left * left / (yield * c);
+        auto const [s, c] = this->turned(x, this->gain(u, x));
+        return fma(fma(g.change, u, g.start) - 1.0, s / c, across);
     }
-    return energy;
+    return across;
+}
+
+template <class V, int Stride, bool Vertical>
+HWY_INLINE V Stepper<V, Stride, Vertical>::energy_at(V u, Series const& x, V length) const {
+    V const spread = Path::at(u, x.rate) / (get(Swing::p) * length);
+    return fma(0.5 * spread, spread, this->turned(x, this->gain(u, x)).c - get(Swing::cosine_alpha));
 }
 
 template <class V, int Stride, bool Vertical>
@@ -138,6 +141,7 @@ HWY_INLINE auto Stepper<V, Stride, Vertical>::step(SwingSeries* shown) -> M {
     M const reaches = phi + arc > peak;
     M const charged = energy + arc * (Vertical ? across + max(abs(down), abs(down_end)) : across) > record;
     M const wavers = without(without((slowest <= zero) & (fastest >= zero), concave), convex);
+    // Beyond alpha energy may have a maximum where a fall back turns into a rise.
     M const falters = charged & (rate[0] < zero) & (to.speed > zero);
     fine = without(fine, (wavers & (reaches | charged)) | falters);
     M const turns = fine & (reaches | charged) & (rate[0] > zero) & (to.speed <= zero);
@@ -150,16 +154,17 @@ HWY_INLINE auto Stepper<V, Stride, Vertical>::step(SwingSeries* shown) -> M {
         V const gain = this->gain(u, x);
         crest = choose(turns, phi + gain, zero);
         crest_energy = choose(turns, this->turned(x, gain).c - get(Swing::cosine_alpha), zero);
-        crest_share = u;
+        crest_share = choose(turns, u, one);
     }
     M const lets_go = fine & charged & (shove * shove_end < zero);
     V free_energy = zero;
     V free_share = one;
     if (any(lets_go)) {
-        V const slant = Vertical ? fma(down, s / c, a.start) : a.start;
-        V const yield = slant - (Vertical ? fma(down_end, to.s / to.c, a.end) : a.end);
-        free_share = choose(lets_go, slant / yield, one);
-        free_energy = choose(lets_go, energy_near(free_share, x, a, g, yield), zero);
+        V const slant_here = Vertical ? fma(down, s / c, a.start) : a.start;
+        V const yield = slant_here - (Vertical ? fma(down_end, to.s / to.c, a.end) : a.end);
+        V const u = slant_here / yield;
+        free_share = choose(lets_go, max(zero, min(one, u + slant(u, x, a, g) / yield)), one);
+        free_energy = choose(lets_go, energy_at(free_share, x, length), zero);
     }
 
     // Contact forces here, and how far they could move: r p^2 = inertia_ratio < 1.

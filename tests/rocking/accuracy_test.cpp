@@ -3,6 +3,7 @@
 // in the last place of the input.
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -105,6 +106,70 @@ TEST(Accuracy, DenseRockingErrsNoMoreThanTenInputRoundings) {
                 errors[errors.size() / 2], errors.back(), roundings[roundings.size() / 2], roundings.back());
     EXPECT_LE(errors[errors.size() / 2], 10 * roundings[roundings.size() / 2]);
     EXPECT_LE(errors.back(), 10 * roundings.back());
+}
+
+class RotationAt : public RockingObserver {
+  public:
+    explicit RotationAt(double time_s) : time_s_(time_s) {}
+    void at(RockingInstant const& i) override { rotation = i.time_s <= time_s_ ? i.rotation_rad : rotation; }
+    double rotation = 0;
+
+  private:
+    double time_s_;
+};
+
+// Energy comes from A (sin psi)' alone: under a steady push it is known from where the block is, to the wave's end.
+// Where that is, a wave that goes on tells.
+TEST(Accuracy, EnergyIsLookedAtUpToTheEndOfTheWave) {
+    double const alpha = block.alpha_rad;
+    double const from = 0.1;
+    double const a = 0.2;
+    for (int const order : {10, 12}) {
+        for (std::size_t const samples : {6U, 16U}) {
+            std::vector<double> const push(samples, a * block.gravity_mps2);
+            std::vector<double> const longer(samples + 5, a * block.gravity_mps2);
+            RotationAt end(0.01 * (static_cast<double>(samples) - 0.9));
+            RockingAccuracy const accuracy{.taylor_order = order};
+            (void)simulate_rocking(block, shaking(longer, 1), accuracy, {.rotation_rad = from}, &end);
+
+            auto const out = simulate_rocking(block, shaking(push, 1), accuracy, {.rotation_rad = from});
+
+            double const gained = a * (std::sin(alpha - end.rotation) - std::sin(alpha - from));
+            double const energy = std::cos(alpha - from) - std::cos(alpha) + gained;
+            EXPECT_NEAR(out.peak_energy_ratio * (1 - std::cos(alpha)), energy, 1e-12) << samples << ", " << order;
+        }
+    }
+}
+
+// Short waves at random, strong and with vertical motion: turns, landings and summits of energy at all places of a
+// step.
+TEST(Accuracy, EnergiesOfRandomWaves) {
+    std::mt19937_64 numbers(5);
+    auto const between = [&](double low, double high) { return std::uniform_real_distribution<>(low, high)(numbers); };
+    int rocked = 0;
+    for (int i = 0; i < 1500; ++i) {
+        RockingBlock const some{
+            .alpha_rad = between(0.1, 1), .p_radps = between(0.8, 4), .restitution = between(0, 0.95)};
+        std::vector<double> a(60, 0.0);
+        std::vector<double> v(i % 2 == 0 ? 0 : a.size(), 0.0);
+        for (std::size_t n = 0; n < 50; ++n) {
+            a[n] = between(-20, 20) * some.alpha_rad;
+            if (!v.empty()) {
+                v[n] = between(-6, 6);
+            }
+        }
+        Shaking const motion{.horizontal_mps2 = a, .vertical_mps2 = v, .time_step_s = between(0.004, 0.01)};
+        auto const reference =
+            simulate_rocking(some, motion, {.taylor_order = 12, .substeps = 32, .step_tolerance = 1e-15});
+        auto const ours = simulate_rocking(some, motion);
+        if (ours.verdict != Verdict::rocked || reference.verdict != Verdict::rocked) {
+            continue;
+        }
+        ++rocked;
+        EXPECT_NEAR(ours.peak_energy_ratio, reference.peak_energy_ratio, 1e-7 * reference.peak_energy_ratio) << i;
+    }
+    EXPECT_GT(rocked, 300);
+    std::printf("%d rocked\n", rocked);
 }
 
 }  // namespace

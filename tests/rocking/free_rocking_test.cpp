@@ -94,5 +94,22 @@ TEST(FreeRockingNonlinear, SettlesAtTheSumOfItsBounces) {
     EXPECT_LT(out.impacts, 40);
 }
 
+// Released, the corner carries least just before the first impact: omega^2 from energy, the torque from gravity.
+TEST(FreeRocking, CornerCarriesLeastBeforeTheFirstImpact) {
+    double const alpha = block.alpha_rad;
+    double const k = block.inertia_ratio;
+    for (double const ratio : {0.3, 0.8, 0.95}) {
+        double const spin = 2 * k * (std::cos(alpha * (1 - ratio)) - std::cos(alpha));
+        double const least = 1 - k * std::sin(alpha) * std::sin(alpha) - std::cos(alpha) * spin;
+        std::vector<double> const calm(600, 0.0);
+        for (int const order : taylor_orders) {
+            auto const out =
+                simulate_rocking(block, {.horizontal_mps2 = calm, .vertical_mps2 = {}, .time_step_s = 0.01},
+                                 {.taylor_order = order}, {.rotation_rad = ratio * alpha});
+            EXPECT_NEAR(out.min_contact_force_ratio, least, order < 6 ? 1e-5 : 1e-9) << ratio << ", order " << order;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace overturn
