@@ -1,5 +1,5 @@
 // Requirement: an impact, a peak or an energy that the lanes take without care is the step's own series' zero or
-// highest.
+// highest, and friction and contact hold all along the step.
 #include "rocking/swing.hpp"
 
 #include <algorithm>
@@ -69,8 +69,9 @@ class Draw {
         return {a, a + between(-1, 1) * spread(0.001, 0.3)};
     }
 
+    [[nodiscard]] double spread(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
+
   private:
-    double spread(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
     bool coin() { return between(0, 1) < 0.5; }
 
     std::mt19937_64 numbers_{7};
@@ -83,6 +84,19 @@ long double height(SwingSeries const& series, double phi, bool started, long dou
         sum = sum * u + static_cast<long double>(series.rates.at(k)) / (k + 1);
     }
     return started ? sum : phi + sum * u;
+}
+
+long double rotation(SwingSeries const& series, double phi, bool started, long double u) {
+    return height(series, phi, started, u) * (started ? u : 1);
+}
+
+// phi' length at a share of the step.
+long double rate(SwingSeries const& series, long double u) {
+    long double sum = 0;
+    for (int k = SwingSeries::order - 1; k >= 0; --k) {
+        sum = sum * u + static_cast<long double>(series.rates.at(k));
+    }
+    return sum;
 }
 
 struct Forces {
@@ -178,22 +192,19 @@ void expect_highest(bool vertical, double off) {
             continue;
         }
         bool const started = before.at(Swing::start, 0) > 0;
-        auto const rotation = [&](long double u) { return height(series, phi, started, u) * (started ? u : 1); };
+        auto const turned = [&](long double u) { return rotation(series, phi, started, u); };
         auto const energy = [&](long double u) {
-            long double rate = 0;
-            for (int k = SwingSeries::order - 1; k >= 0; --k) {
-                rate = rate * u + static_cast<long double>(series.rates.at(k));
-            }
             long double const alpha = std::acos(static_cast<long double>(before.at(Swing::cosine_alpha, 0)));
-            long double const spread = rate / (before.at(Swing::p, 0) * static_cast<long double>(series.length_s));
-            return 0.5L * spread * spread + std::cos(alpha - rotation(u)) - std::cos(alpha);
+            long double const spread =
+                rate(series, u) / (before.at(Swing::p, 0) * static_cast<long double>(series.length_s));
+            return 0.5L * spread * spread + std::cos(alpha - turned(u)) - std::cos(alpha);
         };
         long double const share = series.share;
-        long double const top = highest(rotation, share);
+        long double const top = highest(turned, share);
         long double const most = highest(energy, share);
         double const peak = std::max(before.at(Swing::peak, 0), static_cast<double>(top));
         EXPECT_NEAR(lane.at(Swing::peak, 0), peak, 1e-14 * peak) << "draw " << i;
-        crests += top > std::max<long double>(rotation(share), before.at(Swing::peak, 0)) * (1 + 1e-9L) ? 1 : 0;
+        crests += top > std::max<long double>(turned(share), before.at(Swing::peak, 0)) * (1 + 1e-9L) ? 1 : 0;
         // Of the energy every step raises what it starts with; what it ends with is the next one's.
         long double const ends = std::max(energy(0), lane.at(Swing::impacts, 0) > 0 ? energy(share) : 0);
         if (most > std::max({ends, energy(share), 0.0L}) * (1 + 1e-6L)) {
@@ -221,8 +232,7 @@ TEST(Swing, StepsTakenHoldAllAlong) {
             samples[0] + (samples[1] - samples[0]) * lane.at(Swing::tau, 0) * lane.at(Swing::sampling_rate, 0);
         auto const start =
             forces(lane, lane.at(Swing::sine, 0), lane.at(Swing::cosine, 0), lane.at(Swing::omega, 0), a);
-        double const limit =
-            start.friction / start.normal * (1 + std::exp(draw.between(std::log(1e-6), std::log(0.3))));
+        double const limit = start.friction / start.normal * (1 + draw.spread(1e-6, 0.3));
         if (!(start.normal > 0)) {
             continue;
         }
@@ -240,13 +250,9 @@ TEST(Swing, StepsTakenHoldAllAlong) {
         constexpr int points = 32;
         for (int k = 0; k <= points; ++k) {
             double const u = series.share * k / points;
-            auto const gain = static_cast<double>(height(series, before.at(Swing::phi, 0), started, u));
-            double const phi = started ? gain * u : gain;
-            double rate = 0;
-            for (int j = SwingSeries::order - 1; j >= 0; --j) {
-                rate = rate * u + series.rates.at(j);
-            }
-            auto const now = forces(before, std::sin(alpha - phi), std::cos(alpha - phi), rate / series.length_s,
+            auto const phi = static_cast<double>(rotation(series, before.at(Swing::phi, 0), started, u));
+            auto const omega = static_cast<double>(rate(series, u)) / series.length_s;
+            auto const now = forces(before, std::sin(alpha - phi), std::cos(alpha - phi), omega,
                                     series.horizontal[0] + u * series.horizontal[1]);
             ASSERT_GT(now.normal, 0) << "draw " << i;
             ASSERT_LE(now.friction, limit * now.normal * (1 + 1e-12)) << "draw " << i;
