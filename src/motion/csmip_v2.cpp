@@ -31,7 +31,7 @@ struct Channel {
 
 /// `CHAN  1:  90 DEG     FROM` -> 1 and "90 DEG"; blanks in a row mean one.
 void read_channel_name(std::string_view line, Channel& channel) {
-    auto const at = line.find("CHAN");
+    auto const at = lowered(line).find("chan");  // capitals until some time after 2000
     auto const colon = line.find(':', std::min(at, line.size()));
     if (at == std::string_view::npos || colon == std::string_view::npos) {
         return;
@@ -67,7 +67,7 @@ void skip_block(std::string_view line, TextLines& lines, std::string const& file
     if (!parse_number(trimmed(line.substr(0, lowered(line).find(points_of))), count)
         || count != static_cast<double>(channel.count)) {
         throw InputError(where, fmt::format("{} ({} points belong here, as in the acceleration). Fetch the file anew",
-                                            quoted(trimmed(line)), channel.count));
+                                            in_quotes(trimmed(line)), channel.count));
     }
     std::vector<double> values;
     append_fixed(lines, data_format, channel.count, file, values);
@@ -95,11 +95,11 @@ std::pair<std::size_t, double> read_size(std::string_view line, Location const& 
     if (!parse_number(trimmed(std::string_view(lower).substr(0, at)), count) || !(count >= 1 && count <= most)
         || !parse_number(after.substr(0, after.find_first_of(" \t")), step) || !(step > 0)) {
         throw InputError(where, fmt::format("{} (a count of points and a step above 0 s belong here). Mend the header",
-                                            quoted(trimmed(line))));
+                                            in_quotes(trimmed(line))));
     }
-    if (lower.find("cm/sec/sec") == std::string::npos) {
+    if (lower.find("cm/sec/sec") == std::string::npos && lower.find("cm/sec2") == std::string::npos) {
         throw InputError(where,
-                         "unit other than CM/SEC/SEC (corrected CSMIP data are in it). Convert the data to "
+                         "unit other than CM/SEC/SEC or cm/sec2 (corrected CSMIP data are in it). Convert the data to "
                          "columns and state the unit");
     }
     return {static_cast<std::size_t>(count), step};

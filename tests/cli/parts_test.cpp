@@ -133,7 +133,7 @@ TEST_F(Parts, OthersAreRefused) {
 
 // Requirement: of two campaigns that write one output at once, the second is refused in one line.
 TEST_F(Parts, TheSecondRunOnOneOutputIsRefused) {
-    folder.write("c.toml", small_campaign("independent", 200));
+    folder.write("c.toml", small_campaign("independent", 500));  // longer than what is tried beside it
     Running first(folder, mpirun(2, {"run", "c.toml"}));
     ASSERT_TRUE(comes_true([&] { return blocks_done(folder, "c.h5") > 2; }));
 

@@ -85,6 +85,21 @@ TEST(CsmipV2, ManySensorsMustBeChosenFrom) {
     EXPECT_EQ(one.samples(), 10U);
 }
 
+// Since about 2000 the lines are written in mixed case, with another name of the unit and the format behind it.
+TEST(CsmipV2, NewerLayoutIsReadAlike) {
+    auto newer = channel();
+    for (auto const& [older, now] : {std::pair{"CHAN  1", "Chan  1"},
+                                     {"CORRECTED ACCELEROGRAM   ", "Corrected accelerogram   "},
+                                     {"POINTS OF ACCEL DATA EQUALLY SPACED AT", "points of accel data equally spaced at"},
+                                     {"SEC.  (UNITS: CM/SEC/SEC)", "sec, in cm/sec2. (8f10.6)"}}) {
+        ASSERT_NE(newer.find(older), std::string::npos) << older;
+        newer.replace(newer.find(older), std::string(older).size(), now);
+    }
+
+    EXPECT_EQ(read(newer).horizontal_mps2, read(channel()).horizontal_mps2);
+    EXPECT_EQ(read_placed(newer, {.name = "a.V2"}).says, read_placed(channel(), {.name = "a.V2"}).says);
+}
+
 TEST(CsmipV2, DamageIsRefusedWithItsLine) {
     expect_input_error([] { (void)read(channel({.unit = "G/10"})); }, "a.V2:9: ", "CM/SEC/SEC");
     expect_input_error([] { (void)read(channel({.step = "0.00"})); }, "a.V2:9: ", "step above 0");
