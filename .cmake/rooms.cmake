@@ -22,24 +22,50 @@ endif()
 
 set(CMAKE_VERIFY_INTERFACE_HEADER_SETS ON)
 
-# overturn_room(name [BASE dir] HEADERS ... SOURCES ... ROOMS ... EXTERNAL ...)
-# Headers are included as "room/file.hpp" from BASE (default src/).
+# Other people's headers, parsed once instead of in every file: `base` by all rooms; `text`, with JSON, by those that
+# write for people and scripts, whose time goes into compiling: they are optimised less. Every file still includes what
+# it uses: .ci/run lets clang-tidy and the check of lone headers read them without these.
+set(OVERTURN_BASE_HEADERS <algorithm> <array> <chrono> <cmath> <cstdint> <cstring> <filesystem> <functional> <map> <memory>
+    <numbers> <optional> <span> <string> <string_view> <utility> <vector> <fmt/format.h> <fmt/ranges.h>)
+foreach(kind base text)
+  set(precompiled overturn_precompiled_${kind})
+  add_library(${precompiled} OBJECT "${PROJECT_SOURCE_DIR}/.cmake/precompiled.cpp")
+  target_link_libraries(${precompiled} PRIVATE overturn_options fmt::fmt nlohmann_json::nlohmann_json)
+  target_precompile_headers(${precompiled} PRIVATE ${OVERTURN_BASE_HEADERS})
+endforeach()
+target_precompile_headers(overturn_precompiled_text PRIVATE <nlohmann/json.hpp>)
+target_compile_options(overturn_precompiled_text PRIVATE -O1)
+
+# overturn_room(name [BASE dir] [TEXT] ROOMS ... EXTERNAL ...)
+# All files of the folder BASE/name (BASE: default src/) and of its folder `detail`, whose headers are the room's own: no
+# other room may include them. Headers are included as "room/file.hpp". TEXT: the room writes for people and scripts.
 function(overturn_room name)
-  cmake_parse_arguments(ARG "" "BASE" "HEADERS;SOURCES;ROOMS;EXTERNAL" ${ARGN})
+  cmake_parse_arguments(ARG "TEXT" "BASE" "ROOMS;EXTERNAL" ${ARGN})
   if(NOT ARG_BASE)
     set(ARG_BASE "${PROJECT_SOURCE_DIR}/src")
   endif()
-  list(TRANSFORM ARG_HEADERS PREPEND "${ARG_BASE}/")
-  list(TRANSFORM ARG_SOURCES PREPEND "${ARG_BASE}/")
+  set(folder "${ARG_BASE}/${name}")
+  file(GLOB sources CONFIGURE_DEPENDS "${folder}/*.cpp" "${folder}/detail/*.cpp")
+  file(GLOB headers CONFIGURE_DEPENDS "${folder}/*.hpp" "${folder}/detail/*.hpp")
+  list(FILTER headers EXCLUDE REGEX "-inl[.]hpp$")  # included once per instruction set, never alone
+  if(name STREQUAL cli)
+    list(REMOVE_ITEM sources "${folder}/main.cpp")
+  endif()
   set(target overturn_${name})
-  add_library(${target} STATIC ${ARG_SOURCES})
-  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS "${ARG_BASE}" FILES ${ARG_HEADERS})
+  add_library(${target} STATIC ${sources})
+  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS "${ARG_BASE}" FILES ${headers})
   set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX)
   target_link_libraries(${target} PUBLIC overturn_options ${ARG_EXTERNAL})
+  if(ARG_TEXT)
+    target_compile_options(${target} PRIVATE -O1)
+    target_precompile_headers(${target} REUSE_FROM overturn_precompiled_text)
+  else()
+    target_precompile_headers(${target} REUSE_FROM overturn_precompiled_base)
+  endif()
   foreach(room IN LISTS ARG_ROOMS)
     target_link_libraries(${target} PUBLIC overturn_${room})
   endforeach()
   string(JOIN " " allowed ${ARG_ROOMS})
-  file(RELATIVE_PATH base "${PROJECT_SOURCE_DIR}" "${ARG_BASE}/${name}")
+  file(RELATIVE_PATH base "${PROJECT_SOURCE_DIR}" "${folder}")
   file(APPEND "${OVERTURN_ROOMS_FILE}" "${name}|${base}|${allowed}\n")
 endfunction()

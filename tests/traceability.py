@@ -66,9 +66,10 @@ def results_of(path):
 
 def result(ended, name, test):
     """Instances of one test (by rank count or parameter) count together: the worst is what is said."""
+    folder = name.split("/")[0]
     found = [status for key, status in ended.items()
-             if key == name or key.startswith(name + "/np") or key == f"{name}/{test}"
-             or re.fullmatch(rf"{re.escape(name)}/(?:\w+/)?{re.escape(test)}(?:/.*)?", key)]
+             if key == name or key.startswith(folder + "/np")
+             or re.fullmatch(rf"{re.escape(folder)}/(?:\w+/)?{re.escape(test)}(?:/.*)?", key)]
     return next((status for status in ("FAILED", "skipped", "passed") if status in found), "not run")
 
 

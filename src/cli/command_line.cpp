@@ -1,7 +1,13 @@
 #include "cli/command_line.hpp"
 
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/say.hpp"
 #include "config/suggestion.hpp"
 
 namespace overturn::cli {
@@ -28,8 +34,7 @@ std::vector<std::string> options_of(CLI::App const& verb) {
     return names;
 }
 
-}  // namespace
-
+// What is wrong with a command line, in our own words.
 std::string explain(CLI::App const& app, CLI::ParseError const& error, int argc, char const* const* arguments) {
     auto const verbs = verbs_of(app);
     if (argc < 2) {
@@ -50,6 +55,76 @@ std::string explain(CLI::App const& app, CLI::ParseError const& error, int argc,
         return fmt::format("'{}' (one argument too many). See {}", extra, help);
     }
     return fmt::format("{} (the command line is not understood). See {}", error.what(), help);
+}
+
+template <class Value>
+CLI::Option& declare(CLI::App& parser, std::string const& names, Value& value, std::string const& help) {
+    if constexpr (std::is_same_v<Value, bool>) {
+        return *parser.add_flag(names, value, help);
+    } else {
+        auto& option = *parser.add_option(names, value, help);
+        if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
+            option.allow_extra_args(false);  // one value each time it is given
+        }
+        return option;
+    }
+}
+
+}  // namespace
+
+template <class Value> void Verb::needs(std::string const& names, Value& value, std::string const& help) {
+    declare(parser_, names, value, help).required();
+}
+
+template <class Value>
+void Verb::takes(std::string const& names, Value& value, std::string const& help, std::string const& placeholder) {
+    auto& option = declare(parser_, names, value, help);
+    if (!placeholder.empty()) {
+        option.option_text(placeholder);
+    } else if constexpr (std::is_same_v<Value, std::string> || std::is_same_v<Value, double>) {
+        if (value != Value{}) {
+            option.capture_default_str();
+        }
+    }
+}
+
+void Verb::does(Action action) {
+    parser_.callback([&chosen = chosen_, action = std::move(action)] { chosen = action; });
+}
+
+template void Verb::needs(std::string const&, std::string&, std::string const&);
+template void Verb::needs(std::string const&, std::int64_t&, std::string const&);
+template void Verb::takes(std::string const&, std::string&, std::string const&, std::string const&);
+template void Verb::takes(std::string const&, std::int64_t&, std::string const&, std::string const&);
+template void Verb::takes(std::string const&, double&, std::string const&, std::string const&);
+template void Verb::takes(std::string const&, bool&, std::string const&, std::string const&);
+template void Verb::takes(std::string const&, std::optional<std::string>&, std::string const&, std::string const&);
+template void Verb::takes(std::string const&, std::optional<std::int64_t>&, std::string const&, std::string const&);
+template void Verb::takes(std::string const&, std::optional<double>&, std::string const&, std::string const&);
+template void Verb::takes(std::string const&, std::vector<std::string>&, std::string const&, std::string const&);
+
+CommandLine::CommandLine(std::string const& description, std::string const& version)
+    : parser_(std::make_unique<CLI::App>(description, "overturn")) {
+    parser_->set_version_flag("--version", version);
+    parser_->require_subcommand(1);
+}
+
+CommandLine::~CommandLine() = default;
+
+Verb CommandLine::verb(std::string const& name, std::string const& help) {
+    return {*parser_->add_subcommand(name, help), chosen_};
+}
+
+int CommandLine::run(int argc, char const* const* arguments) {
+    try {
+        parser_->parse(argc, arguments);
+    } catch (CLI::Success const& help) {
+        return parser_->exit(help);
+    } catch (CLI::ParseError const& error) {
+        say_once(explain(*parser_, error, argc, arguments));
+        return bad_input;
+    }
+    return chosen_();
 }
 
 }  // namespace overturn::cli

@@ -4,6 +4,7 @@
 #include <span>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include "campaign/progress.hpp"
@@ -79,17 +80,16 @@ int study(Options const& options) {
 
 }  // namespace
 
-void add_cost(CLI::App& app, Action& action) {
-    auto* verb = app.add_subcommand("cost", "what accuracy costs in time, knob by knob, on a campaign's own waves");
+void add_cost(CommandLine& line) {
+    auto verb = line.verb("cost", "what accuracy costs in time, knob by knob, on a campaign's own waves");
     auto options = std::make_shared<Options>();
-    verb->add_option("campaign", options->campaign, "campaign file (TOML)")->required();
-    verb->add_option("-o,--output", options->output, "write the study as HDF5 (its times never repeat exactly)");
-    verb->add_option("--html", options->page, "write a page with figures and tables that needs no network")
-        ->option_text("PAGE.html");
-    verb->add_option("--waves", options->waves, "waves of the sample; default: what fits into about a minute");
-    verb->add_option("--set", options->settings, "override a key: waves.count=50")->allow_extra_args(false);
-    verb->add_flag("--json", options->json, "as JSON");
-    verb->callback([options, &action] { action = [options] { return study(*options); }; });
+    verb.needs("campaign", options->campaign, "campaign file (TOML)");
+    verb.takes("-o,--output", options->output, "write the study as HDF5 (its times never repeat exactly)");
+    verb.takes("--html", options->page, "write a page with figures and tables that needs no network", "PAGE.html");
+    verb.takes("--waves", options->waves, "waves of the sample; default: what fits into about a minute");
+    verb.takes("--set", options->settings, "override a key: waves.count=50");
+    verb.takes("--json", options->json, "as JSON");
+    verb.does([options] { return study(*options); });
 }
 
 }  // namespace overturn::cli

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "cli/fit_json.hpp"
 #include "cli/stripe_csv.hpp"
@@ -99,21 +100,18 @@ int fit_stripes(Options const& options) {
 
 }  // namespace
 
-void add_fit(CLI::App& app, Action& action) {
-    auto* verb =
-        app.add_subcommand("fit", "fragility curves and the criterion on trial, from a results file or a table");
+void add_fit(CommandLine& line) {
+    auto verb = line.verb("fit", "fragility curves and the criterion on trial, from a results file or a table");
     auto options = std::make_shared<Options>();
-    verb->add_option("file", options->file, "results file");
-    verb->add_option("--stripes", options->stripes, "fit a table instead: amplitude,trials,overturned (csv)");
-    verb->add_flag("--json", options->json, "as JSON");
-    verb->add_option("--beta-u", options->beta_u, "lognormal standard deviation of what is not known, for HCLPF");
-    verb->add_option("--confidence", options->confidence, "of all intervals; default: the campaign's, or 0.95");
-    verb->add_option("--design-basis", options->design_basis, "with --stripes: quote P at multiples of this amplitude");
-    verb->callback([options, &action] {
-        action = [options] {
-            check(*options);
-            return options->stripes.empty() ? fit_file(*options) : fit_stripes(*options);
-        };
+    verb.takes("file", options->file, "results file");
+    verb.takes("--stripes", options->stripes, "fit a table instead: amplitude,trials,overturned (csv)");
+    verb.takes("--json", options->json, "as JSON");
+    verb.takes("--beta-u", options->beta_u, "lognormal standard deviation of what is not known, for HCLPF");
+    verb.takes("--confidence", options->confidence, "of all intervals; default: the campaign's, or 0.95");
+    verb.takes("--design-basis", options->design_basis, "with --stripes: quote P at multiples of this amplitude");
+    verb.does([options] {
+        check(*options);
+        return options->stripes.empty() ? fit_file(*options) : fit_stripes(*options);
     });
 }
 

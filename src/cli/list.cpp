@@ -35,9 +35,8 @@ int list() {
 
 }  // namespace
 
-void add_list(CLI::App& app, Action& action) {
-    app.add_subcommand("list", "what can be asked for: sources, targets, formats, effects, measures")
-        ->callback([&action] { action = [] { return list(); }; });
+void add_list(CommandLine& line) {
+    line.verb("list", "what can be asked for: sources, targets, formats, effects, measures").does(list);
 }
 
 }  // namespace overturn::cli

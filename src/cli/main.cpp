@@ -21,32 +21,21 @@ int start(int argc, char** argv) {
     keep_freed_memory();
     std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error like a full disk, not a death
     gsl_set_error_handler_off();    // its own would abort; callers look at what came back
-    CLI::App app("Overturning of free-standing bodies in earthquakes: fragility campaigns and single trials.",
-                 "overturn");
-    app.set_version_flag("--version", fmt::format("overturn {}; {}", program_identity(), library_versions()));
-    app.require_subcommand(1);
-    cli::Action action;
-    cli::add_run(app, action);
-    cli::add_plan(app, action);
-    cli::add_merge(app, action);
-    cli::add_status(app, action);
-    cli::add_replay(app, action);
-    cli::add_fit(app, action);
-    cli::add_report(app, action);
-    cli::add_cost(app, action);
-    cli::add_rock(app, action);
-    cli::add_spectrum(app, action);
-    cli::add_wave(app, action);
-    cli::add_list(app, action);
-    try {
-        app.parse(argc, argv);
-    } catch (CLI::Success const& help) {
-        return app.exit(help);
-    } catch (CLI::ParseError const& error) {
-        cli::say_once(cli::explain(app, error, argc, argv));
-        return cli::bad_input;
-    }
-    return action();
+    cli::CommandLine line("Overturning of free-standing bodies in earthquakes: fragility campaigns and single trials.",
+                          fmt::format("overturn {}; {}", program_identity(), library_versions()));
+    cli::add_run(line);
+    cli::add_plan(line);
+    cli::add_merge(line);
+    cli::add_status(line);
+    cli::add_replay(line);
+    cli::add_fit(line);
+    cli::add_report(line);
+    cli::add_cost(line);
+    cli::add_rock(line);
+    cli::add_spectrum(line);
+    cli::add_wave(line);
+    cli::add_list(line);
+    return line.run(argc, argv);
 }
 
 }  // namespace

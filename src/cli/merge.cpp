@@ -6,12 +6,11 @@
 
 namespace overturn::cli {
 
-void add_merge(CLI::App& app, Action& action) {
-    auto* verb = app.add_subcommand("merge", "make one results file from the parts that run --part left beside it");
+void add_merge(CommandLine& line) {
+    auto verb = line.verb("merge", "make one results file from the parts that run --part left beside it");
     auto path = std::make_shared<std::string>();
-    verb->add_option("file", *path, "results file to make: the -o of the parts")->required();
-    verb->callback(
-        [path, &action] { action = [path] { return merge_parts(*path) == MergeEnd::complete ? done : resumable; }; });
+    verb.needs("file", *path, "results file to make: the -o of the parts");
+    verb.does([path] { return merge_parts(*path) == MergeEnd::complete ? done : resumable; });
 }
 
 }  // namespace overturn::cli

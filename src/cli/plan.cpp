@@ -84,17 +84,16 @@ int plan_campaign(std::string const& path, std::vector<std::string> const& setti
 
 }  // namespace
 
-void add_plan(CLI::App& app, Action& action) {
+void add_plan(CommandLine& line) {
     struct Options {
         std::string campaign;
         std::vector<std::string> settings;
     };
-    auto* verb = app.add_subcommand("plan", "check a campaign, count its trials, estimate time and file size");
+    auto verb = line.verb("plan", "check a campaign, count its trials, estimate time and file size");
     auto options = std::make_shared<Options>();
-    verb->add_option("campaign", options->campaign, "campaign file (TOML)")->required();
-    verb->add_option("--set", options->settings, "override a key: waves.count=50")->allow_extra_args(false);
-    verb->callback(
-        [options, &action] { action = [options] { return plan_campaign(options->campaign, options->settings); }; });
+    verb.needs("campaign", options->campaign, "campaign file (TOML)");
+    verb.takes("--set", options->settings, "override a key: waves.count=50");
+    verb.does([options] { return plan_campaign(options->campaign, options->settings); });
 }
 
 }  // namespace overturn::cli

@@ -59,13 +59,13 @@ int replay(Options const& options) {
 
 }  // namespace
 
-void add_replay(CLI::App& app, Action& action) {
-    auto* verb = app.add_subcommand("replay", "rerun one trial from a results file alone and compare every bit");
+void add_replay(CommandLine& line) {
+    auto verb = line.verb("replay", "rerun one trial from a results file alone and compare every bit");
     auto options = std::make_shared<Options>();
-    verb->add_option("file", options->file, "results file")->required();
-    verb->add_option("--trial", options->trial, "number of the row in /trials, from 0")->required();
-    verb->add_option("--history", options->history, "write the trial's history to this csv file");
-    verb->callback([options, &action] { action = [options] { return replay(*options); }; });
+    verb.needs("file", options->file, "results file");
+    verb.needs("--trial", options->trial, "number of the row in /trials, from 0");
+    verb.takes("--history", options->history, "write the trial's history to this csv file");
+    verb.does([options] { return replay(*options); });
 }
 
 }  // namespace overturn::cli

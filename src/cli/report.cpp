@@ -162,16 +162,16 @@ int write_report(Options const& options) {
 
 }  // namespace
 
-void add_report(CLI::App& app, Action& action) {
-    auto* verb = app.add_subcommand("report", "figures and tables of a results file on one page that needs no network");
+void add_report(CommandLine& line) {
+    auto verb = line.verb("report", "figures and tables of a results file on one page that needs no network");
     auto options = std::make_shared<Options>();
-    verb->add_option("file", options->file, "results file")->required();
-    verb->add_option("-o,--output", options->page, "the page, .html")->required();
-    verb->add_option("--figures", options->figures, "write the figures as svg and png and the tables as csv there too")
-        ->option_text("DIR");
-    verb->add_option("--beta-u", options->beta_u, "lognormal standard deviation of what is not known of the body");
-    verb->add_option("--confidence", options->confidence, "of the intervals; default: the campaign's");
-    verb->callback([options, &action] { action = [options] { return write_report(*options); }; });
+    verb.needs("file", options->file, "results file");
+    verb.needs("-o,--output", options->page, "the page, .html");
+    verb.takes("--figures", options->figures, "write the figures as svg and png and the tables as csv there too",
+               "DIR");
+    verb.takes("--beta-u", options->beta_u, "lognormal standard deviation of what is not known of the body");
+    verb.takes("--confidence", options->confidence, "of the intervals; default: the campaign's");
+    verb.does([options] { return write_report(*options); });
 }
 
 }  // namespace overturn::cli

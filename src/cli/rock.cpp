@@ -93,17 +93,17 @@ int rock(Options const& options) {
 
 }  // namespace
 
-void add_rock(CLI::App& app, Action& action) {
-    auto* verb = app.add_subcommand("rock", "one body under one wave");
+void add_rock(CommandLine& line) {
+    auto verb = line.verb("rock", "one body under one wave");
     auto options = std::make_shared<Options>();
-    verb->add_option("--body", options->body, "body file (TOML)")->required();
-    verb->add_option("--wave", options->record.wave, "record, or columns time,a_horizontal[,a_vertical]")->required();
-    add_record_options(*verb, options->record);
-    verb->add_option("--scale", options->scale, "factor on every component")->capture_default_str();
-    verb->add_option("--effects", options->effects, "auto, none, or a list such as vertical")->capture_default_str();
-    verb->add_option("--history", options->history, "write the history to this csv file");
-    verb->add_flag("--json", options->json, "as JSON");
-    verb->callback([options, &action] { action = [options] { return rock(*options); }; });
+    verb.needs("--body", options->body, "body file (TOML)");
+    verb.needs("--wave", options->record.wave, "record, or columns time,a_horizontal[,a_vertical]");
+    add_record_options(verb, options->record);
+    verb.takes("--scale", options->scale, "factor on every component");
+    verb.takes("--effects", options->effects, "auto, none, or a list such as vertical");
+    verb.takes("--history", options->history, "write the history to this csv file");
+    verb.takes("--json", options->json, "as JSON");
+    verb.does([options] { return rock(*options); });
 }
 
 }  // namespace overturn::cli

@@ -94,18 +94,16 @@ int run(Options const& options) {
 
 }  // namespace
 
-void add_run(CLI::App& app, Action& action) {
-    auto* verb = app.add_subcommand("run", "run a campaign, alone or under mpirun");
+void add_run(CommandLine& line) {
+    auto verb = line.verb("run", "run a campaign, alone or under mpirun");
     auto options = std::make_shared<Options>();
-    verb->add_option("campaign", options->campaign, "campaign file (TOML)")->required();
-    verb->add_option("-o,--output", options->output, "results file; default: the campaign's name with .h5, here");
-    verb->add_flag("--resume", options->resume, "go on with what an earlier run left behind");
-    verb->add_option("--set", options->settings, "override a key: waves.count=50, bodies.0.friction=0.4")
-        ->allow_extra_args(false);
-    verb->add_option("--max-walltime", options->max_walltime, "stop in time to be resumed, e.g. \"50 min\"");
-    verb->add_option("--part", options->part,
-                     "I/N: only the I-th of N parts, for array jobs; merge puts them together");
-    verb->callback([options, &action] { action = [options] { return run(*options); }; });
+    verb.needs("campaign", options->campaign, "campaign file (TOML)");
+    verb.takes("-o,--output", options->output, "results file; default: the campaign's name with .h5, here");
+    verb.takes("--resume", options->resume, "go on with what an earlier run left behind");
+    verb.takes("--set", options->settings, "override a key: waves.count=50, bodies.0.friction=0.4");
+    verb.takes("--max-walltime", options->max_walltime, "stop in time to be resumed, e.g. \"50 min\"");
+    verb.takes("--part", options->part, "I/N: only the I-th of N parts, for array jobs; merge puts them together");
+    verb.does([options] { return run(*options); });
 }
 
 }  // namespace overturn::cli

@@ -9,13 +9,12 @@
 
 namespace overturn::cli {
 
-void add_record_options(CLI::App& verb, RecordOptions& options) {
-    verb.add_option("--unit", options.unit, "unit of the accelerations: g, gal, m/s2; required for columns");
-    verb.add_option("--time-step", options.time_step, "for files that state none, e.g. \"0.01 s\"");
-    verb.add_option("--format", options.format, "record format, see overturn list; default: by the content");
-    verb.add_option("--component", options.component, "what goes into the rocking plane, e.g. EW");
-    verb.add_option("--components", options.components, "file, horizontal, or station: also the files beside it")
-        ->capture_default_str();
+void add_record_options(Verb& verb, RecordOptions& options) {
+    verb.takes("--unit", options.unit, "unit of the accelerations: g, gal, m/s2; required for columns");
+    verb.takes("--time-step", options.time_step, "for files that state none, e.g. \"0.01 s\"");
+    verb.takes("--format", options.format, "record format, see overturn list; default: by the content");
+    verb.takes("--component", options.component, "what goes into the rocking plane, e.g. EW");
+    verb.takes("--components", options.components, "file, horizontal, or station: also the files beside it");
 }
 
 PlacedRecord load_motion(RecordOptions const& options) {

@@ -3,9 +3,8 @@
 
 #include <string>
 
-#include <CLI/CLI.hpp>
-
 #include "campaign/body_spec.hpp"
+#include "cli/command_line.hpp"
 #include "motion/recording.hpp"
 
 namespace overturn::cli {
@@ -21,7 +20,7 @@ struct RecordOptions {
 };
 
 /// Declares --unit, --time-step, --format, --component, --components.
-void add_record_options(CLI::App& verb, RecordOptions& options);
+void add_record_options(Verb& verb, RecordOptions& options);
 
 /// Says on stderr what was used if that is more than the file named. \throws InputError
 [[nodiscard]] PlacedRecord load_motion(RecordOptions const& options);

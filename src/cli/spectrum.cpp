@@ -131,16 +131,16 @@ int spectrum(Options const& options) {
 
 }  // namespace
 
-void add_spectrum(CLI::App& app, Action& action) {
-    auto* verb = app.add_subcommand("spectrum", "response, energy and window energy spectra of one wave");
+void add_spectrum(CommandLine& line) {
+    auto verb = line.verb("spectrum", "response, energy and window energy spectra of one wave");
     auto options = std::make_shared<Options>();
-    verb->add_option("--wave", options->record.wave, "record, or columns time,a_horizontal")->required();
-    add_record_options(*verb, options->record);
-    verb->add_option("--body", options->body, "body file (TOML): adds its energy measures");
-    verb->add_option("--damping", options->damping, "damping ratio")->capture_default_str();
-    verb->add_option("--plot", options->plot, "draw it: out.svg, .png or .pdf");
-    verb->add_flag("--json", options->json, "as JSON");
-    verb->callback([options, &action] { action = [options] { return spectrum(*options); }; });
+    verb.needs("--wave", options->record.wave, "record, or columns time,a_horizontal");
+    add_record_options(verb, options->record);
+    verb.takes("--body", options->body, "body file (TOML): adds its energy measures");
+    verb.takes("--damping", options->damping, "damping ratio");
+    verb.takes("--plot", options->plot, "draw it: out.svg, .png or .pdf");
+    verb.takes("--json", options->json, "as JSON");
+    verb.does([options] { return spectrum(*options); });
 }
 
 }  // namespace overturn::cli

@@ -105,11 +105,11 @@ int status(std::string const& path) {
 
 }  // namespace
 
-void add_status(CLI::App& app, Action& action) {
-    auto* verb = app.add_subcommand("status", "is a run complete? exit 0: yes, 3: resumable");
+void add_status(CommandLine& line) {
+    auto verb = line.verb("status", "is a run complete? exit 0: yes, 3: resumable");
     auto path = std::make_shared<std::string>();
-    verb->add_option("file", *path, "results file")->required();
-    verb->callback([path, &action] { action = [path] { return status(*path); }; });
+    verb.needs("file", *path, "results file");
+    verb.does([path] { return status(*path); });
 }
 
 }  // namespace overturn::cli

@@ -89,7 +89,7 @@ class Reader {
         for (std::size_t c = 0; c < cells.size(); ++c) {
             auto const name = std::find(known.begin(), known.end(), lowered(cells[c].text));
             if (name == known.end()) {
-                fail(cells[c], fmt::format("column {} (unknown). {}", quoted(cells[c].text),
+                fail(cells[c], fmt::format("column {} (unknown). {}", in_quotes(cells[c].text),
                                            config::suggestion(lowered(cells[c].text), known)));
             }
             auto& place = place_.at(static_cast<std::size_t>(name - known.begin()));
@@ -109,7 +109,7 @@ class Reader {
     [[nodiscard]] double value(Cell const& cell) const {
         double number = 0;
         if (!parse_number(cell.text, number)) {
-            fail(cell, fmt::format("{} (not a number). Write one, without a unit", quoted(cell.text)));
+            fail(cell, fmt::format("{} (not a number). Write one, without a unit", in_quotes(cell.text)));
         }
         return number;
     }
@@ -124,7 +124,7 @@ class Reader {
         double const number = value(cell);
         constexpr double most = 1e9;
         if (!(number >= 0 && number <= most && number == std::floor(number))) {
-            fail(cell, fmt::format("{} (not a count). Write a whole number from 0 to 1e9", quoted(cell.text)));
+            fail(cell, fmt::format("{} (not a count). Write a whole number from 0 to 1e9", in_quotes(cell.text)));
         }
         return static_cast<std::int64_t>(number);
     }

@@ -108,16 +108,16 @@ int show_wave(Options const& options) {
 
 }  // namespace
 
-void add_wave(CLI::App& app, Action& action) {
-    auto* verb = app.add_subcommand("wave", "write or draw one wave of a campaign, unscaled");
+void add_wave(CommandLine& line) {
+    auto verb = line.verb("wave", "write or draw one wave of a campaign, unscaled");
     auto options = std::make_shared<Options>();
-    verb->add_option("campaign", options->campaign, "campaign file (TOML)")->required();
-    verb->add_option("--wave", options->wave, "number of the wave, from 0")->required();
-    verb->add_option("-o,--output", options->output, "out.csv, or out.at2 (one file per component); default: csv here");
-    verb->add_option("--plot", options->plot, "draw it: out.svg, .png or .pdf");
-    verb->add_flag("--json", options->json, "how right the wave is, clause by clause, on standard output");
-    verb->add_option("--set", options->settings, "override a key: seed=2")->allow_extra_args(false);
-    verb->callback([options, &action] { action = [options] { return show_wave(*options); }; });
+    verb.needs("campaign", options->campaign, "campaign file (TOML)");
+    verb.needs("--wave", options->wave, "number of the wave, from 0");
+    verb.takes("-o,--output", options->output, "out.csv, or out.at2 (one file per component); default: csv here");
+    verb.takes("--plot", options->plot, "draw it: out.svg, .png or .pdf");
+    verb.takes("--json", options->json, "how right the wave is, clause by clause, on standard output");
+    verb.takes("--set", options->settings, "override a key: seed=2");
+    verb.does([options] { return show_wave(*options); });
 }
 
 }  // namespace overturn::cli

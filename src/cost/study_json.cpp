@@ -1,6 +1,8 @@
 #include <array>
 #include <cmath>
 
+#include <nlohmann/json.hpp>
+
 #include "cost/study_output.hpp"
 
 namespace overturn::cost {

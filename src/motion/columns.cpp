@@ -97,7 +97,7 @@ void append_row(Fields const& fields, Location const& where, Rows& rows) {
         double value = 0;
         if (!parse_number(fields.text[i], value)) {
             throw InputError(where, fmt::format("{} in column {} (not a finite number). Mend the row",
-                                                quoted(fields.text[i]), i + 1));
+                                                in_quotes(fields.text[i]), i + 1));
         }
         rows.column[i].push_back(value);
     }

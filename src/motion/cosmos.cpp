@@ -41,7 +41,7 @@ class HeaderValues {
         if (!format || !(count >= 1 && count <= most)) {
             throw InputError(where, fmt::format("{} (a COSMOS header states a count and a Format here). Fetch the file "
                                                 "anew",
-                                                quoted(trimmed(announcement))));
+                                                in_quotes(trimmed(announcement))));
         }
         append_fixed(lines, *format, static_cast<std::size_t>(count), file, values_);
     }
@@ -87,7 +87,7 @@ double unit_of(std::string_view lower, Location const& where) {
     }
     throw InputError(where, fmt::format("unit {} (cm/sec2 or g is known). Convert the data to columns and state the "
                                         "unit",
-                                        quoted(text)));
+                                        in_quotes(text)));
 }
 
 DataLine read_data_line(std::string_view line, Location const& where) {
@@ -100,7 +100,7 @@ DataLine read_data_line(std::string_view line, Location const& where) {
     constexpr double most = 1e9;
     if (!(count >= 1 && count <= most) || points == std::string::npos || !format) {
         throw InputError(where, fmt::format("{} (a COSMOS file states points, units and Format here). Fetch it anew",
-                                            quoted(trimmed(line))));
+                                            in_quotes(trimmed(line))));
     }
     data.count = static_cast<std::size_t>(count);
     data.format = *format;
@@ -120,7 +120,7 @@ void skip_comments(std::string_view announcement, TextLines& lines, std::string 
         if (!line || !trimmed(*line).starts_with('|')) {
             throw InputError({file, lines.number()}, fmt::format("{} ({} comment lines beginning with | were promised "
                                                                  "here). Fetch the file anew",
-                                                                 quoted(line.value_or("")), promised));
+                                                                 in_quotes(line.value_or("")), promised));
         }
     }
 }
@@ -190,7 +190,7 @@ Headers read_headers(std::string_view announcement, TextLines& lines, std::strin
     if (!holds(second, reals_follow)) {
         throw InputError({file, lines.number()}, fmt::format("{} (the real header begins here in a COSMOS file). Fetch "
                                                              "it anew",
-                                                             quoted(trimmed(second))));
+                                                             in_quotes(trimmed(second))));
     }
     return {std::move(integers), HeaderValues(second, lines, file)};
 }
@@ -270,7 +270,7 @@ Recording read_cosmos(std::string_view content, RecordRequest const& request) {
             throw InputError({request.name, lines.number()}, fmt::format("{} after the promised values (the header "
                                                                          "belongs to another record). Fetch the file "
                                                                          "anew",
-                                                                         quoted(trimmed(*line))));
+                                                                         in_quotes(trimmed(*line))));
         }
     }
     if (!channel_seen) {

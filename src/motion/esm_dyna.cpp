@@ -56,7 +56,7 @@ class Header {
         double value = 0;
         if (!parse_number(entry.value, value)) {
             throw InputError({file_, entry.line},
-                             fmt::format("{}: {} (not a finite number). Mend the header", key, quoted(entry.value)));
+                             fmt::format("{}: {} (not a finite number). Mend the header", key, in_quotes(entry.value)));
         }
         return value;
     }
@@ -85,7 +85,7 @@ double unit_of(Header const& header) {
         throw InputError(header.where("UNITS"),
                          fmt::format("UNITS: {} (not a unit of acceleration: one of {}). Take "
                                      "the acceleration file of the same record",
-                                     quoted(unit.value), accepted_units(Dimension::acceleration)));
+                                     in_quotes(unit.value), accepted_units(Dimension::acceleration)));
     }
 }
 
@@ -93,7 +93,7 @@ void check_quantity(Header const& header) {
     if (header.has("DATA_TYPE") && lowered(header.text("DATA_TYPE").value) != "acceleration") {
         throw InputError(header.where("DATA_TYPE"), fmt::format("DATA_TYPE: {} (an acceleration is needed). Take the "
                                                                 "acceleration file of the same record",
-                                                                quoted(header.text("DATA_TYPE").value)));
+                                                                in_quotes(header.text("DATA_TYPE").value)));
     }
 }
 

@@ -32,8 +32,8 @@ constexpr std::array<std::string_view, 3> hertz{"hz", "1/s", "sps"};
 void check_unit(std::string_view unit, Units units, std::string_view line, Location const& where) {
     auto const lower = lowered(trimmed(unit));
     if (!lower.empty() && std::find(units.begin(), units.end(), lower) == units.end()) {
-        throw InputError(where, fmt::format("{} ({} where {} belongs). Mend the header", quoted(trimmed(line)),
-                                            quoted(lower), units.empty() ? "a number alone" : units.front()));
+        throw InputError(where, fmt::format("{} ({} where {} belongs). Mend the header", in_quotes(trimmed(line)),
+                                            in_quotes(lower), units.empty() ? "a number alone" : units.front()));
     }
 }
 

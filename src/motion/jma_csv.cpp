@@ -18,7 +18,7 @@ std::string_view value_of(TextLines& lines, std::string_view key, std::string co
     auto const equals = text.find('=');
     if (!line || !text.starts_with(key) || equals == std::string_view::npos) {
         throw InputError({file, lines.number()},
-                         fmt::format("{} (a JMA csv has '{} =' here). Fetch the file anew", quoted(text), key));
+                         fmt::format("{} (a JMA csv has '{} =' here). Fetch the file anew", in_quotes(text), key));
     }
     return trimmed(text.substr(equals + 1));
 }
@@ -27,7 +27,8 @@ double sampling_rate_hz(std::string_view text, Location const& where) {
     double rate = 0;
     auto const hertz = text.find("Hz");
     if (hertz == std::string_view::npos || !parse_number(trimmed(text.substr(0, hertz)), rate) || !(rate > 0)) {
-        throw InputError(where, fmt::format("SAMPLING RATE {} (must read like 100Hz). Mend the header", quoted(text)));
+        throw InputError(where,
+                         fmt::format("SAMPLING RATE {} (must read like 100Hz). Mend the header", in_quotes(text)));
     }
     return rate;
 }
@@ -44,7 +45,7 @@ std::array<std::string, component_count> component_names(TextLines& lines, std::
         if (direction_of(name) == Direction::unknown) {
             throw InputError({file, lines.number()}, fmt::format("{} (a JMA csv names its columns NS,EW,UD here). "
                                                                  "Fetch the file anew",
-                                                                 quoted(trimmed(line.value_or("")))));
+                                                                 in_quotes(trimmed(line.value_or("")))));
         }
     }
     return names;
@@ -59,7 +60,7 @@ void append_row(std::string_view line, Location const& where, Recording& recordi
         if (!parse_number(text, gal)) {
             throw InputError(where, fmt::format("{} under {} (not a finite number; the row is damaged or cut short). "
                                                 "Fetch the file anew",
-                                                quoted(text), component.name));
+                                                in_quotes(text), component.name));
         }
         constexpr double gal_mps2 = 0.01;
         component.acceleration_mps2.push_back(gal * gal_mps2);
@@ -67,7 +68,7 @@ void append_row(std::string_view line, Location const& where, Recording& recordi
     }
     if (rest.find_first_not_of(", \t") != std::string_view::npos) {  // later exports end in empty columns
         throw InputError(where, fmt::format("{} after the third column (a JMA csv has NS,EW,UD). Mend the row",
-                                            quoted(trimmed(rest))));
+                                            in_quotes(trimmed(rest))));
     }
 }
 
@@ -93,7 +94,7 @@ Recording read_jma_csv(std::string_view content, RecordRequest const& request) {
     if (!unit.starts_with("gal")) {
         throw InputError(place_of(), fmt::format("unit {} (a JMA csv is in gal). Convert it to columns and state the "
                                                  "unit",
-                                                 quoted(unit)));
+                                                 in_quotes(unit)));
     }
     check_stated_unit(request, gal_mps2, place_of());
     (void)value_of(lines, "INITIAL TIME", request.name);

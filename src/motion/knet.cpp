@@ -45,9 +45,9 @@ class Header {
                                              lines.number(), keys.size()));
             }
             if (!next->starts_with(keys.at(i))) {
-                throw InputError(
-                    {file, lines.number()},
-                    fmt::format("{} (a K-NET header has '{}' here). Fetch the file anew", quoted(*next), keys.at(i)));
+                throw InputError({file, lines.number()},
+                                 fmt::format("{} (a K-NET header has '{}' here). Fetch the file anew", in_quotes(*next),
+                                             keys.at(i)));
             }
             lines_.at(i) = *next;
         }
@@ -75,7 +75,7 @@ class Header {
         double read = 0;
         if (!parse_number(trimmed(text), read) || !(read > 0)) {
             throw InputError(where(number), fmt::format("{} {} (must be a number above 0). Mend the header",
-                                                        key(number), quoted(text)));
+                                                        key(number), in_quotes(text)));
         }
         return read;
     }
@@ -93,7 +93,7 @@ double scale_factor(Header const& header) {
     auto const at = text.find(unit);
     if (at == std::string_view::npos) {
         throw InputError(header.where(line), fmt::format("{} {} (must read like 3920(gal)/6182761). Mend the header",
-                                                         Header::key(line), quoted(text)));
+                                                         Header::key(line), in_quotes(text)));
     }
     return header.positive_number(text.substr(0, at), line) * gal_mps2
            / header.positive_number(text.substr(at + unit.size()), line);
@@ -130,7 +130,7 @@ void check_last_count_is_whole(std::string_view content, Location const& where) 
         throw InputError(where,
                          fmt::format("{} at the end of the file (a count and its blank fill {} columns: the file "
                                      "is cut short). Fetch it anew",
-                                     quoted(trimmed(line.substr(line.size() - rest))), count_width));
+                                     in_quotes(trimmed(line.substr(line.size() - rest))), count_width));
     }
 }
 

@@ -53,11 +53,11 @@ void read_size(std::string_view line, Location const& where, Header& header) {
     if (!(count >= 1 && count <= most && count == std::floor(count))) {
         throw InputError(where, fmt::format("no count of values in {} (NPTS must be a whole number of at least 1). "
                                             "Mend the header",
-                                            quoted(trimmed(line))));
+                                            in_quotes(trimmed(line))));
     }
     if (!(step > 0)) {
         throw InputError(where, fmt::format("no time step in {} (DT must be a number above 0 s). Mend the header",
-                                            quoted(trimmed(line))));
+                                            in_quotes(trimmed(line))));
     }
     header.samples = static_cast<std::size_t>(count);
     header.time_step_s = step;
@@ -91,7 +91,7 @@ void read_header_line(std::string_view lower, Location const& where, Header& hea
     if (!unit.empty() && unit != "g") {
         throw InputError(where, fmt::format("unit {} (an AT2 file is in units of g). Convert it to columns and state "
                                             "the unit",
-                                            quoted(unit)));
+                                            in_quotes(unit)));
     }
     header.in_g = header.in_g || unit == "g";
 }

@@ -99,7 +99,7 @@ void append_numbers(std::string_view line, std::string const& file, int line_num
         if (!read) {
             throw InputError({file, line_number},
                              fmt::format("{} (not a finite number). Mend the value or fetch the file anew",
-                                         quoted(line.substr(0, line.find_first_of(" \t", end)))));
+                                         in_quotes(line.substr(0, line.find_first_of(" \t", end)))));
         }
         values.push_back(value);
         line.remove_prefix(end);
@@ -141,7 +141,7 @@ void append_fixed(TextLines& lines, FixedFormat format, std::size_t count, std::
                 throw InputError({file, lines.number()},
                                  fmt::format("{} as value {} of {} (not a finite number; the file is damaged or cut "
                                              "short). Fetch it anew",
-                                             quoted(text), read + 1, count));
+                                             in_quotes(text), read + 1, count));
             }
             values.push_back(value);
             ++read;
@@ -157,7 +157,7 @@ std::string lowered(std::string_view text) {
     return lower;
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
     constexpr std::size_t most = 30;
     std::string shown(text.substr(0, most));
     std::replace_if(

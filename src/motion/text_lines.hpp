@@ -48,6 +48,6 @@ void append_fixed(TextLines& lines, FixedFormat format, std::size_t count, std::
 [[nodiscard]] std::string lowered(std::string_view text);
 
 /// A piece of a file in quotes for a one-line message: cut short, unprintable bytes as '?'.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string in_quotes(std::string_view text);
 
 }  // namespace overturn

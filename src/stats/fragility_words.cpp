@@ -116,9 +116,9 @@ std::vector<std::string> names_of(FragilityFlags flags) {
 std::vector<std::string> warnings_of(FragilityFit const& fit, std::string const& units, double confidence) {
     std::vector<std::string> texts;
     add_state(texts, fit, units, confidence);
-    auto const add_if = [&](FragilityFlag flag, std::string text) {
+    auto const add_if = [&](FragilityFlag flag, std::string_view text) {
         if (has(fit.flags, flag)) {
-            texts.push_back(std::move(text));
+            texts.emplace_back(text);
         }
     };
     add_if(FragilityFlag::one_overturned, "one trial overturned: whatever is fitted hangs on it");

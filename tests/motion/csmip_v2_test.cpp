@@ -88,10 +88,11 @@ TEST(CsmipV2, ManySensorsMustBeChosenFrom) {
 // Since about 2000 the lines are written in mixed case, with another name of the unit and the format behind it.
 TEST(CsmipV2, NewerLayoutIsReadAlike) {
     auto newer = channel();
-    for (auto const& [older, now] : {std::pair{"CHAN  1", "Chan  1"},
-                                     {"CORRECTED ACCELEROGRAM   ", "Corrected accelerogram   "},
-                                     {"POINTS OF ACCEL DATA EQUALLY SPACED AT", "points of accel data equally spaced at"},
-                                     {"SEC.  (UNITS: CM/SEC/SEC)", "sec, in cm/sec2. (8f10.6)"}}) {
+    for (auto const& [older, now] :
+         {std::pair{"CHAN  1", "Chan  1"},
+          {"CORRECTED ACCELEROGRAM   ", "Corrected accelerogram   "},
+          {"POINTS OF ACCEL DATA EQUALLY SPACED AT", "points of accel data equally spaced at"},
+          {"SEC.  (UNITS: CM/SEC/SEC)", "sec, in cm/sec2. (8f10.6)"}}) {
         ASSERT_NE(newer.find(older), std::string::npos) << older;
         newer.replace(newer.find(older), std::string(older).size(), now);
     }
