@@ -58,7 +58,8 @@ std::vector<std::byte> BlockRows::pack() const {
     std::vector<std::byte> bytes;
     put(bytes, waves);
     put(bytes, measures);
-    put(bytes, trials);
+    put(bytes, trials.rows);
+    put(bytes, trials.own);
     return bytes;
 }
 
@@ -67,14 +68,15 @@ std::size_t BlockRows::packed_size(Plan const& plan, std::int64_t block) {
         return static_cast<std::size_t>(plan.waves_of_block(block).count * per_wave);
     };
     return rows(1) * sizeof(WaveRow) + rows(plan.bodies()) * sizeof(MeasureRow)
-           + rows(plan.trials_per_wave()) * sizeof(TrialRow);
+           + rows(plan.trials_per_wave()) * (sizeof(TrialRow) + static_cast<std::size_t>(plan.own_bytes()));
 }
 
 BlockRows BlockRows::unpack(std::span<std::byte const> bytes, Plan const& plan, std::int64_t waves) {
     BlockRows rows;
     take(bytes, rows.waves, waves);
     take(bytes, rows.measures, waves * plan.bodies());
-    take(bytes, rows.trials, waves * plan.trials_per_wave());
+    take(bytes, rows.trials.rows, waves * plan.trials_per_wave());
+    take(bytes, rows.trials.own, waves * plan.trials_per_wave() * plan.own_bytes());
     if (!bytes.empty()) {
         throw SystemError("a block of results is too long (written by another version?). Start anew without --resume");
     }

@@ -11,7 +11,7 @@
 #include "campaign/scatter.hpp"
 #include "config/table.hpp"
 #include "core/input_files.hpp"
-#include "response/response.hpp"
+#include "model/friction.hpp"
 
 namespace overturn {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <set>
 
-#include "campaign/results.hpp"
+#include "campaign/rows.hpp"
 #include "campaign/wave_check.hpp"
 
 namespace overturn {
@@ -17,38 +17,14 @@ constexpr std::int64_t most_waves = 1'000'000'000;
 constexpr std::int64_t most_trials = 1'000'000'000'000;
 
 EffectRequest read_effects(Table const& table) {
-    if (table.has("include")) {
-        if (table.has("mode")) {
-            table.fail("include", "stated beside mode (the list already forces its effects). Keep one of them");
-        }
-        EffectRequest request{EffectMode::forced, 0};
-        for (auto const& name : table.texts("include")) {
-            request.include |= table.located("include", [&] { return parse_effects(name).include; });
-        }
-        return request;
+    if (!table.has("include")) {
+        auto const mode = table.text("mode", text_of(EffectRequest{}));
+        return table.located("mode", [&] { return parse_effect_mode(mode); });
     }
-    static constexpr std::array modes{
-        config::Entry<EffectMode>{"auto", "what each scene calls for", EffectMode::automatic},
-        config::Entry<EffectMode>{"none", "plain rocking", EffectMode::none}};
-    return {table.choice<EffectMode>("mode", modes, EffectMode::automatic), 0};
-}
-
-RockingAccuracy read_accuracy(Table const& table) {
-    RockingAccuracy a;
-    auto const order = table.integer("taylor_order", 1, 99, a.taylor_order);
-    if (std::ranges::find(taylor_orders, order) == taylor_orders.end()) {
-        table.fail("taylor_order", fmt::format("{} (not offered). Use {}", order, fmt::join(taylor_orders, ", ")));
+    if (table.has("mode")) {
+        table.fail("include", "stated beside mode (the list already forces its effects). Keep one of them");
     }
-    a.taylor_order = static_cast<int>(order);
-    constexpr int most_substeps = 1000;
-    a.substeps = static_cast<int>(table.integer("substeps", 1, most_substeps, a.substeps));
-    a.step_tolerance = table.number("step_tolerance", Dimension::none, {.low = 1e-16, .high = 1e-3}, a.step_tolerance);
-    a.settle = table.number("settle", Dimension::none, {.low = 0, .high = 1e-2, .low_open = true}, a.settle);
-    static constexpr std::array restorings{
-        config::Entry<Restoring>{"nonlinear", "the block as it is", Restoring::nonlinear},
-        config::Entry<Restoring>{"linear", "for the closed forms of the literature", Restoring::linear}};
-    a.restoring = table.choice<Restoring>("restoring", restorings, a.restoring);
-    return a;
+    return table.located("include", [&] { return parse_effect_list(table.texts("include")); });
 }
 
 MeasureSpec read_measures(Table const& table) {
@@ -104,7 +80,7 @@ std::vector<BodySpec> read_bodies(Table const& root, InputFiles& files) {
         bodies.push_back(read_body(entry, files));
         auto const& name = bodies.back().name;
         bool taken = name == "." || name == "..";
-        for (auto const& column : wave_table().columns) {
+        for (auto const& column : fields_of<WaveRow>()) {
             taken = taken || name == column.name;
         }
         if (name.empty() || taken || name.find('/') != std::string::npos) {
@@ -158,7 +134,7 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
         }
     }
     auto const accuracy = root.child_or_empty("accuracy");
-    spec.rocking = read_accuracy(accuracy);
+    spec.accuracy = read_accuracy(accuracy);
     constexpr double largest_phase = 40;
     spec.measures = read_measures(root.child_or_empty("measures"));
     waves.located("acceptance", [&] { validate_bands(*spec.source, spec.bodies, spec.measures.radius_unit); });

@@ -12,7 +12,7 @@
 #include "campaign/level_spec.hpp"
 #include "core/input_files.hpp"
 #include "generators/wave_source.hpp"
-#include "response/response.hpp"
+#include "response/ladder.hpp"
 #include "spectra/window_energy.hpp"
 #include "stats/precision.hpp"
 
@@ -35,7 +35,7 @@ struct CampaignSpec {
     Sampling sampling = Sampling::independent;  ///< of what scatters about the bodies
     LevelSpec levels;
     EffectRequest effects;
-    RockingAccuracy rocking;
+    Accuracy accuracy;
     MeasureSpec measures;
     double confidence = 0.95;
     PrecisionTarget target;  ///< met before all waves are done, it ends the campaign

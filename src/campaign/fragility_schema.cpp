@@ -68,8 +68,8 @@ struct Columns {
     store::TableSpec spec;
 
     void add(std::string const& name, std::string const& units, std::string const& description, std::size_t offset,
-             store::ColumnType type = store::ColumnType::real, std::vector<std::string> categories = {}) {
-        spec.columns.push_back({name, units, description, type, offset, std::move(categories)});
+             FieldType type = FieldType::real, std::vector<std::string> categories = {}) {
+        spec.columns.push_back({name, units, description, type, offset, numbered(std::move(categories))});
     }
     void add_ends(std::string const& name, std::string const& units, std::string const& what, std::size_t offset) {
         add(name + "_lower", units, what + ", lower end", offset + offsetof(Interval, lower));
@@ -80,20 +80,19 @@ struct Columns {
 #define OVERTURN_AT(field) offsetof(FragilityRow, field)
 
 void add_kinds(Columns& columns) {
-    using store::ColumnType;
     std::vector<std::string> states;
     for (std::int64_t s = 0; s <= static_cast<std::int64_t>(FragilityState::not_converged); ++s) {
         states.push_back(name_of(static_cast<FragilityState>(s)));
     }
     columns.add("measure", "1", "intensity measure; level: the file's level_measure", OVERTURN_AT(measure),
-                ColumnType::category, fragility_measure_names());
-    columns.add("state", "1", "why there is a curve or none", OVERTURN_AT(state), ColumnType::category, states);
+                FieldType::category, fragility_measure_names());
+    columns.add("state", "1", "why there is a curve or none", OVERTURN_AT(state), FieldType::category, states);
     columns.add("identifiable", "1", "1: the trials hold a lognormal curve", OVERTURN_AT(identifiable),
-                ColumnType::integer);
+                FieldType::integer);
     columns.add("flags", "1", "bit mask; the attribute flag_names names the bits from 0", OVERTURN_AT(flags),
-                ColumnType::integer);
+                FieldType::integer);
     columns.add("interval_method", "1", "where median, beta and hclpf have their ends from", OVERTURN_AT(method),
-                ColumnType::category, {"profile-likelihood", "bootstrap-by-waves"});
+                FieldType::category, {"profile-likelihood", "bootstrap-by-waves"});
 }
 
 store::TableSpec fragility_columns(std::string const& body) {

@@ -1,8 +1,9 @@
 #include "campaign/measured_trials.hpp"
 
 #include <algorithm>
+#include <cmath>
 
-#include "rocking/planar_rocking.hpp"
+#include "response/registry.hpp"
 
 namespace overturn {
 
@@ -21,7 +22,7 @@ void MeasuredTrials::add(WaveRow const& row, std::span<MeasureRow const> measure
         return;
     }
     Peaks peaks{row.pga_mps2, row.pgv_mps, {}};
-    auto const asked = [](MeasureRow const& body) { return body.other_unit_v_wes_max_mps >= 0; };
+    auto const asked = [](MeasureRow const& body) { return !std::isnan(body.other_unit_v_wes_max_mps); };
     if (std::any_of(measures.begin(), measures.end(), asked)) {
         for (auto const& body : measures) {
             peaks.other_unit.push_back({body.other_unit_v_wes_max_mps, body.other_unit_ou_v_e_mps});
@@ -37,15 +38,15 @@ void MeasuredTrials::add(TrialRow const& row) {
         passed_by_ += full ? 1 : 0;
         return;
     }
-    auto const verdict = static_cast<Verdict>(row.verdict);
+    auto const& verdict = entry_of(row.verdict);
     auto const& peaks = wave->second;
     auto const other = peaks.other_unit.empty() ? OtherUnit{} : peaks.other_unit.at(static_cast<std::size_t>(row.body));
     Trial trial{};
     trial.wave = row.wave;
     trial.body = static_cast<std::int32_t>(row.body);
-    trial.decided = verdict != Verdict::failed && verdict != Verdict::contact_lost;
-    trial.overturned = verdict == Verdict::overturned;
-    trial.moved = verdict != Verdict::at_rest;
+    trial.decided = verdict.decided;
+    trial.overturned = verdict.fell;
+    trial.moved = verdict.moved;
     trial.slipped = row.peak_slip_m > 0;
     trial.amplitude = row.amplitude;
     trial.pga_mps2 = row.scale * peaks.pga_mps2;
@@ -53,7 +54,7 @@ void MeasuredTrials::add(TrialRow const& row) {
     trial.v_wes_mps = row.v_wes_mps;
     trial.ou_v_e_mps = row.ou_v_e_mps;
     trial.v_ereq_mps = row.v_ereq_mps;
-    trial.v_resp_mps = row.v_resp_mps;
+    trial.v_resp_mps = row.response_velocity_mps;
     trial.other_unit = {row.scale * other.v_wes_mps, row.scale * other.ou_v_e_mps};
     trials_.push_back(trial);
 }

@@ -26,7 +26,8 @@ Plan::Plan(CampaignSpec const& spec)
       waves_(independent_ ? spec.wave_count * static_cast<std::int64_t>(spec.levels.levels.size()) : spec.wave_count),
       bodies_(static_cast<std::int64_t>(spec.bodies.size())),
       levels_per_wave_(independent_ ? 1 : static_cast<std::int64_t>(spec.levels.levels.size())),
-      block_size_(waves_per_block(waves_)) {
+      block_size_(waves_per_block(waves_)),
+      own_bytes_(static_cast<std::int64_t>(Ladder(spec.effects, spec.accuracy).own_bytes())) {
     for (auto const& level : spec.levels.levels) {
         level_keys_.push_back(level.key());
     }

@@ -28,6 +28,8 @@ class Plan {
     [[nodiscard]] std::int64_t trials() const { return waves_ * trials_per_wave(); }
     [[nodiscard]] std::int64_t blocks() const { return (waves_ + block_size_ - 1) / block_size_; }
     [[nodiscard]] std::int64_t block_size() const { return block_size_; }
+    /// Of what models have to say of their own about a trial (Ladder::own_bytes).
+    [[nodiscard]] std::int64_t own_bytes() const { return own_bytes_; }
 
     /// The wave's identity in every random stream. With independent waves those of a level are Level::key 10^9 + 0, 1,
     /// 2,
@@ -59,7 +61,7 @@ class Plan {
   private:
     bool independent_;
     std::vector<std::int64_t> level_keys_;
-    std::int64_t waves_per_level_, waves_, bodies_, levels_per_wave_, block_size_;
+    std::int64_t waves_per_level_, waves_, bodies_, levels_per_wave_, block_size_, own_bytes_;
 };
 
 }  // namespace overturn

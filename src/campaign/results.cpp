@@ -1,9 +1,12 @@
 #include "campaign/results.hpp"
 
+#include <algorithm>
+
 #include <fmt/ranges.h>
 
 #include "campaign/analysis.hpp"
 #include "campaign/version.hpp"
+#include "response/registry.hpp"
 
 namespace overturn {
 namespace {
@@ -35,7 +38,7 @@ void write_body(store::ResultsWriter& file, BodySpec const& spec, RadiusUnit uni
     auto const group = "bodies/" + spec.name;
     auto const& body = spec.body;
     auto const put = [&](char const* name, char const* units, char const* description, double value) {
-        file.array(group, {name, units, description, store::ColumnType::real, 0, {}}, std::vector<double>{value});
+        file.array(group, {name, units, description, FieldType::real, 0, {}}, std::vector<double>{value});
     };
     put("mass", "kg", "mass", body.mass_kg());
     put("half_width", "m", "b, half of the base", body.half_width_m());
@@ -64,7 +67,7 @@ template <class Value, class Get> std::vector<Value> column(std::vector<Stripe> 
 void write_stripes(store::ResultsWriter& file, CampaignSpec const& spec, BodyStatistics const& body) {
     auto const group = "stripes/" + body.body;
     auto const spec_of = [](char const* name, std::string const& units, char const* description) {
-        return store::ColumnSpec{name, units, description, store::ColumnType::real, 0, {}};
+        return Field{name, units, description, FieldType::real, 0, {}};
     };
     auto const& s = body.stripes;
     file.array(group, spec_of("amplitude", spec.levels.units(), "value of the level"),
@@ -73,12 +76,19 @@ void write_stripes(store::ResultsWriter& file, CampaignSpec const& spec, BodySta
         file.array(group, spec_of(name, "1", description), column<std::int64_t>(s, get), "amplitude");
     };
     count("trials", "trials at the level", [](Stripe const& x) { return x.trials; });
-    count("overturned", "trials that overturned", [](Stripe const& x) { return x.overturned; });
-    count("failed", "trials without a verdict, left out of the probability", [](Stripe const& x) { return x.failed; });
-    count("contact_lost", "trials that lost contact, left out of the probability",
-          [](Stripe const& x) { return x.contact_lost; });
-    count("at_rest", "trials that never moved", [](Stripe const& x) { return x.at_rest; });
-    count("slid", "trials that slid and never uplifted", [](Stripe const& x) { return x.slid; });
+    auto const counts = [&](std::string const& name, std::string const& description,
+                            std::vector<std::int64_t> const& values) {
+        file.array(group, {name, "1", description}, values, "amplitude");
+    };
+    for (std::size_t v = 0; v < verdicts().size(); ++v) {
+        auto const& entry = verdicts()[v];
+        std::string name(entry.name);
+        std::replace(name.begin(), name.end(), '-', '_');
+        counts(name,
+               fmt::format("trials with this end: {}{}", entry.summary,
+                           entry.decided ? "" : "; left out of the probability"),
+               body.ends[v]);
+    }
     auto const real = [&](char const* name, char const* description, auto get) {
         file.array(group, spec_of(name, "1", description), column<double>(s, get), "amplitude");
     };
@@ -95,17 +105,22 @@ void write_stripes(store::ResultsWriter& file, CampaignSpec const& spec, BodySta
     }
     file.array(group, spec_of("purpose", "1", "0 ordinary, 1 design-basis, 2 beyond-design level"), purposes,
                "amplitude");
-    file.array(group, spec_of("sliding_called", "1", "trials whose friction demand exceeds the static coefficient"),
-               body.sliding_called, "amplitude");
-    file.array(group, spec_of("rung_trials", "1", "trials per rung: at rest, rocking, sliding"),
-               std::vector<std::int64_t>(body.rungs.begin(), body.rungs.end()));
+    for (std::size_t e = 0; e < effects().size(); ++e) {
+        counts(fmt::format("{}_called", effects()[e].name), "trials that call for this effect, simulated or not",
+               body.called[e]);
+    }
+    std::vector<std::string> names;
+    for (auto const& rung : rungs()) {
+        names.push_back(rung.name);
+    }
+    file.array(group, {"rung_trials", "1", fmt::format("trials per rung: {}", fmt::join(names, ", "))}, body.rungs);
     file.attribute(group, "confidence", c);
     file.attribute(group, "level_measure", spec.levels.measure_name());
 }
 
 void write_confusion(store::ResultsWriter& file, std::string const& group, std::string const& units,
                      std::vector<Stripe> const& stripes, std::vector<Confusion> const& cells) {
-    file.array(group, {"amplitude", units, "value of the level", store::ColumnType::real, 0, {}},
+    file.array(group, {"amplitude", units, "value of the level", FieldType::real, 0, {}},
                column<double>(stripes, [](Stripe const& x) { return x.amplitude; }));
     auto const put = [&](char const* cell, char const* description, auto get) {
         std::vector<std::int64_t> counts;
@@ -113,7 +128,7 @@ void write_confusion(store::ResultsWriter& file, std::string const& group, std::
         for (auto const& confusion : cells) {
             counts.push_back(get(confusion));
         }
-        file.array(group, {cell, "1", description, store::ColumnType::integer, 0, {}}, counts, "amplitude");
+        file.array(group, {cell, "1", description, FieldType::integer, 0, {}}, counts, "amplitude");
     };
     put("false_safe", "said safe, overturned", [](Confusion const& x) { return x.false_safe; });
     put("false_alarm", "said unsafe, stood", [](Confusion const& x) { return x.false_alarm; });
@@ -141,7 +156,10 @@ Statistics::Statistics(CampaignSpec const& spec) {
         }
         statistics.v_wes.resize(statistics.stripes.size());
         statistics.ou_v_e.resize(statistics.stripes.size());
-        statistics.sliding_called.resize(statistics.stripes.size());
+        auto const levels = statistics.stripes.size();
+        statistics.ends.assign(verdicts().size(), std::vector<std::int64_t>(levels));
+        statistics.called.assign(effects().size(), std::vector<std::int64_t>(levels));
+        statistics.rungs.resize(rungs().size());
         bodies_.push_back(std::move(statistics));
     }
 }
@@ -156,7 +174,7 @@ void Statistics::add(BlockRows const& block) {
     for (std::size_t w = 0; w < block.waves.size(); ++w) {
         add(block.waves[w], std::span(block.measures).subspan(w * each, each));
     }
-    for (auto const& row : block.trials) {
+    for (auto const& row : block.trials.rows) {
         add(row);
     }
 }
@@ -166,30 +184,34 @@ void Statistics::add(TrialRow const& row) {
     auto& body = bodies_.at(static_cast<std::size_t>(row.body));
     auto const level = static_cast<std::size_t>(row.level);
     auto& stripe = body.stripes.at(level);
+    auto const& end = entry_of(row.verdict);
     ++stripe.trials;
-    auto const verdict = static_cast<Verdict>(row.verdict);
-    body.rungs.at(static_cast<std::size_t>(row.rung)) += verdict == Verdict::failed ? 0 : 1;
-    stripe.failed += verdict == Verdict::failed ? 1 : 0;
-    stripe.contact_lost += verdict == Verdict::contact_lost ? 1 : 0;
-    stripe.at_rest += verdict == Verdict::at_rest ? 1 : 0;
-    stripe.slid += verdict == Verdict::slid ? 1 : 0;
-    body.sliding_called[level] += has(static_cast<EffectMask>(row.effects_called), Effect::sliding) ? 1 : 0;
-    if (verdict == Verdict::failed || verdict == Verdict::contact_lost) {
+    ++body.ends[static_cast<std::size_t>(&end - verdicts().data())][level];
+    for (std::size_t e = 0; e < effects().size(); ++e) {
+        body.called[e][level] += has(static_cast<EffectMask>(row.called), effects()[e].value) ? 1 : 0;
+    }
+    if (row.verdict == Verdict::failed) {
+        ++stripe.failed;
+    } else {
+        ++body.rungs[rung_place(row.rung)];
+        stripe.undecided += end.decided ? 0 : 1;
+    }
+    if (!end.decided) {
         body.v_wes[level].add_undecided(row.v_wes_safe != 0);
         body.ou_v_e[level].add_undecided(row.ou_v_e_safe != 0);
         return;
     }
-    bool const overturned = verdict == Verdict::overturned;
-    stripe.overturned += overturned ? 1 : 0;
-    body.v_wes[level].add(row.v_wes_safe != 0, overturned);
-    body.ou_v_e[level].add(row.ou_v_e_safe != 0, overturned);
+    stripe.overturned += end.fell ? 1 : 0;
+    body.v_wes[level].add(row.v_wes_safe != 0, end.fell);
+    body.ou_v_e[level].add(row.ou_v_e_safe != 0, end.fell);
 }
 
 void WaveCounts::add(WaveRow const& row) {
     ++waves;
     failed += row.failed != 0 ? 1 : 0;
-    not_accepted += row.failed == 0 && row.accepted == 0 ? 1 : 0;
-    missed += row.failed == 0 && row.accepted < 0 && row.match_iterations > 0 && row.matched == 0 ? 1 : 0;
+    not_accepted += row.failed == 0 && row.accepted == Accepted::no ? 1 : 0;
+    missed +=
+        row.failed == 0 && row.accepted == Accepted::not_asked && row.match_iterations > 0 && row.matched == 0 ? 1 : 0;
 }
 
 std::string WaveCounts::text(std::string const& acceptance) const {
@@ -214,20 +236,21 @@ std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, Campa
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
         measures.push_back(file.table(measure_table(spec, b), plan.waves()));
     }
-    auto rows_of_trials = trial_table();
-    for (auto& column : rows_of_trials.columns) {
-        if (column.name == "amplitude") {
-            column.units = spec.levels.units();
-        }
+    auto const trials = file.table(trial_table(spec.levels.units()), plan.trials());
+    std::vector<std::size_t> own;
+    for (auto& table : own_tables(Ladder(spec.effects, spec.accuracy))) {
+        own.push_back(file.table(std::move(table), plan.trials()));
     }
-    auto const trials = file.table(std::move(rows_of_trials), plan.trials());
     for (std::int64_t b = 0; b < plan.blocks(); ++b) {
         auto const rows = BlockRows::unpack(block(b), plan, plan.waves_of_block(b).count);
         file.append(waves, std::as_bytes(std::span(rows.waves)));
         for (auto const table : measures) {
             file.append(table, std::as_bytes(std::span(rows.measures)));
         }
-        file.append(trials, std::as_bytes(std::span(rows.trials)));
+        file.append(trials, std::as_bytes(std::span(rows.trials.rows)));
+        for (auto const table : own) {
+            file.append(table, rows.trials.own);
+        }
         statistics.add(rows);
     }
     if (spec.target.asks()) {

@@ -1,7 +1,6 @@
 /// From rows to the results file: the columns with their meaning, and the statistics counted over them.
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <functional>
 #include <span>
@@ -11,29 +10,21 @@
 #include "campaign/campaign_spec.hpp"
 #include "campaign/measured_trials.hpp"
 #include "campaign/plan.hpp"
+#include "campaign/schema.hpp"
 #include "campaign/trial.hpp"
 #include "stats/stripe.hpp"
 #include "store/results_file.hpp"
 
 namespace overturn {
 
-[[nodiscard]] store::TableSpec trial_table();
-[[nodiscard]] store::TableSpec wave_table();
-/// /waves/<body>: the energy measures for the body of that number; those with R in the other unit where asked for.
-[[nodiscard]] store::TableSpec measure_table(CampaignSpec const& spec, std::size_t body);
-
-/// Verdict names in the order of their values, for files and tables.
-[[nodiscard]] std::vector<std::string> verdict_names();
-[[nodiscard]] std::vector<std::string> failure_names();
-[[nodiscard]] std::vector<std::string> rung_names();
-
 /// One body's stripes, and how each criterion did per level.
 struct BodyStatistics {
     std::string body;
     std::vector<Stripe> stripes;
     std::vector<Confusion> v_wes, ou_v_e;
-    std::vector<std::int64_t> sliding_called;      ///< trials per level in which friction would have been exceeded
-    std::array<std::int64_t, rung_count> rungs{};  ///< trials per rung
+    std::vector<std::vector<std::int64_t>> ends;    ///< trials per verdict, in the order of verdicts(), and level
+    std::vector<std::vector<std::int64_t>> called;  ///< trials per effect, in the order of effects(), and level
+    std::vector<std::int64_t> rungs;                ///< trials per rung, in the order of rungs()
 };
 
 /// What became of the waves.
@@ -83,13 +74,14 @@ std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, Campa
 /// The campaign a results file was made from.
 [[nodiscard]] CampaignInput input_of(store::ResultsReader const& file);
 
-/// The row of one trial as stored.
-[[nodiscard]] TrialRow read_trial(store::ResultsReader const& file, std::int64_t number);
+/// One trial as stored.
+[[nodiscard]] TrialRows read_trial(store::ResultsReader const& file, CampaignSpec const& spec, std::int64_t number);
 
 /// All statistics recomputed from the stored trials.
 [[nodiscard]] Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec);
 
-/// The columns in which two rows differ in any bit.
-[[nodiscard]] std::vector<std::string> differing_columns(TrialRow const& a, TrialRow const& b);
+/// The columns in which two trials differ in any bit; those of a model with its name: "contact/peak_crush".
+[[nodiscard]] std::vector<std::string> differing_columns(CampaignSpec const& spec, TrialRows const& a,
+                                                         TrialRows const& b);
 
 }  // namespace overturn

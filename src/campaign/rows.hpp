@@ -1,19 +1,15 @@
-/// The rows of the results file. Every field is 8 bytes, so that rows travel and are stored as they lie in memory.
+/// The rows of the results file, with the table of their fields. Every field is 8 bytes, so that rows travel and are
+/// stored as they lie in memory.
 #pragma once
 
 #include <cstdint>
 
+#include "response/response.hpp"
+
 namespace overturn {
 
-/// Why a trial has no verdict. Stored: never renumber.
-enum class FailureReason : std::int64_t {
-    none = 0,
-    wave_failed = 1,
-    wave_cannot_be_scaled = 2,
-    no_convergence = 3,
-    absurd_level = 4,
-    wave_not_accepted = 5
-};
+/// Does a wave meet waves.acceptance? Stored: never renumber.
+enum class Accepted : std::int64_t { no = 0, yes = 1, not_asked = 2 };
 
 /// One wave, as generated or read, before any scaling.
 struct WaveRow {
@@ -35,7 +31,7 @@ struct WaveRow {
     double duration_5_75_s = 0, duration_5_95_s = 0;
     double residual_velocity_mps = 0, residual_displacement_m = 0;
     double correlation = 0;
-    std::int64_t accepted = -1;
+    Accepted accepted = Accepted::not_asked;
     std::int64_t acceptance_failures = 0;
 };
 
@@ -43,27 +39,21 @@ struct WaveRow {
 struct MeasureRow {
     double ou_v_e_mps = 0, v_wes_max_mps = 0, v_wes_time_s = 0;
     double band_mean_misfit = 0, band_max_misfit = 0, band_mean_ratio = 0, band_ratio_cov = 0;
-    double other_unit_ou_v_e_mps = -1, other_unit_v_wes_max_mps = -1;
+    double other_unit_ou_v_e_mps = never, other_unit_v_wes_max_mps = never;
 };
 
-/// One trial: (wave, body, level) -> verdict.
-struct TrialRow {
+/// One trial: (wave, body, level) -> what became of it. What a model has more to say lies in rows of its own.
+struct TrialRow : Response {
     std::int64_t wave = 0, body = 0, level = 0;
-    double amplitude = 0, scale = 0;
+    double amplitude = 0, scale = never;
     double mass_kg = 0, centre_height_m = 0, restitution = 0;
-    double static_friction = -1, kinetic_friction = -1;
-    std::int64_t verdict = 0, failure = 0;
-    double peak_rotation_rad = 0, peak_rotation_ratio = 0, time_of_peak_s = -1;
-    double peak_energy_ratio = 0;
-    double overturn_time_s = -1, first_uplift_s = -1;
-    std::int64_t impacts = 0;
-    double friction_demand = 0, min_contact_force_ratio = 1;
-    double contact_lost_s = -1;
-    double peak_slip_m = 0, residual_slip_m = 0, friction_work_jpkg = 0;
-    double v_wes_mps = 0, ou_v_e_mps = 0, v_ereq_mps = 0, v_resp_mps = 0;
+    double static_friction = never, kinetic_friction = never;
+    double v_wes_mps = never, ou_v_e_mps = never, v_ereq_mps = 0;
     std::int64_t v_wes_safe = 0, ou_v_e_safe = 0;
-    std::int64_t effects = 0, effects_called = 0, rung = 0;
-    std::int64_t steps = 0;
 };
+
+template <> [[nodiscard]] Fields const& fields_of<WaveRow>();
+template <> [[nodiscard]] Fields const& fields_of<MeasureRow>();
+template <> [[nodiscard]] Fields const& fields_of<TrialRow>();
 
 }  // namespace overturn

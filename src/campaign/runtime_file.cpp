@@ -18,7 +18,7 @@ std::string seconds_text(parallel::Communicator const& comm, PhaseSeconds const&
                                 {"response_s", seconds.response},
                                 {"store_s", seconds.store}};
     for (std::size_t r = 0; r < seconds.rungs.size(); ++r) {
-        json["rungs"][rung_names()[r]] = {{"trials", seconds.rungs[r].trials}, {"seconds", seconds.rungs[r].seconds}};
+        json["rungs"][rungs()[r].name] = {{"trials", seconds.rungs[r].trials}, {"seconds", seconds.rungs[r].seconds}};
     }
     return json.dump();
 }
@@ -26,9 +26,9 @@ std::string seconds_text(parallel::Communicator const& comm, PhaseSeconds const&
 PhaseSeconds sum_of_rungs(std::vector<std::string> const& ranks) {
     PhaseSeconds sum;
     for (auto const& rank : ranks) {
-        auto const rungs = nlohmann::json::parse(rank).at("rungs");
+        auto const found = nlohmann::json::parse(rank).at("rungs");
         for (std::size_t r = 0; r < sum.rungs.size(); ++r) {
-            auto const& rung = rungs.at(rung_names()[r]);
+            auto const& rung = found.at(rungs()[r].name);
             sum.rungs[r].trials += rung.at("trials").get<std::int64_t>();
             sum.rungs[r].seconds += rung.at("seconds").get<double>();
         }

@@ -1,6 +1,10 @@
+#include <algorithm>
+#include <numeric>
+
 #include <fmt/format.h>
 
 #include "campaign/results.hpp"
+#include "response/registry.hpp"
 
 namespace overturn {
 namespace {
@@ -13,6 +17,40 @@ std::string probability_text(Stripe const& stripe) {
     return fmt::format("{}{:.4f}", stripe.decided() < stripe.trials ? "~" : "", stripe.probability());
 }
 
+// Verdicts that every table shows, and the models' own where some trial ended so.
+std::vector<std::size_t> shown_ends(BodyStatistics const& s) {
+    std::vector<std::size_t> shown;
+    for (std::size_t v = 0; v < verdicts().size(); ++v) {
+        bool const seen = std::ranges::any_of(s.ends[v], [](std::int64_t count) { return count > 0; });
+        if (v < common_verdicts().size() || seen) {
+            shown.push_back(v);
+        }
+    }
+    return shown;
+}
+
+std::size_t width_of(std::size_t verdict) { return std::max<std::size_t>(7, verdicts()[verdict].name.size()); }
+
+// Effects that trials called for and that were not simulated.
+std::string left_out(CampaignSpec const& spec, BodySpec const& body, BodyStatistics const& s) {
+    std::string text;
+    auto const wanted = spec.effects.wanted();
+    for (std::size_t e = 0; e < effects().size(); ++e) {
+        auto const trials = std::accumulate(s.called[e].begin(), s.called[e].end(), std::int64_t{0});
+        auto const effect = effects()[e].value;
+        if (trials == 0 || has(wanted, effect)) {
+            continue;
+        }
+        text += effect == Effect::sliding
+                    ? fmt::format(
+                        "note: {} trials would have slipped (friction demand above {}), and slip was not "
+                        "simulated\n",
+                        trials, body.friction ? body.friction->static_coefficient : 0)
+                    : fmt::format("note: {} trials call for {}, which was not simulated\n", trials, effects()[e].name);
+    }
+    return text;
+}
+
 void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& body, BodyStatistics const& s) {
     text += fmt::format("\n{}: alpha {:.1f} deg, R {:.3f} m, e {:.3f}, {}V_Ereq {:.3f} m/s\n", body.name,
                         body.body.alpha_rad() * 180 / pi, body.body.radius_m(), body.body.restitution(),
@@ -20,33 +58,31 @@ void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& bo
                                                     body.friction->kinetic_coefficient)
                                       : std::string("no slip, "),
                         body.body.limit_velocity_mps());
-    text += fmt::format("{:>10} {:>7} {:>8} {:>6} {:>11} {:>7} {:>7}  {:>8}  {:>20}  {:>16}\n",
-                        fmt::format("{} {}", spec.levels.measure_name(), spec.levels.units()), "trials", "at rest",
-                        "slid", "overturned", "lost", "failed", "P",
-                        fmt::format("{:g} % interval", 100 * spec.confidence), "V_WES safe/wrong");
-    std::int64_t sliding = 0;
+    auto const shown = shown_ends(s);
+    text +=
+        fmt::format("{:>10} {:>7}", fmt::format("{} {}", spec.levels.measure_name(), spec.levels.units()), "trials");
+    for (auto const v : shown) {
+        text += fmt::format(" {:>{}}", verdicts()[v].name, width_of(v));
+    }
+    text += fmt::format("  {:>8}  {:>20}  {:>16}\n", "P", fmt::format("{:g} % interval", 100 * spec.confidence),
+                        "V_WES safe/wrong");
     for (std::size_t l = 0; l < s.stripes.size(); ++l) {
         auto const& stripe = s.stripes[l];
         auto const interval = stripe.interval(spec.confidence);
         auto const purpose = spec.levels.levels[l].purpose;
-        text +=
-            fmt::format("{:>10.4g} {:>7} {:>8} {:>6} {:>11} {:>7} {:>7}  {:>8}  [{:.6f}, {:.6f}]  {:>9} / {:<5}{}\n",
-                        stripe.amplitude, stripe.trials, stripe.at_rest, stripe.slid, stripe.overturned,
-                        stripe.contact_lost, stripe.failed, probability_text(stripe), interval.lower, interval.upper,
-                        s.v_wes[l].true_safe + s.v_wes[l].false_safe, s.v_wes[l].false_safe,
-                        purpose == LevelClass::ordinary ? std::string() : fmt::format(" {}", name_of(purpose)));
-        sliding += s.sliding_called[l];
+        text += fmt::format("{:>10.4g} {:>7}", stripe.amplitude, stripe.trials);
+        for (auto const v : shown) {
+            text += fmt::format(" {:>{}}", s.ends[v][l], width_of(v));
+        }
+        text += fmt::format("  {:>8}  [{:.6f}, {:.6f}]  {:>9} / {:<5}{}\n", probability_text(stripe), interval.lower,
+                            interval.upper, s.v_wes[l].true_safe + s.v_wes[l].false_safe, s.v_wes[l].false_safe,
+                            purpose == LevelClass::ordinary ? std::string() : fmt::format(" {}", name_of(purpose)));
     }
     text += "rungs:";
     for (std::size_t r = 0; r < s.rungs.size(); ++r) {
-        text += fmt::format("{} {} {}", r == 0 ? "" : ",", s.rungs[r], rung_names()[r]);
+        text += fmt::format("{} {} {}", r == 0 ? "" : ",", s.rungs[r], rungs()[r].name);
     }
-    text += "\n";
-    if (sliding > s.rungs.back()) {
-        text +=
-            fmt::format("note: {} trials would have slipped (friction demand above {}), and slip was not simulated\n",
-                        sliding, body.friction->static_coefficient);
-    }
+    text += "\n" + left_out(spec, body, s);
 }
 
 }  // namespace
@@ -66,7 +102,7 @@ std::string rung_costs(PhaseSeconds const& seconds) {
     for (std::size_t r = 0; r < seconds.rungs.size(); ++r) {
         auto const& rung = seconds.rungs[r];
         if (rung.trials > 0) {
-            text += fmt::format("{}{} {} trials, {:.1f} us each", text.empty() ? "" : "; ", rung_names()[r],
+            text += fmt::format("{}{} {} trials, {:.1f} us each", text.empty() ? "" : "; ", rungs()[r].name,
                                 rung.trials, 1e6 * rung.seconds / static_cast<double>(rung.trials));
         }
     }

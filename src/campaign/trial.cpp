@@ -66,7 +66,7 @@ void describe_check(PreparedWave& wave, WaveCheck const& check) {
     row.residual_displacement_m = check.quality.residual_displacement_m;
     row.correlation = check.quality.correlation;
     if (!check.clauses.empty()) {
-        row.accepted = all_passed(check.clauses) ? 1 : 0;
+        row.accepted = all_passed(check.clauses) ? Accepted::yes : Accepted::no;
         row.acceptance_failures = failed_clauses(check.clauses);
     }
     for (std::size_t b = 0; b < wave.measures.size(); ++b) {
@@ -130,7 +130,7 @@ PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64
         return prepared;
     }
     Stopwatch const watch(seconds.measures);
-    prepared.pages = rocking::PagePeaks(prepared.motion.horizontal_mps2, prepared.motion.vertical_mps2);
+    prepared.chunks = ChunkExtremes(prepared.motion.horizontal_mps2, prepared.motion.vertical_mps2);
     prepared.intensity = intensity_of(prepared.motion.horizontal_mps2, prepared.motion.time_step_s);
     describe_motion(prepared.row, prepared.motion, prepared.intensity);
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
@@ -158,127 +158,122 @@ TrialRow open_row(CampaignSpec const& spec, PreparedWave const& wave, std::int64
         row.kinetic_friction = drawn.friction->kinetic_coefficient;
     }
     row.v_ereq_mps = drawn.body.limit_velocity_mps();
-    bool const usable = wave.row.failed == 0 && wave.row.accepted != 0;
+    bool const refused = wave.row.accepted == Accepted::no;
+    bool const usable = wave.row.failed == 0 && !refused;
     auto const scale = usable ? spec.levels.scale(at, wave.intensity) : std::nullopt;
     if (scale) {
         row.scale = *scale;
         return row;
     }
-    row.verdict = static_cast<std::int64_t>(Verdict::failed);
-    row.failure = static_cast<std::int64_t>(wave.row.failed != 0     ? FailureReason::wave_failed
-                                            : wave.row.accepted == 0 ? FailureReason::wave_not_accepted
-                                                                     : FailureReason::wave_cannot_be_scaled);
+    static_cast<Outcome&>(row) = unknown_outcome(wave.row.failed != 0 ? FailureReason::wave_failed
+                                                 : refused            ? FailureReason::wave_not_accepted
+                                                                      : FailureReason::wave_cannot_be_scaled);
     return row;
 }
 
-bool failed(TrialRow const& row) { return row.failure != static_cast<std::int64_t>(FailureReason::none); }
+bool failed(TrialRow const& row) { return row.failure != FailureReason::none; }
 
-Scene scene_of(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t body) {
+Scene scene_of(PreparedWave const& wave, std::int64_t body) {
     auto const& drawn = wave.bodies.at(static_cast<std::size_t>(body));
-    return {drawn.body, drawn.friction, spec.effects, spec.rocking};
+    return {drawn.body, drawn.friction};
 }
 
 void close_row(TrialRow& row, PreparedWave const& wave, Response const& response) {
-    auto const body = static_cast<std::size_t>(row.body);
-    auto const& measures = wave.measures.at(body);
-    auto const& rocking = response.rocking;
-    row.verdict = static_cast<std::int64_t>(rocking.verdict);
-    auto const why = rocking.steps == 0 ? FailureReason::absurd_level : FailureReason::no_convergence;
-    row.failure = static_cast<std::int64_t>(rocking.verdict == Verdict::failed ? why : FailureReason::none);
-    row.peak_rotation_rad = rocking.peak_rotation_rad;
-    row.peak_rotation_ratio = rocking.peak_rotation_rad / wave.bodies.at(body).body.alpha_rad();
-    row.time_of_peak_s = rocking.time_of_peak_s;
-    row.peak_energy_ratio = rocking.peak_energy_ratio;
-    row.overturn_time_s = rocking.overturn_time_s;
-    row.first_uplift_s = rocking.first_uplift_s;
-    row.impacts = rocking.impacts;
-    row.friction_demand = rocking.friction_demand;
-    row.min_contact_force_ratio = rocking.min_contact_force_ratio;
-    row.contact_lost_s = rocking.contact_lost_s;
-    row.peak_slip_m = rocking.peak_slip_m;
-    row.residual_slip_m = rocking.residual_slip_m;
-    row.friction_work_jpkg = rocking.energy.friction_work;
+    static_cast<Response&>(row) = response;
+    auto const& measures = wave.measures.at(static_cast<std::size_t>(row.body));
     row.v_wes_mps = row.scale * measures.v_wes_max_mps;
     row.ou_v_e_mps = row.scale * measures.ou_v_e_mps;
-    row.v_resp_mps = response.response_velocity_mps;
     row.v_wes_safe = row.v_wes_mps < row.v_ereq_mps ? 1 : 0;
     row.ou_v_e_safe = row.ou_v_e_mps < row.v_ereq_mps ? 1 : 0;
-    row.effects = response.effects;
-    row.effects_called = response.called;
-    row.rung = static_cast<std::int64_t>(response.rung);
-    row.steps = rocking.steps;
 }
 
-// A rung's seconds go in equal parts to the trials that were on it.
-void account(std::span<Response const> responses, LadderSeconds const& taken, PhaseSeconds& seconds) {
-    std::array<std::int64_t, rung_count> trials{};
-    for (auto const& response : responses) {
-        ++trials.at(static_cast<std::size_t>(response.rung));
+void account(std::vector<RungCost> const& taken, PhaseSeconds& seconds) {
+    for (std::size_t r = 0; r < taken.size(); ++r) {
+        seconds.rungs[r].trials += taken[r].trials;
+        seconds.rungs[r].seconds += taken[r].seconds;
+        seconds.response += taken[r].seconds;
     }
-    std::array const parts{taken.preparing, taken.rocking, taken.sliding};
-    std::int64_t on_it = 0;
-    for (std::size_t part = parts.size(); part-- > 0;) {
-        on_it += trials[part];
-        for (std::size_t rung = part; rung < parts.size() && on_it > 0; ++rung) {
-            seconds.rungs[rung].seconds += parts[part] * static_cast<double>(trials[rung]) / static_cast<double>(on_it);
+}
+
+// Records of trials that no model runs say nothing.
+void put_nothing(Ladder const& ladder, std::span<std::byte> own) {
+    for (std::size_t at = 0; at < own.size(); at += ladder.own_bytes()) {
+        for (auto const& [traits, offset] : ladder.own_parts()) {
+            std::ranges::copy(traits->nothing, own.begin() + static_cast<std::ptrdiff_t>(at + offset));
         }
-        seconds.rungs[part].trials += trials[part];
-        seconds.response += parts[part];
     }
 }
 
 }  // namespace
 
-TrialRow run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t body, std::int64_t level,
-                   RockingObserver* observer) {
-    auto row = open_row(spec, wave, body, level);
+TrialRows run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t body, std::int64_t level,
+                    Observer* observer) {
+    Ladder const ladder(spec.effects, spec.accuracy);
+    TrialRows trial{{open_row(spec, wave, body, level)}, std::vector<std::byte>(ladder.own_bytes())};
+    auto& row = trial.rows.front();
+    put_nothing(ladder, trial.own);
     if (!failed(row)) {
-        auto const scene = scene_of(spec, wave, body);
-        close_row(row, wave, respond(scene, wave.motion, row.scale, {}, observer, wave.intensity.pga_mps2));
+        auto const scene = scene_of(wave, body);
+        SceneTrial const at{scene, wave.motion, row.scale, wave.intensity.pga_mps2, &wave.chunks};
+        if (observer != nullptr) {
+            (void)ladder.show(at, *observer);
+        }
+        close_row(row, wave, ladder.respond(at, trial.own));
     }
-    return row;
+    return trial;
 }
 
-bool append_trials(CampaignSpec const& spec, Plan const& plan, std::span<PreparedWave const> waves,
-                   std::vector<TrialRow>& rows, PhaseSeconds& seconds, std::function<bool()> const& goes_on) {
+bool append_trials(CampaignSpec const& spec, Plan const& plan, std::span<PreparedWave const> waves, TrialRows& trials,
+                   PhaseSeconds& seconds, std::function<bool()> const& goes_on) {
     struct Place {
         std::size_t row;
         PreparedWave const* wave;
     };
+    Ladder const ladder(spec.effects, spec.accuracy);
     std::vector<Place> places;
-    std::vector<SceneTrial> trials;
+    std::vector<SceneTrial> tried;
     std::vector<Scene> scenes;
+    auto& rows = trials.rows;
     auto const most = waves.size() * static_cast<std::size_t>(plan.trials_per_wave());
+    auto const first_row = rows.size();
     places.reserve(most);
-    trials.reserve(most);
+    tried.reserve(most);
     scenes.reserve(waves.size() * static_cast<std::size_t>(plan.bodies()));
     rows.reserve(rows.size() + most);
     for (auto const& wave : waves) {
         auto const first_level = plan.first_level(wave.number);
         for (std::int64_t body = 0; body < plan.bodies(); ++body) {
-            scenes.push_back(scene_of(spec, wave, body));
+            scenes.push_back(scene_of(wave, body));
             for (auto level = first_level; level < first_level + plan.level_count(); ++level) {
                 rows.push_back(open_row(spec, wave, body, level));
                 if (failed(rows.back())) {
                     continue;
                 }
                 places.push_back({rows.size() - 1, &wave});
-                trials.push_back({scenes.back(), wave.motion, rows.back().scale, wave.intensity.pga_mps2, &wave.pages});
+                tried.push_back({scenes.back(), wave.motion, rows.back().scale, wave.intensity.pga_mps2, &wave.chunks});
             }
         }
     }
+    auto const each = ladder.own_bytes();
+    trials.own.resize(rows.size() * each);
+    put_nothing(ladder, std::span(trials.own).subspan(first_row * each));
     constexpr std::size_t most_at_once = 4096;  // a second's work or less: some waves have tens of thousands of levels
-    std::vector<Response> responses(trials.size());
-    for (std::size_t first = 0; first < trials.size(); first += most_at_once) {
+    std::vector<Response> responses(std::min(most_at_once, tried.size()));
+    std::vector<std::byte> own(responses.size() * each);
+    for (std::size_t first = 0; first < tried.size(); first += most_at_once) {
         if (first > 0 && !goes_on()) {
             return false;
         }
-        auto const count = std::min(most_at_once, trials.size() - first);
-        auto const some = std::span(responses).subspan(first, count);
-        account(some, respond(std::span(trials).subspan(first, count), some), seconds);
-    }
-    for (std::size_t i = 0; i < trials.size(); ++i) {
-        close_row(rows[places[i].row], *places[i].wave, responses[i]);
+        auto const count = std::min(most_at_once, tried.size() - first);
+        account(ladder.respond(std::span(tried).subspan(first, count), std::span(responses).first(count),
+                               std::span(own).first(count * each)),
+                seconds);
+        for (std::size_t i = 0; i < count; ++i) {
+            auto const& [row, wave] = places[first + i];
+            close_row(rows[row], *wave, responses[i]);
+            std::copy_n(own.begin() + static_cast<std::ptrdiff_t>(i * each), each,
+                        trials.own.begin() + static_cast<std::ptrdiff_t>(row * each));
+        }
     }
     return true;
 }

@@ -1,7 +1,6 @@
 /// make the wave -> measure it -> respond -> one row. Everything here is a pure function of the campaign and a number.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <optional>
 #include <span>
@@ -10,19 +9,14 @@
 #include "campaign/campaign_spec.hpp"
 #include "campaign/plan.hpp"
 #include "campaign/rows.hpp"
+#include "response/registry.hpp"
 
 namespace overturn {
 
 /// Seconds spent per phase; for the reader, never for the results.
 struct PhaseSeconds {
     double waves = 0, measures = 0, response = 0, store = 0;
-    /// Trials that ran up to each rung, and the seconds they took, lower rungs included. Trials run side by side: the
-    /// time of a rung is shared out evenly among those that were on it.
-    struct RungCost {
-        std::int64_t trials = 0;
-        double seconds = 0;
-    };
-    std::array<RungCost, rung_count> rungs{};
+    std::vector<RungCost> rungs = std::vector<RungCost>(overturn::rungs().size());  ///< in their order
 
     void add(PhaseSeconds const& more);
 };
@@ -35,31 +29,38 @@ struct PreparedWave {
     WaveRow row;
     std::vector<MeasureRow> measures;  ///< one per body
     std::vector<DrawnBody> bodies;     ///< as they are under this wave
-    rocking::PagePeaks pages;
+    ChunkExtremes chunks;
 };
 
 /// Makes and measures a wave. A wave that cannot be made is a failed one, not an exception.
 [[nodiscard]] PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64_t wave,
                                         PhaseSeconds& seconds);
 
-/// One trial on a prepared wave. \param observer sees the history if given
-[[nodiscard]] TrialRow run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t body,
-                                 std::int64_t level, RockingObserver* observer = nullptr);
+/// Rows of trials, and for each the record of what models have to say of their own (Ladder::own_parts).
+struct TrialRows {
+    std::vector<TrialRow> rows;
+    std::vector<std::byte> own;
+};
 
-/// All trials of prepared waves, side by side, appended in order: each row is bit-equal to run_trial's.
-/// \param goes_on asked now and then \return false if it said no: then `rows` is of no use
+/// One trial on a prepared wave. \param observer sees the history if given
+[[nodiscard]] TrialRows run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t body,
+                                  std::int64_t level, Observer* observer = nullptr);
+
+/// All trials of prepared waves, side by side, appended in order: each is bit-equal to run_trial's.
+/// \param goes_on asked now and then \return false if it said no: then `trials` is of no use
 bool append_trials(
-    CampaignSpec const& spec, Plan const& plan, std::span<PreparedWave const> waves, std::vector<TrialRow>& rows,
+    CampaignSpec const& spec, Plan const& plan, std::span<PreparedWave const> waves, TrialRows& trials,
     PhaseSeconds& seconds, std::function<bool()> const& goes_on = [] { return true; });
 
 /// How many waves' trials go side by side: enough to fill the vector lanes to the end, few enough waves to hold.
 [[nodiscard]] std::int64_t waves_together(Plan const& plan);
 
-/// Rows of a block of waves: all wave rows, then all measure rows, then all trial rows, each in order.
+/// Rows of a block of waves: all wave rows, then all measure rows, then all trial rows, then their models' own records,
+/// each in order.
 struct BlockRows {
     std::vector<WaveRow> waves;
     std::vector<MeasureRow> measures;
-    std::vector<TrialRow> trials;
+    TrialRows trials;
 
     [[nodiscard]] std::vector<std::byte> pack() const;
     /// How many bytes pack() makes of a block.

@@ -12,9 +12,12 @@ namespace {
 constexpr std::size_t most_listed = 20;
 
 std::string reason_name(std::int64_t reason) {
-    auto const names = failure_names();
-    bool const known = reason >= 0 && static_cast<std::size_t>(reason) < names.size();
-    return known ? names[static_cast<std::size_t>(reason)] : fmt::format("reason {}", reason);
+    for (auto const& entry : failures()) {
+        if (static_cast<std::int64_t>(entry.value) == reason) {
+            return std::string(entry.name);
+        }
+    }
+    return fmt::format("reason {}", reason);
 }
 
 // Names of the clauses whose bits are set.
@@ -41,16 +44,17 @@ void FailedTrials::know(WaveRow const& row) {
 }
 
 void FailedTrials::add(std::int64_t number, TrialRow const& row) {
-    if (static_cast<Verdict>(row.verdict) != Verdict::failed) {
+    if (row.verdict != Verdict::failed) {
         return;
     }
     ++count_;
-    ++reasons_[row.failure];
+    auto const reason = static_cast<std::int64_t>(row.failure);
+    ++reasons_[reason];
     if (lists_more()) {
         first_.push_back(fmt::format("  trial {}: wave {}, {}, {} {:.6g} {}: {}\n", number, row.wave,
                                      spec_.bodies.at(static_cast<std::size_t>(row.body)).name,
                                      spec_.levels.measure_name(), row.amplitude, spec_.levels.units(),
-                                     reason_name(row.failure)));
+                                     reason_name(reason)));
         if (auto const found = clauses_.find(row.wave); found != clauses_.end()) {
             first_.back().pop_back();
             first_.back() += fmt::format(" ({})\n", fmt::join(names_of_clauses(found->second), ", "));

@@ -17,14 +17,20 @@ fmt::ostream open(std::string const& path) {
 
 }  // namespace
 
-HistoryFile::HistoryFile(std::string const& path) : file_(open(path)) {
-    file_.print(
-        "time_s,rotation_rad,velocity_radps,friction_over_weight,contact_force_over_weight,slip_m,slip_velocity_mps\n");
+HistoryFile::HistoryFile(std::string const& path) : file_(open(path)) {}
+
+void HistoryFile::begin(std::span<Channel const> channels) {
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        file_.print("{}{}", i == 0 ? "" : ",", channels[i].key);
+    }
+    file_.print("\n");
 }
 
-void HistoryFile::at(RockingInstant const& i) {
-    file_.print("{},{},{},{},{},{},{}\n", i.time_s, i.rotation_rad, i.velocity_radps, i.friction_ratio,
-                i.contact_force_ratio, i.slip_m, i.slip_velocity_mps);
+void HistoryFile::at(std::span<double const> values) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        file_.print("{}{}", i == 0 ? "" : ",", values[i]);
+    }
+    file_.print("\n");
 }
 
 }  // namespace overturn::cli

@@ -5,15 +5,16 @@
 
 #include <fmt/os.h>
 
-#include "rocking/planar_rocking.hpp"
+#include "model/history.hpp"
 
 namespace overturn::cli {
 
-/// Writes one line per instant. \throws InputError if the file cannot be made
-class HistoryFile : public RockingObserver {
+/// Writes a line of the channels' names, then one per instant. \throws InputError if the file cannot be made
+class HistoryFile : public Observer {
   public:
     explicit HistoryFile(std::string const& path);
-    void at(RockingInstant const& instant) override;
+    void begin(std::span<Channel const> channels) override;
+    void at(std::span<double const> values) override;
 
   private:
     fmt::ostream file_;

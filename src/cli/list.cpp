@@ -5,6 +5,7 @@
 #include "generators/acceptance.hpp"
 #include "generators/envelope.hpp"
 #include "motion/record.hpp"
+#include "response/registry.hpp"
 #include "spectra/named_targets.hpp"
 
 namespace overturn::cli {
@@ -27,7 +28,7 @@ int list() {
     print_entries("effects (effects.include)", effects());
     print_entries("level measures (levels.measure)", level_measures());
     fmt::print("measures stored per trial\n");
-    for (auto const& column : trial_table().columns) {
+    for (auto const& column : fields_of<TrialRow>()) {
         fmt::print("  {:<22} {}\n", column.name, column.description);
     }
     return done;

@@ -16,14 +16,18 @@ std::int64_t file_bytes(CampaignInput const& input, CampaignSpec const& spec, Pl
     auto const width = [](store::TableSpec const& table) {
         std::int64_t bytes = 0;
         for (auto const& column : table.columns) {
-            bytes += column.type == store::ColumnType::category ? 1 : 8;
+            bytes += column.type == FieldType::category ? 1 : 8;
         }
         return bytes;
     };
     constexpr std::int64_t overhead = 400'000;  // groups, attributes and statistics of a small campaign
-    auto bytes = overhead + plan.trials() * width(trial_table()) + plan.waves() * width(wave_table());
+    auto bytes =
+        overhead + plan.trials() * width(trial_table(spec.levels.units())) + plan.waves() * width(wave_table());
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
         bytes += plan.waves() * width(measure_table(spec, b));
+    }
+    for (auto const& table : own_tables(Ladder(spec.effects, spec.accuracy))) {
+        bytes += plan.trials() * width(table);
     }
     for (auto const& [name, content] : input.files) {
         bytes += static_cast<std::int64_t>(content.size());
@@ -55,13 +59,13 @@ int plan_campaign(std::string const& path, std::vector<std::string> const& setti
     constexpr std::int64_t most_probes = 4;
     auto const probes = std::min(most_probes, plan.waves());
     PhaseSeconds seconds;
-    std::vector<TrialRow> rows;
+    TrialRows trials;
     WaveCounts waves;
     auto const begin = std::chrono::steady_clock::now();
     for (std::int64_t i = 0; i < probes; ++i) {
         auto const wave = i * plan.waves() / probes;
         auto const prepared = prepare_wave(spec, plan, wave, seconds);
-        append_trials(spec, plan, std::span(&prepared, 1), rows, seconds);
+        append_trials(spec, plan, std::span(&prepared, 1), trials, seconds);
         waves.add(prepared.row);
     }
     double const each =

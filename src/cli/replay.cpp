@@ -8,6 +8,7 @@
 #include "cli/history.hpp"
 #include "cli/verbs.hpp"
 #include "core/note.hpp"
+#include "response/registry.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -26,7 +27,7 @@ int replay(Options const& options) {
     auto const trials = static_cast<std::int64_t>(file.integers("trials/verdict").size());  // fewer than planned, maybe
     validate(options.trial >= 0 && options.trial < trials,
              "--trial {} (the file has trials 0 to {}). Choose one of them", options.trial, trials - 1);
-    auto const stored = read_trial(file, options.trial);
+    auto const stored = read_trial(file, spec, options.trial);
     auto const [wave, body, level] = plan.trial(options.trial);
     PhaseSeconds seconds;
     auto const prepared = prepare_wave(spec, plan, wave, seconds);
@@ -34,17 +35,15 @@ int replay(Options const& options) {
     if (!options.history.empty()) {
         history.emplace(options.history);
     }
-    auto const row = run_trial(spec, prepared, body, level);
-    if (history) {
-        (void)run_trial(spec, prepared, body, level, &*history);
-    }
+    auto const trial = run_trial(spec, prepared, body, level, history ? &*history : nullptr);
+    auto const& row = trial.rows.front();
     fmt::print("trial {}: wave number {} (id {}), body {}, {} {:.6g} {}\n", options.trial, wave, row.wave,
                spec.bodies[static_cast<std::size_t>(body)].name, spec.levels.measure_name(), row.amplitude,
                spec.levels.units());
     fmt::print("verdict {}, peak rotation {:.6g} rad ({:.4f} alpha) at {:.3f} s, {} impacts\n",
-               verdict_names()[static_cast<std::size_t>(row.verdict)], row.peak_rotation_rad, row.peak_rotation_ratio,
-               row.time_of_peak_s, row.impacts);
-    auto const different = differing_columns(stored, row);
+               entry_of(row.verdict).name, row.peak_rotation_rad, row.peak_rotation_ratio, row.time_of_peak_s,
+               row.impacts);
+    auto const different = differing_columns(spec, stored, trial);
     if (different.empty()) {
         fmt::print("bit-equal to the stored row\n");
         return done;

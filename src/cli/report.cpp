@@ -16,6 +16,7 @@
 #include "core/note.hpp"
 #include "report/cost_page.hpp"
 #include "report/figure.hpp"
+#include "response/registry.hpp"
 #include "store/durable.hpp"
 
 namespace overturn::cli {
@@ -43,9 +44,10 @@ Json facts_of(CampaignSpec const& spec, Plan const& plan) {
     add("trials", fmt::format("{}", plan.trials()));
     add("effects", spec.effects.mode == EffectMode::automatic ? std::string("auto: what each scene calls for")
                    : spec.effects.mode == EffectMode::none    ? std::string("none: plain rocking")
-                                                              : "forced: " + names_of_effects(spec.effects.include));
-    add("integration", fmt::format("Taylor series of order {}, {} a sample, tolerance {:.1g}",
-                                   spec.rocking.taylor_order, spec.rocking.substeps, spec.rocking.step_tolerance));
+                                                              : "forced: " + text_of(spec.effects));
+    add("integration",
+        fmt::format("Taylor series of order {}, {} a sample, tolerance {:.1g}", spec.accuracy.rocking.taylor_order,
+                    spec.accuracy.rocking.substeps, spec.accuracy.rocking.step_tolerance));
     add("T0, T1",
         fmt::format("R in {}", spec.measures.radius_unit == RadiusUnit::centimetre ? "centimetres" : "metres"));
     return facts;
@@ -54,12 +56,12 @@ Json facts_of(CampaignSpec const& spec, Plan const& plan) {
 // The first wave, and the one that overturned anything at the lowest level: usually the ones to look at.
 std::vector<std::int64_t> telling_waves(store::ResultsReader const& file, Plan const& plan) {
     std::vector<std::int64_t> waves{0};
-    auto const verdicts = file.integers("trials/verdict");
+    auto const ends = file.integers("trials/verdict");
     std::int64_t lowest = 0;
     std::optional<std::int64_t> worst;
-    for (std::size_t t = 0; t < verdicts.size(); ++t) {
+    for (std::size_t t = 0; t < ends.size(); ++t) {
         auto const trial = plan.trial(static_cast<std::int64_t>(t));
-        if (verdicts[t] == static_cast<std::int64_t>(Verdict::overturned) && (!worst || trial.level < lowest)) {
+        if (entry_of(static_cast<Verdict>(ends[t])).fell && (!worst || trial.level < lowest)) {
             worst = trial.wave;
             lowest = trial.level;
         }

@@ -5,10 +5,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "campaign/results.hpp"
+#include "campaign/body_spec.hpp"
 #include "cli/history.hpp"
 #include "cli/scene_files.hpp"
 #include "cli/verbs.hpp"
+#include "core/error.hpp"
+#include "response/ladder.hpp"
+#include "response/registry.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -20,54 +23,72 @@ struct Options {
     bool json = false;
 };
 
-void print_json(BodySpec const& spec, Response const& response) {
-    auto const& r = response.rocking;
-    nlohmann::ordered_json json{{"verdict", verdict_names()[static_cast<std::size_t>(r.verdict)]},
-                                {"overturned", r.verdict == Verdict::overturned},
-                                {"peak_rotation_rad", r.peak_rotation_rad},
-                                {"peak_rotation_ratio", r.peak_rotation_rad / spec.body.alpha_rad()},
-                                {"peak_energy_ratio", r.peak_energy_ratio},
-                                {"time_of_peak_s", r.time_of_peak_s},
-                                {"overturn_time_s", r.overturn_time_s},
-                                {"first_uplift_s", r.first_uplift_s},
-                                {"impacts", r.impacts},
-                                {"peak_slip_m", r.peak_slip_m},
-                                {"residual_slip_m", r.residual_slip_m},
-                                {"friction_demand", r.friction_demand},
-                                {"min_contact_force_ratio", r.min_contact_force_ratio},
-                                {"contact_lost_s", r.contact_lost_s},
-                                {"response_velocity_mps", response.response_velocity_mps},
-                                {"limit_velocity_mps", spec.body.limit_velocity_mps()},
-                                {"effects", nlohmann::ordered_json::array()},
-                                {"restitution", spec.body.restitution()}};
+nlohmann::ordered_json names_json(std::int64_t mask) {
+    auto names = nlohmann::ordered_json::array();
     for (auto const& entry : effects()) {
-        if (has(response.effects, entry.value)) {
-            json["effects"].push_back(entry.name);
+        if (has(static_cast<EffectMask>(mask), entry.value)) {
+            names.push_back(entry.name);
+        }
+    }
+    return names;
+}
+
+// What never came is null.
+nlohmann::ordered_json value_json(std::span<std::byte const> row, Field const& field) {
+    if (field.type == FieldType::category) {
+        return category_at(row, field);
+    }
+    if (field.type == FieldType::integer) {
+        return integer_at(row, field);
+    }
+    double const value = real_at(row, field);
+    return std::isnan(value) ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(value);
+}
+
+void print_json(BodySpec const& spec, Response const& response, Ladder const& ladder, std::span<std::byte const> own) {
+    nlohmann::ordered_json json;
+    for (auto const& field : fields_of<Response>()) {
+        json[field.key()] = value_json(bytes_of(response), field);
+    }
+    json["effects"] = names_json(response.effects);
+    json["effects_called"] = names_json(response.called);
+    json["overturned"] = entry_of(response.verdict).fell;
+    json["response_velocity_mps"] = json["v_resp_mps"];
+    json["limit_velocity_mps"] = spec.body.limit_velocity_mps();
+    json["restitution"] = spec.body.restitution();
+    for (auto const& [traits, offset] : ladder.own_parts()) {
+        for (auto const& field : traits->fields) {
+            json[field.key()] = value_json(own.subspan(offset), field);
         }
     }
     fmt::print("{}\n", json.dump(2));
 }
 
-std::string time_text(double time_s) { return time_s < 0 ? "never" : fmt::format("at {:.3f} s", time_s); }
+std::string time_text(double time_s) { return std::isnan(time_s) ? "never" : fmt::format("at {:.3f} s", time_s); }
 
-void print_text(BodySpec const& spec, Response const& response) {
-    auto const& r = response.rocking;
+void print_text(BodySpec const& spec, Response const& r, Ladder const& ladder, std::span<std::byte const> own) {
     auto const& b = spec.body;
     fmt::print("{}: alpha {:.2f} deg, p {:.4f} rad/s, e {:.4f}, uplift at {:.4g} m/s2, V_Ereq {:.4f} m/s\n", spec.name,
                b.alpha_rad() * 180 / pi, b.p_radps(), b.restitution(), b.uplift_acceleration_mps2(),
                b.limit_velocity_mps());
-    fmt::print("verdict          {}\n", verdict_names()[static_cast<std::size_t>(r.verdict)]);
+    fmt::print("verdict          {}\n", entry_of(r.verdict).name);
     fmt::print("peak rotation    {:.6g} rad = {:.4f} alpha, {}\n", r.peak_rotation_rad,
                r.peak_rotation_rad / b.alpha_rad(), time_text(r.time_of_peak_s));
     fmt::print("peak energy      {:.4f} of that of critical uplift\n", r.peak_energy_ratio);
-    fmt::print("V_resp           {:.4f} m/s\n", response.response_velocity_mps);
+    fmt::print("V_resp           {:.4f} m/s\n", r.response_velocity_mps);
     fmt::print("first uplift     {}, {} impacts\n", time_text(r.first_uplift_s), r.impacts);
     fmt::print("overturned       {}, contact lost {}\n", time_text(r.overturn_time_s), time_text(r.contact_lost_s));
     fmt::print("slip             {:.6g} m at most, {:.6g} m left\n", r.peak_slip_m, r.residual_slip_m);
     fmt::print("friction demand  {:.4f}, least contact force {:.4f} m g\n", r.friction_demand,
                r.min_contact_force_ratio);
-    fmt::print("effects          {} (called for: {})\n", names_of_effects(response.effects),
-               names_of_effects(response.called));
+    fmt::print("effects          {} (called for: {})\n", names_of_effects(static_cast<EffectMask>(r.effects)),
+               names_of_effects(static_cast<EffectMask>(r.called)));
+    for (auto const& [traits, offset] : ladder.own_parts()) {
+        for (auto const& field : traits->fields) {
+            fmt::print("{:<16} {:.6g} {}: {}\n", field.name, real_at(own.subspan(offset), field), field.units,
+                       field.description);
+        }
+    }
 }
 
 int rock(Options const& options) {
@@ -76,17 +97,19 @@ int rock(Options const& options) {
     auto const record = load_motion(options.record);
     validate_rocking_plane(record.direction, {options.record.wave});
     auto const& motion = record.motion;
-    Scene const scene{spec.body, spec.friction, parse_effects(options.effects), {}};
+    Scene const scene{spec.body, spec.friction};
+    Ladder const ladder(parse_effects(options.effects));
+    std::vector<std::byte> own(ladder.own_bytes());
+    SceneTrial const trial{scene, motion, options.scale};
     std::optional<HistoryFile> history;
-    auto const response = respond(scene, motion, options.scale);
+    auto const response = ladder.respond(trial, own);
     if (!options.history.empty()) {
         history.emplace(options.history);
-        (void)respond(scene, motion, options.scale, {}, &*history);
+        (void)ladder.show(trial, *history);
     }
-    options.json ? print_json(spec, response) : print_text(spec, response);
-    if (response.rocking.verdict == Verdict::failed) {
-        throw SystemError(
-            "no verdict (the shaking is absurdly strong, or no step was short enough). Check unit and scale");
+    (options.json ? print_json : print_text)(spec, response, ladder, own);
+    if (response.verdict == Verdict::failed) {
+        throw SystemError(fmt::format("no verdict ({}). Check unit and scale", entry_of(response.failure).summary));
     }
     return done;
 }

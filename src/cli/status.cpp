@@ -40,10 +40,10 @@ int status_of_file(std::string const& path) {
     for (std::size_t i = 0; i < verdicts.size(); ++i) {
         if (static_cast<Verdict>(verdicts[i]) == Verdict::failed) {
             TrialRow row;
-            row.verdict = verdicts[i];
-            row.failure = reasons.at(i);
+            row.verdict = Verdict::failed;
+            row.failure = static_cast<FailureReason>(reasons.at(i));
             auto const number = static_cast<std::int64_t>(i);
-            failed.add(number, failed.lists_more() ? read_trial(file, number) : row);
+            failed.add(number, failed.lists_more() ? read_trial(file, spec, number).rows.front() : row);
         }
     }
     fmt::print("{}", failed.text());
@@ -62,7 +62,7 @@ void tell_so_far(CampaignSpec const& spec, Plan const& plan, store::ShardFolder 
             failed.know(row);
         }
         auto number = first * plan.trials_per_wave();
-        for (auto const& row : rows.trials) {
+        for (auto const& row : rows.trials.rows) {
             failed.add(number++, row);
         }
     }

@@ -86,15 +86,17 @@ std::vector<std::int64_t> spread_over(std::int64_t count, std::int64_t of) {
 }
 
 Run run_trials(CampaignSpec const& spec, Plan const& plan, std::span<PreparedWave const> waves) {
-    Run run;
+    TrialRows trials;
     PhaseSeconds ignored;
     auto const together = static_cast<std::size_t>(waves_together(plan));
     auto const begin = thread_cpu_seconds();
     for (std::size_t next = 0; next < waves.size(); next += together) {
-        append_trials(spec, plan, waves.subspan(next, std::min(together, waves.size() - next)), run.rows, ignored);
+        append_trials(spec, plan, waves.subspan(next, std::min(together, waves.size() - next)), trials, ignored);
     }
+    Run run;
     run.seconds = thread_cpu_seconds() - begin;
-    run.units = static_cast<std::int64_t>(run.rows.size());
+    run.units = static_cast<std::int64_t>(trials.rows.size());
+    run.rows = std::move(trials.rows);
     return run;
 }
 

@@ -4,21 +4,21 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "rocking/planar_rocking.hpp"
+#include "response/registry.hpp"
 #include "stats/kolmogorov.hpp"
 
 namespace overturn::cost {
 namespace {
 
-bool is(TrialRow const& row, Verdict verdict) { return row.verdict == static_cast<std::int64_t>(verdict); }
-
 enum class Fate { stood, overturned, undecided };
 
 Fate fate_of(TrialRow const& row) {
-    return is(row, Verdict::overturned)                                 ? Fate::overturned
-           : is(row, Verdict::failed) || is(row, Verdict::contact_lost) ? Fate::undecided
-                                                                        : Fate::stood;
+    auto const& end = entry_of(row.verdict);
+    return end.fell ? Fate::overturned : end.decided ? Fate::stood : Fate::undecided;
 }
+
+bool failed(TrialRow const& row) { return row.verdict == Verdict::failed; }
+bool rocked(TrialRow const& row) { return row.verdict == Verdict::rocked; }
 
 double overturned_share(std::span<TrialRow const> rows) {
     std::int64_t decided = 0;
@@ -34,7 +34,7 @@ std::vector<double> peaks_of(std::span<TrialRow const> rows) {
     std::vector<double> peaks;
     peaks.reserve(rows.size());
     for (auto const& row : rows) {
-        if (!is(row, Verdict::failed)) {
+        if (!failed(row)) {
             peaks.push_back(row.peak_rotation_ratio);
         }
     }
@@ -64,13 +64,13 @@ Comparison compare(std::span<TrialRow const> rows, std::span<TrialRow const> ref
     for (std::size_t i = 0; i < rows.size(); ++i) {
         auto const& row = rows[i];
         auto const& exact = reference[i];
-        if (is(row, Verdict::failed) && is(exact, Verdict::failed)) {
+        if (failed(row) && failed(exact)) {
             continue;
         }
         ++result.trials;
         result.flips += row.verdict != exact.verdict ? 1 : 0;
         result.overturning_flips += fate_of(row) != fate_of(exact) ? 1 : 0;
-        if (is(row, Verdict::rocked) && is(exact, Verdict::rocked) && exact.peak_rotation_rad > 0) {
+        if (rocked(row) && rocked(exact) && exact.peak_rotation_rad > 0) {
             errors.push_back(std::abs(row.peak_rotation_rad / exact.peak_rotation_rad - 1));
         }
     }

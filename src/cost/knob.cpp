@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "config/table.hpp"
+#include "response/registry.hpp"
 
 namespace overturn::cost {
 namespace {
@@ -70,15 +71,9 @@ Knob panel_knob(std::string name, std::string title, Acts acts, double own) {
     return knob;
 }
 
-std::string label_of(EffectRequest const& request) {
-    return request.mode == EffectMode::automatic ? "auto"
-           : request.mode == EffectMode::none    ? "none"
-                                                 : names_of_effects(request.include);
-}
-
 Setting effects_setting(EffectRequest const& request) {
     if (request.mode != EffectMode::forced) {
-        return {label_of(request), {fmt::format("effects={{mode=\"{}\"}}", label_of(request))}, 0};
+        return {text_of(request), {fmt::format("effects={{mode=\"{}\"}}", text_of(request))}, 0};
     }
     std::string list;
     for (auto const& effect : effects()) {
@@ -86,7 +81,7 @@ Setting effects_setting(EffectRequest const& request) {
             list += fmt::format("{}\"{}\"", list.empty() ? "" : ",", effect.name);
         }
     }
-    return {label_of(request), {fmt::format("effects={{include=[{}]}}", list)}, 0};
+    return {text_of(request), {fmt::format("effects={{include=[{}]}}", list)}, 0};
 }
 
 bool states_vertical(CampaignSpec const& spec) {
@@ -115,8 +110,8 @@ Knob effects_knob(CampaignSpec const& spec) {
         requests.push_back({EffectMode::forced, up | along});
     }
     requests.push_back({EffectMode::automatic, 0});
-    auto const own = label_of(spec.effects);
-    auto const known = [&](EffectRequest const& request) { return label_of(request) == own; };
+    auto const own = text_of(spec.effects);
+    auto const known = [&](EffectRequest const& request) { return text_of(request) == own; };
     if (std::none_of(requests.begin(), requests.end(), known)) {
         requests.push_back(spec.effects);
     }
@@ -178,12 +173,12 @@ Knob periods_knob() {
 
 std::vector<Knob> knobs_of(CampaignInput const& input, CampaignSpec const& spec) {
     std::vector<Knob> knobs;
-    knobs.push_back(step_knob(spec.rocking));
+    knobs.push_back(step_knob(spec.accuracy.rocking));
     knobs.push_back(real_knob("step_tolerance", "last series term, over alpha, at which a step is shortened",
                               "accuracy.step_tolerance", {1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13},
-                              spec.rocking.step_tolerance));
+                              spec.accuracy.rocking.step_tolerance));
     knobs.push_back(real_knob("settle", "bouncing speed, over p, below which a body settles", "accuracy.settle",
-                              {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7}, spec.rocking.settle));
+                              {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7}, spec.accuracy.rocking.settle));
     knobs.push_back(effects_knob(spec));
     knobs.push_back(
         panel_knob("ou_v_e", "phase per panel of 16 nodes, ouV_E alone", Acts::ou_v_e, spec.measures.panel_phase_rad));

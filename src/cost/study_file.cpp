@@ -9,12 +9,10 @@
 namespace overturn::cost {
 namespace {
 
-using store::ColumnSpec;
-using store::ColumnType;
 using store::ResultsWriter;
 
 template <class Row, class Value>
-void real(ResultsWriter& file, std::string const& group, ColumnSpec const& spec, std::vector<Row> const& rows,
+void real(ResultsWriter& file, std::string const& group, Field const& spec, std::vector<Row> const& rows,
           Value&& value) {
     std::vector<double> values;
     values.reserve(rows.size());
@@ -25,7 +23,7 @@ void real(ResultsWriter& file, std::string const& group, ColumnSpec const& spec,
 }
 
 template <class Row, class Value>
-void integer(ResultsWriter& file, std::string const& group, ColumnSpec const& spec, std::vector<Row> const& rows,
+void integer(ResultsWriter& file, std::string const& group, Field const& spec, std::vector<Row> const& rows,
              Value&& value) {
     std::vector<std::int64_t> values;
     values.reserve(rows.size());
@@ -36,11 +34,11 @@ void integer(ResultsWriter& file, std::string const& group, ColumnSpec const& sp
 }
 
 void write_labels(ResultsWriter& file, std::string const& group, KnobResult const& result) {
-    ColumnSpec column{"setting", "1", "position of the knob", ColumnType::category, 0, {}};
+    Field column{"setting", "1", "position of the knob", FieldType::category, 0, {}};
     std::vector<std::int64_t> numbers;
     for (auto const& row : result.rows) {
         numbers.push_back(static_cast<std::int64_t>(numbers.size()));
-        column.categories.push_back(row.setting.label);
+        column.categories.push_back({static_cast<std::int64_t>(column.categories.size()), row.setting.label});
         file.attribute(group, "set " + row.setting.label, fmt::format("{}", fmt::join(row.setting.settings, "\n")));
     }
     auto const table = file.table({group, sizeof(std::int64_t), {column}}, static_cast<std::int64_t>(numbers.size()));

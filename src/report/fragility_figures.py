@@ -98,14 +98,14 @@ def criterion(results, body, path):
     figure, axes = plt.subplot_mosaic([["response", "window"], ["response", "whole"]], figsize=(6.8, 3.8),
                                       layout="constrained")
     left = axes["response"]
-    lost = body.verdict("contact-lost")  # no verdict: neither stood nor fell
-    moved = ~(body.verdict("at-rest") | body.verdict("failed") | lost)
+    lost = body.ended("moved") & ~body.ended("decided")  # neither stood nor fell
+    moved = body.ended("moved") & body.ended("decided")
     limit = body.trials("v_ereq")
     ratio, response = body.trials("v_wes") / limit, body.trials("v_resp") / limit
     slipped = body.trials("peak_slip") > 0
-    fell = body.verdict("overturned")
+    fell = body.ended("fell")
     kinds = [("stood", moved & ~fell & ~slipped, BLUE, "o"), ("stood, slipped", moved & ~fell & slipped,
-             style.GREEN, "^"), ("overturned", fell, VERMILION, "x"), ("contact lost", lost, PURPLE, "v")]
+             style.GREEN, "^"), ("overturned", fell, VERMILION, "x"), ("undecided", lost, PURPLE, "v")]
     for label, which, colour, marker in kinds:
         at = np.flatnonzero(which)
         at = at[sample(len(at))] if len(at) else at

@@ -29,10 +29,20 @@ class Body:
         values = self._file["trials"][column][()]
         return values[self._mine]
 
+    def kinds(self, column):
+        """The names of a column's categories, in the order of their values, and which trials are of each."""
+        values = self.trials(column)
+        names = h5py.check_enum_dtype(self._file["trials"][column].dtype)
+        return [(name, values == value) for name, value in sorted(names.items(), key=lambda item: item[1])]
+
     def verdict(self, name):
         """True where a trial ended so."""
-        kinds = h5py.check_enum_dtype(self._file["trials/verdict"].dtype)
-        return self.trials("verdict") == kinds[name]
+        return dict(self.kinds("verdict"))[name]
+
+    def ended(self, what):
+        """True where a trial's end is one that "moved", is "decided" or "fell", as the file says of its verdicts."""
+        names = text_of(self._file["trials/verdict"].attrs[what]).split(", ")
+        return np.logical_or.reduce([of_it for name, of_it in self.kinds("verdict") if name in names])
 
 
 class Results:

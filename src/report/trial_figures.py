@@ -9,7 +9,8 @@ import numpy as np
 from matplotlib import colormaps
 from matplotlib.patches import Rectangle
 
-RUNGS = [("at rest", PALE), ("rocking", SKY), ("sliding", ORANGE)]
+RUNG_COLOURS = [PALE, SKY, ORANGE, PURPLE, GREEN, BLUE]  # the first is rest
+ENDS = {"at-rest": PALE, "slid": ORANGE, "rocked": SKY, "overturned": VERMILION, "contact-lost": PURPLE, "failed": INK}
 MOST_STEPS = 400  # of a distribution function: finer than print
 
 
@@ -84,8 +85,8 @@ def rotations(results, body, path, confidence=0.95):
     """Distribution of the peak rotation per level with the Dvoretzky-Kiefer-Wolfowitz band of the middle one."""
     style.use()
     figure, axes = plt.subplots(figsize=(5.6, 3.1), layout="constrained")
-    ratio = np.where(body.verdict("overturned"), np.inf, body.trials("peak_rotation_ratio"))
-    ratio = np.where(body.verdict("failed") | body.verdict("contact-lost"), np.nan, ratio)
+    ratio = np.where(body.ended("fell"), np.inf, body.trials("peak_rotation_ratio"))
+    ratio = np.where(body.ended("decided"), ratio, np.nan)
     shown = np.where(np.isinf(ratio), 1.2, np.minimum(ratio, 1.2))  # what overturns leaves the picture on the right
     drawn = by_level(results, body, axes, shown, chosen_levels(body))
     if drawn:
@@ -137,11 +138,9 @@ def ends(results, body, path):
                 axes.bar(places, share, bottom=below, width=0.82, color=colour, label=label)
             below += share
 
-    stack(left, [(name, body.verdict(name), colour) for name, colour in
-                 (("at-rest", PALE), ("slid", ORANGE), ("rocked", SKY), ("overturned", VERMILION),
-                  ("contact-lost", PURPLE), ("failed", INK))])
-    rung = body.trials("rung")
-    stack(right, [(name, rung == number, colour) for number, (name, colour) in enumerate(RUNGS)])
+    stack(left, [(name, which, ENDS.get(name, GREEN)) for name, which in body.kinds("verdict")])
+    stack(right, [(name, which, RUNG_COLOURS[n % len(RUNG_COLOURS)]) for n, (name, which) in
+                  enumerate(body.kinds("rung"))])
     every = max(1, -(-count // 7))
     for axes, title in ((left, "verdicts"), (right, "simulated up to")):
         axes.set_xticks(places[::every], [f"{value:.4g}" for value in amplitude[::every]])

@@ -1,60 +1,67 @@
 #include "response/effects.hpp"
 
+#include <algorithm>
 #include <array>
 
+#include "config/registry.hpp"
 #include "core/units.hpp"
+#include "response/registry.hpp"
 
 namespace overturn {
 namespace {
 
-constexpr std::array entries{
-    config::Entry<Effect>{"vertical",
-                          "vertical motion changes gravity; called for when the wave has a vertical component",
-                          Effect::vertical},
-    config::Entry<Effect>{
-        "sliding",
-        "Coulomb stick-slip, slide-rocking, slip at impacts; called for when the no-slip motion would "
-        "need more friction than the static coefficient",
-        Effect::sliding},
-};
-
-struct Named {
-    Effect effect;
-    char const* name;
-};
-constexpr std::array all_names{Named{Effect::vertical, "vertical"}, Named{Effect::sliding, "sliding"},
-                               Named{Effect::contact, "contact"}, Named{Effect::spatial, "spatial"}};
+constexpr std::array modes{config::Entry<EffectMode>{"auto", "what each scene calls for", EffectMode::automatic},
+                           config::Entry<EffectMode>{"none", "plain rocking", EffectMode::none}};
 
 }  // namespace
 
-std::span<config::Entry<Effect> const> effects() { return entries; }
+EffectMask EffectRequest::wanted() const {
+    return mode == EffectMode::automatic ? ~EffectMask{0} : mode == EffectMode::none ? 0 : include;
+}
 
-EffectRequest parse_effects(std::string const& text) {
-    if (text == "auto") {
-        return {EffectMode::automatic, 0};
-    }
-    if (text == "none") {
-        return {EffectMode::none, 0};
-    }
+EffectRequest parse_effect_mode(std::string const& text) {
+    return {config::find_entry(std::span<config::Entry<EffectMode> const>(modes), text, "mode").value, 0};
+}
+
+EffectRequest parse_effect_list(std::vector<std::string> const& names) {
     EffectRequest request{EffectMode::forced, 0};
-    for (std::size_t begin = 0; begin <= text.size();) {
-        auto const comma = std::min(text.find(',', begin), text.size());
-        auto const name = trimmed(std::string_view(text).substr(begin, comma - begin));
+    for (auto const& name : names) {
         request.include |= mask_of(config::find_entry(effects(), name, "effect").value);
-        begin = comma + 1;
     }
     return request;
 }
 
+EffectRequest parse_effects(std::string const& text) {
+    if (std::ranges::any_of(modes, [&](auto const& mode) { return mode.name == text; })) {
+        return parse_effect_mode(text);
+    }
+    std::vector<std::string> names;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        auto const comma = std::min(text.find(',', begin), text.size());
+        names.emplace_back(trimmed(std::string_view(text).substr(begin, comma - begin)));
+        begin = comma + 1;
+    }
+    return parse_effect_list(names);
+}
+
 std::string names_of_effects(EffectMask mask) {
     std::string names;
-    for (auto const& [effect, name] : all_names) {
-        if (has(mask, effect)) {
+    for (auto const& entry : effects()) {
+        if (has(mask, entry.value)) {
             names += names.empty() ? "" : ", ";
-            names += name;
+            names += entry.name;
         }
     }
     return names.empty() ? "none" : names;
+}
+
+std::string text_of(EffectRequest const& request) {
+    for (auto const& mode : modes) {
+        if (mode.value == request.mode) {
+            return std::string(mode.name);
+        }
+    }
+    return names_of_effects(request.include);
 }
 
 }  // namespace overturn

@@ -15,7 +15,7 @@ namespace {
 
 struct Call {
     RockingBlock const& block;
-    Shaking const& shaking;
+    Excitation const& shaking;
     RockingAccuracy const& accuracy;
     RockingStart const& start;
     RockingObserver* observer;
@@ -45,7 +45,7 @@ struct Call {
 
 namespace {
 
-void expect_sound([[maybe_unused]] RockingBlock const& block, [[maybe_unused]] Shaking const& shaking,
+void expect_sound([[maybe_unused]] RockingBlock const& block, [[maybe_unused]] Excitation const& shaking,
                   [[maybe_unused]] Slip slip) {
     OVERTURN_EXPECT(block.alpha_rad > 0 && block.alpha_rad < 0.5 * pi && block.p_radps > 0);
     OVERTURN_EXPECT(block.restitution >= 0 && block.restitution <= 1);
@@ -55,7 +55,7 @@ void expect_sound([[maybe_unused]] RockingBlock const& block, [[maybe_unused]] S
 }
 
 // A trial that one comparison decides.
-bool stays_at_rest(RockingBlock const& block, Shaking const& shaking, RockingAccuracy const& accuracy, Slip slip,
+bool stays_at_rest(RockingBlock const& block, Excitation const& shaking, RockingAccuracy const& accuracy, Slip slip,
                    RockingOutcome& rest) {
     if (!shaking.vertical_mps2.empty()) {
         return false;
@@ -72,7 +72,7 @@ bool stays_at_rest(RockingBlock const& block, Shaking const& shaking, RockingAcc
 
 }  // namespace
 
-RockingOutcome simulate_rocking(RockingBlock const& block, Shaking const& shaking, RockingAccuracy const& accuracy,
+RockingOutcome simulate_rocking(RockingBlock const& block, Excitation const& shaking, RockingAccuracy const& accuracy,
                                 RockingStart const& start, RockingObserver* observer, Slip slip) {
     expect_sound(block, shaking, slip);
     RockingOutcome rest;
@@ -148,12 +148,7 @@ RockingOutcome go_on_slipping(RockingTrial const& trial, RockingAccuracy const& 
     return trial.shaking.vertical_mps2.empty() ? go_on.template operator()<false>() : go_on.template operator()<true>();
 }
 
-double painleve_bound(double inertia_ratio) {
-    double const kappa = 1 / inertia_ratio - 1;
-    return 2 * std::sqrt(kappa * (1 + kappa));
-}
-
-double peak_tipping_ratio(Shaking const& shaking, double gravity_mps2) {
+double peak_tipping_ratio(Excitation const& shaking, double gravity_mps2) {
     double const k = shaking.scale / gravity_mps2;
     double peak = 0;
     for (std::size_t i = 0; i < shaking.horizontal_mps2.size(); ++i) {

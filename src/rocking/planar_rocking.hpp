@@ -8,12 +8,11 @@
 #include <span>
 
 #include "core/units.hpp"
+#include "model/excitation.hpp"
+#include "model/friction.hpp"
+#include "model/outcome.hpp"
 
 namespace overturn {
-
-namespace rocking {
-class PagePeaks;
-}
 
 /// What the rocking equation needs of a body. Plain data, validated where the body is.
 struct RockingBlock {
@@ -34,20 +33,6 @@ enum class Slip {
     watched,    ///< the same motion, ended at the instant the block would slip: RockingOutcome::slip_called
     simulated,  ///< at rest, sliding, rocking, slide-rocking
 };
-
-/// A wave at one level: views only, linear between samples, zero after the last one.
-struct Shaking {
-    std::span<double const> horizontal_mps2;
-    std::span<double const> vertical_mps2;  ///< upwards positive; empty where the effect is off
-    double time_step_s = 0;
-    double scale = 1;  ///< multiplies every component
-    /// Largest |horizontal| if it is known: rest is then seen by one comparison [m/s2]
-    double peak_mps2 = std::numeric_limits<double>::infinity();
-    rocking::PagePeaks const* pages = nullptr;  ///< if at hand: rest is then skipped by pages
-};
-
-/// How a trial ended. Values are stored in results files: never renumber them.
-enum class Verdict : std::uint8_t { at_rest = 0, slid = 1, rocked = 2, overturned = 3, contact_lost = 4, failed = 5 };
 
 /// `linear` is for the closed forms of the literature only: sin -> its argument, cos -> 1, as in Housner (1963).
 enum class Restoring { nonlinear, linear };
@@ -81,27 +66,12 @@ struct EnergyBalance {
     double friction_work = 0;  ///< lost in slip, impacts apart
 };
 
-/// What a trial of planar rocking left behind. Times count from the first sample [s]; -1 means "never".
-struct RockingOutcome {
-    Verdict verdict = Verdict::at_rest;
-    double peak_rotation_rad = 0;  ///< max |theta|; pi/2 if overturned
-    double time_of_peak_s = -1;
-    /// max of [I_O omega^2 / 2 + m g (R cos(alpha - |theta|) - h)] / [m g (R - h)]; 1 is the top of the potential
-    double peak_energy_ratio = 0;
-    double overturn_time_s = -1;
-    double first_uplift_s = -1;
-    std::int64_t impacts = 0;
-    /// Largest |F| / N that no slip needs, impacts included, and least N / (m g): where steps start and just before
-    /// impacts.
-    double friction_demand = 0;
-    double min_contact_force_ratio = 1;
-    std::int64_t steps = 0;      ///< series evaluated
-    double contact_lost_s = -1;  ///< first time of N <= 0, in whatever mode
-
-    bool slip_called = false;    ///< Slip::watched ended here: nothing else of this outcome counts
-    double peak_slip_m = 0;      ///< max |x| of the base
-    double residual_slip_m = 0;  ///< x at the end
-    EnergyBalance energy;        ///< with Slip::simulated only
+/// What a trial of planar rocking left behind. Forces are looked at where steps start and just before impacts; of the
+/// neutral part, peak_rotation_ratio, response_velocity_mps, friction_work_jpkg and called are left to
+/// rocking_models.cpp.
+struct RockingOutcome : Outcome {
+    bool slip_called = false;  ///< Slip::watched ended here: nothing else of this outcome counts
+    EnergyBalance energy;      ///< with Slip::simulated only
 };
 
 /// One instant of a history.
@@ -137,13 +107,13 @@ class RockingObserver {
 /// \pre block quantities are positive, alpha < pi/2, restitution in [0, 1]; components agree in length; friction stays
 ///      below painleve_bound
 /// \throws InputError if the accuracy asks for an order that is not offered, or for slip of the linearised block
-[[nodiscard]] RockingOutcome simulate_rocking(RockingBlock const& block, Shaking const& shaking,
+[[nodiscard]] RockingOutcome simulate_rocking(RockingBlock const& block, Excitation const& shaking,
                                               RockingAccuracy const& accuracy = {}, RockingStart const& start = {},
                                               RockingObserver* observer = nullptr, Slip slip = Slip::ignored);
 
 struct RockingTrial {
     RockingBlock block;
-    Shaking shaking;
+    Excitation shaking;
 };
 
 /// Many trials from rest, side by side in the machine's vector lanes: outcomes[i] is bit-equal to that of trials[i]
@@ -151,12 +121,8 @@ struct RockingTrial {
 void simulate_rocking(std::span<RockingTrial const> trials, RockingAccuracy const& accuracy, Slip slip,
                       std::span<RockingOutcome> outcomes);
 
-/// Friction from which a slipping corner may jam (Painleve's paradox): 2 sqrt(kappa (1 + kappa)), kappa = I_G/(m R^2);
-/// 4/3 for a uniform rectangle.
-[[nodiscard]] double painleve_bound(double inertia_ratio);
-
 /// The largest horizontal acceleration over gv, max |a| / gv: at rest while it does not exceed tan(alpha) [-, in g];
 /// infinite where gv falls to zero or below.
-[[nodiscard]] double peak_tipping_ratio(Shaking const& shaking, double gravity_mps2);
+[[nodiscard]] double peak_tipping_ratio(Excitation const& shaking, double gravity_mps2);
 
 }  // namespace overturn

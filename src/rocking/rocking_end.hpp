@@ -40,12 +40,13 @@ template <int Order, class Restoring, bool Vertical, Slip Friction>
 RockingOutcome const& Integrator<Order, Restoring, Vertical, Friction>::finish() {
     auto& out = log_.outcome();
     if (out.verdict == Verdict::at_rest) {
-        out.verdict = out.first_uplift_s >= 0 ? Verdict::rocked : slipped_ ? Verdict::slid : Verdict::at_rest;
+        out.verdict = !std::isnan(out.first_uplift_s) ? Verdict::rocked : slipped_ ? Verdict::slid : Verdict::at_rest;
     }
     out.residual_slip_m = x_m_;
     out.energy.mechanical = mechanical_energy();
     if (!std::isfinite(out.peak_rotation_rad + out.peak_energy_ratio + phi_ + omega_ + x_m_ + v_mps_)) {
         out.verdict = Verdict::failed;
+        out.failure = FailureReason::no_convergence;
     }
     return out;
 }

@@ -1,8 +1,8 @@
 /// The time loop of planar rocking: modes, steps, events and resets. Included by planar_rocking.cpp only.
 #pragma once
 
+#include "model/chunk_extremes.hpp"
 #include "rocking/impact.hpp"
-#include "rocking/page_peaks.hpp"
 #include "rocking/pause.hpp"
 #include "rocking/rocking_events.hpp"
 #include "rocking/sample.hpp"
@@ -15,7 +15,7 @@ namespace overturn::rocking {
 
 template <int Order, class Restoring, bool Vertical, Slip Friction> class Integrator {
   public:
-    Integrator(RockingBlock const& block, Shaking const& shaking, RockingAccuracy const& accuracy,
+    Integrator(RockingBlock const& block, Excitation const& shaking, RockingAccuracy const& accuracy,
                RockingObserver* observer);
     RockingOutcome run(RockingStart const& start);
 
@@ -121,7 +121,7 @@ template <int Order, class Restoring, bool Vertical, Slip Friction> class Integr
     }
 
     RockingBlock block_;
-    Shaking shaking_;
+    Excitation shaking_;
     RockingAccuracy accuracy_;
     double uplift_ratio_, hold_ratio_, top_, r_, radius_m_;
     double
@@ -149,7 +149,7 @@ template <int Order, class Restoring, bool Vertical, Slip Friction> class Integr
 };
 
 template <int Order, class Restoring, bool Vertical, Slip Friction>
-Integrator<Order, Restoring, Vertical, Friction>::Integrator(RockingBlock const& block, Shaking const& shaking,
+Integrator<Order, Restoring, Vertical, Friction>::Integrator(RockingBlock const& block, Excitation const& shaking,
                                                              RockingAccuracy const& accuracy, RockingObserver* observer)
     : block_(block),
       shaking_(shaking),
@@ -233,7 +233,7 @@ template <int Order, class Restoring, bool Vertical, Slip Friction>
 void Integrator<Order, Restoring, Vertical, Friction>::step() {
     constexpr int hopeless = 1000000;  // steps within one sample: a trial must end
     if (++steps_here_ > hopeless) {
-        log_.end(Verdict::failed);
+        log_.fail(FailureReason::no_convergence);
         return;
     }
     switch (mode_) {

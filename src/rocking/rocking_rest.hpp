@@ -5,7 +5,7 @@
 
 namespace overturn::rocking {
 
-// On to the first sample in which the block could move: most of most waves is passed here, whole pages at a time.
+// On to the first sample in which the block could move: most of most waves is passed here, whole chunks at a time.
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 void Integrator<Order, Restoring, Vertical, Friction>::skip_rest() {
     std::size_t const n = shaking_.horizontal_mps2.size();
@@ -28,19 +28,19 @@ void Integrator<Order, Restoring, Vertical, Friction>::skip_rest() {
     auto const sample_holds = [&](std::size_t i) {
         return holds(shaking_.horizontal_mps2[i], Vertical ? shaking_.vertical_mps2[i] : 0);
     };
-    // Of a page with a vertical component the bound is not the maximum: it may set no record.
-    auto const page_holds = [&](PagePeaks::Page const& page) {
-        double const lowest = k > 0 ? page.lowest : page.highest;
+    // Of a chunk with a vertical component the bound is not the maximum: it may set no record.
+    auto const chunk_holds = [&](ChunkExtremes::Chunk const& chunk) {
+        double const lowest = k > 0 ? chunk.lowest : chunk.highest;
         bool const exact =
             !Vertical
-            || std::abs(k * page.strongest) <= (1 + k * lowest) * std::max(most, log_.outcome().friction_demand);
-        return exact && holds(page.strongest, lowest);
+            || std::abs(k * chunk.strongest) <= (1 + k * lowest) * std::max(most, log_.outcome().friction_demand);
+        return exact && holds(chunk.strongest, lowest);
     };
     if (index_ + 1 < n && sample_holds(index_)) {
         for (++index_; index_ < n;) {
-            auto const* const page = shaking_.pages != nullptr ? shaking_.pages->at(index_) : nullptr;
-            if (page != nullptr && page_holds(*page)) {
-                index_ += PagePeaks::page;
+            auto const* const chunk = shaking_.chunks != nullptr ? shaking_.chunks->at(index_) : nullptr;
+            if (chunk != nullptr && chunk_holds(*chunk)) {
+                index_ += ChunkExtremes::samples;
             } else if (sample_holds(index_)) {
                 ++index_;
             } else {

@@ -21,7 +21,7 @@ double Integrator<Order, Restoring, Vertical, Friction>::step_length(Series<Orde
     }
     constexpr double hopeless = 1e-12;
     if (!(h > sample_.length_s * hopeless) && left > sample_.length_s * hopeless) {
-        log_.end(Verdict::failed);
+        log_.fail(FailureReason::no_convergence);
     }
     return h;
 }

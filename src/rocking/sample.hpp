@@ -13,7 +13,7 @@ template <bool Vertical> struct Sample {
     double a0 = 0, a1 = 0, a_slope = 0;
     double g0 = 1, g1 = 1, g_slope = 0;
 
-    void load(Shaking const& shaking, double gravity_mps2, std::size_t i) {
+    void load(Excitation const& shaking, double gravity_mps2, std::size_t i) {
         double const k = shaking.scale / gravity_mps2;
         length_s = shaking.time_step_s;
         start_s = static_cast<double>(i) * length_s;

@@ -44,7 +44,7 @@ class TrialLog {
         }
     }
     void uplifted(double time_s) {
-        if (out_.first_uplift_s < 0) {
+        if (std::isnan(out_.first_uplift_s)) {
             out_.first_uplift_s = time_s;
         }
     }
@@ -56,6 +56,10 @@ class TrialLog {
     void end(Verdict verdict) {
         out_.verdict = verdict;
         done_ = true;
+    }
+    void fail(FailureReason reason) {
+        out_.failure = reason;
+        end(Verdict::failed);
     }
     /// What another log has remembered up to an instant.
     void resume(RockingOutcome const& so_far, double energy) {

@@ -7,17 +7,16 @@
 
 namespace overturn {
 
-/// Failed trials have no verdict, and a body that lost contact has none of this model's: both are undecided. They are
-/// left out of the estimate and widen its interval, which holds whatever they would have done.
+/// Failed trials have no verdict, and some ends are beyond the model that saw them: both are undecided. They are left
+/// out of the estimate and widen its interval, which holds whatever they would have done.
 struct Stripe {
     double amplitude = 0;  ///< SI value of the level's measure
     std::int64_t trials = 0;
     std::int64_t overturned = 0;
     std::int64_t failed = 0;
-    std::int64_t contact_lost = 0;
-    std::int64_t at_rest = 0, slid = 0;  ///< the rest of the decided ones rocked
+    std::int64_t undecided = 0;  ///< besides those
 
-    [[nodiscard]] std::int64_t decided() const { return trials - failed - contact_lost; }
+    [[nodiscard]] std::int64_t decided() const { return trials - failed - undecided; }
     /// Overturned over decided; NaN where nothing is decided.
     [[nodiscard]] double probability() const;
     /// Clopper-Pearson bounds over all trials: the lower one as if every undecided body stood, the upper one as if it

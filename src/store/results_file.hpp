@@ -10,31 +10,24 @@
 #include <string_view>
 #include <vector>
 
+#include "core/field.hpp"
 #include "store/h5.hpp"
 
 namespace overturn::store {
 
 inline constexpr char const* format_name = "overturn-results";
-inline constexpr std::int64_t format_version = 1;
+inline constexpr std::int64_t format_version = 2;
 
-/// How a column of 8-byte row fields is stored.
-enum class ColumnType { real, integer, category };
-
-/// One column of a table of rows. Every field of a row is 8 bytes: double for real, int64 for the others.
-struct ColumnSpec {
-    std::string name;
-    std::string units;  ///< "1" for a pure number
-    std::string description;
-    ColumnType type = ColumnType::real;
-    std::size_t offset = 0;                    ///< of the field in the row [bytes]
-    std::vector<std::string> categories = {};  ///< names of 0, 1, ... where type is category
-};
-
-/// A group of columns that are appended row by row.
+/// A column is a field of rows; a group of them is appended row by row.
 struct TableSpec {
     std::string group;  ///< "trials", "waves/type-a"
     std::size_t row_bytes = 0;
-    std::vector<ColumnSpec> columns;
+    Fields columns;
+    /// Further attributes of columns: (column, name, text).
+    struct Note {
+        std::string column, name, text;
+    };
+    std::vector<Note> notes = {};
 };
 
 /// A results file being written. It becomes `path` only in finish(), whole and durable; until then a file beside it
@@ -60,9 +53,9 @@ class ResultsWriter {
     void append(std::size_t number, std::span<std::byte const> rows);
 
     /// A small array at once. Where `scale` names an earlier one of the group `where`, it becomes this one's axis.
-    void array(std::string const& where, ColumnSpec const& spec, std::vector<double> const& values,
+    void array(std::string const& where, Field const& spec, std::vector<double> const& values,
                std::string const& scale = {});
-    void array(std::string const& where, ColumnSpec const& spec, std::vector<std::int64_t> const& values,
+    void array(std::string const& where, Field const& spec, std::vector<std::int64_t> const& values,
                std::string const& scale = {});
     /// The bytes of an input file, compressed.
     void bytes(std::string const& where, std::string const& name, std::string const& description,
@@ -75,7 +68,7 @@ class ResultsWriter {
     struct Table;
     void abandon();
     Group& group(std::string const& path);
-    Dataset create(std::string const& where, ColumnSpec const& spec, std::int64_t rows);
+    Dataset create(std::string const& where, Field const& spec, std::int64_t rows);
 
     std::filesystem::path path_;
     std::filesystem::path growing_;
@@ -98,6 +91,9 @@ class ResultsReader {
     [[nodiscard]] std::vector<std::string> members(std::string const& group) const;
     [[nodiscard]] std::vector<double> reals(std::string const& dataset) const;
     [[nodiscard]] std::vector<std::int64_t> integers(std::string const& dataset) const;
+    /// Rows of a table from `first` on, as the bytes of consecutive row structs that ResultsWriter::append took.
+    /// \throws InputError if a column has other than `length` rows, or holds a category that has no name
+    void rows(TableSpec const& spec, std::int64_t length, std::int64_t first, std::span<std::byte> rows) const;
     /// One element.
     [[nodiscard]] double real_at(std::string const& dataset, std::int64_t row) const;
     [[nodiscard]] std::int64_t integer_at(std::string const& dataset, std::int64_t row) const;

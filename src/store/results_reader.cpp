@@ -41,16 +41,30 @@ bool is_category(Dataset const& dataset) {
     return H5Tget_class(type.id()) == H5T_ENUM;
 }
 
+void read_some(Dataset const& dataset, std::string const& name, hid_t memory_type, std::int64_t first,
+               std::int64_t count, void* values) {
+    Dataspace const file(checked(H5Dget_space(dataset.id()), "read a dataspace"));
+    auto const start = static_cast<hsize_t>(first);
+    auto const size = static_cast<hsize_t>(count);
+    Dataspace const memory(checked(H5Screate_simple(1, &size, nullptr), "make a dataspace"));
+    checked(H5Sselect_hyperslab(file.id(), H5S_SELECT_SET, &start, nullptr, &size, nullptr), "select rows");
+    checked(H5Dread(dataset.id(), memory_type, memory.id(), file.id(), H5P_DEFAULT, values), "read " + name);
+}
+
 template <class Value>
 Value read_one(Dataset const& dataset, std::string const& name, hid_t memory_type, std::int64_t row) {
-    Dataspace const file(checked(H5Dget_space(dataset.id()), "read a dataspace"));
-    auto const start = static_cast<hsize_t>(row);
-    hsize_t const one = 1;
-    Dataspace const memory(checked(H5Screate_simple(1, &one, nullptr), "make a dataspace"));
-    checked(H5Sselect_hyperslab(file.id(), H5S_SELECT_SET, &start, nullptr, &one, nullptr), "select a row");
     Value value{};
-    checked(H5Dread(dataset.id(), memory_type, memory.id(), file.id(), H5P_DEFAULT, &value), "read " + name);
+    read_some(dataset, name, memory_type, row, 1, &value);
     return value;
+}
+
+std::int64_t length_of(Dataset const& dataset) {
+    Dataspace const space(checked(H5Dget_space(dataset.id()), "read a dataspace"));
+    return H5Sget_simple_extent_ndims(space.id()) == 1 ? H5Sget_simple_extent_npoints(space.id()) : -1;
+}
+
+bool names(Field const& column, std::int64_t value) {
+    return std::ranges::any_of(column.categories, [&](auto const& category) { return category.value == value; });
 }
 
 bool is_ours(File const& file, std::string_view format) {
@@ -96,8 +110,14 @@ ResultsReader::ResultsReader(std::filesystem::path const& path, std::string_view
              format);
     auto const version = version_of(file_);
     validate(version >= 1, "{}: damaged (no format version). Give a whole file of overturn run", path.string());
-    validate(version <= format_version, "{}: format version {} (this program knows up to {}). Use a newer overturn",
-             path.string(), version, format_version);
+    if (format == format_name) {
+        validate(version <= format_version, "{}: format version {} (this program knows up to {}). Use a newer overturn",
+                 path.string(), version, format_version);
+        if (version < format_version) {
+            throw InputError(fmt::format("{}: format version {} (this program reads {}). Read it with overturn {}",
+                                         path.string(), version, format_version, text("program_version")));
+        }
+    }
 }
 
 std::string ResultsReader::text(std::string const& name) const { return read_text_attribute(file_.id(), name); }
@@ -151,6 +171,39 @@ std::int64_t ResultsReader::integer_at(std::string const& dataset, std::int64_t 
         return read_one<std::uint8_t>(handle, dataset, type.id(), row);
     }
     return read_one<std::int64_t>(handle, dataset, H5T_NATIVE_INT64, row);
+}
+
+void ResultsReader::rows(TableSpec const& spec, std::int64_t length, std::int64_t first,
+                         std::span<std::byte> rows) const {
+    constexpr auto advice = "(it is damaged, or not of this program). Run the campaign again";
+    auto const count = rows.size() / spec.row_bytes;
+    OVERTURN_EXPECT(rows.size() % spec.row_bytes == 0);
+    std::vector<std::int64_t> values(count);
+    std::vector<std::uint8_t> small;
+    for (auto const& column : spec.columns) {
+        auto const name = spec.group + "/" + column.name;
+        auto const dataset = open_dataset(file_, name);
+        auto const stored = length_of(dataset);
+        validate(stored == length, "results file: {} has {} rows, the campaign {} {}", name, stored, length, advice);
+        if (column.type == FieldType::category) {
+            validate(is_category(dataset), "results file: {} holds no names {}", name, advice);
+            Datatype const type(checked(H5Dget_type(dataset.id()), "read a type"));
+            validate(H5Tget_size(type.id()) == 1, "results file: {} holds other names {}", name, advice);
+            small.resize(count);
+            read_some(dataset, name, type.id(), first, static_cast<std::int64_t>(count), small.data());
+            values.assign(small.begin(), small.end());
+            for (auto const value : values) {
+                validate(names(column, value), "results file: {} holds {}, which names nothing {}", name, value,
+                         advice);
+            }
+        } else {
+            read_some(dataset, name, column.type == FieldType::real ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT64, first,
+                      static_cast<std::int64_t>(count), values.data());
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            std::memcpy(rows.data() + i * spec.row_bytes + column.offset, &values[i], sizeof(std::int64_t));
+        }
+    }
 }
 
 std::string ResultsReader::content(std::string const& dataset) const {

@@ -28,19 +28,19 @@ PropertyList dataset_properties() {
     return properties;
 }
 
-Datatype stored_type(ColumnSpec const& spec) {
+Datatype stored_type(Field const& spec) {
     switch (spec.type) {
-        case ColumnType::real:
+        case FieldType::real:
             return Datatype(checked(H5Tcopy(H5T_IEEE_F64LE), "make a type"));
-        case ColumnType::integer:
+        case FieldType::integer:
             return Datatype(checked(H5Tcopy(H5T_STD_I64LE), "make a type"));
-        case ColumnType::category:
+        case FieldType::category:
             break;
     }
     Datatype type(checked(H5Tenum_create(H5T_STD_U8LE), "make an enumeration"));
-    for (std::size_t i = 0; i < spec.categories.size(); ++i) {
-        auto const value = static_cast<std::uint8_t>(i);
-        checked(H5Tenum_insert(type.id(), spec.categories[i].c_str(), &value), "name " + spec.categories[i]);
+    for (auto const& category : spec.categories) {
+        auto const value = static_cast<std::uint8_t>(category.value);
+        checked(H5Tenum_insert(type.id(), category.name.c_str(), &value), "name " + category.name);
     }
     return type;
 }
@@ -118,7 +118,7 @@ void ResultsWriter::attribute(std::string const& where, std::string const& name,
     write_attribute(group(where).id(), name, value);
 }
 
-Dataset ResultsWriter::create(std::string const& where, ColumnSpec const& spec, std::int64_t rows) {
+Dataset ResultsWriter::create(std::string const& where, Field const& spec, std::int64_t rows) {
     auto const size = static_cast<hsize_t>(rows);
     Dataspace const space(checked(H5Screate_simple(1, &size, nullptr), "make a dataspace"));
     auto const type = stored_type(spec);
@@ -135,6 +135,11 @@ std::size_t ResultsWriter::table(TableSpec spec, std::int64_t rows) {
     Table table;
     for (auto const& column : spec.columns) {
         table.datasets.push_back(create(spec.group, column, rows));
+        for (auto const& note : spec.notes) {
+            if (note.column == column.name) {
+                write_attribute(table.datasets.back().id(), note.name, note.text);
+            }
+        }
     }
     table.spec = std::move(spec);
     table.rows = rows;
@@ -156,12 +161,12 @@ void ResultsWriter::append(std::size_t number, std::span<std::byte const> rows) 
         }
         auto const name = table.spec.group + "/" + column.name;
         auto const size = static_cast<std::int64_t>(count);
-        if (column.type == ColumnType::category) {
+        if (column.type == FieldType::category) {
             categories.assign(gathered.begin(), gathered.end());
             auto const type = stored_type(column);
             write_rows(table.datasets[c], type.id(), categories.data(), table.written, size, name);
         } else {
-            write_rows(table.datasets[c], column.type == ColumnType::real ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT64,
+            write_rows(table.datasets[c], column.type == FieldType::real ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT64,
                        gathered.data(), table.written, size, name);
         }
     }
@@ -186,16 +191,16 @@ void write_array(Dataset const& dataset, hid_t memory_type, std::vector<Value> c
 
 }  // namespace
 
-void ResultsWriter::array(std::string const& where, ColumnSpec const& spec, std::vector<double> const& values,
+void ResultsWriter::array(std::string const& where, Field const& spec, std::vector<double> const& values,
                           std::string const& scale) {
     auto const dataset = create(where, spec, static_cast<std::int64_t>(values.size()));
     write_array(dataset, H5T_NATIVE_DOUBLE, values, group(where), spec.name, scale);
 }
 
-void ResultsWriter::array(std::string const& where, ColumnSpec const& spec, std::vector<std::int64_t> const& values,
+void ResultsWriter::array(std::string const& where, Field const& spec, std::vector<std::int64_t> const& values,
                           std::string const& scale) {
     auto integer = spec;
-    integer.type = ColumnType::integer;
+    integer.type = FieldType::integer;
     auto const dataset = create(where, integer, static_cast<std::int64_t>(values.size()));
     write_array(dataset, H5T_NATIVE_INT64, values, group(where), spec.name, scale);
 }

@@ -6,7 +6,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "response/response.hpp"
+#include "response/ladder.hpp"
 #include "support/long_period_wave.hpp"
 
 namespace overturn {
@@ -28,7 +28,7 @@ void rocking(benchmark::State& state, Set set, Slip slip, bool vertical) {
     auto const levels = set == Set::a ? testing::levels_a() : testing::levels_b();
     for (auto _ : state) {
         for (double const level : levels) {
-            Shaking shaking{.horizontal_mps2 = wave(set), .vertical_mps2 = {}, .time_step_s = 0.01, .scale = level};
+            Excitation shaking{.horizontal_mps2 = wave(set), .vertical_mps2 = {}, .time_step_s = 0.01, .scale = level};
             if (vertical) {
                 shaking.vertical_mps2 = calm;
             }
@@ -47,22 +47,23 @@ void choosing(benchmark::State& state, EffectRequest const& request) {
                           .half_width_m = 0.68,
                           .centre_height_m = 1.045,
                           .inertia_kgm2 = 12.6e3 * (0.68 * 0.68 + 1.045 * 1.045) / 3});
-    Scene const scene{body, Friction{0.72, 0.72}, request, {}};
+    Scene const scene{body, Friction{0.72, 0.72}};
+    Ladder const ladder(request);
     GroundMotion motion;
     motion.time_step_s = 0.01;
     motion.horizontal_mps2 = wave(Set::b);
-    rocking::PagePeaks const pages(motion.horizontal_mps2, {});
+    ChunkExtremes const chunks(motion.horizontal_mps2, {});
     std::vector<SceneTrial> trials;
     for (double level = 4; level < 10; level += 0.06) {
-        trials.push_back({scene, motion, level, 1.0, &pages});
+        trials.push_back({scene, motion, level, 1.0, &chunks});
     }
     std::vector<Response> responses(trials.size());
     for (auto _ : state) {
-        respond(trials, responses);
+        ladder.respond(trials, responses);
     }
     std::int64_t slipped = 0;
     for (auto const& response : responses) {
-        slipped += response.rocking.peak_slip_m > 0 ? 1 : 0;
+        slipped += response.peak_slip_m > 0 ? 1 : 0;
     }
     auto const count = static_cast<double>(trials.size());
     state.counters["us_per_trial"] = benchmark::Counter(1e-6 * static_cast<double>(state.iterations()) * count,

@@ -5,7 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include "benchmarks/peers.hpp"
-#include "rocking/page_peaks.hpp"
+#include "model/chunk_extremes.hpp"
 #include "rocking/planar_rocking.hpp"
 #include "support/long_period_wave.hpp"
 
@@ -17,14 +17,14 @@ RockingBlock const block{.alpha_rad = 0.25, .p_radps = 1.5, .restitution = 0.9};
 // 24 levels of one wave, and what a far tighter integration makes of them.
 struct Scenes {
     std::vector<double> wave, levels;
-    rocking::PagePeaks pages;
+    ChunkExtremes chunks;
     std::vector<RockingTrial> trials;
     std::vector<RockingOutcome> reference;
 
     explicit Scenes(bool dense)
         : wave(testing::filtered_wave(dense ? testing::set_b : testing::set_a)),
           levels(dense ? testing::levels_b() : testing::levels_a()),
-          pages(wave, {}) {
+          chunks(wave, {}) {
         RockingAccuracy const tight{.taylor_order = 12, .substeps = 16, .step_tolerance = 1e-15, .settle = 1e-8};
         for (double const level : levels) {
             trials.push_back({block,
@@ -33,7 +33,7 @@ struct Scenes {
                                .time_step_s = 0.01,
                                .scale = level,
                                .peak_mps2 = 1,
-                               .pages = &pages}});
+                               .chunks = &chunks}});
             reference.push_back(simulate_rocking(block, trials.back().shaking, tight));
         }
     }

@@ -36,13 +36,13 @@ class AnalysisOfRows : public ::testing::Test {
         row.level = level;
         row.amplitude = spec.levels.levels[static_cast<std::size_t>(level)].value;
         row.scale = scale;
-        row.verdict = static_cast<std::int64_t>(verdict);
+        row.verdict = verdict;
         row.v_wes_mps = v_wes;
         row.ou_v_e_mps = 2 * v_wes;
         row.v_ereq_mps = 1.35;
         row.v_wes_safe = v_wes < row.v_ereq_mps ? 1 : 0;
         row.ou_v_e_safe = row.ou_v_e_mps < row.v_ereq_mps ? 1 : 0;
-        row.v_resp_mps = verdict == Verdict::overturned ? row.v_ereq_mps : v_wes / 10;
+        row.response_velocity_mps = verdict == Verdict::overturned ? row.v_ereq_mps : v_wes / 10;
         row.peak_slip_m = wave % 2 == 0 ? 0.01 : 0;
         statistics.add(row);
     }

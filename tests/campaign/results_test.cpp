@@ -5,36 +5,33 @@
 
 #include <gtest/gtest.h>
 
+#include "response/registry.hpp"
 #include "support/campaigns.hpp"
 
 namespace overturn {
 namespace {
 
-// Rows are 8-byte fields without padding, so a row of n columns is covered if they start at 0, 8, ..., 8 (n - 1).
-template <class Row> void expect_each_field_once(store::TableSpec const& table) {
-    static_assert(std::is_trivially_copyable_v<Row> && std::is_standard_layout_v<Row>);
-    static_assert(sizeof(Row) % 8 == 0 && alignof(Row) == 8);
-    std::set<std::size_t> offsets;
-    std::set<std::string> names;
-    for (auto const& column : table.columns) {
-        EXPECT_EQ(column.offset % 8, 0U) << column.name;
-        EXPECT_TRUE(offsets.insert(column.offset % sizeof(Row)).second) << column.name << " shares a field";
-        EXPECT_TRUE(names.insert(column.name).second) << column.name << " twice";
-        EXPECT_FALSE(column.units.empty()) << column.name;
-        EXPECT_FALSE(column.description.empty()) << column.name;
-        EXPECT_EQ(column.type == store::ColumnType::category, !column.categories.empty()) << column.name;
+template <class Row> void expect_each_field_once(Fields const& fields = fields_of<Row>()) {
+    static_assert(std::is_trivially_copyable_v<Row> && alignof(Row) == 8);
+    EXPECT_TRUE(describe_all(fields, sizeof(Row)));
+    for (auto const& field : fields) {
+        EXPECT_FALSE(field.units.empty()) << field.name;
+        EXPECT_FALSE(field.description.empty()) << field.name;
+        EXPECT_EQ(field.type == FieldType::category, !field.categories.empty()) << field.name;
     }
-    EXPECT_EQ(offsets.size(), sizeof(Row) / 8) << table.group << " leaves fields out";
 }
 
 TEST(Columns, CoverEveryFieldOnce) {
-    expect_each_field_once<TrialRow>(trial_table());
-    expect_each_field_once<WaveRow>(wave_table());
+    expect_each_field_once<Outcome>();
+    expect_each_field_once<Response>();
+    expect_each_field_once<TrialRow>();
+    expect_each_field_once<WaveRow>();
+    expect_each_field_once<MeasureRow>();
     auto const bodies = testing::type_a + testing::type_b + "[[bodies]]\nname='third'\n"
                         + testing::type_b.substr(testing::type_b.find("mass"));
     auto const both = testing::campaign_from(testing::quick_waves + bodies + testing::levels("values=[3,6]\n")
                                              + "[measures]\nboth_radius_units=true\n");
-    expect_each_field_once<MeasureRow>(measure_table(both, 0));
+    EXPECT_EQ(measure_table(both, 0).columns.size(), fields_of<MeasureRow>().size());
     auto const one = testing::campaign_from(testing::quick_waves + bodies + testing::levels("values=[3,6]\n"));
     EXPECT_EQ(measure_table(one, 0).columns.size() + 2, measure_table(both, 0).columns.size());
 }
@@ -52,26 +49,41 @@ TEST(Columns, MeasuresOfSeveralBodiesLieSideBySide) {
     }
 }
 
-TEST(Columns, EveryVerdictAndReasonHasAName) {
-    EXPECT_EQ(verdict_names().size(), static_cast<std::size_t>(Verdict::failed) + 1);
-    EXPECT_EQ(verdict_names()[static_cast<std::size_t>(Verdict::overturned)], "overturned");
-    EXPECT_EQ(failure_names().size(), static_cast<std::size_t>(FailureReason::wave_not_accepted) + 1);
+TEST(Columns, EveryVerdictReasonAndRungHasAName) {
+    std::set<Verdict> values;
+    std::set<std::string_view> names;
+    for (auto const& entry : verdicts()) {
+        values.insert(entry.value);
+        names.insert(entry.name);
+    }
+    EXPECT_EQ(values.size(), verdicts().size());
+    EXPECT_EQ(names.size(), verdicts().size());
+    EXPECT_EQ(entry_of(Verdict::overturned).name, "overturned");
+    EXPECT_FALSE(entry_of(Verdict::contact_lost).decided);
+    EXPECT_FALSE(entry_of(Verdict::failed).decided);
+    for (std::size_t i = 0; i < failures().size(); ++i) {
+        EXPECT_EQ(static_cast<std::size_t>(failures()[i].value), i) << failures()[i].name;
+    }
+    for (std::size_t i = 0; i < rungs().size(); ++i) {
+        EXPECT_EQ(rung_place(rungs()[i].value), i);
+    }
 }
 
 TEST(Columns, ADifferenceIsNamed) {
     TrialRow a;
     auto b = a;
-    EXPECT_TRUE(differing_columns(a, b).empty());
+    EXPECT_TRUE(same_bits(a, b)) << "what never came is as equal as any number";
     b.impacts = 1;
     b.friction_demand = -0.0;
-    EXPECT_EQ(differing_columns(a, b), (std::vector<std::string>{"impacts", "friction_demand"}));
+    EXPECT_EQ(differing(a, b), (std::vector<std::string>{"impacts", "friction_demand"}));
 }
 
 TrialRow row_of(std::int64_t body, std::int64_t level, Verdict verdict, bool wes_safe, bool ou_safe) {
     TrialRow row;
+    row.rung = verdict == Verdict::at_rest ? 0 : verdict == Verdict::slid ? 2 : 1;
     row.body = body;
     row.level = level;
-    row.verdict = static_cast<std::int64_t>(verdict);
+    row.verdict = verdict;
     row.v_wes_safe = wes_safe ? 1 : 0;
     row.ou_v_e_safe = ou_safe ? 1 : 0;
     return row;
@@ -98,8 +110,10 @@ TEST(Statistics, CountWhatTheRowsSay) {
     statistics.add(row_of(1, 0, Verdict::rocked, true, false));
     statistics.add(row_of(1, 0, Verdict::at_rest, false, true));
     statistics.add(row_of(1, 0, Verdict::failed, true, true));
+    statistics.add(row_of(1, 1, Verdict::contact_lost, false, true));
+    statistics.add(row_of(1, 1, Verdict::slid, true, true));
     auto slipping = row_of(0, 1, Verdict::rocked, true, true);
-    slipping.effects_called = mask_of(Effect::sliding) | mask_of(Effect::vertical);
+    slipping.called = mask_of(Effect::sliding) | mask_of(Effect::vertical);
     statistics.add(slipping);
 
     auto const& b = statistics.bodies()[1];
@@ -108,7 +122,21 @@ TEST(Statistics, CountWhatTheRowsSay) {
     EXPECT_EQ(b.stripes[0].failed, 1);
     EXPECT_EQ(b.v_wes[0].undecided_safe, 1) << "said safe, and nobody knows";
     EXPECT_EQ(b.stripes[0].probability(), 0.5);
-    EXPECT_EQ(b.stripes[1].trials, 0);
+    EXPECT_EQ(b.stripes[1].trials, 2);
+    EXPECT_EQ(b.stripes[1].undecided, 1);
+    EXPECT_EQ(b.v_wes[1].undecided_unsafe, 1);
+    EXPECT_EQ(b.v_wes[1].true_safe, 1);
+    auto const ended = [&](Verdict verdict) {
+        return b.ends[static_cast<std::size_t>(&entry_of(verdict) - verdicts().data())];
+    };
+    using Counts = std::vector<std::int64_t>;
+    EXPECT_EQ(ended(Verdict::at_rest), (Counts{1, 0}));
+    EXPECT_EQ(ended(Verdict::slid), (Counts{0, 1}));
+    EXPECT_EQ(ended(Verdict::rocked), (Counts{1, 0}));
+    EXPECT_EQ(ended(Verdict::overturned), (Counts{2, 0}));
+    EXPECT_EQ(ended(Verdict::contact_lost), (Counts{0, 1}));
+    EXPECT_EQ(ended(Verdict::failed), (Counts{1, 0}));
+    EXPECT_EQ(b.rungs, (Counts{1, 4, 1})) << "the failed one needed none";
     EXPECT_EQ(b.v_wes[0].false_safe, 1);
     EXPECT_EQ(b.v_wes[0].true_overturn, 1);
     EXPECT_EQ(b.v_wes[0].true_safe, 1);
@@ -118,7 +146,8 @@ TEST(Statistics, CountWhatTheRowsSay) {
     auto const& a = statistics.bodies()[0];
     EXPECT_EQ(a.stripes[0].trials, 0);
     EXPECT_EQ(a.stripes[1].amplitude, 6);
-    EXPECT_EQ(a.sliding_called[1], 1);
+    EXPECT_EQ(a.called, (std::vector<Counts>{{0, 1}, {0, 1}})) << "vertical, sliding";
+    EXPECT_EQ(b.called, (std::vector<Counts>{{0, 0}, {0, 0}}));
 }
 
 }  // namespace

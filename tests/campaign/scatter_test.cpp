@@ -197,7 +197,7 @@ TEST(BodyScatter, IsStoredWithEveryTrial) {
           "[scatter]\nsampling='latin-hypercube'\n[levels]\nmeasure='pga'\nvalues=[1,9]\n");
     Plan const plan(spec);
     PhaseSeconds seconds;
-    auto const rows = run_block(spec, plan, 0, seconds).trials;
+    auto const rows = run_block(spec, plan, 0, seconds).trials.rows;
     ASSERT_FALSE(rows.empty());
     auto const drawn = spec.bodies[0].for_wave(plan.drawn_for(spec, 0), 0);
     for (auto const& row : rows) {

@@ -24,7 +24,7 @@ std::string const rest = testing::type_a + testing::type_b + testing::levels("va
 struct Rows {
     std::vector<WaveRow> waves;
     std::vector<MeasureRow> measures;
-    std::vector<TrialRow> trials;
+    TrialRows trials;
 };
 
 Rows rows_of(CampaignSpec const& spec) {
@@ -47,7 +47,7 @@ TEST(WaveCheck, AcceptedWavesAreUsed) {
     Statistics statistics(spec);
     for (std::size_t w = 0; w < rows.waves.size(); ++w) {
         auto const& row = rows.waves[w];
-        EXPECT_EQ(row.accepted, 1);
+        EXPECT_EQ(row.accepted, Accepted::yes);
         EXPECT_EQ(row.acceptance_failures, 0);
         EXPECT_GE(row.match_lowest_ratio, 0.9);
         EXPECT_LE(row.match_highest_ratio, 1.3);
@@ -61,8 +61,8 @@ TEST(WaveCheck, AcceptedWavesAreUsed) {
         EXPECT_GT(row.band_mean_misfit, 0);
         EXPECT_NEAR(row.band_mean_ratio, 1.02, 0.04);
     }
-    for (auto const& row : rows.trials) {
-        EXPECT_NE(row.verdict, static_cast<std::int64_t>(Verdict::failed));
+    for (auto const& row : rows.trials.rows) {
+        EXPECT_NE(row.verdict, Verdict::failed);
     }
     EXPECT_EQ(statistics.waves().text("srp-3.7.1"), "4 waves, 0 not accepted by srp-3.7.1");
 }
@@ -75,13 +75,13 @@ TEST(WaveCheck, OthersAreFailedRowsWithTheirReason) {
     for (std::size_t w = 0; w < rows.waves.size(); ++w) {
         auto const& row = rows.waves[w];
         EXPECT_EQ(row.failed, 0) << "it was made";
-        EXPECT_EQ(row.accepted, 0);
+        EXPECT_EQ(row.accepted, Accepted::no);
         EXPECT_NE(row.acceptance_failures, 0);
         statistics.add(row, std::span(rows.measures).subspan(w * spec.bodies.size(), spec.bodies.size()));
     }
-    for (auto const& row : rows.trials) {
-        EXPECT_EQ(row.verdict, static_cast<std::int64_t>(Verdict::failed));
-        EXPECT_EQ(row.failure, static_cast<std::int64_t>(FailureReason::wave_not_accepted));
+    for (auto const& row : rows.trials.rows) {
+        EXPECT_EQ(row.verdict, Verdict::failed);
+        EXPECT_EQ(row.failure, FailureReason::wave_not_accepted);
         EXPECT_EQ(row.steps, 0);
         statistics.add(row);
     }
@@ -94,7 +94,7 @@ TEST(WaveCheck, OthersAreFailedRowsWithTheirReason) {
 TEST(WaveCheck, WithoutARuleNoWaveIsRefused) {
     auto const spec = testing::campaign_from(waves("match_iterations=1\n") + rest);
     for (auto const& row : rows_of(spec).waves) {
-        EXPECT_EQ(row.accepted, -1);
+        EXPECT_EQ(row.accepted, Accepted::not_asked);
         EXPECT_GT(row.match_mean_misfit, 0.02) << "and is reported on all the same";
     }
 }

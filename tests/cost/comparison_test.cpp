@@ -14,7 +14,7 @@ namespace {
 
 TrialRow row(Verdict verdict, double peak_rad = 0) {
     TrialRow row;
-    row.verdict = static_cast<std::int64_t>(verdict);
+    row.verdict = verdict;
     row.peak_rotation_rad = peak_rad;
     row.peak_rotation_ratio = peak_rad / 0.5;
     return row;

@@ -39,7 +39,7 @@ TEST(Knobs, EverySettingIsUnderstood) {
             EXPECT_NO_THROW((void)parse_campaign(with(input, setting.settings))) << knob.name << ": " << setting.label;
         }
     }
-    auto const exact = parse_campaign(with(input, reference_settings())).rocking;
+    auto const exact = parse_campaign(with(input, reference_settings())).accuracy.rocking;
     EXPECT_EQ(exact.taylor_order, 12);
     EXPECT_EQ(exact.substeps, 16);
     EXPECT_EQ(exact.step_tolerance, 1e-15);

@@ -24,8 +24,8 @@ void read() {
         store::ResultsReader const file(place());
         auto const input = input_of(file);
         (void)file.text("wave_acceptance");
-        (void)read_trial(file, 0);
         auto const spec = parse_campaign(input);
+        (void)read_trial(file, spec, 0);
         (void)recount(file, spec);
     } catch (InputError const&) {
         return;

@@ -19,6 +19,11 @@ using testing::type_a_tips;
 
 RockingBlock const block{.alpha_rad = 0.25, .p_radps = 1.5, .restitution = 0.9};
 
+/// Both never, or at the same time.
+bool same_time(double one_s, double other_s, double within_s) {
+    return std::isnan(one_s) ? std::isnan(other_s) : std::abs(one_s - other_s) <= within_s;
+}
+
 RockingOutcome release(RockingBlock const& body, double rotation_rad, RockingObserver* observer = nullptr,
                        std::size_t samples = 3000, double dt = 0.01, RockingAccuracy const& accuracy = {}) {
     std::vector<double> const calm(samples, 0.0);
@@ -207,7 +212,7 @@ TEST(HardCases, HundredGAgreesWithFinerSteps) {
             EXPECT_EQ(coarse.verdict, fine.verdict) << mu;
             EXPECT_NEAR(coarse.peak_slip_m, fine.peak_slip_m, 1e-8 * fine.peak_slip_m) << mu << ' ' << level_g;
             EXPECT_NEAR(coarse.peak_rotation_rad, fine.peak_rotation_rad, 1e-8 * fine.peak_rotation_rad);
-            EXPECT_NEAR(coarse.contact_lost_s, fine.contact_lost_s, 1e-8);
+            EXPECT_TRUE(same_time(coarse.contact_lost_s, fine.contact_lost_s, 1e-8));
             EXPECT_LT(imbalance(coarse.energy), 1e-9);
         }
     }
@@ -231,8 +236,8 @@ TEST(HardCases, NoLossOfContactOrSlipHidesInsideAStep) {
             auto const two = simulate_rocking(body, shaking_of(fine, 0.001, level), {}, {}, nullptr, slip);
             EXPECT_EQ(one.slip_called, two.slip_called) << number;
             EXPECT_EQ(one.verdict, two.verdict) << number;
-            EXPECT_NEAR(one.contact_lost_s, two.contact_lost_s, 1e-7) << number;
-            lost += two.contact_lost_s >= 0;
+            EXPECT_TRUE(same_time(one.contact_lost_s, two.contact_lost_s, 1e-7)) << number;
+            lost += !std::isnan(two.contact_lost_s);
             slipped += two.slip_called;
         }
     }

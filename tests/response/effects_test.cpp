@@ -1,6 +1,7 @@
 // Requirement: effects are asked for by name, and what can be asked for is listed.
 #include "response/effects.hpp"
 
+#include "response/registry.hpp"
 #include "support/expect_input_error.hpp"
 
 namespace overturn {

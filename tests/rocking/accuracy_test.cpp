@@ -28,7 +28,7 @@ class ImpactTimes : public RockingObserver {
     std::vector<double> times, speeds;
 };
 
-Shaking shaking(std::vector<double> const& a, double scale) {
+Excitation shaking(std::vector<double> const& a, double scale) {
     return {.horizontal_mps2 = a, .vertical_mps2 = {}, .time_step_s = 0.01, .scale = scale};
 }
 
@@ -158,7 +158,7 @@ TEST(Accuracy, EnergiesOfRandomWaves) {
                 v[n] = between(-6, 6);
             }
         }
-        Shaking const motion{.horizontal_mps2 = a, .vertical_mps2 = v, .time_step_s = between(0.004, 0.01)};
+        Excitation const motion{.horizontal_mps2 = a, .vertical_mps2 = v, .time_step_s = between(0.004, 0.01)};
         auto const reference =
             simulate_rocking(some, motion, {.taylor_order = 12, .substeps = 32, .step_tolerance = 1e-15});
         auto const ours = simulate_rocking(some, motion);

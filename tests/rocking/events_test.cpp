@@ -13,7 +13,7 @@ namespace {
 
 RockingBlock const block{.alpha_rad = 0.25, .p_radps = 1.5, .restitution = 0.9};
 
-Shaking shaking(std::vector<double> const& a, double dt, double scale = 1) {
+Excitation shaking(std::vector<double> const& a, double dt, double scale = 1) {
     return {.horizontal_mps2 = a, .vertical_mps2 = {}, .time_step_s = dt, .scale = scale};
 }
 

@@ -22,7 +22,7 @@ struct Tally {
     int impacts_with_slip = 0;
 };
 
-void balance(RockingBlock const& block, Shaking const& shaking, Tally& tally) {
+void balance(RockingBlock const& block, Excitation const& shaking, Tally& tally) {
     auto const out = simulate_slipping(block, shaking);
     auto const& e = out.energy;
     double const off = std::abs(e.input - e.mechanical - e.impact_loss - e.friction_work);

@@ -37,14 +37,14 @@ TableSpec trials() {
                         {.name = "wave",
                          .units = "1",
                          .description = "the wave's number",
-                         .type = ColumnType::integer,
+                         .type = FieldType::integer,
                          .offset = offsetof(Row, wave)},
                         {.name = "verdict",
                          .units = "1",
                          .description = "how it ended",
-                         .type = ColumnType::category,
+                         .type = FieldType::category,
                          .offset = offsetof(Row, verdict),
-                         .categories = {"at-rest", "slid", "rocked"}}}};
+                         .categories = numbered({"at-rest", "slid", "rocked"})}}};
 }
 
 std::vector<Row> some_rows(std::size_t count) {
@@ -60,8 +60,8 @@ std::span<std::byte const> bytes_of(std::span<Row const> rows) { return std::as_
 
 constexpr std::size_t row_count = 1000;
 
-ColumnSpec const amplitude_axis{.name = "amplitude", .units = "m/s2", .description = "of the stripe"};
-ColumnSpec const probability{.name = "probability", .units = "1", .description = "overturned over decided"};
+Field const amplitude_axis{.name = "amplitude", .units = "m/s2", .description = "of the stripe"};
+Field const probability{.name = "probability", .units = "1", .description = "overturned over decided"};
 
 /// A file with everything in it, its rows appended in parts of `part` rows.
 void write_example(std::filesystem::path const& path, std::size_t part = row_count) {
@@ -283,6 +283,7 @@ struct Claim {
 void write_claim(std::filesystem::path const& path, Claim const& claim) {
     ResultsWriter writer(path);
     writer.attribute("format", std::string(claim.format));
+    writer.attribute("program_version", std::string("0.0.9"));
     if (claim.version > 0) {
         writer.attribute("format_version", claim.version);
     }
@@ -294,7 +295,10 @@ TEST_F(Results, ReaderRefusesOtherFormats) {
     expect_input_error([&] { (void)ResultsReader(path()); }, "not a results file", format_name);
 
     write_claim(path(), {format_name, format_version + 1});
-    expect_input_error([&] { (void)ResultsReader(path()); }, "format version 2", "newer overturn");
+    expect_input_error([&] { (void)ResultsReader(path()); }, "format version 3", "newer overturn");
+
+    write_claim(path(), {format_name, format_version - 1});
+    expect_input_error([&] { (void)ResultsReader(path()); }, "format version 1", "reads 2", "overturn 0.0.9");
 
     write_claim(path(), {format_name, 0});
     expect_input_error([&] { (void)ResultsReader(path()); }, "not a results file");

@@ -24,11 +24,11 @@ inline RockingBlock type_a(double friction_static, double friction_kinetic) {
 inline RockingBlock type_a(double friction) { return type_a(friction, friction); }
 inline constexpr double type_a_tips = 0.68 / 1.045;  ///< tan(alpha)
 
-inline Shaking shaking_of(std::span<double const> a, double time_step_s, double scale = 1) {
+inline Excitation shaking_of(std::span<double const> a, double time_step_s, double scale = 1) {
     return {.horizontal_mps2 = a, .vertical_mps2 = {}, .time_step_s = time_step_s, .scale = scale};
 }
 
-inline RockingOutcome simulate_slipping(RockingBlock const& block, Shaking const& shaking,
+inline RockingOutcome simulate_slipping(RockingBlock const& block, Excitation const& shaking,
                                         RockingObserver* observer = nullptr, RockingStart const& start = {}) {
     return simulate_rocking(block, shaking, {}, start, observer, Slip::simulated);
 }

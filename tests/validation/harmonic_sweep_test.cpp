@@ -17,11 +17,15 @@ constexpr double duration_s = 300;
 constexpr double ramp_s = 100;
 
 // The largest rotation after the growth and its transients, before the decay.
-class SteadyPeak : public RockingObserver {
+class SteadyPeak : public Observer {
   public:
-    void at(RockingInstant const& instant) override {
-        if (instant.time_s > duration_s - 1.5 * ramp_s && instant.time_s < duration_s - ramp_s) {
-            peak_rad = std::max(peak_rad, std::abs(instant.rotation_rad));
+    void begin(std::span<Channel const> channels) override {
+        ASSERT_EQ(channels[0].key, "time_s");
+        ASSERT_EQ(channels[1].key, "rotation_rad");
+    }
+    void at(std::span<double const> values) override {
+        if (values[0] > duration_s - 1.5 * ramp_s && values[0] < duration_s - ramp_s) {
+            peak_rad = std::max(peak_rad, std::abs(values[1]));
         }
     }
     double peak_rad = 0;
@@ -41,8 +45,8 @@ double steady_ratio(HarmonicCase const& c) {
                     c.amplitude_ratio * g0 * alpha));
     PhaseSeconds seconds;
     SteadyPeak seen;
-    auto const row = run_trial(spec, prepare_wave(spec, Plan(spec), 0, seconds), 0, 0, &seen);
-    EXPECT_EQ(row.verdict, static_cast<std::int64_t>(Verdict::rocked));
+    auto const row = run_trial(spec, prepare_wave(spec, Plan(spec), 0, seconds), 0, 0, &seen).rows.front();
+    EXPECT_EQ(row.verdict, Verdict::rocked);
     EXPECT_GE(row.peak_rotation_rad, seen.peak_rad);
     return seen.peak_rad / alpha;
 }

@@ -1,0 +1,108 @@
+#include "campaign/rows.hpp"
+
+namespace overturn {
+
+template <> Fields const& fields_of<WaveRow>() {
+    using W = WaveRow;
+    static Fields const fields{
+        field<&W::id>("id", "1", "identity of the wave in every random stream"),
+        field<&W::failed>("failed", "1", "1: the wave could not be made"),
+        field<&W::duration_s>("duration", "s", "from the first to the last sample"),
+        field<&W::pga_mps2>("pga", "m/s2", "peak horizontal acceleration"),
+        field<&W::pgv_mps>("pgv", "m/s", "peak horizontal velocity"),
+        field<&W::pgd_m>("pgd", "m", "peak horizontal displacement"),
+        field<&W::arias_mps>("arias", "m/s", "Arias intensity of the horizontal component"),
+        field<&W::transverse_pga_mps2>("transverse_pga", "m/s2",
+                                       "peak acceleration of the other horizontal component; 0: none"),
+        field<&W::vertical_pga_mps2>("vertical_pga", "m/s2", "peak vertical acceleration; 0: none"),
+        field<&W::matched>("matched", "1", "1: matched to a target spectrum"),
+        field<&W::match_iterations>("match_iterations", "1", "iterations of the match"),
+        field<&W::match_mean_misfit>("match_mean_misfit", "1", "mean |computed / target - 1|"),
+        field<&W::match_max_misfit>("match_max_misfit", "1", "max |computed / target - 1|"),
+        field<&W::match_max_misfit_period_s>("match_max_misfit_period", "s", "where it lies"),
+        field<&W::match_mean_ratio>("match_mean_ratio", "1", "mean of computed / target"),
+        field<&W::match_ratio_cov>("match_ratio_cov", "1", "coefficient of variation of computed / target"),
+        field<&W::match_long_mean_misfit>("match_long_mean_misfit", "1",
+                                          "mean misfit over the long periods, 1 s and above"),
+        field<&W::match_long_max_misfit>("match_long_max_misfit", "1",
+                                         "max misfit over the long periods, 1 s and above"),
+        field<&W::match_lowest_ratio>("match_lowest_ratio", "1", "min of computed / target"),
+        field<&W::match_highest_ratio>("match_highest_ratio", "1", "max of computed / target"),
+        field<&W::match_longest_below>("match_longest_below", "1",
+                                       "most adjacent periods below the target, 100 a decade"),
+        field<&W::match_worst_decade>("match_worst_decade", "1", "largest mean misfit over any decade of periods"),
+        field<&W::si_ratio>("si_ratio", "1",
+                            "spectral intensity over that of the target, 0.1 s to 2.5 s; 0: not covered"),
+        field<&W::psd_lowest_ratio>(
+            "psd_lowest_ratio", "1",
+            "min of power spectral density over the one that fits the target, 20 % windows, 0.3 to 24 Hz"),
+        field<&W::psd_lowest_hz>("psd_lowest_frequency", "Hz", "where it lies"),
+        field<&W::transverse_match_mean_misfit>("transverse_match_mean_misfit", "1",
+                                                "mean misfit of the other horizontal component"),
+        field<&W::transverse_match_worst_decade>("transverse_match_worst_decade", "1",
+                                                 "its largest mean misfit over any decade of periods"),
+        field<&W::vertical_match_mean_misfit>("vertical_match_mean_misfit", "1",
+                                              "mean misfit of the vertical component"),
+        field<&W::vertical_match_worst_decade>("vertical_match_worst_decade", "1",
+                                               "its largest mean misfit over any decade of periods"),
+        field<&W::duration_5_75_s>("duration_5_75", "s", "time from 5 % to 75 % of the Arias integral"),
+        field<&W::duration_5_95_s>("duration_5_95", "s", "time from 5 % to 95 % of the Arias integral"),
+        field<&W::residual_velocity_mps>("residual_velocity", "m/s", "horizontal velocity at the end"),
+        field<&W::residual_displacement_m>("residual_displacement", "m", "horizontal displacement at the end"),
+        field<&W::correlation>("correlation", "1",
+                               "coefficient of the two components that are correlated most; 0: just one"),
+        category<&W::accepted>("accepted", "does it meet waves.acceptance?", numbered({"no", "yes", "not-asked"})),
+        field<&W::acceptance_failures>("acceptance_failures", "1",
+                                       "bit mask of clauses not met, from bit 0: time step, duration, judged to, "
+                                       "lowest ratio, adjacent below, highest ratio, SI ratio, cov of the ratio, error "
+                                       "of the mean, worst decade, end velocity, component correlation, rocking band")};
+    return fields;
+}
+
+template <> Fields const& fields_of<MeasureRow>() {
+    using M = MeasureRow;
+    static Fields const fields{
+        field<&M::ou_v_e_mps>("ou_v_e", "m/s", "Akiyama's ouV_E of the unscaled wave"),
+        field<&M::v_wes_max_mps>("v_wes", "m/s", "max over time of the unscaled wave's window energy spectrum"),
+        field<&M::v_wes_time_s>("v_wes_time", "s", "when that maximum is reached"),
+        field<&M::band_mean_misfit>("band_mean_misfit", "1", "mean |computed / target - 1| over [T0, T1] of the body"),
+        field<&M::band_max_misfit>("band_max_misfit", "1", "max of it over [T0, T1]"),
+        field<&M::band_mean_ratio>("band_mean_ratio", "1", "mean of computed / target over [T0, T1]"),
+        field<&M::band_ratio_cov>("band_ratio_cov", "1", "coefficient of variation of computed / target over [T0, T1]"),
+        field<&M::other_unit_ou_v_e_mps>("ou_v_e_other_unit", "m/s",
+                                         "ouV_E with R in the unit that measures.radius_unit does not name"),
+        field<&M::other_unit_v_wes_max_mps>("v_wes_other_unit", "m/s",
+                                            "V_WES with R in the unit that measures.radius_unit does not name")};
+    return fields;
+}
+
+template <> Fields const& fields_of<TrialRow>() {
+    using T = TrialRow;
+    static auto const fields = [] {
+        Fields all{
+            field<&T::wave>("wave", "1", "id of the wave, as in /waves/id"),
+            field<&T::body>("body", "1", "number of the body, in the campaign's order from 0"),
+            field<&T::level>("level", "1", "number of the level, rising from 0"),
+            field<&T::amplitude>("amplitude", "1", "value of the level (attribute level_measure of the file)"),
+            field<&T::scale>("scale", "1", "factor on the wave that brings it to the level"),
+            field<&T::mass_kg>("mass", "kg", "mass as drawn for the wave"),
+            field<&T::centre_height_m>("centre_height", "m", "height of the centre of gravity as drawn for the wave"),
+            field<&T::restitution>("restitution", "1",
+                                   "angular velocity after over before an impact, as drawn for the wave"),
+            field<&T::static_friction>("static_friction", "1",
+                                       "static coefficient as drawn for the wave; NaN: no slip"),
+            field<&T::kinetic_friction>("kinetic_friction", "1",
+                                        "kinetic coefficient as drawn for the wave; NaN: no slip"),
+            field<&T::v_wes_mps>("v_wes", "m/s", "max over time of the window energy spectrum at this level"),
+            field<&T::ou_v_e_mps>("ou_v_e", "m/s", "Akiyama's ouV_E at this level"),
+            field<&T::v_ereq_mps>("v_ereq", "m/s", "limit velocity sqrt(2 g (R - h)) of the body"),
+            field<&T::v_wes_safe>("v_wes_safe", "1", "1: V_WES < V_Ereq says it does not overturn"),
+            field<&T::ou_v_e_safe>("ou_v_e_safe", "1", "1: ouV_E < V_Ereq says it does not overturn")};
+        auto const response = fields_of_base<TrialRow, Response>();
+        all.insert(all.end(), response.begin(), response.end());
+        return all;
+    }();
+    return fields;
+}
+
+}  // namespace overturn

@@ -1,0 +1,85 @@
+#include "core/field.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <set>
+
+#include "core/error.hpp"
+
+namespace overturn {
+namespace {
+
+template <class Value> Value value_at(std::span<std::byte const> row, Field const& field) {
+    Value value{};
+    OVERTURN_EXPECT(field.offset + sizeof(value) <= row.size());
+    std::memcpy(&value, row.data() + field.offset, sizeof(value));
+    return value;
+}
+
+}  // namespace
+
+std::vector<Category> numbered(std::vector<std::string> names) {
+    std::vector<Category> categories;
+    for (auto& name : names) {
+        categories.push_back({static_cast<std::int64_t>(categories.size()), std::move(name)});
+    }
+    return categories;
+}
+
+std::string Field::key() const {
+    static std::map<std::string, std::string> const suffixes{
+        {"1", ""},         {"s", "_s"},         {"m", "_m"},       {"rad", "_rad"}, {"m/s", "_mps"},
+        {"m/s2", "_mps2"}, {"J/kg", "_jpkg"},   {"kg", "_kg"},     {"Hz", "_hz"},   {"N", "_n"},
+        {"Pa", "_pa"},     {"rad/s", "_radps"}, {"kg m2", "_kgm2"}};
+    auto const suffix = suffixes.find(units);
+    OVERTURN_EXPECT(suffix != suffixes.end());
+    return name + (suffix == suffixes.end() ? "" : suffix->second);
+}
+
+double real_at(std::span<std::byte const> row, Field const& field) { return value_at<double>(row, field); }
+
+std::int64_t integer_at(std::span<std::byte const> row, Field const& field) {
+    return value_at<std::int64_t>(row, field);
+}
+
+void set_real(std::span<std::byte> row, Field const& field, double value) {
+    OVERTURN_EXPECT(field.offset + sizeof(value) <= row.size());
+    std::memcpy(row.data() + field.offset, &value, sizeof(value));
+}
+
+std::string category_at(std::span<std::byte const> row, Field const& field) {
+    auto const value = integer_at(row, field);
+    auto const found = std::ranges::find(field.categories, value, &Category::value);
+    return found != field.categories.end() ? found->name : fmt::format("{}", value);
+}
+
+std::vector<std::string> differing(Fields const& fields, std::span<std::byte const> a, std::span<std::byte const> b) {
+    std::vector<std::string> names;
+    for (auto const& field : fields) {
+        if (integer_at(a, field) != integer_at(b, field)) {
+            names.push_back(field.name);
+        }
+    }
+    return names;
+}
+
+bool describe_all(Fields const& fields, std::size_t bytes) {
+    std::set<std::size_t> offsets;
+    std::set<std::string> names;
+    for (auto const& field : fields) {
+        offsets.insert(field.offset);
+        names.insert(field.name);
+    }
+    bool const each_once = offsets.size() == fields.size() && names.size() == fields.size();
+    bool const aligned = std::ranges::all_of(offsets, [&](auto at) { return at % sizeof(double) == 0 && at < bytes; });
+    return each_once && aligned && fields.size() * sizeof(double) == bytes;
+}
+
+Field const& field_named(Fields const& fields, std::string_view name) {
+    auto const found = std::ranges::find(fields, name, &Field::name);
+    OVERTURN_EXPECT(found != fields.end());
+    return *found;
+}
+
+}  // namespace overturn

@@ -1,0 +1,19 @@
+#include "model/model.hpp"
+
+namespace overturn {
+
+EffectMask ModelTraits::brings() const {
+    EffectMask mask = 0;
+    for (auto const& effect : effects) {
+        mask |= mask_of(effect.value);
+    }
+    return mask;
+}
+
+EffectMask Model::possible(Trial const& /*trial*/) const { return traits().brings(); }
+
+EffectMask Model::called_for(Trial const& /*trial*/, Outcome const* said) const {
+    return said == nullptr ? 0 : traits().brings() & static_cast<EffectMask>(said->called);
+}
+
+}  // namespace overturn

@@ -1,0 +1,82 @@
+/// A model of what a body does under a motion. Models know nothing of each other; which of them a trial needs is
+/// decided by the effects that they hold (response/ladder.hpp).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/field.hpp"
+#include "model/effect.hpp"
+#include "model/history.hpp"
+#include "model/outcome.hpp"
+#include "model/trial.hpp"
+
+namespace overturn {
+
+/// What a model is and brings with it.
+struct ModelTraits {
+    std::string_view name;                        ///< "sliding"
+    std::int64_t number = 0;                      ///< in results files, from 1: never renumber
+    EffectMask holds = 0;                         ///< effects that it can simulate
+    EffectMask always = 0;                        ///< those of them that it cannot leave out
+    std::span<EffectEntry const> effects = {};    ///< those that it brings: cheaper models lack them
+    std::span<VerdictEntry const> verdicts = {};  ///< its own, beside the common ones
+    Fields fields = {};                           ///< its own quantities, stored in a group of its name
+    std::vector<std::byte> nothing = {};          ///< a row of these for a trial that the model did not run
+
+    [[nodiscard]] EffectMask brings() const;
+};
+
+/// The bytes of a default row.
+template <class Row> [[nodiscard]] std::vector<std::byte> nothing_of() {
+    Row const row{};
+    auto const bytes = bytes_of(row);
+    return {bytes.begin(), bytes.end()};
+}
+
+/// Where the trials of a batch stood when a model ended them early, for one that takes them over and knows how.
+class Checkpoints {
+  public:
+    Checkpoints() = default;
+    Checkpoints(Checkpoints const&) = delete;
+    Checkpoints& operator=(Checkpoints const&) = delete;
+    Checkpoints(Checkpoints&&) = delete;
+    Checkpoints& operator=(Checkpoints&&) = delete;
+    virtual ~Checkpoints() = default;
+};
+
+/// Trials to be run at once.
+struct Batch {
+    std::span<Trial const> trials;
+    std::span<Outcome> outcomes;  ///< one each; hold what the model before said, if one ran
+    /// Rows of the model's own fields, one each, one behind the other; empty: nobody asks.
+    std::span<std::byte> own = {};
+    Checkpoints const* before = nullptr;       ///< of the model that ran before
+    std::span<std::size_t const> places = {};  ///< of these trials in that model's batch
+    Observer* observer = nullptr;              ///< of a batch of one, which is then run from its start
+};
+
+class Model {
+  public:
+    Model() = default;
+    Model(Model const&) = delete;
+    Model& operator=(Model const&) = delete;
+    Model(Model&&) = delete;
+    Model& operator=(Model&&) = delete;
+    virtual ~Model() = default;
+
+    [[nodiscard]] virtual ModelTraits const& traits() const = 0;
+    /// Of the effects that this model brings, those that such a trial can have at all. Default: all.
+    [[nodiscard]] virtual EffectMask possible(Trial const& trial) const;
+    /// Of the effects that this model brings, those that would act on a trial. \param said what a cheaper model that
+    /// ran says of it; null: none ran yet. Default: what that model itself calls for.
+    [[nodiscard]] virtual EffectMask called_for(Trial const& trial, Outcome const* said) const;
+    /// Fills the batch's outcomes. Where the trials' order or company changes, no bit does.
+    virtual std::unique_ptr<Checkpoints> run(Batch const& batch) const = 0;
+};
+
+}  // namespace overturn

@@ -1,0 +1,65 @@
+#include "model/outcome.hpp"
+
+#include <string>
+
+namespace overturn {
+namespace {
+
+std::vector<Category> reasons() {
+    std::vector<Category> categories;
+    for (auto const& entry : failures()) {
+        categories.push_back({static_cast<std::int64_t>(entry.value), std::string(entry.name)});
+    }
+    return categories;
+}
+
+std::vector<Category> verdicts_of_all() {
+    std::vector<Category> categories;
+    for (auto const& entry : common_verdicts()) {
+        categories.push_back({static_cast<std::int64_t>(entry.value), std::string(entry.name)});
+    }
+    return categories;
+}
+
+}  // namespace
+
+template <> Fields const& fields_of<Outcome>() {
+    using O = Outcome;
+    static Fields const fields{
+        category<&O::verdict>("verdict", "how the trial ended", verdicts_of_all()),
+        category<&O::failure>("failure", "why a failed trial has no verdict", reasons()),
+        field<&O::peak_rotation_rad>("peak_rotation", "rad", "max |theta|; pi/2 if overturned"),
+        field<&O::peak_rotation_ratio>("peak_rotation_ratio", "1", "max |theta| / alpha"),
+        field<&O::time_of_peak_s>("time_of_peak", "s", "time of max |theta|; NaN: never moved"),
+        field<&O::peak_energy_ratio>("peak_energy_ratio", "1",
+                                     "max of rocking energy over the energy of critical uplift m g (R - h)"),
+        field<&O::overturn_time_s>("overturn_time", "s", "time of |theta| = pi/2; NaN: not overturned"),
+        field<&O::first_uplift_s>("first_uplift", "s", "time of the first uplift; NaN: never"),
+        field<&O::impacts>("impacts", "1", "base impacts, without the bouncing that settles"),
+        field<&O::friction_demand>(
+            "friction_demand", "1",
+            "max |F| / N that no slip needs; the static coefficient itself once the body has slipped"),
+        field<&O::min_contact_force_ratio>("min_contact_force_ratio", "1", "min N / (m g)"),
+        field<&O::contact_lost_s>("contact_lost_time", "s", "first time of N <= 0; NaN: never"),
+        field<&O::peak_slip_m>("peak_slip", "m", "max |slip| of the base"),
+        field<&O::residual_slip_m>("residual_slip", "m", "slip at the end"),
+        field<&O::friction_work_jpkg>("friction_work", "J/kg", "work lost in slip, over the mass"),
+        field<&O::response_velocity_mps>("v_resp", "m/s", "response velocity of the peak rotation, at most V_Ereq"),
+        field<&O::called>("effects_called", "1", "bit mask of effects that the monitors say would act"),
+        field<&O::steps>("steps", "1", "series evaluated")};
+    return fields;
+}
+
+Outcome unknown_outcome(FailureReason reason) {
+    Outcome outcome;
+    outcome.verdict = Verdict::failed;
+    outcome.failure = reason;
+    for (auto const& field : fields_of<Outcome>()) {
+        if (field.type == FieldType::real) {
+            set_real(std::as_writable_bytes(std::span(&outcome, 1)), field, never);
+        }
+    }
+    return outcome;
+}
+
+}  // namespace overturn

@@ -1,0 +1,24 @@
+/// One trial as a model sees it: a body, what holds it, what shakes it.
+#pragma once
+
+#include <optional>
+
+#include "body/rigid_body.hpp"
+#include "model/effect.hpp"
+#include "model/excitation.hpp"
+#include "model/friction.hpp"
+
+namespace overturn {
+
+/// Views: what they show must outlive the trial.
+struct Trial {
+    RigidBody const* body = nullptr;
+    std::optional<Friction> friction;  ///< empty: no slip
+    Excitation excitation;             ///< all that shakes, whether it is simulated or not
+    EffectMask simulated = 0;
+    /// Effects that another model will take over: a model that leaves one out may end where it begins to act, and says
+    /// so in Outcome::called.
+    EffectMask taken_over = 0;
+};
+
+}  // namespace overturn

@@ -1,0 +1,35 @@
+#include "response/accuracy.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/ranges.h>
+
+#include "config/registry.hpp"
+
+namespace overturn {
+namespace {
+
+RockingAccuracy read_rocking(config::Table const& table) {
+    RockingAccuracy a;
+    auto const order = table.integer("taylor_order", 1, 99, a.taylor_order);
+    if (std::ranges::find(taylor_orders, order) == taylor_orders.end()) {
+        table.fail("taylor_order", fmt::format("{} (not offered). Use {}", order, fmt::join(taylor_orders, ", ")));
+    }
+    a.taylor_order = static_cast<int>(order);
+    constexpr int most_substeps = 1000;
+    a.substeps = static_cast<int>(table.integer("substeps", 1, most_substeps, a.substeps));
+    a.step_tolerance = table.number("step_tolerance", Dimension::none, {.low = 1e-16, .high = 1e-3}, a.step_tolerance);
+    a.settle = table.number("settle", Dimension::none, {.low = 0, .high = 1e-2, .low_open = true}, a.settle);
+    static constexpr std::array restorings{
+        config::Entry<Restoring>{"nonlinear", "the block as it is", Restoring::nonlinear},
+        config::Entry<Restoring>{"linear", "for the closed forms of the literature", Restoring::linear}};
+    a.restoring = table.choice<Restoring>("restoring", restorings, a.restoring);
+    return a;
+}
+
+}  // namespace
+
+Accuracy read_accuracy(config::Table const& table) { return {.rocking = read_rocking(table)}; }
+
+}  // namespace overturn

@@ -1,0 +1,16 @@
+/// What the models are told about accuracy, each in its own words.
+#pragma once
+
+#include "config/table.hpp"
+#include "rocking/planar_rocking.hpp"
+
+namespace overturn {
+
+struct Accuracy {
+    RockingAccuracy rocking;
+};
+
+/// Reads the models' keys of `[accuracy]`; others are left to the caller. \throws InputError
+[[nodiscard]] Accuracy read_accuracy(config::Table const& table);
+
+}  // namespace overturn

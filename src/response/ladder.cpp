@@ -1,0 +1,239 @@
+#include "response/ladder.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+
+#include "core/error.hpp"
+#include "response/registry.hpp"
+
+namespace overturn {
+namespace {
+
+constexpr std::size_t none = ~std::size_t{0};
+
+class Stopwatch {
+  public:
+    [[nodiscard]] double lap() {
+        auto const now = std::chrono::steady_clock::now();
+        return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+    }
+
+  private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+// Beyond a million g nothing here means anything, and products overflow without a sound.
+bool out_of_range(Excitation const& shaking, EffectMask simulated) {
+    constexpr double most_mps2 = 1e6 * g0;
+    double peak = std::isfinite(shaking.peak_mps2) ? shaking.peak_mps2 : peak_of(shaking.horizontal_mps2);
+    if (has(simulated, Effect::vertical)) {
+        peak = std::max(peak, peak_of(shaking.vertical_mps2));
+    }
+    if (has(simulated, Effect::spatial)) {
+        peak = std::max(peak, peak_of(shaking.transverse_mps2));
+    }
+    return !(std::abs(shaking.scale) * peak < most_mps2);
+}
+
+}  // namespace
+
+// A trial on its way up.
+struct Ladder::Climb {
+    Trial trial;
+    EffectMask possible = 0, called = 0;
+    Outcome outcome;
+    std::size_t next = none, last = none;  ///< model
+    std::size_t batch = none, place = 0;   ///< the one it was in last, and where
+    std::uint64_t ran = 0;                 ///< a bit for each model that followed it
+
+    // The cheapest model follows nothing of a trial at rest.
+    [[nodiscard]] bool followed() const { return last != none && (last > 0 || outcome.verdict != Verdict::at_rest); }
+};
+
+// What the batches left behind, one behind the other.
+struct Ladder::Ended {
+    std::vector<std::unique_ptr<Checkpoints>> batches;
+};
+
+Ladder::Ladder(EffectRequest const& request, Accuracy const& accuracy) : request_(request) {
+    for (auto const& entry : overturn::models()) {
+        models_.push_back(entry.make(accuracy));
+        auto const& traits = models_.back()->traits();
+        bool const may_run = models_.size() == 1 || (traits.brings() & request.wanted()) != 0;
+        if (may_run && !traits.fields.empty()) {
+            own_parts_.push_back({&traits, own_bytes_});
+            own_bytes_ += traits.nothing.size();
+        }
+    }
+}
+
+std::size_t Ladder::cheapest(EffectMask needed) const {
+    auto const found =
+        std::ranges::find_if(models_, [&](auto const& model) { return holds_all(model->traits().holds, needed); });
+    OVERTURN_EXPECT(found != models_.end());
+    return static_cast<std::size_t>(found - models_.begin());
+}
+
+Ladder::Climb Ladder::begin(SceneTrial const& at) const {
+    Climb climb;
+    auto& trial = climb.trial;
+    trial.body = &at.scene.body;
+    trial.friction = at.scene.friction;
+    trial.excitation = {.horizontal_mps2 = at.motion.horizontal_mps2,
+                        .transverse_mps2 = at.motion.transverse_mps2,
+                        .vertical_mps2 = at.motion.vertical_mps2,
+                        .time_step_s = at.motion.time_step_s,
+                        .scale = at.scale,
+                        .peak_mps2 = at.peak_mps2,
+                        .chunks = at.chunks};
+    for (auto const& model : models_) {
+        climb.possible |= model->possible(trial);
+        climb.called |= model->called_for(trial, nullptr);
+    }
+    bool const chooses = request_.mode == EffectMode::automatic;
+    trial.simulated = climb.possible & request_.wanted() & (chooses ? climb.called : ~EffectMask{0});
+    if (out_of_range(trial.excitation, trial.simulated)) {
+        climb.outcome = unknown_outcome(FailureReason::absurd_level);
+    } else {
+        climb.next = cheapest(trial.simulated);
+    }
+    return climb;
+}
+
+// What the model's answer calls for, and who takes the trial over.
+void Ladder::go_on(std::size_t model, Climb& climb) const {
+    climb.last = model;
+    climb.next = none;
+    climb.ran |= climb.followed() ? std::uint64_t{1} << model : 0;
+    climb.called |= static_cast<EffectMask>(climb.outcome.called);
+    for (auto dearer = model + 1; dearer < models_.size(); ++dearer) {
+        climb.called |= models_[dearer]->called_for(climb.trial, &climb.outcome);
+    }
+    auto const needed = climb.trial.simulated | (climb.called & climb.possible);
+    if (request_.mode == EffectMode::automatic && !holds_all(models_[model]->traits().holds, needed)) {
+        climb.trial.simulated = needed;
+        climb.next = cheapest(needed);
+    }
+}
+
+// All trials that the model gets from one batch of another (or from none), at once.
+void Ladder::run(std::size_t model, std::size_t from, std::vector<Climb>& climbs, std::span<std::byte> own,
+                 Ended& ended) const {
+    auto const& traits = models_[model]->traits();
+    bool const chooses = request_.mode == EffectMode::automatic;
+    std::vector<std::size_t> which;
+    std::vector<std::size_t> places;
+    std::vector<Trial> trials;
+    std::vector<Outcome> outcomes;
+    for (std::size_t i = 0; i < climbs.size(); ++i) {
+        auto& climb = climbs[i];
+        if (climb.next == model && climb.batch == from) {
+            climb.trial.taken_over = chooses ? climb.possible & ~traits.holds : 0;
+            which.push_back(i);
+            places.push_back(climb.place);
+            trials.push_back(climb.trial);
+            outcomes.push_back(climb.outcome);
+        }
+    }
+    if (trials.empty()) {
+        return;
+    }
+    auto const part = std::ranges::find(own_parts_, &traits, &OwnPart::traits);
+    auto const row_bytes = own.empty() || part == own_parts_.end() ? 0 : traits.nothing.size();
+    std::vector<std::byte> rows(trials.size() * row_bytes);
+    auto const* const before = from == none ? nullptr : ended.batches[from].get();
+    ended.batches.push_back(
+        models_[model]->run({.trials = trials, .outcomes = outcomes, .own = rows, .before = before, .places = places}));
+    for (std::size_t i = 0; i < which.size(); ++i) {
+        auto& climb = climbs[which[i]];
+        climb.outcome = outcomes[i];
+        climb.batch = ended.batches.size() - 1;
+        climb.place = i;
+        go_on(model, climb);
+        if (row_bytes > 0) {
+            std::memcpy(own.data() + which[i] * own_bytes_ + part->offset, rows.data() + i * row_bytes, row_bytes);
+        }
+    }
+}
+
+Response Ladder::conclude(Climb const& climb) const {
+    Response response;
+    static_cast<Outcome&>(response) = climb.outcome;
+    response.called = climb.called;
+    if (climb.last != none) {
+        auto const& traits = models_[climb.last]->traits();
+        response.effects = climb.trial.simulated | traits.always;
+        response.rung = climb.followed() ? traits.number : rungs().front().value;
+    }
+    return response;
+}
+
+std::vector<RungCost> Ladder::respond(std::span<SceneTrial const> trials, std::span<Response> responses,
+                                      std::span<std::byte> own) const {
+    OVERTURN_EXPECT(responses.size() == trials.size());
+    OVERTURN_EXPECT(own.empty() || own.size() == trials.size() * own_bytes_);
+    for (std::size_t i = 0; i < (own.empty() ? 0 : trials.size()); ++i) {
+        for (auto const& [traits, offset] : own_parts_) {
+            std::ranges::copy(traits->nothing, own.begin() + static_cast<std::ptrdiff_t>(i * own_bytes_ + offset));
+        }
+    }
+    Stopwatch watch;
+    std::vector<Climb> climbs;
+    climbs.reserve(trials.size());
+    for (auto const& trial : trials) {
+        climbs.push_back(begin(trial));
+    }
+    std::vector<double> seconds{watch.lap()};  // of beginning, then of each model
+    Ended ended;
+    for (std::size_t model = 0; model < models_.size(); ++model) {
+        run(model, none, climbs, own, ended);
+        for (std::size_t from = 0, before = ended.batches.size(); from < before; ++from) {
+            run(model, from, climbs, own, ended);
+        }
+        seconds.push_back(watch.lap());
+    }
+    std::vector<std::int64_t> on(models_.size());  // trials that each model followed
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        responses[i] = conclude(climbs[i]);
+        for (std::size_t model = 0; model < models_.size(); ++model) {
+            on[model] += static_cast<std::int64_t>(climbs[i].ran >> model & 1U);
+        }
+    }
+    std::vector<RungCost> costs(rungs().size());
+    for (auto const& climb : climbs) {
+        auto& cost = costs[climb.followed() ? climb.last + 1 : 0];
+        ++cost.trials;
+        cost.seconds += seconds[0] / static_cast<double>(trials.size());
+        for (std::size_t model = 0; model < models_.size(); ++model) {
+            if ((climb.ran >> model & 1U) != 0) {
+                cost.seconds += seconds[model + 1] / static_cast<double>(on[model]);
+            }
+        }
+    }
+    return costs;
+}
+
+Response Ladder::respond(SceneTrial const& trial, std::span<std::byte> own) const {
+    Response response;
+    (void)respond(std::span(&trial, 1), std::span(&response, 1), own);
+    return response;
+}
+
+Response Ladder::show(SceneTrial const& trial, Observer& observer) const {
+    auto const response = respond(trial);
+    auto climb = begin(trial);
+    if (climb.next == none) {
+        return response;
+    }
+    climb.trial.simulated = static_cast<EffectMask>(response.effects);
+    auto const model = std::max(climb.next, cheapest(climb.trial.simulated));
+    (void)models_[model]->run(
+        {.trials = std::span(&climb.trial, 1), .outcomes = std::span(&climb.outcome, 1), .observer = &observer});
+    return response;
+}
+
+}  // namespace overturn

@@ -1,0 +1,84 @@
+/// Which effects a scene calls for, and what the body does: body + motion + effects -> Response.
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "body/rigid_body.hpp"
+#include "model/model.hpp"
+#include "motion/ground_motion.hpp"
+#include "response/accuracy.hpp"
+#include "response/effects.hpp"
+#include "response/response.hpp"
+
+namespace overturn {
+
+/// A body as it stands: what does not change from wave to wave.
+struct Scene {
+    RigidBody const& body;
+    std::optional<Friction> friction;  ///< empty: no slip
+};
+
+/// One trial of many.
+struct SceneTrial {
+    Scene const& scene;
+    GroundMotion const& motion;
+    double scale = 1;                                            ///< multiplies every component of the motion
+    double peak_mps2 = std::numeric_limits<double>::infinity();  ///< largest |horizontal| of the motion, if known
+    ChunkExtremes const* chunks = nullptr;                       ///< of the motion, if at hand
+};
+
+/// Trials that ended on a rung, and the seconds they took on their way to it. Trials run side by side: the time of a
+/// model is shared out evenly among those that it ran.
+struct RungCost {
+    std::int64_t trials = 0;
+    double seconds = 0;
+};
+
+/// Where a model's own quantities lie in the record of a trial.
+struct OwnPart {
+    ModelTraits const* traits = nullptr;
+    std::size_t offset = 0;  ///< of its row [bytes]
+};
+
+/// The models in order of their cost. A trial begins on the first that holds what it is known to need; each answer may
+/// call for effects that its model leaves out, and the trial goes on with the first model that holds them too, until
+/// one holds all that is called for and wanted. Where effects are forced, that is the first one.
+class Ladder {
+  public:
+    explicit Ladder(EffectRequest const& request, Accuracy const& accuracy = {});
+
+    /// Many trials from rest, those of a model side by side: responses[i] and its record are those of trials[i] alone,
+    /// bit for bit. \param own records of own_bytes() each, or empty \return what every rung took, in the order of
+    /// rungs()
+    std::vector<RungCost> respond(std::span<SceneTrial const> trials, std::span<Response> responses,
+                                  std::span<std::byte> own = {}) const;
+    [[nodiscard]] Response respond(SceneTrial const& trial, std::span<std::byte> own = {}) const;
+
+    /// Shows the history of a trial on the model that answered it. \return that answer \throws InputError if none did
+    Response show(SceneTrial const& trial, Observer& observer) const;
+
+    /// Of models that may run here and have quantities of their own.
+    [[nodiscard]] std::vector<OwnPart> const& own_parts() const { return own_parts_; }
+    [[nodiscard]] std::size_t own_bytes() const { return own_bytes_; }
+
+  private:
+    struct Climb;
+    [[nodiscard]] Climb begin(SceneTrial const& at) const;
+    [[nodiscard]] std::size_t cheapest(EffectMask needed) const;
+    struct Ended;
+    void run(std::size_t model, std::size_t from, std::vector<Climb>& climbs, std::span<std::byte> own,
+             Ended& ended) const;
+    void go_on(std::size_t model, Climb& climb) const;
+    [[nodiscard]] Response conclude(Climb const& climb) const;
+
+    EffectRequest request_;
+    std::vector<std::unique_ptr<Model>> models_;
+    std::vector<OwnPart> own_parts_;
+    std::size_t own_bytes_ = 0;
+};
+
+}  // namespace overturn

@@ -1,0 +1,85 @@
+#include "response/registry.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "core/error.hpp"
+#include "rocking/rocking_models.hpp"
+
+namespace overturn {
+
+std::span<ModelEntry const> models() {
+    static constexpr std::array entries{
+        ModelEntry{rocking_traits, [](Accuracy const& a) { return make_rocking_model(a.rocking); }},
+        ModelEntry{sliding_traits, [](Accuracy const& a) { return make_sliding_model(a.rocking); }},
+    };
+    return entries;
+}
+
+std::span<config::Entry<Effect> const> effects() {
+    static auto const entries = [] {
+        std::vector<config::Entry<Effect>> all;
+        for (auto const& model : models()) {
+            for (auto const& effect : model.traits().effects) {
+                all.push_back({effect.name, effect.summary, effect.value});
+            }
+        }
+        return all;
+    }();
+    return entries;
+}
+
+std::string effect_bits() {
+    std::string text;
+    for (auto const& effect : effects()) {
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", mask_of(effect.value), effect.name);
+    }
+    return text;
+}
+
+std::span<VerdictEntry const> verdicts() {
+    static auto const entries = [] {
+        std::vector<VerdictEntry> all(common_verdicts().begin(), common_verdicts().end());
+        for (auto const& model : models()) {
+            auto const& own = model.traits().verdicts;
+            all.insert(all.end(), own.begin(), own.end());
+        }
+        return all;
+    }();
+    return entries;
+}
+
+VerdictEntry const& entry_of(Verdict verdict) {
+    auto const all = verdicts();
+    auto const found = std::ranges::find(all, verdict, &VerdictEntry::value);
+    OVERTURN_EXPECT(found != all.end());
+    return *found;
+}
+
+std::vector<Category> verdict_categories() {
+    std::vector<Category> categories;
+    for (auto const& entry : verdicts()) {
+        categories.push_back({static_cast<std::int64_t>(entry.value), std::string(entry.name)});
+    }
+    return categories;
+}
+
+std::span<Category const> rungs() {
+    static auto const categories = [] {
+        std::vector<Category> all{{0, "at-rest"}};
+        for (auto const& model : models()) {
+            all.push_back({model.traits().number, std::string(model.traits().name)});
+        }
+        return all;
+    }();
+    return categories;
+}
+
+std::size_t rung_place(std::int64_t rung) {
+    auto const all = rungs();
+    auto const found = std::ranges::find(all, rung, &Category::value);
+    OVERTURN_EXPECT(found != all.end());
+    return static_cast<std::size_t>(found - all.begin());
+}
+
+}  // namespace overturn

@@ -1,0 +1,210 @@
+#include "rocking/rocking_models.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "body/response_velocity.hpp"
+#include "core/error.hpp"
+#include "rocking/pause.hpp"
+
+namespace overturn {
+namespace {
+
+constexpr std::array vertical_effect{
+    EffectEntry{Effect::vertical, "vertical",
+                "vertical motion changes gravity; called for when the wave has a vertical component"}};
+constexpr std::array sliding_effect{
+    EffectEntry{Effect::sliding, "sliding",
+                "Coulomb stick-slip, slide-rocking, slip at impacts; called for when the no-slip motion would "
+                "need more friction than the static coefficient"}};
+
+struct Pauses : Checkpoints {
+    std::vector<rocking::Pause> at;
+};
+
+RockingTrial rocking_trial(Trial const& trial) {
+    RockingTrial rocking{block_of(*trial.body, trial.friction), trial.excitation};
+    rocking.shaking.transverse_mps2 = {};
+    if (!has(trial.simulated, Effect::vertical)) {
+        rocking.shaking.vertical_mps2 = {};
+    }
+    return rocking;
+}
+
+// What the kernel does not know: the body behind the block.
+void conclude(RockingOutcome const& rocking, Trial const& trial, EffectMask called, Outcome& outcome) {
+    outcome = rocking;
+    outcome.peak_rotation_ratio = rocking.peak_rotation_rad / trial.body->alpha_rad();
+    outcome.friction_work_jpkg = rocking.energy.friction_work;
+    outcome.response_velocity_mps = response_velocity(*trial.body, rocking.peak_rotation_rad);
+    outcome.called = called;
+}
+
+/// Instants of the kernel as rows of channels.
+class Shown : public RockingObserver {
+  public:
+    explicit Shown(Observer& observer) : observer_(observer) {
+        static constexpr std::array channels{Channel{"time_s"},
+                                             Channel{"rotation_rad"},
+                                             Channel{"velocity_radps"},
+                                             Channel{"friction_over_weight"},
+                                             Channel{"contact_force_over_weight"},
+                                             Channel{"slip_m"},
+                                             Channel{"slip_velocity_mps"}};
+        observer_.begin(channels);
+    }
+    void at(RockingInstant const& i) override {
+        observer_.at(std::array{i.time_s, i.rotation_rad, i.velocity_radps, i.friction_ratio, i.contact_force_ratio,
+                                i.slip_m, i.slip_velocity_mps});
+    }
+
+  private:
+    Observer& observer_;
+};
+
+class RockingModel : public Model {
+  public:
+    explicit RockingModel(RockingAccuracy const& accuracy) : accuracy_(accuracy) {}
+    [[nodiscard]] ModelTraits const& traits() const override { return rocking_traits(); }
+    [[nodiscard]] EffectMask possible(Trial const& trial) const override {
+        return trial.excitation.vertical_mps2.empty() ? 0 : mask_of(Effect::vertical);
+    }
+    [[nodiscard]] EffectMask called_for(Trial const& trial, Outcome const* /*said*/) const override {
+        return possible(trial);
+    }
+
+    std::unique_ptr<Checkpoints> run(Batch const& batch) const override {
+        if (batch.observer != nullptr) {
+            show(batch);
+            return nullptr;
+        }
+        auto pauses = std::make_unique<Pauses>();
+        pauses->at.resize(batch.trials.size());
+        run_alike(batch, Slip::ignored, pauses->at);
+        run_alike(batch, Slip::watched, pauses->at);
+        return pauses;
+    }
+
+  private:
+    static Slip slip_of(Trial const& trial) {
+        return trial.friction && has(trial.taken_over, Effect::sliding) ? Slip::watched : Slip::ignored;
+    }
+    static void conclude_one(RockingOutcome const& rocking, Trial const& trial, Outcome& outcome) {
+        bool const slips = slip_of(trial) == Slip::watched
+                               ? rocking.slip_called
+                               : trial.friction && rocking.friction_demand > trial.friction->static_coefficient;
+        conclude(rocking, trial, slips ? mask_of(Effect::sliding) : 0, outcome);
+    }
+
+    // All trials that look at friction in the same way, side by side.
+    void run_alike(Batch const& batch, Slip slip, std::vector<rocking::Pause>& pauses) const {
+        std::vector<std::size_t> which;
+        std::vector<RockingTrial> trials;
+        which.reserve(batch.trials.size());
+        trials.reserve(batch.trials.size());
+        for (std::size_t i = 0; i < batch.trials.size(); ++i) {
+            if (slip_of(batch.trials[i]) == slip) {
+                which.push_back(i);
+                trials.push_back(rocking_trial(batch.trials[i]));
+            }
+        }
+        std::vector<RockingOutcome> outcomes(trials.size());
+        std::vector<rocking::Pause> paused(slip == Slip::watched ? trials.size() : 0);
+        if (slip == Slip::watched) {
+            watch_friction(trials, accuracy_, outcomes, paused);
+        } else {
+            simulate_rocking(trials, accuracy_, slip, outcomes);
+        }
+        for (std::size_t i = 0; i < which.size(); ++i) {
+            conclude_one(outcomes[i], batch.trials[which[i]], batch.outcomes[which[i]]);
+            if (slip == Slip::watched) {
+                pauses[which[i]] = paused[i];
+            }
+        }
+    }
+
+    void show(Batch const& batch) const {
+        OVERTURN_EXPECT(batch.trials.size() == 1);
+        auto const& trial = batch.trials.front();
+        auto const [block, shaking] = rocking_trial(trial);
+        Shown shown(*batch.observer);
+        conclude_one(simulate_rocking(block, shaking, accuracy_, {}, &shown, slip_of(trial)), trial,
+                     batch.outcomes.front());
+    }
+
+    RockingAccuracy accuracy_;
+};
+
+class SlidingModel : public Model {
+  public:
+    explicit SlidingModel(RockingAccuracy const& accuracy) : accuracy_(accuracy) {}
+    [[nodiscard]] ModelTraits const& traits() const override { return sliding_traits(); }
+    [[nodiscard]] EffectMask possible(Trial const& trial) const override {
+        return trial.friction ? mask_of(Effect::sliding) : 0;
+    }
+
+    std::unique_ptr<Checkpoints> run(Batch const& batch) const override {
+        auto const* const paused = dynamic_cast<Pauses const*>(batch.before);
+        std::optional<Shown> shown;
+        if (batch.observer != nullptr) {
+            OVERTURN_EXPECT(batch.trials.size() == 1);
+            shown.emplace(*batch.observer);
+        }
+        for (std::size_t i = 0; i < batch.trials.size(); ++i) {
+            auto const& trial = batch.trials[i];
+            auto const rocking = rocking_trial(trial);
+            auto const* const pause = paused == nullptr ? nullptr : &paused->at.at(batch.places[i]);
+            auto const outcome = pause != nullptr && pause->at_hand && !shown
+                                     ? go_on_slipping(rocking, accuracy_, *pause)
+                                     : simulate_rocking(rocking.block, rocking.shaking, accuracy_, {},
+                                                        shown ? &*shown : nullptr, Slip::simulated);
+            bool const called = batch.before != nullptr || outcome.peak_slip_m > 0;
+            conclude(outcome, trial, called ? mask_of(Effect::sliding) : 0, batch.outcomes[i]);
+        }
+        return nullptr;
+    }
+
+  private:
+    RockingAccuracy accuracy_;
+};
+
+}  // namespace
+
+ModelTraits const& rocking_traits() {
+    static ModelTraits const traits{
+        .name = "rocking", .number = 1, .holds = mask_of(Effect::vertical), .effects = vertical_effect};
+    return traits;
+}
+
+ModelTraits const& sliding_traits() {
+    static ModelTraits const traits{.name = "sliding",
+                                    .number = 2,
+                                    .holds = mask_of(Effect::vertical) | mask_of(Effect::sliding),
+                                    .always = mask_of(Effect::sliding),
+                                    .effects = sliding_effect};
+    return traits;
+}
+
+std::unique_ptr<Model> make_rocking_model(RockingAccuracy const& accuracy) {
+    return std::make_unique<RockingModel>(accuracy);
+}
+
+std::unique_ptr<Model> make_sliding_model(RockingAccuracy const& accuracy) {
+    return std::make_unique<SlidingModel>(accuracy);
+}
+
+RockingBlock block_of(RigidBody const& body, std::optional<Friction> const& friction) {
+    RockingBlock block{.alpha_rad = body.alpha_rad(),
+                       .p_radps = body.p_radps(),
+                       .restitution = body.restitution(),
+                       .inertia_ratio = body.inertia_ratio(),
+                       .gravity_mps2 = body.gravity_mps2()};
+    if (friction) {
+        block.friction_static = friction->static_coefficient;
+        block.friction_kinetic = friction->kinetic_coefficient;
+    }
+    return block;
+}
+
+}  // namespace overturn
