@@ -8,5 +8,10 @@
 // Where Highway would take arrays for registers, it does not fuse: a plain lane there too.
 #define HWY_BROKEN_EMU128 1
 
-// What takes lanes is inlined, or they would travel through memory.
+// What takes lanes is inlined, or they would travel through memory. GCC's sanitizers watch every access of what is
+// inlined, again wherever it is: a quarter of an hour of compiling for a long kernel. Calls bring that to a minute.
+#if defined(__SANITIZE_ADDRESS__)
+#define OVERTURN_LANES_INLINE inline
+#else
 #define OVERTURN_LANES_INLINE HWY_INLINE
+#endif
