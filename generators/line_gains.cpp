@@ -6,65 +6,13 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "spectra/wide.hpp"
+#include "generators/line_sums.hpp"
 
 namespace overturn {
 namespace {
 
 constexpr double bands_per_decade = 100;
 constexpr double reach = 4;  // lines beyond this many times an oscillator's frequency move it by 7 % of what they could
-
-using LaneValues = std::array<float, wide::lanes>;
-
-// Sixteen oscillators over all lines that matter to them: per band, Re(H L exp(i w t)) at each one's own instant, in
-// single precision, which is far more than a step of first order needs. Frequencies are counted in lines.
-struct Contributions {
-    std::span<std::complex<double> const> lines;
-    std::span<std::size_t const> band_end;
-    std::size_t first_line;
-    LaneValues const* frequency;
-    LaneValues const* twice_damped;  // 2 zeta w
-    LaneValues const* turn_cos;      // of the lines' spacing times the instant
-    LaneValues const* turn_sin;
-    LaneValues const* start_cos;  // of the first line's frequency times the instant
-    LaneValues const* start_sin;
-    float* to;  // bands x 16
-
-    template <int bytes> OVERTURN_INLINE void run() const {
-        using R = wide::Registers<bytes, wide::lanes, float>;
-        R w, damped, tc, ts, pc, ps, w2, sum;
-        R::load(w, frequency->data());
-        R::load(damped, twice_damped->data());
-        R::load(tc, turn_cos->data());
-        R::load(ts, turn_sin->data());
-        R::load(pc, start_cos->data());
-        R::load(ps, start_sin->data());
-        for (int r = 0; r < R::count; ++r) {
-            w2.at[r] = w.at[r] * w.at[r];
-        }
-        std::size_t k = first_line;
-        for (std::size_t band = 0; band < band_end.size(); ++band) {
-            R::clear(sum);
-            for (; k < band_end[band]; ++k) {
-                auto const x = static_cast<float>(k);
-                auto const re = static_cast<float>(-lines[k].real());
-                auto const im = static_cast<float>(-lines[k].imag());
-#pragma GCC unroll 8
-                for (int r = 0; r < R::count; ++r) {
-                    auto const d = w2.at[r] - x * x;
-                    auto const q = damped.at[r] * x;
-                    auto const a = wide::fma(ps.at[r], -im, pc.at[r] * re);
-                    auto const b = wide::fma(ps.at[r], re, pc.at[r] * im);
-                    sum.at[r] += wide::fma(a, d, b * q) / wide::fma(d, d, q * q);
-                    auto const c = wide::fma(pc.at[r], tc.at[r], -ps.at[r] * ts.at[r]);
-                    ps.at[r] = wide::fma(pc.at[r], ts.at[r], ps.at[r] * tc.at[r]);
-                    pc.at[r] = c;
-                }
-            }
-            R::store(to + band * wide::lanes, sum);
-        }
-    }
-};
 
 float dot(float const* a, float const* b, std::size_t count) {
     constexpr std::size_t width = 8;
@@ -102,37 +50,36 @@ LineGains::Matrix LineGains::contributions(std::span<std::complex<double> const>
     auto const bands = band_end_.size();
     Matrix matrix{std::vector<float>(periods_s_.size() * bands), {}};
     matrix.used.reserve(periods_s_.size());
-    std::vector<float> block(bands * wide::lanes);
-    for (std::size_t begin = 0; begin < periods_s_.size(); begin += wide::lanes) {
-        std::size_t const count = std::min(wide::lanes, periods_s_.size() - begin);
-        LaneValues w{}, damped{}, turn_cos{}, turn_sin{}, start_cos{}, start_sin{};
+    std::vector<float> block(bands * simd::sweep_lanes);
+    for (std::size_t begin = 0; begin < periods_s_.size(); begin += simd::sweep_lanes) {
+        std::size_t const count = std::min(simd::sweep_lanes, periods_s_.size() - begin);
+        LineOscillators oscillators{};
         auto const set = [](float& to, double value) { to = static_cast<float>(value); };
-        for (std::size_t lane = 0; lane < wide::lanes; ++lane) {
+        for (std::size_t lane = 0; lane < simd::sweep_lanes; ++lane) {
             std::size_t const i = begin + std::min(lane, count - 1);
             double const frequency = 2 * pi / (periods_s_[i] * spacing_radps_);
             double const turn = spacing_radps_ * swings[i].time_s;
             double const start = turn * static_cast<double>(first_line_);
-            set(w.at(lane), frequency);
-            set(damped.at(lane), 2 * damping_ * frequency);
-            set(turn_cos.at(lane), std::cos(turn));
-            set(turn_sin.at(lane), std::sin(turn));
-            set(start_cos.at(lane), std::cos(start));
-            set(start_sin.at(lane), std::sin(start));
+            set(oscillators.frequency.at(lane), frequency);
+            set(oscillators.twice_damped.at(lane), 2 * damping_ * frequency);
+            set(oscillators.turn_cos.at(lane), std::cos(turn));
+            set(oscillators.turn_sin.at(lane), std::sin(turn));
+            set(oscillators.start_cos.at(lane), std::cos(start));
+            set(oscillators.start_sin.at(lane), std::sin(start));
         }
         double const highest = reach * 2 * pi / (periods_s_[begin] * spacing_radps_);
         auto const used =
             static_cast<std::size_t>(std::find_if(band_end_.begin(), band_end_.end(),
                                                   [&](std::size_t end) { return static_cast<double>(end) > highest; })
                                      - band_end_.begin());
-        wide::dispatch(Contributions{lines, std::span(band_end_).first(used), first_line_, &w, &damped, &turn_cos,
-                                     &turn_sin, &start_cos, &start_sin, block.data()});
+        sum_lines(lines, std::span(band_end_).first(used), first_line_, oscillators, block);
         double const unit = 1 / (spacing_radps_ * spacing_radps_);
         for (std::size_t lane = 0; lane < count; ++lane) {
             std::size_t const i = begin + lane;
             matrix.used.push_back(used);
             double total = 0;
             for (std::size_t band = 0; band < used; ++band) {
-                total += unit * block[band * wide::lanes + lane];
+                total += unit * block[band * simd::sweep_lanes + lane];
             }
             constexpr double trusted = 3;  // beyond it the swing is not what the stationary sum says at all
             double const stated = swings[i].displacement_m / total;
@@ -140,7 +87,7 @@ LineGains::Matrix LineGains::contributions(std::span<std::complex<double> const>
             double const swing = swings[i].displacement_m;
             auto const scale = static_cast<float>(swing == 0 ? 0 : unit * (sound ? stated : envelope[i]) / swing);
             for (std::size_t band = 0; band < used; ++band) {
-                matrix.values[i * bands + band] = scale * block[band * wide::lanes + lane];
+                matrix.values[i * bands + band] = scale * block[band * simd::sweep_lanes + lane];
             }
         }
     }

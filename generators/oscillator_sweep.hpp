@@ -2,13 +2,12 @@
 /// the state from which it can be looked at closely.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include "simd/lane_values.hpp"
 #include "spectra/oscillator.hpp"
-#include "spectra/wide.hpp"
 
 namespace overturn {
 
@@ -26,7 +25,7 @@ enum class SweepForm {
 };
 
 struct OscillatorGroup {
-    using LaneValues = std::array<double, wide::lanes>;
+    using LaneValues = simd::LaneValues<>;
 
     SweepForm form = SweepForm::samples;
     std::size_t stride = 1;
@@ -48,7 +47,7 @@ struct OscillatorGroup {
 /// the x before that; w of the sample before and d; or C, its real and its imaginary part, of the step to its first.
 struct SweepBlocks {
     static constexpr std::size_t samples = 32;
-    static constexpr std::size_t values = 3 * wide::lanes;
+    static constexpr std::size_t values = 3 * simd::sweep_lanes;
 
     std::vector<double> value;
     OscillatorGroup::LaneValues highest{};  ///< of the largest

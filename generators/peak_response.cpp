@@ -44,10 +44,10 @@ struct PeakResponse::Close {
     SweepBlocks const* blocks;
 
     [[nodiscard]] double state(std::size_t lane, std::size_t block) const {
-        return blocks->at(block)[wide::lanes + lane];
+        return blocks->at(block)[simd::sweep_lanes + lane];
     }
     [[nodiscard]] double other(std::size_t lane, std::size_t block) const {
-        return blocks->at(block)[2 * wide::lanes + lane];
+        return blocks->at(block)[2 * simd::sweep_lanes + lane];
     }
     [[nodiscard]] std::size_t end(std::size_t first) const {
         return std::min(first + SweepBlocks::samples, series.size());
@@ -71,7 +71,8 @@ PeakResponse::PeakResponse(std::vector<double> const& periods_s, double damping,
         // Lanes are filled up with periods that may be looked at less often; only the amplitudes of those that need no
         // substeps would say too little.
         constexpr double alike = 8;
-        if (groups_.empty() || groups_.back().count == wide::lanes || period > alike * periods_s[groups_.back().first]
+        if (groups_.empty() || groups_.back().count == simd::sweep_lanes
+            || period > alike * periods_s[groups_.back().first]
             || (groups_.back().swept.form == SweepForm::amplitude) != (form == SweepForm::amplitude)) {
             groups_.push_back({i, 0, {.form = form, .stride = stride}});
         }
@@ -80,7 +81,7 @@ PeakResponse::PeakResponse(std::vector<double> const& periods_s, double damping,
         OscillatorStep const sample(w, damping, time_step_s);
         oscillators_.push_back({w, steps, sample, OscillatorStep(w, damping, time_step_s / steps),
                                 Bend(w, form == SweepForm::amplitude ? damping : 0, time_step_s)});
-        for (std::size_t lane = group.count; lane < wide::lanes; ++lane) {  // idle lanes repeat the last
+        for (std::size_t lane = group.count; lane < simd::sweep_lanes; ++lane) {  // idle lanes repeat the last
             group.swept.set(lane, w, damping, sample, time_step_s);
         }
         ++group.count;
@@ -106,7 +107,7 @@ PeakResponse::Ground PeakResponse::ground_of(std::span<double const> series) {
 // Puts the largest |y| that there may be in place of |C|^2: the ground's line, and the free vibration about it.
 void PeakResponse::bound_blocks(Group const& group, Ground const& ground, SweepBlocks& blocks) const {
     LaneValues per_most{}, per_steepest{};
-    for (std::size_t lane = 0; lane < wide::lanes; ++lane) {
+    for (std::size_t lane = 0; lane < simd::sweep_lanes; ++lane) {
         double const w = oscillators_[group.first + std::min(lane, group.count - 1)].w;
         per_most[lane] = (1 + rounding) / (w * w);
         per_steepest[lane] = (1 + rounding) * 2 * damping_ / (w * w * w * time_step_s_);
@@ -114,7 +115,7 @@ void PeakResponse::bound_blocks(Group const& group, Ground const& ground, SweepB
     blocks.highest.fill(0);
     for (std::size_t b = 0; b < blocks.count(); ++b) {
         double* const block = blocks.at(b);
-        for (std::size_t lane = 0; lane < wide::lanes; ++lane) {
+        for (std::size_t lane = 0; lane < simd::sweep_lanes; ++lane) {
             double const line = per_most[lane] * ground.most[b] + per_steepest[lane] * ground.steepest[b];
             block[lane] = line + (1 + rounding) * group.swept.unit[lane] * std::sqrt(block[lane]);
             blocks.highest[lane] = std::max(blocks.highest[lane], block[lane]);
@@ -126,7 +127,7 @@ void PeakResponse::bound_blocks(Group const& group, Ground const& ground, SweepB
 // h^2/8 max |y''|; |y''| <= |a| + w^2 |y| + 2 zeta w |y'| and |y'| <= 2 |y| / h + h/2 |y''|.
 PeakResponse::LaneValues PeakResponse::limits(Group const& group, SweepBlocks const& blocks, double peak_mps2) const {
     LaneValues limit{};
-    for (std::size_t lane = 0; lane < wide::lanes; ++lane) {
+    for (std::size_t lane = 0; lane < simd::sweep_lanes; ++lane) {
         auto const& o = oscillators_[group.first + std::min(lane, group.count - 1)];
         if (group.swept.form == SweepForm::samples) {
             limit[lane] = o.steps == 1 ? blocks.highest[lane] : 0;
@@ -221,7 +222,7 @@ void PeakResponse::look(Close const& close, LaneValues limit, std::span<PeakSwin
         double const* const block = close.blocks->at(b);
         double const* const before = strided && b > 0 ? close.blocks->at(b - 1) : block;
         int some = 0;
-        for (std::size_t lane = 0; lane < wide::lanes; ++lane) {
+        for (std::size_t lane = 0; lane < simd::sweep_lanes; ++lane) {
             some |= static_cast<int>(std::max(block[lane], before[lane]) >= limit[lane]);
         }
         for (std::size_t lane = 0; some != 0 && lane < close.group->count; ++lane) {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "rocking/crew.hpp"
 #include "rocking/rocking_integrator.hpp"
+#include "rocking/rocking_lanes.hpp"
 
 namespace overturn {
 namespace {
@@ -117,11 +117,11 @@ void side_by_side(std::span<RockingTrial const> trials, RockingAccuracy const& a
         }
     }
     if (slip == Slip::ignored) {
-        rocking::Crew<false, Slip::ignored>(trials, plain, accuracy, outcomes, pauses).work();
-        rocking::Crew<true, Slip::ignored>(trials, vertical, accuracy, outcomes, pauses).work();
+        rocking::step_in_lanes<false, Slip::ignored>(trials, plain, accuracy, outcomes, pauses);
+        rocking::step_in_lanes<true, Slip::ignored>(trials, vertical, accuracy, outcomes, pauses);
     } else {
-        rocking::Crew<false, Slip::watched>(trials, plain, accuracy, outcomes, pauses).work();
-        rocking::Crew<true, Slip::watched>(trials, vertical, accuracy, outcomes, pauses).work();
+        rocking::step_in_lanes<false, Slip::watched>(trials, plain, accuracy, outcomes, pauses);
+        rocking::step_in_lanes<true, Slip::watched>(trials, vertical, accuracy, outcomes, pauses);
     }
 }
 

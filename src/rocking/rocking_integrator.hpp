@@ -24,8 +24,8 @@ template <int Order, class Restoring, bool Vertical, Slip Friction> class Integr
     /// Until the block swings: then everything up to the next instant that needs care can be left to swing_on.
     /// \return false once the trial is over
     bool advance();
-    template <int Lanes> void depart(SwingLanes<Lanes>& lanes, int lane) const;
-    template <int Lanes> void arrive(SwingLanes<Lanes> const& lanes, int lane);
+    template <int Lanes> void load_lane(SwingLanes<Lanes>& lanes, int lane) const;
+    template <int Lanes> void store_lane(SwingLanes<Lanes> const& lanes, int lane);
     RockingOutcome const& finish();
 
     /// Where friction gave out, of a trial that is over.

@@ -1,8 +1,6 @@
 /// Swings: the free flight that swing_on steps, alone or beside others. Part of rocking_integrator.hpp.
 #pragma once
 
-#include <bit>
-
 #include "rocking/rocking_integrator.hpp"
 
 namespace overturn::rocking {
@@ -10,15 +8,9 @@ namespace overturn::rocking {
 /// Friction without a limit, as a number that may be multiplied.
 inline constexpr double unlimited = 1e300;
 
-/// An address as a double, exact below 2^56; arrays of doubles lie at multiples of eight.
-inline double address_of(double const* data) {
-    auto const eighths = std::bit_cast<std::uintptr_t>(data) / sizeof(double);
-    return static_cast<double>(eighths);
-}
-
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 template <int Lanes>
-void Integrator<Order, Restoring, Vertical, Friction>::depart(SwingLanes<Lanes>& lanes, int lane) const {
+void Integrator<Order, Restoring, Vertical, Friction>::load_lane(SwingLanes<Lanes>& lanes, int lane) const {
     auto const set = [&](Swing field, double value) { lanes.at(field, lane) = value; };
     auto const& out = log_.outcome();
     double const psi = block_.alpha_rad - phi_;
@@ -58,13 +50,13 @@ void Integrator<Order, Restoring, Vertical, Friction>::depart(SwingLanes<Lanes>&
     set(Swing::time_step, shaking_.time_step_s);
     set(Swing::sampling_rate, 1 / shaking_.time_step_s);
     set(Swing::last, static_cast<double>(shaking_.horizontal_mps2.size() - 1));
-    set(Swing::samples, address_of(shaking_.horizontal_mps2.data()));
-    set(Swing::vertical, Vertical ? address_of(shaking_.vertical_mps2.data()) : 0);
+    lanes.at(SwingWave::horizontal, lane) = shaking_.horizontal_mps2.data();
+    lanes.at(SwingWave::vertical, lane) = Vertical ? shaking_.vertical_mps2.data() : nullptr;
 }
 
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 template <int Lanes>
-void Integrator<Order, Restoring, Vertical, Friction>::arrive(SwingLanes<Lanes> const& lanes, int lane) {
+void Integrator<Order, Restoring, Vertical, Friction>::store_lane(SwingLanes<Lanes> const& lanes, int lane) {
     auto const get = [&](Swing field) { return lanes.at(field, lane); };
     auto& out = log_.outcome();
     phi_ = get(Swing::phi);
@@ -103,9 +95,9 @@ void Integrator<Order, Restoring, Vertical, Friction>::swing() {
             return;
         }
         SwingLanes<1> lane;
-        depart(lane, 0);
+        load_lane(lane, 0);
         swing_on(lane, Vertical);
-        arrive(lane, 0);
+        store_lane(lane, 0);
     }
 }
 
@@ -115,7 +107,7 @@ template <int Order, class Restoring, bool Vertical, Slip Friction>
 bool Integrator<Order, Restoring, Vertical, Friction>::swing_unslipped() {
     if constexpr (swings && limited) {
         SwingLanes<1> lane;
-        depart(lane, 0);
+        load_lane(lane, 0);
         auto const before = lane;
         lane.at(Swing::friction_limit, 0) = unlimited;
         SwingSeries taken;
@@ -134,7 +126,7 @@ bool Integrator<Order, Restoring, Vertical, Friction>::swing_unslipped() {
             return false;
         }
         account_for(before, lane, taken);
-        arrive(lane, 0);
+        store_lane(lane, 0);
         careful_ = false;
         return true;
     }
@@ -145,7 +137,7 @@ bool Integrator<Order, Restoring, Vertical, Friction>::swing_unslipped() {
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 void Integrator<Order, Restoring, Vertical, Friction>::swing_shown() {
     SwingLanes<1> lane;
-    depart(lane, 0);
+    load_lane(lane, 0);
     SwingSeries series;
     for (bool on = true; on;) {
         auto const before = lane;
@@ -155,7 +147,7 @@ void Integrator<Order, Restoring, Vertical, Friction>::swing_shown() {
         }
         account_for(before, lane, series);
     }
-    arrive(lane, 0);
+    store_lane(lane, 0);
 }
 
 // What a step means to an observer and to the balance of energy.

@@ -3,8 +3,9 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
+
+#include "simd/lane_fields.hpp"
 
 namespace overturn::rocking {
 
@@ -46,26 +47,14 @@ enum class Swing : int {
     time_step,
     sampling_rate,  ///< its inverse
     last,           ///< index of the last sample
-    samples,        ///< address of the horizontal component over eight: exact in a double
-    vertical,       ///< the same of the vertical one
     count
 };
-inline constexpr std::size_t swing_fields = static_cast<std::size_t>(Swing::count);
-inline constexpr int most_lanes = 16;
 
-/// Field by field, `Lanes` doubles each.
-template <int Lanes> struct SwingLanes {
-    alignas(64) std::array<double, swing_fields * Lanes> values{};
-    [[nodiscard]] double& at(Swing field, int lane) { return values[static_cast<std::size_t>(field) * Lanes + lane]; }
-    [[nodiscard]] double at(Swing field, int lane) const {
-        return values[static_cast<std::size_t>(field) * Lanes + lane];
-    }
-    void copy(int from, int to) {
-        for (std::size_t field = 0; field < swing_fields; ++field) {
-            values[field * Lanes + to] = values[field * Lanes + from];
-        }
-    }
-};
+/// The waves that a lane reads, in m/s2; the vertical one only if it is stepped with vertical motion.
+enum class SwingWave : int { horizontal, vertical, count };
+
+using simd::most_lanes;
+template <int Lanes> using SwingLanes = simd::LaneFields<Swing, SwingWave, Lanes>;
 
 /// The last step taken, as power series in the share of its length.
 struct SwingSeries {

@@ -9,8 +9,8 @@
 
 #include <algorithm>
 
-#include "rocking/lanes-inl.hpp"
 #include "rocking/swing.hpp"
+#include "simd/lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace overturn::rocking::HWY_NAMESPACE {
@@ -19,7 +19,7 @@ template <class V, int Stride, bool Vertical> class SwingPath {
   public:
     using M = typename V::Mask;
 
-    explicit SwingPath(double* values) : values_(values) {}
+    SwingPath(double* values, double const* const* samples) : values_(values), samples_(samples) {}
 
   protected:
     static constexpr int order = SwingSeries::order;
@@ -46,28 +46,32 @@ template <class V, int Stride, bool Vertical> class SwingPath {
         M found;  // else the search has not come to its end
     };
 
-    HWY_INLINE V get(Swing f) const { return V::load(values_ + static_cast<std::ptrdiff_t>(f) * Stride); }
-    HWY_INLINE void put(Swing f, V v) { v.store(values_ + static_cast<std::ptrdiff_t>(f) * Stride); }
+    OVERTURN_LANES_INLINE V get(Swing f) const {
+        return V::load_aligned(values_ + static_cast<std::ptrdiff_t>(f) * Stride);
+    }
+    OVERTURN_LANES_INLINE void put(Swing f, V v) { v.store_aligned(values_ + static_cast<std::ptrdiff_t>(f) * Stride); }
 
-    HWY_INLINE Forcing forcing(Swing samples, V scale, V index, V into) const;
-    HWY_INLINE Series expand(V length, V w, Forcing const& a, Forcing const& g) const;
-    HWY_INLINE Target target(Series const& x) const;
-    HWY_INLINE Zero first_zero(Series const& x, M started) const;
-    HWY_INLINE Zero turning(Series const& x) const;
-    HWY_INLINE V gain(V u, Series const& x) const;
-    HWY_INLINE Turned turned(Series const& x, V gain) const;
-    static HWY_INLINE V falling_root(V c0, V c1, V c2);
-    template <std::size_t N> static HWY_INLINE V at(V u, std::array<V, N> const& c);
+    OVERTURN_LANES_INLINE Forcing forcing(SwingWave wave, V scale, V index, V into) const;
+    OVERTURN_LANES_INLINE Series expand(V length, V w, Forcing const& a, Forcing const& g) const;
+    OVERTURN_LANES_INLINE Target target(Series const& x) const;
+    OVERTURN_LANES_INLINE Zero first_zero(Series const& x, M started) const;
+    OVERTURN_LANES_INLINE Zero turning(Series const& x) const;
+    OVERTURN_LANES_INLINE V gain(V u, Series const& x) const;
+    OVERTURN_LANES_INLINE Turned turned(Series const& x, V gain) const;
+    static OVERTURN_LANES_INLINE V falling_root(V c0, V c1, V c2);
+    template <std::size_t N> static OVERTURN_LANES_INLINE V at(V u, std::array<V, N> const& c);
 
   private:
     double* values_;
+    double const* const* samples_;
 };
 
 template <class V, int Stride, bool Vertical>
-HWY_INLINE auto SwingPath<V, Stride, Vertical>::forcing(Swing samples, V scale, V index, V into) const -> Forcing {
+OVERTURN_LANES_INLINE auto SwingPath<V, Stride, Vertical>::forcing(SwingWave wave, V scale, V index, V into) const
+    -> Forcing {
     V here;
     V next;
-    fetch(get(samples) + index, here, next);
+    fetch(samples_ + static_cast<std::ptrdiff_t>(wave) * Stride, index, here, next);
     V const a = scale * here;
     V const end = scale * next;
     V const rise = end - a;
@@ -77,8 +81,8 @@ HWY_INLINE auto SwingPath<V, Stride, Vertical>::forcing(Swing samples, V scale, 
 // phi'' = -p^2 (Gv sin psi + A cos psi), psi' = -phi', in the share of the step; w = (p length)^2. Of every sum the
 // newest terms come last: they are what the next ones wait for.
 template <class V, int Stride, bool Vertical>
-HWY_INLINE auto SwingPath<V, Stride, Vertical>::expand(V length, V w, Forcing const& a, Forcing const& g) const
-    -> Series {
+OVERTURN_LANES_INLINE auto SwingPath<V, Stride, Vertical>::expand(V length, V w, Forcing const& a,
+                                                                  Forcing const& g) const -> Series {
     Series x;
     x.rate[0] = get(Swing::omega) * length;
     x.s[0] = get(Swing::sine);
@@ -117,7 +121,7 @@ HWY_INLINE auto SwingPath<V, Stride, Vertical>::expand(V length, V w, Forcing co
 
 // psi turns by minus what phi gains; its sine and cosine turn with it.
 template <class V, int Stride, bool Vertical>
-HWY_INLINE auto SwingPath<V, Stride, Vertical>::turned(Series const& x, V gain) const -> Turned {
+OVERTURN_LANES_INLINE auto SwingPath<V, Stride, Vertical>::turned(Series const& x, V gain) const -> Turned {
     V const t2 = gain * gain;
     V const sine_tail = fma(fma(t2, -1.0 / 5040, 1.0 / 120), t2, -1.0 / 6);
     V const cosine_tail = fma(fma(fma(t2, 1.0 / 40320, -1.0 / 720), t2, 1.0 / 24), t2, -0.5);
@@ -128,7 +132,7 @@ HWY_INLINE auto SwingPath<V, Stride, Vertical>::turned(Series const& x, V gain) 
 constexpr double most_arc = 0.03;  // to which the sums above are exact to rounding [rad]
 
 template <class V, int Stride, bool Vertical>
-HWY_INLINE auto SwingPath<V, Stride, Vertical>::target(Series const& x) const -> Target {
+OVERTURN_LANES_INLINE auto SwingPath<V, Stride, Vertical>::target(Series const& x) const -> Target {
     auto const& r = x.rate;
     V late = r[4] * (1.0 / 5);
     V speed = r[order - 2] + r[order - 1];
@@ -147,7 +151,7 @@ HWY_INLINE auto SwingPath<V, Stride, Vertical>::target(Series const& x) const ->
 
 // What phi has gained at a share of the step.
 template <class V, int Stride, bool Vertical>
-HWY_INLINE V SwingPath<V, Stride, Vertical>::gain(V u, Series const& x) const {
+OVERTURN_LANES_INLINE V SwingPath<V, Stride, Vertical>::gain(V u, Series const& x) const {
     std::array<V, order> c;
 #pragma GCC unroll 16
     for (int k = 0; k < order; ++k) {
@@ -158,14 +162,14 @@ HWY_INLINE V SwingPath<V, Stride, Vertical>::gain(V u, Series const& x) const {
 
 // Where c0 + c1 u + c2 u^2 falls through zero.
 template <class V, int Stride, bool Vertical>
-HWY_INLINE V SwingPath<V, Stride, Vertical>::falling_root(V c0, V c1, V c2) {
+OVERTURN_LANES_INLINE V SwingPath<V, Stride, Vertical>::falling_root(V c0, V c1, V c2) {
     return (c0 + c0) / (sqrt(max(c1 * c1 - 4.0 * c0 * c2, 0)) - c1);
 }
 
 // sum c[k] u^k in two chains, even and odd, as one would wait for itself.
 template <class V, int Stride, bool Vertical>
 template <std::size_t N>
-HWY_INLINE V SwingPath<V, Stride, Vertical>::at(V u, std::array<V, N> const& c) {
+OVERTURN_LANES_INLINE V SwingPath<V, Stride, Vertical>::at(V u, std::array<V, N> const& c) {
     static_assert(N >= 2);
     constexpr int top = static_cast<int>(N) - 1;
     V const u2 = u * u;
@@ -181,7 +185,7 @@ HWY_INLINE V SwingPath<V, Stride, Vertical>::at(V u, std::array<V, N> const& c) 
 
 // Where phi turns from rising to falling, as a share of the step.
 template <class V, int Stride, bool Vertical>
-HWY_INLINE auto SwingPath<V, Stride, Vertical>::turning(Series const& x) const -> Zero {
+OVERTURN_LANES_INLINE auto SwingPath<V, Stride, Vertical>::turning(Series const& x) const -> Zero {
     std::array<V, order - 1> slope;
 #pragma GCC unroll 16
     for (int k = 1; k < order; ++k) {
@@ -198,7 +202,7 @@ HWY_INLINE auto SwingPath<V, Stride, Vertical>::turning(Series const& x) const -
 // Where phi falls to zero, as a share of the step: from its parabola, by Newton's steps. A zero at the start is
 // divided out first.
 template <class V, int Stride, bool Vertical>
-HWY_INLINE auto SwingPath<V, Stride, Vertical>::first_zero(Series const& x, M started) const -> Zero {
+OVERTURN_LANES_INLINE auto SwingPath<V, Stride, Vertical>::first_zero(Series const& x, M started) const -> Zero {
     std::array<V, order + 1> c;
     c[0] = choose(started, x.rate[0], get(Swing::phi));
 #pragma GCC unroll 16

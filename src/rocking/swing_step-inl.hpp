@@ -21,7 +21,7 @@ template <class V, int Stride, bool Vertical> class Stepper : private SwingPath<
     using Path::Path;
 
     // Returns the lanes that need care. Those that took no step are unchanged.
-    HWY_INLINE M step(SwingSeries* shown);
+    OVERTURN_LANES_INLINE M step(SwingSeries* shown);
 
   private:
     using Path::expand;
@@ -39,14 +39,14 @@ template <class V, int Stride, bool Vertical> class Stepper : private SwingPath<
     struct Forces {
         V spin, friction, normal;  // friction's amount
     };
-    HWY_INLINE Forces forces(V s, V c, V rate, V a, V g) const;
-    HWY_INLINE V slant(V u, Series const& x, Forcing const& a, Forcing const& g) const;
-    HWY_INLINE V energy_at(V u, Series const& x, V length) const;
+    OVERTURN_LANES_INLINE Forces forces(V s, V c, V rate, V a, V g) const;
+    OVERTURN_LANES_INLINE V slant(V u, Series const& x, Forcing const& a, Forcing const& g) const;
+    OVERTURN_LANES_INLINE V energy_at(V u, Series const& x, V length) const;
 };
 
 // Contact forces over m g.
 template <class V, int Stride, bool Vertical>
-HWY_INLINE auto Stepper<V, Stride, Vertical>::forces(V s, V c, V rate, V a, V g) const -> Forces {
+OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::forces(V s, V c, V rate, V a, V g) const -> Forces {
     V const spin = get(Swing::r) * (rate * rate);
     V const push = a * c;
     V const grip = get(Swing::inertia_ratio) * (Vertical ? fma(g, s, push) : s + push);
@@ -55,7 +55,8 @@ HWY_INLINE auto Stepper<V, Stride, Vertical>::forces(V s, V c, V rate, V a, V g)
 
 // The shaking's pull over m g, along the way of the centre of gravity and over cos psi: almost a line.
 template <class V, int Stride, bool Vertical>
-HWY_INLINE V Stepper<V, Stride, Vertical>::slant(V u, Series const& x, Forcing const& a, Forcing const& g) const {
+OVERTURN_LANES_INLINE V Stepper<V, Stride, Vertical>::slant(V u, Series const& x, Forcing const& a,
+                                                            Forcing const& g) const {
     V const across = fma(a.change, u, a.start);
     if constexpr (Vertical) {
         auto const [s, c] = this->turned(x, this->gain(u, x));
@@ -65,13 +66,13 @@ HWY_INLINE V Stepper<V, Stride, Vertical>::slant(V u, Series const& x, Forcing c
 }
 
 template <class V, int Stride, bool Vertical>
-HWY_INLINE V Stepper<V, Stride, Vertical>::energy_at(V u, Series const& x, V length) const {
+OVERTURN_LANES_INLINE V Stepper<V, Stride, Vertical>::energy_at(V u, Series const& x, V length) const {
     V const spread = Path::at(u, x.rate) / (get(Swing::p) * length);
     return fma(0.5 * spread, spread, this->turned(x, this->gain(u, x)).c - get(Swing::cosine_alpha));
 }
 
 template <class V, int Stride, bool Vertical>
-HWY_INLINE auto Stepper<V, Stride, Vertical>::step(SwingSeries* shown) -> M {
+OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::step(SwingSeries* shown) -> M {
     V const zero = 0;
     V const one = 1;
     V const index = get(Swing::index);
@@ -81,10 +82,10 @@ HWY_INLINE auto Stepper<V, Stride, Vertical>::step(SwingSeries* shown) -> M {
     V const scale = get(Swing::scale);
     V const length = dt - tau;
     V const into = tau * get(Swing::sampling_rate);
-    Forcing const a = forcing(Swing::samples, side * scale, index, into);
+    Forcing const a = forcing(SwingWave::horizontal, side * scale, index, into);
     Forcing g{one, zero, one};
     if constexpr (Vertical) {
-        g = forcing(Swing::vertical, scale, index, into);
+        g = forcing(SwingWave::vertical, scale, index, into);
         g.start = g.start + 1.0;
         g.end = g.end + 1.0;
     }

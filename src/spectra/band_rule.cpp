@@ -8,7 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "spectra/wide.hpp"
+#include "simd/lane_values.hpp"
 
 namespace overturn {
 
@@ -33,10 +33,10 @@ BandRule band_rule(PeriodBand const& band, double length_s, double panel_phase_r
     double const width = (high - low) / panels;
     double const peak = 2 / ((band.t1_s - band.t0_s) * (band.t1_s - band.t0_s));
     std::unique_ptr<gsl_integration_glfixed_table, decltype(&gsl_integration_glfixed_table_free)> const gauss(
-        gsl_integration_glfixed_table_alloc(wide::lanes), &gsl_integration_glfixed_table_free);
+        gsl_integration_glfixed_table_alloc(simd::sweep_lanes), &gsl_integration_glfixed_table_free);
     BandRule rule;
     for (int panel = 0; panel < panels; ++panel) {
-        for (std::size_t i = 0; i < wide::lanes; ++i) {
+        for (std::size_t i = 0; i < simd::sweep_lanes; ++i) {
             double w = 0;
             double share = 0;
             gsl_integration_glfixed_point(low + width * panel, low + width * (panel + 1), i, &w, &share, gauss.get());

@@ -1,91 +1,16 @@
 #include "spectra/response_spectrum.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "spectra/oscillator.hpp"
-#include "spectra/wide.hpp"
+#include "spectra/response_sweep.hpp"
 
 namespace overturn {
 namespace {
-
-using LaneValues = std::array<double, wide::lanes>;
-
-// Coefficients and results of 16 oscillators that share a number of steps per sample. What the acceleration at the end
-// of a step adds is kept apart from the state, so that each step takes one forcing term; and the state is counted in
-// what that term makes of a unit, so that it takes no product:
-// y = unit_z (z + ya a), v = unit_u (u + va a), z1 = zz z0 + zu u0 + a0, u1 = uz z0 + uu u0 + a0.
-struct Lanes {
-    LaneValues zz, zu, za, ya, uz, uu, ua, va, cv, cy;
-    LaneValues unit_z, unit_u;
-    LaneValues y2, v2, a2;  // largest squares, of y over unit_z and v over unit_u
-};
-
-template <bool all> struct Sweep {
-    std::span<double const> acceleration;
-    int steps;
-    bool plain;  // some lane's forcing term is too small to count in: units are 1, za and ua factors of a0
-    Lanes* lanes;
-
-    template <int bytes> OVERTURN_INLINE void run() const { plain ? go<bytes, true>() : go<bytes, false>(); }
-
-    template <int bytes, bool factors> OVERTURN_INLINE void go() const {
-        using R = wide::Registers<bytes>;
-        R zz, zu, za, ya, uz, uu, ua, va, cv, cy, z, u, y2, v2, a2;
-        R::load(zz, lanes->zz.data());
-        R::load(zu, lanes->zu.data());
-        R::load(za, lanes->za.data());
-        R::load(ya, lanes->ya.data());
-        R::load(uz, lanes->uz.data());
-        R::load(uu, lanes->uu.data());
-        R::load(ua, lanes->ua.data());
-        R::load(va, lanes->va.data());
-        R::load(cv, lanes->cv.data());
-        R::load(cy, lanes->cy.data());
-        for (auto* largest : {&y2, &v2, &a2}) {
-            R::clear(*largest);
-        }
-        double const before = acceleration.empty() ? 0 : acceleration[0];
-#pragma GCC unroll 8
-        for (int r = 0; r < R::count; ++r) {
-            z.at[r] = ya.at[r] * -before;
-            u.at[r] = va.at[r] * -before;
-        }
-        double const part = 1.0 / steps;
-        for (std::size_t n = 1; n < acceleration.size(); ++n) {
-            double const rise = acceleration[n] - acceleration[n - 1];
-            double a0 = acceleration[n - 1];
-            for (int s = 1; s <= steps; ++s) {
-                double const a1 = s == steps ? acceleration[n] : acceleration[n - 1] + rise * (s * part);
-                auto const filled = wide::filled<typename R::Vector>(a0);
-#pragma GCC unroll 8
-                for (int r = 0; r < R::count; ++r) {
-                    auto const z0 = factors ? za.at[r] * a0 : filled;
-                    auto const u0 = factors ? ua.at[r] * a0 : filled;
-                    auto const next = wide::fma(z.at[r], zz.at[r], wide::fma(u.at[r], zu.at[r], z0));
-                    u.at[r] = wide::fma(z.at[r], uz.at[r], wide::fma(u.at[r], uu.at[r], u0));
-                    z.at[r] = next;
-                    auto const y = wide::fma(ya.at[r], a1, next);
-                    y2.at[r] = wide::max(y * y, y2.at[r]);
-                    if constexpr (all) {
-                        auto const v = wide::fma(va.at[r], a1, u.at[r]);
-                        auto const absolute = wide::fma(v, cv.at[r], cy.at[r] * y);
-                        v2.at[r] = wide::max(v * v, v2.at[r]);
-                        a2.at[r] = wide::max(absolute * absolute, a2.at[r]);
-                    }
-                }
-                a0 = a1;
-            }
-        }
-        R::store(lanes->y2.data(), y2);
-        R::store(lanes->v2.data(), v2);
-        R::store(lanes->a2.data(), a2);
-    }
-};
 
 // One step, and what is left of the acceleration's part in it: at its start.
 struct Oscillator {
@@ -101,7 +26,7 @@ struct Oscillator {
     }
 };
 
-void set_lane(Lanes& lanes, std::size_t lane, Oscillator const& o, bool plain) {
+void set_lane(ResponseLanes& lanes, std::size_t lane, Oscillator const& o, bool plain) {
     double const unit_z = plain ? 1 : o.za;
     double const unit_u = plain ? 1 : o.ua;
     lanes.unit_z.at(lane) = unit_z;
@@ -119,9 +44,9 @@ void set_lane(Lanes& lanes, std::size_t lane, Oscillator const& o, bool plain) {
 }
 
 // Visits the periods in groups of at most 16 that take equally many steps per sample; idle lanes repeat the first.
-template <bool all, class Take>
+template <class Take>
 void sweep(std::span<double const> acceleration, double time_step_s, std::span<double const> periods_s, double damping,
-           PeakRule const& rule, Take&& take) {
+           PeakRule const& rule, SweptPeaks peaks, Take&& take) {
     std::vector<int> steps;
     for (double const period : periods_s) {
         validate(period > 0 && std::isfinite(period), "period {} s (must be positive and finite). Mend it", period);
@@ -133,22 +58,22 @@ void sweep(std::span<double const> acceleration, double time_step_s, std::span<d
     for (std::size_t begin = 0; begin < order.size();) {
         int const shared = steps[order[begin]];
         std::size_t end = begin;
-        while (end < order.size() && end - begin < wide::lanes && steps[order[end]] == shared) {
+        while (end < order.size() && end - begin < simd::sweep_lanes && steps[order[end]] == shared) {
             ++end;
         }
-        Lanes lanes{};
+        ResponseLanes lanes{};
         double const step_s = time_step_s / shared;
         std::vector<Oscillator> oscillators;
-        for (std::size_t lane = 0; lane < wide::lanes; ++lane) {
+        for (std::size_t lane = 0; lane < simd::sweep_lanes; ++lane) {
             double const w = 2 * pi / periods_s[order[begin + lane < end ? begin + lane : begin]];
             oscillators.push_back({w, damping, OscillatorStep(w, damping, step_s)});
         }
         bool const plain =
             !std::ranges::all_of(oscillators, [&](Oscillator const& each) { return each.forced(step_s); });
-        for (std::size_t lane = 0; lane < wide::lanes; ++lane) {
+        for (std::size_t lane = 0; lane < simd::sweep_lanes; ++lane) {
             set_lane(lanes, lane, oscillators[lane], plain);
         }
-        wide::dispatch(Sweep<all>{acceleration, shared, plain, &lanes});
+        sweep_response(acceleration, shared, peaks, plain ? ForcingTerm::factor : ForcingTerm::unit, lanes);
         for (std::size_t lane = 0; begin + lane < end; ++lane) {
             take(order[begin + lane], lanes, lane);
         }
@@ -170,25 +95,25 @@ ResponseSpectrum response_spectrum(std::span<double const> acceleration_mps2, do
     auto const n = periods_s.size();
     std::vector<double> const none(n, 0.0);
     ResponseSpectrum spectrum{damping, {periods_s.begin(), periods_s.end()}, none, none, none, none, none};
-    sweep<true>(acceleration_mps2, time_step_s, periods_s, damping, rule,
-                [&](std::size_t i, Lanes const& lanes, std::size_t lane) {
-                    double const w = 2 * pi / periods_s[i];
-                    spectrum.sd_m[i] = std::abs(lanes.unit_z.at(lane)) * std::sqrt(lanes.y2.at(lane));
-                    spectrum.sv_mps[i] = std::abs(lanes.unit_u.at(lane)) * std::sqrt(lanes.v2.at(lane));
-                    spectrum.sa_mps2[i] = std::sqrt(lanes.a2.at(lane));
-                    spectrum.psv_mps[i] = w * spectrum.sd_m[i];
-                    spectrum.psa_mps2[i] = w * spectrum.psv_mps[i];
-                });
+    sweep(acceleration_mps2, time_step_s, periods_s, damping, rule, SweptPeaks::all,
+          [&](std::size_t i, ResponseLanes const& lanes, std::size_t lane) {
+              double const w = 2 * pi / periods_s[i];
+              spectrum.sd_m[i] = std::abs(lanes.unit_z.at(lane)) * std::sqrt(lanes.y2.at(lane));
+              spectrum.sv_mps[i] = std::abs(lanes.unit_u.at(lane)) * std::sqrt(lanes.v2.at(lane));
+              spectrum.sa_mps2[i] = std::sqrt(lanes.a2.at(lane));
+              spectrum.psv_mps[i] = w * spectrum.sd_m[i];
+              spectrum.psa_mps2[i] = w * spectrum.psv_mps[i];
+          });
     return spectrum;
 }
 
 std::vector<double> displacement_spectrum(std::span<double const> acceleration_mps2, double time_step_s,
                                           std::span<double const> periods_s, double damping, PeakRule const& rule) {
     std::vector<double> sd(periods_s.size(), 0.0);
-    sweep<false>(acceleration_mps2, time_step_s, periods_s, damping, rule,
-                 [&](std::size_t i, Lanes const& lanes, std::size_t lane) {
-                     sd[i] = std::abs(lanes.unit_z.at(lane)) * std::sqrt(lanes.y2.at(lane));
-                 });
+    sweep(acceleration_mps2, time_step_s, periods_s, damping, rule, SweptPeaks::displacement,
+          [&](std::size_t i, ResponseLanes const& lanes, std::size_t lane) {
+              sd[i] = std::abs(lanes.unit_z.at(lane)) * std::sqrt(lanes.y2.at(lane));
+          });
     return sd;
 }
 

@@ -1,14 +1,14 @@
 #include "spectra/thinned_sums.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <gsl/gsl_sf_bessel.h>
 
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "spectra/wide.hpp"
+#include "simd/lane_values.hpp"
+#include "spectra/smoothing.hpp"
 
 namespace overturn {
 namespace {
@@ -16,49 +16,9 @@ namespace {
 constexpr double shape = 38;  // of the kernel: beyond its main lobe it is below exp(-shape) of its middle
 
 // The next multiple of the lanes a kernel is summed in.
-std::size_t filled_up(std::size_t taps) { return (taps + wide::lanes - 1) / wide::lanes * wide::lanes; }
-
-// Two weighted sums of the signal at a time: what is loaded of the kernel serves both.
-struct Smoothing {
-    std::span<double const> kernel, signal;
-    std::size_t stride;
-    std::span<double> smoothed;  // an even number; the signal goes on for a kernel after the last one's start
-
-    template <int bytes> OVERTURN_INLINE void run() const {
-        using R = wide::Registers<bytes>;
-        for (std::size_t m = 0; m < smoothed.size(); m += 2) {
-            auto const* const here = signal.data() + m * stride;
-            auto const* const next = here + stride;
-            R one, two;
-            R::clear(one);
-            R::clear(two);
-            for (std::size_t t = 0; t < kernel.size(); t += wide::lanes) {
-                R weight, a, b;
-                R::load(weight, kernel.data() + t);
-                R::load(a, here + t);
-                R::load(b, next + t);
-#pragma GCC unroll 8
-                for (int r = 0; r < R::count; ++r) {
-                    one.at[r] = wide::fma(weight.at[r], a.at[r], one.at[r]);
-                    two.at[r] = wide::fma(weight.at[r], b.at[r], two.at[r]);
-                }
-            }
-            smoothed[m] = sum(one);
-            smoothed[m + 1] = sum(two);
-        }
-    }
-    // In an order that does not depend on the registers.
-    template <class R> OVERTURN_INLINE static double sum(R const& lanes) {
-        std::array<double, wide::lanes> all;
-        R::store(all.data(), lanes);
-        for (std::size_t half = wide::lanes / 2; half > 0; half /= 2) {
-            for (std::size_t i = 0; i < half; ++i) {
-                all[i] += all[i + half];
-            }
-        }
-        return all[0];
-    }
-};
+std::size_t filled_up(std::size_t taps) {
+    return (taps + simd::sweep_lanes - 1) / simd::sweep_lanes * simd::sweep_lanes;
+}
 
 }  // namespace
 
@@ -113,7 +73,7 @@ std::vector<double> ThinnedSums::thinned(std::span<double const> signal) const {
     std::vector<double> padded(length_ * stride_ + kernel_.size(), 0.0);
     std::copy(signal.begin(), signal.end(), padded.begin() + static_cast<std::ptrdiff_t>(2 * half_));
     std::vector<double> smoothed(length_);
-    wide::dispatch(Smoothing{kernel_, padded, stride_, smoothed});
+    smooth(kernel_, padded, stride_, smoothed);
     return smoothed;
 }
 

@@ -58,7 +58,7 @@ class Draw {
         set(Swing::time_step, dt);
         set(Swing::sampling_rate, 1 / dt);
         set(Swing::last, 5);
-        set(Swing::samples, address_of(samples.data()));
+        lane.at(SwingWave::horizontal, 0) = samples.data();
         return lane;
     }
     [[nodiscard]] double between(double low, double high) {
@@ -180,7 +180,7 @@ void expect_highest(bool vertical, double off) {
         auto const samples = draw.samples();
         auto const vertical_samples = draw.samples();
         auto lane = draw.lane(samples, i % 4 > 1);
-        lane.at(Swing::vertical, 0) = address_of(vertical_samples.data());
+        lane.at(SwingWave::vertical, 0) = vertical_samples.data();
         double const phi = lane.at(Swing::phi, 0);
         double const reach = std::abs(lane.at(Swing::omega, 0)) * lane.at(Swing::time_step, 0);
         lane.at(Swing::peak, 0) = i % 2 == 0 ? phi : phi + draw.between(0, 0.5) * reach;
