@@ -99,7 +99,8 @@ void Integrator<Order, Restoring, Vertical, Friction>::settle_slipping(double a,
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 void Integrator<Order, Restoring, Vertical, Friction>::settle(double a, double hold) {
     double const e = block_.restitution;
-    double const scale = block_.p_radps * block_.p_radps * std::cos(block_.alpha_rad);
+    double const cosine = nonlinear ? std::cos(block_.alpha_rad) : 1.0;  // the linear block's sin psi is psi
+    double const scale = block_.p_radps * block_.p_radps * cosine;
     double const here = scale * (hold + side_ * a);
     double const there = scale * (hold - side_ * a);
     double const duration = 2 * omega_ * (1 / here + e / there) / (1 - e * e);

@@ -126,15 +126,14 @@ TEST_F(Kills, ChangeNoByte) {
         resume_to_the_end(unbroken);
     }
 
-    std::printf(
-        "%d kills in %d rounds, every file equal to the unbroken one; a resume was refused %d times while ranks "
-        "of a killed mpirun still wrote\n",
-        figures.kills, figures.rounds, figures.refused);
+    RecordProperty("kills", figures.kills);
+    RecordProperty("rounds", figures.rounds);
+    RecordProperty("refused_while_ranks_still_wrote", figures.refused);
     for (int i = 0; i < 3; ++i) {
-        std::printf("  %-24s %d\n", victim_names[i], figures.victims[i]);
+        RecordProperty(std::string("victim ") + victim_names[i], figures.victims[i]);
     }
     for (int i = 0; i < 4; ++i) {
-        std::printf("  %-24s %d\n", instant_names[i], figures.instants[i]);
+        RecordProperty(std::string("instant ") + instant_names[i], figures.instants[i]);
     }
 }
 

@@ -149,7 +149,7 @@ TEST(Swing, ImpactsLieOnTheSeries) {
         EXPECT_NEAR(lane.at(Swing::demand, 0), needs, 1e-11 * (1 + needs)) << "draw " << i;
     }
     EXPECT_GT(impacts, 50000);
-    std::printf("%d impacts, %d steps left to care\n", impacts, refused);
+    EXPECT_LT(refused, impacts) << "most impacts are the lanes' own";
 }
 
 // The highest value of a function over [0, end]: the best of many points, then ever closer around it.
@@ -218,7 +218,6 @@ void expect_highest(bool vertical, double off) {
     EXPECT_GT(crests, 1000);
     EXPECT_GT(summits, 1000);
     EXPECT_LT(worst, off);
-    std::printf("%d crests, %d summits, worst energy off by %.1e\n", crests, summits, worst);
 }
 
 // Friction that would just do at the start of a step, or a little more, and what is needed all along it.
@@ -259,7 +258,6 @@ TEST(Swing, StepsTakenHoldAllAlong) {
         }
     }
     EXPECT_GT(taken, 5000);
-    std::printf("%d steps taken\n", taken);
 }
 
 TEST(Swing, PeaksAndEnergiesAreTheSeriesHighest) { expect_highest(false, 1e-15); }

@@ -52,10 +52,6 @@ struct Hits {
         ++of;
     }
     static double median_of(double score) { return overturn::median * std::exp(score * overturn::beta); }
-    void print(char const* name) const {
-        fmt::print("{:<28} median {:.3f}  beta {:.3f}  hclpf {:.3f}  of {}\n", name, share(median), share(beta),
-                   share(hclpf), of);
-    }
     [[nodiscard]] double share(int hits) const { return static_cast<double>(hits) / of; }
 };
 
@@ -88,9 +84,6 @@ Methods covered(int waves, double shared) {
         add(methods.by_waves, waves_drawn);
         add(methods.by_trials, trials_drawn);
     }
-    methods.profile.print("profile likelihood");
-    methods.by_waves.print("bootstrap by waves");
-    methods.by_trials.print("bootstrap by trials");
     return methods;
 }
 
@@ -145,10 +138,6 @@ TEST(Coverage, HoldsWhereTheMedianTargetEndsTheCampaign) {
                 break;
             }
         }
-    }
-    hits.print("ended by the median target");
-    for (auto const& [waves, times] : ended_at) {
-        fmt::print("  after {} waves: {}\n", waves, times);
     }
     EXPECT_EQ(hits.of, repetitions);
     EXPECT_GT(ended_at.size(), 1U) << "the rule decides";

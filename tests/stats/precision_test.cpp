@@ -97,8 +97,6 @@ TEST(Precision, IntervalsHoldUnderTheRule) {
     Intervals const doubling(sizes);
     for (double const target : {0.03, 0.05, 0.1}) {
         double const lowest = lowest_coverage(target, doubling);
-        fmt::print("target {}: coverage at least {:.4f}; P = 0.1 takes {:.0f} waves\n", target, lowest,
-                   outcome_of(0.1, target, doubling).size);
         EXPECT_GE(lowest, 0.935) << target;
     }
 }
@@ -115,8 +113,6 @@ TEST(Precision, TheNumberOfLooksMattersLittle) {
     constexpr double target = 0.08;
     double const every_wave = lowest_coverage(target, Intervals(always));
     double const doubling = lowest_coverage(target, Intervals(sizes));
-    fmt::print("target {}: coverage at least {:.4f} looking after every wave, {:.4f} at doubling sizes\n", target,
-               every_wave, doubling);
     EXPECT_GE(every_wave, 0.935);
     EXPECT_GE(doubling, 0.935);
 }

@@ -59,8 +59,11 @@ TEST_P(TwoHundred, PassSrp371) {
     EXPECT_EQ(passed, waves);
     constexpr double chance = 0.01;
     EXPECT_GT(ks_test(turns, [](double turn) { return turn; }).p_value, chance) << "phases are not uniform";
-    fmt::print("{}: {} of {} pass, {:.1f} iterations, worst decade {:.4f}, ratios {:.3f} to {:.3f}, mean {:.4f}\n",
-               GetParam(), passed, waves, iterations, worst_decade, lowest, highest, mean);
+    EXPECT_LE(iterations, 15) << "on average";
+    EXPECT_LE(worst_decade, 0.05);
+    EXPECT_GE(lowest, 0.9) << "the rule's own lower bound";
+    EXPECT_LE(highest, 1.3) << "the rule's own upper bound";
+    EXPECT_NEAR(mean, 1, 0.05);
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, TwoHundred, ::testing::Values("mlit-ch1", "mlit-ka1", "rg-1.60"),
