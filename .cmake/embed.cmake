@@ -1,5 +1,5 @@
 # cmake -DSOURCE=... -DFILES="a.py;b.py" -P embed.cmake : writes a C++ source that holds the files as text.
-set(text "#include \"report/scripts.hpp\"\n\nnamespace overturn::report {\n\n")
+set(text "#include \"report/detail/scripts.hpp\"\n\nnamespace overturn::report {\n\n")
 string(APPEND text "std::span<Script const> scripts() {\n    static constexpr Script all[] = {\n")
 foreach(file IN LISTS FILES)
   file(READ "${file}" content)

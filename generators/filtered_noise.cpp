@@ -7,9 +7,9 @@
 #include <gsl/gsl_randist.h>
 
 #include "core/random_stream.hpp"
-#include "generators/baseline.hpp"
+#include "generators/detail/baseline.hpp"
+#include "generators/detail/real_fft.hpp"
 #include "generators/envelope.hpp"
-#include "generators/real_fft.hpp"
 
 namespace overturn {
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "generators/detail/spectrum_matcher.hpp"
 #include "generators/records.hpp"
-#include "generators/spectrum_matcher.hpp"
 #include "generators/wave_quality.hpp"
 #include "spectra/target_input.hpp"
 

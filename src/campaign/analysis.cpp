@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "campaign/drawn_trials.hpp"
+#include "campaign/detail/drawn_trials.hpp"
 #include "stats/quantile.hpp"
 #include "stats/rank.hpp"
 

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "campaign/analysis.hpp"
+#include "campaign/detail/stopping.hpp"
 #include "campaign/output_place.hpp"
-#include "campaign/stopping.hpp"
 #include "core/note.hpp"
 #include "store/durable.hpp"
 

@@ -5,12 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/agreement.hpp"
+#include "campaign/detail/stopping.hpp"
+#include "campaign/detail/worker.hpp"
 #include "campaign/merge.hpp"
 #include "campaign/output_place.hpp"
 #include "campaign/progress.hpp"
 #include "campaign/runtime_file.hpp"
-#include "campaign/stopping.hpp"
-#include "campaign/worker.hpp"
 #include "core/note.hpp"
 
 namespace overturn {

@@ -6,7 +6,7 @@
 
 #include <toml++/toml.h>
 
-#include "config/settings.hpp"
+#include "config/detail/settings.hpp"
 
 namespace overturn::config {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "cost/runner.hpp"
+#include "cost/detail/runner.hpp"
 
 namespace overturn::cost {
 namespace {

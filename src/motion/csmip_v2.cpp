@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/units.hpp"
-#include "motion/record_readers.hpp"
+#include "motion/detail/record_readers.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn {

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "core/units.hpp"
-#include "motion/record_readers.hpp"
+#include "motion/detail/record_readers.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn {

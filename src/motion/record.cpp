@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/units.hpp"
-#include "motion/record_readers.hpp"
+#include "motion/detail/record_readers.hpp"
 
 namespace overturn {
 namespace {

@@ -15,7 +15,7 @@
 #include <unistd.h>
 
 #include "core/error.hpp"
-#include "report/scripts.hpp"
+#include "report/detail/scripts.hpp"
 
 namespace overturn::report {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "rocking/rocking_integrator.hpp"
-#include "rocking/rocking_lanes.hpp"
+#include "rocking/detail/rocking_integrator.hpp"
+#include "rocking/detail/rocking_lanes.hpp"
 
 namespace overturn {
 namespace {

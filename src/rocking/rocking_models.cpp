@@ -6,7 +6,7 @@
 
 #include "body/response_velocity.hpp"
 #include "core/error.hpp"
-#include "rocking/pause.hpp"
+#include "rocking/detail/pause.hpp"
 
 namespace overturn {
 namespace {

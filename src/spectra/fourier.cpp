@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "spectra/direct_sums.hpp"
+#include "spectra/detail/direct_sums.hpp"
 
 namespace overturn {
 HatWeights::HatWeights(double x) {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "spectra/thinned_sums.hpp"
+#include "spectra/detail/thinned_sums.hpp"
 
 namespace overturn {
 

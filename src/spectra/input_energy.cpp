@@ -5,7 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "spectra/energy_sweep.hpp"
+#include "spectra/detail/energy_sweep.hpp"
 #include "spectra/fourier.hpp"
 #include "spectra/oscillator.hpp"
 

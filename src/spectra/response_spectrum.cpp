@@ -6,8 +6,8 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "spectra/detail/response_sweep.hpp"
 #include "spectra/oscillator.hpp"
-#include "spectra/response_sweep.hpp"
 
 namespace overturn {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <gsl/gsl_cdf.h>
 
-#include "stats/profile_likelihood.hpp"
+#include "stats/detail/profile_likelihood.hpp"
 
 namespace overturn {
 namespace {

@@ -7,11 +7,11 @@
 #include <benchmark/benchmark.h>
 
 #include "core/units.hpp"
+#include "spectra/detail/window_sweep.hpp"
 #include "spectra/input_energy.hpp"
 #include "spectra/oscillator.hpp"
 #include "spectra/response_spectrum.hpp"
 #include "spectra/window_energy.hpp"
-#include "spectra/window_sweep.hpp"
 #include "store/shards.hpp"
 #include "support/long_period_wave.hpp"
 #include "support/temporary_folder.hpp"

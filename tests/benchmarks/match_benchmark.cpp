@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/allocation.hpp"
-#include "generators/spectrum_matcher.hpp"
+#include "generators/detail/spectrum_matcher.hpp"
 #include "spectra/named_targets.hpp"
 #include "spectra/response_spectrum.hpp"
 

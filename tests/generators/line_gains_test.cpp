@@ -1,13 +1,13 @@
 // Requirement: a step on the lines moves the peaks of responses where it was asked to.
-#include "generators/line_gains.hpp"
+#include "generators/detail/line_gains.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "core/units.hpp"
-#include "generators/peak_response.hpp"
-#include "generators/real_fft.hpp"
+#include "generators/detail/peak_response.hpp"
+#include "generators/detail/real_fft.hpp"
 #include "spectra/oscillator.hpp"
 #include "spectra/response_spectrum.hpp"
 #include "support/waves.hpp"

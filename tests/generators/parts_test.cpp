@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "core/random_stream.hpp"
-#include "generators/baseline.hpp"
+#include "generators/detail/baseline.hpp"
+#include "generators/detail/real_fft.hpp"
+#include "generators/detail/spectral_density.hpp"
+#include "generators/detail/spectrum_matcher.hpp"
 #include "generators/envelope.hpp"
-#include "generators/real_fft.hpp"
-#include "generators/spectral_density.hpp"
-#include "generators/spectrum_matcher.hpp"
 #include "motion/ground_motion.hpp"
 #include "spectra/named_targets.hpp"
 #include "stats/kolmogorov.hpp"

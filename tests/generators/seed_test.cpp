@@ -2,7 +2,7 @@
 #include <cmath>
 #include <complex>
 
-#include "generators/real_fft.hpp"
+#include "generators/detail/real_fft.hpp"
 #include "support/expect_input_error.hpp"
 #include "support/sources.hpp"
 #include "support/waves.hpp"

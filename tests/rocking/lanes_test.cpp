@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "model/chunk_extremes.hpp"
+#include "rocking/detail/swing.hpp"
 #include "rocking/planar_rocking.hpp"
-#include "rocking/swing.hpp"
 #include "simd/instruction_sets.hpp"
 #include "support/bit_equal.hpp"
 #include "support/long_period_wave.hpp"

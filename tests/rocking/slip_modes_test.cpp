@@ -2,7 +2,7 @@
 // there.
 #include <gtest/gtest.h>
 
-#include "rocking/pause.hpp"
+#include "rocking/detail/pause.hpp"
 #include "support/bit_equal.hpp"
 #include "support/long_period_wave.hpp"
 #include "support/sliding_blocks.hpp"

@@ -1,6 +1,6 @@
 // Requirement: an impact, a peak or an energy that the lanes take without care is the step's own series' zero or
 // highest, and friction and contact hold all along the step.
-#include "rocking/swing.hpp"
+#include "rocking/detail/swing.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/rocking_swing.hpp"
+#include "rocking/detail/rocking_swing.hpp"
 
 namespace overturn::rocking {
 namespace {

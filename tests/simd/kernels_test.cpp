@@ -8,15 +8,15 @@
 #include <gtest/gtest.h>
 
 #include "core/units.hpp"
-#include "generators/line_sums.hpp"
-#include "generators/oscillator_sweep.hpp"
+#include "generators/detail/line_sums.hpp"
+#include "generators/detail/oscillator_sweep.hpp"
 #include "simd/instruction_sets.hpp"
 #include "spectra/band_rule.hpp"
-#include "spectra/direct_sums.hpp"
+#include "spectra/detail/direct_sums.hpp"
+#include "spectra/detail/smoothing.hpp"
+#include "spectra/detail/window_sweep.hpp"
 #include "spectra/input_energy.hpp"
 #include "spectra/response_spectrum.hpp"
-#include "spectra/smoothing.hpp"
-#include "spectra/window_sweep.hpp"
 
 namespace overturn {
 namespace {

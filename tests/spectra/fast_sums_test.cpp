@@ -8,11 +8,11 @@
 
 #include "core/units.hpp"
 #include "spectra/band_rule.hpp"
-#include "spectra/phase_sums.hpp"
-#include "spectra/sliding_products.hpp"
-#include "spectra/thinned_sums.hpp"
-#include "spectra/window_kernel.hpp"
-#include "spectra/window_sweep.hpp"
+#include "spectra/detail/phase_sums.hpp"
+#include "spectra/detail/sliding_products.hpp"
+#include "spectra/detail/thinned_sums.hpp"
+#include "spectra/detail/window_kernel.hpp"
+#include "spectra/detail/window_sweep.hpp"
 #include "support/waves.hpp"
 
 namespace overturn {

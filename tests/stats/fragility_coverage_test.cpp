@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "core/random_stream.hpp"
+#include "stats/detail/profile_likelihood.hpp"
 #include "stats/fragility.hpp"
 #include "stats/precision.hpp"
-#include "stats/profile_likelihood.hpp"
 
 namespace overturn {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <gsl/gsl_cdf.h>
 
+#include "stats/detail/profile_likelihood.hpp"
 #include "stats/fragility.hpp"
-#include "stats/profile_likelihood.hpp"
 #include "support/tolerance.hpp"
 
 namespace overturn {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "generators/real_fft.hpp"
+#include "generators/detail/real_fft.hpp"
 #include "generators/wave_quality.hpp"
 #include "stats/kolmogorov.hpp"
 #include "support/sources.hpp"

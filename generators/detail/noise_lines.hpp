@@ -1,0 +1,79 @@
+/// The noise that spectrum-compatible waves are drawn from: Fourier lines whose power fits a target, under an envelope.
+#pragma once
+
+#include <complex>
+#include <span>
+#include <vector>
+
+#include "core/random_stream.hpp"
+#include "generators/detail/real_fft.hpp"
+#include "generators/envelope.hpp"
+#include "spectra/target_spectrum.hpp"
+
+namespace overturn {
+
+using Lines = std::vector<std::complex<double>>;
+
+/// fixed: every line has its mean-square amplitude (Shinozuka and Deodatis 1991); gaussian: amplitudes scatter as those
+/// of Gaussian noise do.
+enum class LineAmplitudes { fixed, gaussian };
+
+struct NoiseInput {
+    TargetSpectrum target;
+    double longest_s = 10;  ///< longest period of interest [s]
+    double time_step_s = 0.01;
+    std::size_t samples = 0;
+    Envelope envelope{};
+    LineAmplitudes amplitudes = LineAmplitudes::fixed;
+    bool refined = false;  ///< refine_density
+};
+
+/// Lines k = 1, 2, ... lie at k spacing_radps. They fade out between the longest period and 1.5 times it, so that
+/// displacement stays bounded.
+class NoiseLines {
+  public:
+    explicit NoiseLines(NoiseInput const& input);
+
+    /// The first `count` lines of a draw.
+    [[nodiscard]] Lines draw(RandomStream& phases, RandomStream& amplitudes, std::size_t count) const;
+    [[nodiscard]] Lines draw(RandomStream& phases, RandomStream& amplitudes) const {
+        return draw(phases, amplitudes, amplitude_.size());
+    }
+
+    /// The wave, envelope and baseline included.
+    [[nodiscard]] std::vector<double> synthesise(Lines const& lines, std::span<double const> envelope) const;
+
+    /// The lines of a motion, cut or followed by silence to the length of these; no mean, long periods faded.
+    [[nodiscard]] Lines analyse(std::span<double const> acceleration_mps2) const;
+
+    /// Lowest ratio of a wave's power to what its lines' density leads to expect, both averaged over 20 % of frequency
+    /// to either side, from 0.3 Hz to 24 Hz; first the ratio, then where [Hz].
+    [[nodiscard]] std::pair<double, double> lowest_power(std::span<double const> acceleration_mps2) const;
+
+    /// Divides each line's amplitude by what `divisors` says at its period, between `periods_s` that rise in equal
+    /// ratios; beyond them the last one holds.
+    void divide(std::span<double const> periods_s, std::span<double const> divisors);
+
+    [[nodiscard]] std::vector<double> const& envelope() const { return envelope_; }
+    [[nodiscard]] double time_step_s() const { return time_step_s_; }
+    [[nodiscard]] std::size_t length() const { return fft_.length(); }  ///< samples of the unenveloped, periodic wave
+    [[nodiscard]] double spacing_radps() const { return spacing_radps_; }
+    [[nodiscard]] std::size_t count() const { return amplitude_.size(); }
+    [[nodiscard]] std::size_t first() const { return first_; }  ///< the first line that has any power
+
+  private:
+    double time_step_s_, longest_s_;
+    bool gaussian_;
+    RealFft fft_;
+    double spacing_radps_;
+    std::vector<double> envelope_;
+    double strong_s_ = 0;            // integral of the squared envelope
+    std::vector<double> amplitude_;  // root mean square times sqrt 2
+    std::size_t first_ = 1;
+};
+
+/// Multiplies or divides lines by what `values` says at their periods, as NoiseLines::divide does.
+void divide_lines(Lines& lines, double spacing_radps, std::span<double const> periods_s,
+                  std::span<double const> divisors);
+
+}  // namespace overturn

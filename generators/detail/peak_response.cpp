@@ -1,0 +1,263 @@
+#include "generators/detail/peak_response.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/units.hpp"
+#include "spectra/response_spectrum.hpp"
+
+namespace overturn {
+namespace {
+
+constexpr double rounding = 1e-9;           // by which a bound may err
+constexpr double least_oscillating = 0.95;  // damping from which C says little
+constexpr int looks_per_period = 24;        // at least; between two looks a swing rises by 2 % of its height at most
+
+std::size_t stride_of(double period_s, double time_step_s) {
+    double const room = period_s / (looks_per_period * time_step_s);
+    return room >= 8 ? 8 : room >= 2 ? 2 : 1;
+}
+
+}  // namespace
+
+PeakResponse::Bend::Bend(double w, double damping, double dt) {
+    double const per_slope = -2 * damping / (w * w * w * dt);  // of a1 - a0 in y - p
+    imaginary_v = 1 / (w * std::sqrt(1 - damping * damping));
+    imaginary_y = damping * w * imaginary_v;
+    real_a0 = 1 / (w * w) - per_slope;
+    real_a1 = per_slope;
+    imaginary_a0 = imaginary_y * real_a0 - imaginary_v / (w * w * dt);
+    imaginary_a1 = imaginary_y * real_a1 + imaginary_v / (w * w * dt);
+    scale = w * w * dt * dt / 8;
+}
+
+double PeakResponse::Bend::operator()(double y, double v, double a0, double a1) const {
+    double const real = y + (real_a0 * a0 + real_a1 * a1);
+    double const imaginary = imaginary_y * y + imaginary_v * v + (imaginary_a0 * a0 + imaginary_a1 * a1);
+    return scale * (std::abs(real) + std::abs(imaginary));
+}
+
+struct PeakResponse::Close {
+    std::span<double const> series;
+    Group const* group;
+    SweepBlocks const* blocks;
+
+    [[nodiscard]] double state(std::size_t lane, std::size_t block) const {
+        return blocks->at(block)[simd::sweep_lanes + lane];
+    }
+    [[nodiscard]] double other(std::size_t lane, std::size_t block) const {
+        return blocks->at(block)[2 * simd::sweep_lanes + lane];
+    }
+    [[nodiscard]] std::size_t end(std::size_t first) const {
+        return std::min(first + SweepBlocks::samples, series.size());
+    }
+};
+
+PeakResponse::PeakResponse(std::vector<double> const& periods_s, double damping, double time_step_s)
+    : damping_(damping), time_step_s_(time_step_s) {
+    [[maybe_unused]] constexpr double heaviest = 5;
+    [[maybe_unused]] constexpr double least_steps = 2 * (1 - rounding);
+    OVERTURN_EXPECT(damping >= 0 && damping <= heaviest);
+    OVERTURN_EXPECT(periods_s.empty() || periods_s.front() >= least_steps * time_step_s);
+    for (std::size_t i = 0; i < periods_s.size(); ++i) {
+        double const period = periods_s[i];
+        OVERTURN_EXPECT(i == 0 || period > periods_s[i - 1]);
+        int const steps = steps_per_sample(period, time_step_s, {});
+        auto const stride = stride_of(period, time_step_s);
+        auto const form = stride > 1                                 ? SweepForm::strided
+                          : steps > 1 && damping < least_oscillating ? SweepForm::amplitude
+                                                                     : SweepForm::samples;
+        // Lanes are filled up with periods that may be looked at less often; only the amplitudes of those that need no
+        // substeps would say too little.
+        constexpr double alike = 8;
+        if (groups_.empty() || groups_.back().count == simd::sweep_lanes
+            || period > alike * periods_s[groups_.back().first]
+            || (groups_.back().swept.form == SweepForm::amplitude) != (form == SweepForm::amplitude)) {
+            groups_.push_back({i, 0, {.form = form, .stride = stride}});
+        }
+        auto& group = groups_.back();
+        double const w = 2 * pi / period;
+        OscillatorStep const sample(w, damping, time_step_s);
+        oscillators_.push_back({w, steps, sample, OscillatorStep(w, damping, time_step_s / steps),
+                                Bend(w, form == SweepForm::amplitude ? damping : 0, time_step_s)});
+        for (std::size_t lane = group.count; lane < simd::sweep_lanes; ++lane) {  // idle lanes repeat the last
+            group.swept.set(lane, w, damping, sample, time_step_s);
+        }
+        ++group.count;
+    }
+}
+
+PeakResponse::Ground PeakResponse::ground_of(std::span<double const> series) {
+    Ground ground;
+    for (std::size_t first = 1; first < series.size(); first += SweepBlocks::samples) {
+        double most = std::abs(series[first - 1]);
+        double steepest = 0;
+        for (std::size_t n = first; n < std::min(first + SweepBlocks::samples, series.size()); ++n) {
+            most = std::max(most, std::abs(series[n]));
+            steepest = std::max(steepest, std::abs(series[n] - series[n - 1]));
+        }
+        ground.most.push_back(most);
+        ground.steepest.push_back(steepest);
+        ground.peak = std::max(ground.peak, most);
+    }
+    return ground;
+}
+
+// Puts the largest |y| that there may be in place of |C|^2: the ground's line, and the free vibration about it.
+void PeakResponse::bound_blocks(Group const& group, Ground const& ground, SweepBlocks& blocks) const {
+    LaneValues per_most{}, per_steepest{};
+    for (std::size_t lane = 0; lane < simd::sweep_lanes; ++lane) {
+        double const w = oscillators_[group.first + std::min(lane, group.count - 1)].w;
+        per_most[lane] = (1 + rounding) / (w * w);
+        per_steepest[lane] = (1 + rounding) * 2 * damping_ / (w * w * w * time_step_s_);
+    }
+    blocks.highest.fill(0);
+    for (std::size_t b = 0; b < blocks.count(); ++b) {
+        double* const block = blocks.at(b);
+        for (std::size_t lane = 0; lane < simd::sweep_lanes; ++lane) {
+            double const line = per_most[lane] * ground.most[b] + per_steepest[lane] * ground.steepest[b];
+            block[lane] = line + (1 + rounding) * group.swept.unit[lane] * std::sqrt(block[lane]);
+            blocks.highest[lane] = std::max(blocks.highest[lane], block[lane]);
+        }
+    }
+}
+
+// x^2 in a block from which the peak may lie in it. Between two looks, h apart, y strays from the line between them by
+// h^2/8 max |y''|; |y''| <= |a| + w^2 |y| + 2 zeta w |y'| and |y'| <= 2 |y| / h + h/2 |y''|.
+PeakResponse::LaneValues PeakResponse::limits(Group const& group, SweepBlocks const& blocks, double peak_mps2) const {
+    LaneValues limit{};
+    for (std::size_t lane = 0; lane < simd::sweep_lanes; ++lane) {
+        auto const& o = oscillators_[group.first + std::min(lane, group.count - 1)];
+        if (group.swept.form == SweepForm::samples) {
+            limit[lane] = o.steps == 1 ? blocks.highest[lane] : 0;
+            continue;
+        }
+        double const h = static_cast<double>(group.swept.stride) * time_step_s_;
+        double const y = std::abs(group.swept.unit[lane]) * std::sqrt(blocks.highest[lane]);
+        double const given = 1 - damping_ * o.w * h - o.w * o.w * h * h / 8;
+        double const bent = (peak_mps2 + y * (o.w * o.w + 4 * damping_ * o.w / h)) / given;
+        double const least = given > 0 ? std::max(0.0, y * (1 - rounding) - h * h / 8 * bent) : 0.0;
+        double const x = least / group.swept.unit[lane];
+        limit[lane] = x * x;
+    }
+    return limit;
+}
+
+void PeakResponse::look_between(Close const& close, std::size_t lane, std::size_t block, PeakSwing& found) const {
+    auto const& series = close.series;
+    auto const& o = oscillators_[close.group->first + lane];
+    std::size_t const first = 1 + block * SweepBlocks::samples;
+    double const unit = close.group->swept.unit[lane];
+    double y = 0;
+    double v = 0;
+    bool const bends = close.group->swept.form == SweepForm::amplitude;
+    if (bends) {
+        double const slope = (series[first] - series[first - 1]) / time_step_s_;
+        double const turned = close.group->swept.now[lane];
+        double const aside = close.group->swept.last[lane];
+        double const f = unit * (turned * close.state(lane, block) - aside * close.other(lane, block));
+        double const q = unit * (aside * close.state(lane, block) + turned * close.other(lane, block));
+        y = f + (2 * damping_ * slope / o.w - series[first - 1]) / (o.w * o.w);
+        v = o.w * (std::sqrt(1 - damping_ * damping_) * q - damping_ * f) - slope / (o.w * o.w);
+    } else if (first > 1) {
+        double const a0 = series[first - 2];
+        double const a1 = series[first - 1];
+        double const y0 = unit * close.other(lane, block);
+        y = unit * close.state(lane, block);
+        double const v0 = (y - o.sample.yy * y0 - o.sample.ya0 * a0 - o.sample.ya1 * a1) / o.sample.yv;
+        v = o.sample.vy * y0 + o.sample.vv * v0 + o.sample.va0 * a0 + o.sample.va1 * a1;
+    }
+    auto const beats = [&](double value, double time_steps) {
+        if (std::abs(value) > std::abs(found.displacement_m)) {
+            found = {value, time_step_s_ * time_steps};
+        }
+    };
+    for (std::size_t n = first; n < close.end(first); ++n) {
+        double const a0 = series[n - 1];
+        double const a1 = series[n];
+        double const y1 = o.sample.yy * y + o.sample.yv * v + (o.sample.ya0 * a0 + o.sample.ya1 * a1);
+        double const v1 = o.sample.vy * y + o.sample.vv * v + (o.sample.va0 * a0 + o.sample.va1 * a1);
+        double const height = std::max(std::abs(y), std::abs(y1)) * (1 + rounding);
+        if (o.steps > 1 && (!bends || height + o.bend(y, v, a0, a1) > std::abs(found.displacement_m))) {
+            double const rise = (a1 - a0) / o.steps;
+            for (int s = 0; s + 1 < o.steps; ++s) {
+                double const from = a0 + rise * s;
+                double const to = a0 + rise * (s + 1);
+                double const next = o.fine.yy * y + o.fine.yv * v + (o.fine.ya0 * from + o.fine.ya1 * to);
+                v = o.fine.vy * y + o.fine.vv * v + (o.fine.va0 * from + o.fine.va1 * to);
+                y = next;
+                beats(y, static_cast<double>(n - 1) + (s + 1.0) / o.steps);
+            }
+        }
+        y = y1;
+        v = v1;
+        beats(y, static_cast<double>(n));
+    }
+}
+
+void PeakResponse::look_at_samples(Close const& close, std::size_t lane, std::size_t block, PeakSwing& found) const {
+    auto const& swept = close.group->swept;
+    double w = close.state(lane, block);
+    double d = close.other(lane, block);
+    std::size_t const first = 1 + block * SweepBlocks::samples;
+    for (std::size_t n = first; n < close.end(first); ++n) {
+        double const next = swept.ahead[lane] * d + (swept.behind[lane] * w + close.series[n]);
+        double const before = w;
+        w += d;
+        d = next;
+        double const y = swept.unit[lane] * (swept.now[lane] * w + (swept.last[lane] * before + d));
+        if (std::abs(y) > std::abs(found.displacement_m)) {
+            found = {y, time_step_s_ * static_cast<double>(n)};
+        }
+    }
+}
+
+// Into the blocks that reach a limit; where only some samples were looked at, a peak may also lie before the first.
+// What is found raises the limit of a form whose blocks hold heights.
+void PeakResponse::look(Close const& close, LaneValues limit, std::span<PeakSwing> found) const {
+    bool const strided = close.group->swept.form == SweepForm::strided;
+    bool const heights = close.group->swept.form == SweepForm::amplitude;
+    for (std::size_t b = 0; b < close.blocks->count(); ++b) {
+        double const* const block = close.blocks->at(b);
+        double const* const before = strided && b > 0 ? close.blocks->at(b - 1) : block;
+        int some = 0;
+        for (std::size_t lane = 0; lane < simd::sweep_lanes; ++lane) {
+            some |= static_cast<int>(std::max(block[lane], before[lane]) >= limit[lane]);
+        }
+        for (std::size_t lane = 0; some != 0 && lane < close.group->count; ++lane) {
+            if (std::max(block[lane], before[lane]) >= limit[lane]) {
+                strided ? look_at_samples(close, lane, b, found[lane]) : look_between(close, lane, b, found[lane]);
+                limit[lane] = heights ? std::max(limit[lane], std::abs(found[lane].displacement_m)) : limit[lane];
+            }
+        }
+    }
+}
+
+std::vector<PeakSwing> PeakResponse::swings(std::span<double const> acceleration_mps2) const {
+    std::vector<PeakSwing> swings(oscillators_.size());
+    if (acceleration_mps2.size() < 2) {
+        return swings;
+    }
+    auto const ground = ground_of(acceleration_mps2);
+    SweepBlocks blocks;
+    for (auto const& group : groups_) {
+        sweep(group.swept, acceleration_mps2, blocks);
+        auto const found = std::span(swings).subspan(group.first, group.count);
+        Close const close{acceleration_mps2, &group, &blocks};
+        if (group.swept.form != SweepForm::amplitude) {
+            look(close, limits(group, blocks, ground.peak), found);
+            continue;
+        }
+        bound_blocks(group, ground, blocks);
+        look(close, blocks.highest, found);  // the more there is to beat, the less is left to look at
+        LaneValues limit{};
+        for (std::size_t lane = 0; lane < group.count; ++lane) {
+            limit[lane] = std::abs(found[lane].displacement_m);
+        }
+        look(close, limit, found);
+    }
+    return swings;
+}
+
+}  // namespace overturn

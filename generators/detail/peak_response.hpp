@@ -1,0 +1,71 @@
+/// Where and how high oscillators swing: the reading of displacement_spectrum, with sign and instant; of matched waves,
+/// at the damping of spectra, in half its time.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "generators/detail/oscillator_sweep.hpp"
+#include "spectra/oscillator.hpp"
+
+namespace overturn {
+
+/// The largest swing of one oscillator.
+struct PeakSwing {
+    double displacement_m = 0;  ///< with its sign [m]
+    double time_s = 0;          ///< [s]
+};
+
+/// Runs oscillators of rising period over waves, but looks at them closely (at every sample, and between samples as
+/// PeakRule asks) only in blocks of samples that may hold the peak, by bounds that no wave escapes. Agrees with
+/// displacement_spectrum to rounding.
+class PeakResponse {
+  public:
+    /// \param periods_s rising, none below two time steps \param damping ratio to critical, at most 5: beyond it a step
+    /// forgets what went before and the recursions their digits
+    PeakResponse(std::vector<double> const& periods_s, double damping, double time_step_s);
+
+    /// One swing per period; zero for a wave of fewer than two samples.
+    [[nodiscard]] std::vector<PeakSwing> swings(std::span<double const> acceleration_mps2) const;
+
+  private:
+    using LaneValues = OscillatorGroup::LaneValues;
+    // |C|, over a step from (y, v), of the free vibration about the ground's line p: |y''| <= w^2 |C|, so that y strays
+    // from the straight line between two samples by dt^2/8 times that.
+    struct Bend {
+        double real_a0, real_a1, imaginary_y, imaginary_v, imaginary_a0, imaginary_a1, scale;
+        Bend(double w, double damping, double dt);
+        [[nodiscard]] double operator()(double y, double v, double a0, double a1) const;
+    };
+    struct Oscillator {
+        double w;
+        int steps;              // per sample
+        OscillatorStep sample;  // over one sample
+        OscillatorStep fine;    // over one of `steps` parts of it
+        Bend bend;              // in the form amplitude
+    };
+    struct Group {
+        std::size_t first, count;  // of the oscillators
+        OscillatorGroup swept;
+    };
+    // The largest |a| and |change of a| of each block.
+    struct Ground {
+        std::vector<double> most, steepest;
+        double peak = 0;
+    };
+    struct Close;  // what a closer look works on
+
+    [[nodiscard]] static Ground ground_of(std::span<double const> series);
+    void bound_blocks(Group const& group, Ground const& ground, SweepBlocks& blocks) const;
+    [[nodiscard]] LaneValues limits(Group const& group, SweepBlocks const& blocks, double peak_mps2) const;
+    void look(Close const& close, LaneValues limit, std::span<PeakSwing> found) const;
+    void look_between(Close const& close, std::size_t lane, std::size_t block, PeakSwing& found) const;
+    void look_at_samples(Close const& close, std::size_t lane, std::size_t block, PeakSwing& found) const;
+
+    double damping_, time_step_s_;
+    std::vector<Oscillator> oscillators_;
+    std::vector<Group> groups_;
+};
+
+}  // namespace overturn

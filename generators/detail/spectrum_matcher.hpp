@@ -1,0 +1,84 @@
+/// Draws a component of an artificial wave and brings its response spectrum to a target.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "generators/acceptance.hpp"
+#include "generators/detail/match_look.hpp"
+#include "generators/detail/noise_lines.hpp"
+#include "generators/wave_source.hpp"
+
+namespace overturn {
+
+struct SpectrumMatcherInput {
+    TargetSpectrum target;
+    double longest_s = 10;  ///< longest period of interest [s]
+    double time_step_s = 0.01;
+    std::size_t samples = 0;
+    Envelope envelope{};
+    LineAmplitudes amplitudes = LineAmplitudes::fixed;
+    double tolerance = 0.05;  ///< mean misfit over all periods, and over any decade of them
+    int iterations = 40;      ///< at most; 0 leaves the first draw as it is
+    AcceptanceRule rule{};    ///< its clauses on the spectrum are part of what iteration strives for
+    bool calibrated = false;  ///< bring the median spectrum of many draws to the target, before any is made
+};
+
+/// a(t) = envelope(t) sum_k A_k cos(w_k t + phi_k) - baseline. Iteration changes A_k only, phases stay as drawn:
+/// LineGains, for a record after some iterations that multiply A_k by target/computed psa at the period of the line,
+/// and only those for an energy spectrum. It stops once the wave, judged at 100 periods a decade by the exact spectrum,
+/// meets the tolerance and the rule; else the best iterate is kept. Lowering peaks weakens a wave where it is strong;
+/// after the first iteration the envelope it synthesises with is therefore sharpened once (by its power, smoothed over
+/// 10 % of the duration): at any time the mean share of energy that has come is within 1.2 % of the stated envelope's.
+///
+/// Measured on 120 s to 164 s at 0.01 s, to 10 s: mean misfit below 5 % over any decade after 2 or 3 iterations
+/// (RG 1.60 up to 6), 2 % after 4 to 11 as a rule (up to 16), srp-3.7.1 after 3 to 10 (of 4700 waves one took 24 and
+/// one 33).
+class SpectrumMatcher {
+  public:
+    struct Component {
+        std::vector<double> acceleration_mps2;
+        MatchReport match;
+        std::vector<double> ratios;  ///< computed over target at periods_s()
+    };
+
+    explicit SpectrumMatcher(SpectrumMatcherInput input);
+
+    /// \param component which stream of the wave: 0 horizontal, 1 vertical.
+    [[nodiscard]] Component make(std::uint64_t seed, std::uint64_t wave, std::uint64_t component) const;
+
+    /// Matches a given motion, which keeps the phases of its own lines; cut or followed by silence to `samples`.
+    [[nodiscard]] Component match_motion(std::span<double const> acceleration_mps2) const;
+
+    /// Periods the match is judged at, 100 a decade [s].
+    [[nodiscard]] std::vector<double> const& periods_s() const { return judged_.period_s; }
+
+    /// How the median of the calibrating draws follows the target; all 0 if not calibrated.
+    [[nodiscard]] MatchFigures const& median() const { return median_; }
+
+  private:
+    enum class EnvelopeStep { sharpen_once, leave };  // again and again it would run away
+    struct Steps {
+        int plain;  // iterations that scale lines at once
+        EnvelopeStep envelope;
+    };
+    [[nodiscard]] Component matched(Lines lines, Steps const& steps) const;
+    [[nodiscard]] Component judged(std::vector<double> acceleration_mps2, std::vector<double> ratios,
+                                   int iterations) const;
+    [[nodiscard]] std::vector<double> energy_ratios(std::span<double const> acceleration_mps2) const;
+    [[nodiscard]] std::vector<double> exact(std::span<double const> acceleration_mps2,
+                                            std::span<PeakSwing const> swings) const;
+    [[nodiscard]] double shortfall(std::span<double const> ratios) const;
+    void scale_lines(Lines& lines, std::span<double const> ratios) const;
+
+    SpectrumMatcherInput input_;
+    NoiseLines noise_;
+    JudgedPeriods judged_;           // pseudo-velocity, or V_E
+    std::vector<MatchLook> looks_;   // a rough one, and a close one: every second short period, every long one
+    std::vector<std::size_t> left_;  // periods of no look
+    std::optional<PeakResponse> rest_;
+    MatchFigures median_;
+};
+
+}  // namespace overturn

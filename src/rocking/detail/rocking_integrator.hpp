@@ -1,0 +1,262 @@
+/// The time loop of planar rocking: modes, steps, events and resets. Included by planar_rocking.cpp only.
+#pragma once
+
+#include "model/chunk_extremes.hpp"
+#include "rocking/detail/impact.hpp"
+#include "rocking/detail/pause.hpp"
+#include "rocking/detail/rocking_events.hpp"
+#include "rocking/detail/sample.hpp"
+#include "rocking/detail/slip_series.hpp"
+#include "rocking/detail/swing.hpp"
+#include "rocking/detail/trial_log.hpp"
+#include "rocking/detail/work.hpp"
+
+namespace overturn::rocking {
+
+template <int Order, class Restoring, bool Vertical, Slip Friction> class Integrator {
+  public:
+    Integrator(RockingBlock const& block, Excitation const& shaking, RockingAccuracy const& accuracy,
+               RockingObserver* observer);
+    RockingOutcome run(RockingStart const& start);
+
+    // The same in pieces, for lanes that are stepped together (rocking_swing.hpp).
+    void begin(RockingStart const& start);
+    /// Until the block swings: then everything up to the next instant that needs care can be left to swing_on.
+    /// \return false once the trial is over
+    bool advance();
+    template <int Lanes> void load_lane(SwingLanes<Lanes>& lanes, int lane) const;
+    template <int Lanes> void store_lane(SwingLanes<Lanes> const& lanes, int lane);
+    RockingOutcome const& finish();
+
+    /// Where friction gave out, of a trial that is over.
+    [[nodiscard]] Pause const& pause() const { return pause_; }
+    /// Goes on where another one paused.
+    RockingOutcome run_from(Pause const& pause);
+
+  private:
+    static constexpr bool nonlinear = std::is_same_v<Restoring, NonlinearRestoring>;
+    static constexpr bool swings = nonlinear && Order == SwingSeries::order;  ///< what swing_on is made for
+    static constexpr bool slipping = Friction == Slip::simulated;
+    static constexpr bool limited = Friction != Slip::ignored;  ///< friction has a limit that is looked at
+    /// Bouncing slower than this fraction of accuracy.settle is rest, whatever the forcing does next.
+    static constexpr double invisible = 1e-3;
+
+    /// What ends a step before its length is up.
+    enum class Event { none, impact, overturned, slip_starts, slip_stops, contact_lost };
+    struct Ending {
+        double at;
+        Event event;
+        double friction = 0;  ///< its sign, mirrored, where slip starts
+        /// `t` in [0, at) becomes the earlier ending.
+        void earlier(double t, Event e, double f = 0) {
+            if (t >= 0 && t < at) {
+                *this = {t, e, f};
+            }
+        }
+    };
+
+    // time loop (this file, below; step_watched and run_from: rocking_pause.hpp)
+    void skip_rest();
+    [[nodiscard]] bool next_sample();
+    void step();
+    void step_watched();
+    // once the wave is over (rocking_end.hpp, with finish)
+    void run_out(double end_s);
+    [[nodiscard]] bool decided() const;
+    // swings (rocking_swing.hpp)
+    void swing();
+    void swing_shown();
+    bool swing_unslipped();
+    void account_for(SwingLanes<1> const& before, SwingLanes<1> const& after, SwingSeries const& series);
+    void show_swing(SwingLanes<1> const& before, SwingSeries const& series);
+    void show_impact(SwingLanes<1> const& after);
+    // full base contact (rocking_rest.hpp)
+    void rest();
+    void leave_rest(double tau, double acceleration);
+    void lift(double acceleration);
+    void slide();
+    // on a corner (rocking_step.hpp)
+    void rock();
+    void slip_rock();
+    [[nodiscard]] double step_length(Series<Order> const& series);
+    struct ContactForces {
+        double friction, normal;  ///< over m g, mirrored
+    };
+    [[nodiscard]] ContactForces contact_now(Series<Order> const& series, Forcing const& forcing) const;
+    [[nodiscard]] bool slips_at_once(ContactForces const& forces) const {
+        return limited && std::abs(forces.friction) > hold_friction_ * forces.normal && forces.normal > 0;
+    }
+    [[nodiscard]] Ending limits_of_contact(Series<Order> const& series, Forcing const& forcing,
+                                           ContactForces const& forces, double h) const;
+    void watch_landing();
+    void find_overturning(Series<Order> const& series, Ending& ending) const;
+    void move(Series<Order> const& series, Ending const& ending);
+    void start_slip(double friction);
+    void lose_contact(bool at_rest);
+    void raise_energy_inside(Series<Order> const& series, Forcing const& forcing, double end);
+    // at phi = 0 (rocking_impact.hpp)
+    void strike();
+    void settle(double a, double hold);
+    void settle_slipping(double a, double hold);
+    [[nodiscard]] bool tail_sticks(double a, double gv) const;
+
+    /// Energy of rocking above rest over m g R.
+    [[nodiscard]] double rocking_energy() const {
+        double const rate = omega_ / block_.p_radps;
+        return 0.5 * rate * rate + Restoring::potential(block_.alpha_rad, phi_);
+    }
+    /// All mechanical energy above rest, per mass [J/kg].
+    [[nodiscard]] double mechanical_energy() const {
+        double const psi = block_.alpha_rad - phi_;
+        double const spin = radius_m_ * side_ * omega_;
+        double const across = v_mps_ + std::cos(psi) * spin;
+        double const up = std::sin(psi) * spin;
+        return 0.5 * (across * across + up * up + law_.kappa * spin * spin)
+               + block_.gravity_mps2 * radius_m_ * Restoring::potential(block_.alpha_rad, phi_);
+    }
+    void show(double friction, double normal) {
+        if (log_.observed()) {
+            log_.show({sample_.now(), side_ * phi_, side_ * omega_, friction, normal, x_m_, v_mps_});
+        }
+    }
+
+    RockingBlock block_;
+    Excitation shaking_;
+    RockingAccuracy accuracy_;
+    double uplift_ratio_, hold_ratio_, top_, r_, radius_m_;
+    double
+        hold_friction_;  ///< what sticking is held against: friction that is just enough holds, whatever rounding says
+    ImpactLaw law_;
+    TrialLog log_;
+    Sample<Vertical> sample_;
+
+    Mode mode_ = Mode::rest;
+    double side_ = 1;   ///< the corner: +1 or -1
+    double phi_ = 0;    ///< side * theta >= 0
+    double omega_ = 0;  ///< phi'
+    double x_m_ = 0, v_mps_ = 0;
+    double sigma_ = 0;  ///< sign of the slip
+    bool slipped_ = false;
+    StartRoot start_root_ = StartRoot::none;
+
+    std::size_t index_ = 0;         ///< of the sample
+    int steps_here_ = 0;            ///< within it
+    double sine_ = 0, cosine_ = 0;  ///< of psi, as the last swing left them
+    bool carried_ = false;          ///< they still hold
+    bool careful_ = false;          ///< the next step is one that swing_on refused
+    bool steps_together_ = false;
+    Pause pause_;
+};
+
+template <int Order, class Restoring, bool Vertical, Slip Friction>
+Integrator<Order, Restoring, Vertical, Friction>::Integrator(RockingBlock const& block, Excitation const& shaking,
+                                                             RockingAccuracy const& accuracy, RockingObserver* observer)
+    : block_(block),
+      shaking_(shaking),
+      accuracy_(accuracy),
+      uplift_ratio_(Restoring::uplift_ratio(block.alpha_rad)),
+      hold_ratio_(limited ? std::min(block.friction_static, uplift_ratio_) : uplift_ratio_),
+      top_(Restoring::top(block.alpha_rad)),
+      r_(block.inertia_ratio / (block.p_radps * block.p_radps)),
+      radius_m_(block.radius_m()),
+      hold_friction_(block.friction_static * (1 + 1e-13)),
+      law_{std::sin(block.alpha_rad), std::cos(block.alpha_rad), 1 / block.inertia_ratio - 1,
+           block.restitution,         block.friction_static,     block.friction_kinetic},
+      log_(top_, observer) {}
+
+template <int Order, class Restoring, bool Vertical, Slip Friction>
+RockingOutcome Integrator<Order, Restoring, Vertical, Friction>::run(RockingStart const& start) {
+    begin(start);
+    while (advance()) {
+        swing();
+    }
+    return finish();
+}
+
+template <int Order, class Restoring, bool Vertical, Slip Friction>
+void Integrator<Order, Restoring, Vertical, Friction>::begin(RockingStart const& start) {
+    steps_together_ = swings && accuracy_.substeps == 1;
+    if (start.rotation_rad == 0 && start.velocity_radps == 0) {
+        return;
+    }
+    side_ = (start.rotation_rad != 0 ? start.rotation_rad : start.velocity_radps) < 0 ? -1.0 : 1.0;
+    phi_ = side_ * start.rotation_rad;
+    omega_ = side_ * start.velocity_radps;
+    start_root_ = phi_ == 0 ? StartRoot::simple : StartRoot::none;
+    mode_ = Mode::rock;
+    log_.uplifted(0);
+    log_.raise_peak(phi_, 0);
+    log_.outcome().energy.input = mechanical_energy();  // what the block was given
+    if (phi_ >= 0.5 * pi) {
+        log_.overturn(0);
+    }
+}
+
+template <int Order, class Restoring, bool Vertical, Slip Friction>
+bool Integrator<Order, Restoring, Vertical, Friction>::advance() {
+    while (!log_.done()) {
+        if (!(sample_.tau_s < sample_.length_s) && !next_sample()) {
+            break;
+        }
+        if (steps_together_ && !careful_ && mode_ == Mode::rock && start_root_ != StartRoot::twofold) {
+            return true;
+        }
+        if (careful_ && swing_unslipped()) {
+            continue;
+        }
+        careful_ = false;
+        carried_ = false;
+        step_watched();
+    }
+    return false;
+}
+
+template <int Order, class Restoring, bool Vertical, Slip Friction>
+bool Integrator<Order, Restoring, Vertical, Friction>::next_sample() {
+    std::size_t const n = shaking_.horizontal_mps2.size();
+    index_ += sample_.length_s > 0 ? 1 : 0;
+    if (mode_ == Mode::rest && !log_.observed()) {
+        skip_rest();
+    }
+    if (index_ + 1 < n) {
+        sample_.load(shaking_, block_.gravity_mps2, index_);
+        steps_here_ = 0;
+        return true;
+    }
+    if (mode_ != Mode::rest) {
+        run_out(static_cast<double>(n == 0 ? 0 : n - 1) * shaking_.time_step_s);
+    }
+    return false;
+}
+
+template <int Order, class Restoring, bool Vertical, Slip Friction>
+void Integrator<Order, Restoring, Vertical, Friction>::step() {
+    constexpr int hopeless = 1000000;  // steps within one sample: a trial must end
+    if (++steps_here_ > hopeless) {
+        log_.fail(FailureReason::no_convergence);
+        return;
+    }
+    switch (mode_) {
+        case Mode::rest:
+            rest();
+            break;
+        case Mode::slide:
+            slide();
+            break;
+        case Mode::rock:
+            rock();
+            break;
+        case Mode::slip_rock:
+            slip_rock();
+            break;
+    }
+}
+
+}  // namespace overturn::rocking
+
+#include "rocking/detail/rocking_end.hpp"
+#include "rocking/detail/rocking_impact.hpp"
+#include "rocking/detail/rocking_pause.hpp"
+#include "rocking/detail/rocking_rest.hpp"
+#include "rocking/detail/rocking_step.hpp"
+#include "rocking/detail/rocking_swing.hpp"
