@@ -82,7 +82,8 @@ void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& bo
     for (std::size_t r = 0; r < s.rungs.size(); ++r) {
         text += fmt::format("{} {} {}", r == 0 ? "" : ",", s.rungs[r], rungs()[r].name);
     }
-    text += "\n" + left_out(spec, body, s);
+    text += '\n';
+    text += left_out(spec, body, s);
 }
 
 }  // namespace

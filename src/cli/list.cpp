@@ -31,6 +31,11 @@ int list() {
     for (auto const& column : fields_of<TrialRow>()) {
         fmt::print("  {:<22} {}\n", column.name, column.description);
     }
+    for (auto const& model : models()) {
+        for (auto const& column : model.traits().fields) {
+            fmt::print("  {:<22} {}\n", fmt::format("{}/{}", model.traits().name, column.name), column.description);
+        }
+    }
     return done;
 }
 
