@@ -3,28 +3,40 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <functional>
 
 #include <gsl/gsl_randist.h>
 
 #include "core/random_stream.hpp"
 #include "generators/detail/baseline.hpp"
+#include "generators/detail/point_density.hpp"
 #include "generators/detail/real_fft.hpp"
 #include "generators/envelope.hpp"
 
 namespace overturn {
 namespace {
 
+enum class NoiseModel { kanai_tajimi, clough_penzien, points };
 constexpr std::array models{
-    config::Entry<bool>{"kanai-tajimi", "one ground layer", false},
-    config::Entry<bool>{"clough-penzien", "one ground layer, low frequencies held back", true},
+    config::Entry<NoiseModel>{"kanai-tajimi", "one ground layer", NoiseModel::kanai_tajimi},
+    config::Entry<NoiseModel>{"clough-penzien", "one ground layer, low frequencies held back",
+                              NoiseModel::clough_penzien},
+    config::Entry<NoiseModel>{"points", "a power spectral density of the user's own", NoiseModel::points},
 };
 constexpr std::array amplitude_kinds{
     config::Entry<bool>{"gaussian", "random phases and amplitudes", true},
     config::Entry<bool>{"fixed", "random phases only", false},
 };
 
+/// The power of white noise behind a filter: only its shape counts.
+struct NoiseShape {
+    std::function<double(double)> density;  ///< at a frequency [rad/s]
+    double integral_radps = 0;              ///< over all frequencies
+    std::string text;
+};
+
 struct FilteredNoiseInput {
-    GroundFilter filter;
+    NoiseShape shape;
     double rms_mps2 = 0;
     double time_step_s = 0.01;
     std::size_t samples = 0;
@@ -43,18 +55,21 @@ class FilteredNoise : public WaveSource {
         line_amplitude_.push_back(0);
         double held = 0;  // of the filter's integral, by the frequencies that the time step holds
         for (std::size_t k = 1; k < fft_.length() / 2; ++k) {
-            double const power = input.filter.shape(spacing * static_cast<double>(k)) * spacing;
+            double const power = input.shape.density(spacing * static_cast<double>(k)) * spacing;
             held += power;
             line_amplitude_.push_back(std::sqrt(2 * power));
         }
+        validate(held > 0,
+                 "no line of the wave lies where the density is (lines are {:.3g} Hz apart, up to {:g} Hz). "
+                 "Lengthen duration or shorten time_step",
+                 spacing / (2 * pi), 0.5 / time_step_s_);
         for (double& amplitude : line_amplitude_) {
             amplitude *= input.rms_mps2 / std::sqrt(held);
         }
-        summary_ = fmt::format("{} samples of {} s, {} noise of {} m/s2, ground {:.3g} Hz", input.samples, time_step_s_,
-                               input.filter.filter_radps > 0 ? "Clough-Penzien" : "Kanai-Tajimi", input.rms_mps2,
-                               input.filter.ground_radps / (2 * pi));
+        summary_ = fmt::format("{} samples of {} s, noise of {} m/s2, {}", input.samples, time_step_s_, input.rms_mps2,
+                               input.shape.text);
         constexpr double nearly_all = 0.98;
-        if (double const share = held / input.filter.integral_radps(); share < nearly_all) {
+        if (double const share = held / input.shape.integral_radps; share < nearly_all) {
             summary_ += fmt::format(" (its spectrum cut at {:g} Hz, where {:.0f} % of its power lie below)",
                                     0.5 / time_step_s_, 100 * share);
         }
@@ -93,17 +108,34 @@ class FilteredNoise : public WaveSource {
     std::string summary_;
 };
 
-GroundFilter read_filter(config::Table const& waves) {
+NoiseShape read_ground(config::Table const& waves, NoiseModel model, double time_step_s) {
     auto const positive = config::Range::positive();
     constexpr config::Range damping{.low = 0, .high = 10, .low_open = true};
     GroundFilter filter;
-    filter.ground_radps = 2 * pi * waves.number("ground_frequency", Dimension::frequency, positive, 2.5);
+    double const ground_hz = waves.number("ground_frequency", Dimension::frequency, positive, 2.5);
+    filter.ground_radps = 2 * pi * ground_hz;
     filter.ground_damping = waves.number("ground_damping", Dimension::none, damping, filter.ground_damping);
-    if (waves.choice("model", std::span<config::Entry<bool> const>(models))) {
+    bool const held_back = model == NoiseModel::clough_penzien;
+    if (held_back) {
         filter.filter_radps = 2 * pi * waves.number("filter_frequency", Dimension::frequency, positive, 0.25);
         filter.filter_damping = waves.number("filter_damping", Dimension::none, damping, filter.filter_damping);
     }
-    return filter;
+    constexpr double steps_per_period = 4;
+    if (1 / ground_hz < steps_per_period * time_step_s) {
+        waves.fail("ground_frequency",
+                   fmt::format("{:g} Hz (less than {} time steps a period). Use a shorter time_step", ground_hz,
+                               steps_per_period));
+    }
+    return {[filter](double w_radps) { return filter.shape(w_radps); }, filter.integral_radps(),
+            fmt::format("{}, ground {:.3g} Hz", held_back ? "Clough-Penzien" : "Kanai-Tajimi", ground_hz)};
+}
+
+NoiseShape read_points(config::Table const& waves, InputFiles& files) {
+    auto const table = waves.child("density");
+    auto const density = read_point_density(table, files);
+    table.finish();
+    return {[density](double w_radps) { return density.at(w_radps / (2 * pi)); }, 2 * pi * density.integral_hz(),
+            fmt::format("density stated from {:g} Hz to {:g} Hz", density.first_hz(), density.last_hz())};
 }
 
 }  // namespace
@@ -138,22 +170,18 @@ double GroundFilter::integral_radps() const {
     return pi / 2 * (u * u * (a0 * a3 - a1 * a2) - a1 * b2 * b2) / (a0 * a3 * a3 + a1 * a1 - a1 * a2 * a3);
 }
 
-std::unique_ptr<WaveSource> make_filtered_noise(config::Table const& waves, InputFiles& /*files*/) {
+std::unique_ptr<WaveSource> make_filtered_noise(config::Table const& waves, InputFiles& files) {
     FilteredNoiseInput input;
-    input.filter = read_filter(waves);
     input.rms_mps2 = waves.number("rms", Dimension::acceleration, config::Range::positive());
     input.time_step_s = waves.number("time_step", Dimension::time, {.low = 1e-4, .high = 0.1}, input.time_step_s);
     input.samples = read_samples(waves, input.time_step_s);
-    constexpr double steps_per_period = 4;
-    if (double const period_s = 2 * pi / input.filter.ground_radps; period_s < steps_per_period * input.time_step_s) {
-        waves.fail("ground_frequency",
-                   fmt::format("{:g} Hz (less than {} time steps a period). Use a shorter time_step", 1 / period_s,
-                               steps_per_period));
-    }
+    auto const model = waves.choice("model", std::span<config::Entry<NoiseModel> const>(models));
+    input.shape =
+        model == NoiseModel::points ? read_points(waves, files) : read_ground(waves, model, input.time_step_s);
     input.gaussian = waves.choice("amplitudes", std::span<config::Entry<bool> const>(amplitude_kinds), true);
     double const duration = input.time_step_s * static_cast<double>(input.samples - 1);
     input.envelope = read_envelope(waves.child_or_empty("envelope"), duration);
-    return std::make_unique<FilteredNoise>(input);
+    return waves.located("duration", [&] { return std::make_unique<FilteredNoise>(input); });
 }
 
 }  // namespace overturn
