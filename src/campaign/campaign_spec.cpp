@@ -96,6 +96,10 @@ std::vector<BodySpec> read_bodies(Table const& root, InputFiles& files) {
     if (bodies.empty()) {
         root.fail("bodies", "empty (nothing to shake). Add [[bodies]]");
     }
+    constexpr std::size_t most_bodies = 10000;  // their names are those of the column trials/body
+    if (bodies.size() > most_bodies) {
+        root.fail("bodies", fmt::format("{} of them (more than {}). Split the campaign", bodies.size(), most_bodies));
+    }
     return bodies;
 }
 

@@ -97,7 +97,7 @@ Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec) {
         statistics.add(row, std::span(measures).subspan(bodies * wave++, bodies));
     });
     auto const levels = static_cast<std::int64_t>(spec.levels.levels.size());
-    each_row<TrialRow>(file, trial_table(spec.levels.units()), done * plan.trials_per_wave(), [&](TrialRow const& row) {
+    each_row<TrialRow>(file, trial_table(spec), done * plan.trials_per_wave(), [&](TrialRow const& row) {
         require(row.body >= 0 && row.body < static_cast<std::int64_t>(bodies),
                 fmt::format("trials/body holds {}, which names nothing", row.body));
         require(row.level >= 0 && row.level < levels,
@@ -114,7 +114,7 @@ TrialRows read_trial(store::ResultsReader const& file, CampaignSpec const& spec,
     Ladder const ladder(spec.effects, spec.accuracy);
     TrialRows trial{{TrialRow{}}, std::vector<std::byte>(ladder.own_bytes())};
     auto const rows = static_cast<std::int64_t>(file.integers("trials/verdict").size());
-    file.rows(trial_table(spec.levels.units()), rows, number, std::as_writable_bytes(std::span(trial.rows)));
+    file.rows(trial_table(spec), rows, number, std::as_writable_bytes(std::span(trial.rows)));
     for (auto const& table : own_tables(ladder)) {
         file.rows(table, rows, number, trial.own);
     }

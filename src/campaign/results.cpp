@@ -236,7 +236,7 @@ std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, Campa
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
         measures.push_back(file.table(measure_table(spec, b), plan.waves()));
     }
-    auto const trials = file.table(trial_table(spec.levels.units()), plan.trials());
+    auto const trials = file.table(trial_table(spec), plan.trials());
     std::vector<std::size_t> own;
     for (auto& table : own_tables(Ladder(spec.effects, spec.accuracy))) {
         own.push_back(file.table(std::move(table), plan.trials()));

@@ -81,7 +81,7 @@ template <> Fields const& fields_of<TrialRow>() {
     static auto const fields = [] {
         Fields all{
             field<&T::wave>("wave", "1", "id of the wave, as in /waves/id"),
-            field<&T::body>("body", "1", "number of the body, in the campaign's order from 0"),
+            field<&T::body>("body", "1", "the body, numbered in the campaign's order from 0"),
             field<&T::level>("level", "1", "number of the level, rising from 0"),
             field<&T::amplitude>("amplitude", "1", "value of the level (attribute level_measure of the file)"),
             field<&T::scale>("scale", "1", "factor on the wave that brings it to the level"),

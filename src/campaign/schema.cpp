@@ -18,7 +18,7 @@ std::string verdicts_that(bool VerdictEntry::*holds) {
 
 }  // namespace
 
-store::TableSpec trial_table(std::string const& level_units) {
+store::TableSpec trial_table(CampaignSpec const& spec) {
     store::TableSpec table{"trials",
                            sizeof(TrialRow),
                            fields_of<TrialRow>(),
@@ -27,7 +27,12 @@ store::TableSpec trial_table(std::string const& level_units) {
                             {"verdict", "fell", verdicts_that(&VerdictEntry::fell)}}};
     for (auto& column : table.columns) {
         if (column.name == "amplitude") {
-            column.units = level_units;
+            column.units = spec.levels.units();
+        } else if (column.name == "body") {
+            column.type = FieldType::category;
+            for (auto const& body : spec.bodies) {
+                column.categories.push_back({static_cast<std::int64_t>(column.categories.size()), body.name});
+            }
         }
     }
     return table;

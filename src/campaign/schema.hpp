@@ -9,8 +9,8 @@
 
 namespace overturn {
 
-/// /trials. \param level_units of the levels' measure
-[[nodiscard]] store::TableSpec trial_table(std::string const& level_units);
+/// /trials: amplitudes in the unit of the levels' measure, bodies by name.
+[[nodiscard]] store::TableSpec trial_table(CampaignSpec const& spec);
 [[nodiscard]] store::TableSpec wave_table();
 /// /waves/<body>: the energy measures for the body of that number; those with R in the other unit where asked for.
 [[nodiscard]] store::TableSpec measure_table(CampaignSpec const& spec, std::size_t body);

@@ -17,10 +17,8 @@ Dataset open_dataset(File const& file, std::string const& name) {
     return Dataset(checked(H5Dopen2(file.id(), name.c_str(), H5P_DEFAULT), "open " + name));
 }
 
-template <class Value> std::vector<Value> read_all(File const& file, std::string const& name, hid_t memory_type) {
-    auto const dataset = open_dataset(file, name);
-    Dataspace const space(checked(H5Dget_space(dataset.id()), "read a dataspace"));
-    auto const size = H5Sget_simple_extent_npoints(space.id());
+// A damaged file may promise more than any memory holds.
+void require_plausible(File const& file, std::string const& name, hssize_t size) {
     hsize_t held = 0;
     checked(H5Fget_filesize(file.id(), &held), "ask for the file's size");
     constexpr hsize_t densest = 1100;  // what compression can make of zeros
@@ -28,6 +26,13 @@ template <class Value> std::vector<Value> read_all(File const& file, std::string
         throw SystemError(
             fmt::format("HDF5: cannot read {} ({} values in a file of {} bytes: it is damaged)", name, size, held));
     }
+}
+
+template <class Value> std::vector<Value> read_all(File const& file, std::string const& name, hid_t memory_type) {
+    auto const dataset = open_dataset(file, name);
+    Dataspace const space(checked(H5Dget_space(dataset.id()), "read a dataspace"));
+    auto const size = H5Sget_simple_extent_npoints(space.id());
+    require_plausible(file, name, size);
     std::vector<Value> values(static_cast<std::size_t>(std::max<hssize_t>(0, size)));
     if (!values.empty()) {
         checked(H5Dread(dataset.id(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "read " + name);
@@ -56,6 +61,26 @@ Value read_one(Dataset const& dataset, std::string const& name, hid_t memory_typ
     Value value{};
     read_some(dataset, name, memory_type, row, 1, &value);
     return value;
+}
+
+// Values of an enumeration, as they are stored: HDF5 converts enumerations only to their own kind.
+std::vector<std::int64_t> read_categories(Dataset const& dataset, std::string const& name, std::int64_t first,
+                                          std::int64_t count) {
+    Datatype const type(checked(H5Dget_type(dataset.id()), "read a type"));
+    auto const bytes = H5Tget_size(type.id());
+    validate(bytes >= 1 && bytes <= 2,
+             "results file: {} holds names of {} bytes (it is not of this program). Run the "
+             "campaign again",
+             name, bytes);
+    std::vector<std::byte> raw(static_cast<std::size_t>(count) * bytes);
+    if (count > 0) {
+        read_some(dataset, name, type.id(), first, count, raw.data());
+    }
+    std::vector<std::int64_t> values(static_cast<std::size_t>(count));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        std::memcpy(&values[i], raw.data() + i * bytes, bytes);
+    }
+    return values;
 }
 
 std::int64_t length_of(Dataset const& dataset) {
@@ -153,9 +178,9 @@ std::vector<double> ResultsReader::reals(std::string const& dataset) const {
 std::vector<std::int64_t> ResultsReader::integers(std::string const& dataset) const {
     auto const handle = open_dataset(file_, dataset);
     if (is_category(handle)) {
-        Datatype const type(checked(H5Dget_type(handle.id()), "read a type"));
-        auto const small = read_all<std::uint8_t>(file_, dataset, type.id());
-        return {small.begin(), small.end()};
+        auto const length = length_of(handle);
+        require_plausible(file_, dataset, length);
+        return read_categories(handle, dataset, 0, std::max<std::int64_t>(0, length));
     }
     return read_all<std::int64_t>(file_, dataset, H5T_NATIVE_INT64);
 }
@@ -167,8 +192,7 @@ double ResultsReader::real_at(std::string const& dataset, std::int64_t row) cons
 std::int64_t ResultsReader::integer_at(std::string const& dataset, std::int64_t row) const {
     auto const handle = open_dataset(file_, dataset);
     if (is_category(handle)) {
-        Datatype const type(checked(H5Dget_type(handle.id()), "read a type"));
-        return read_one<std::uint8_t>(handle, dataset, type.id(), row);
+        return read_categories(handle, dataset, row, 1).front();
     }
     return read_one<std::int64_t>(handle, dataset, H5T_NATIVE_INT64, row);
 }
@@ -179,7 +203,6 @@ void ResultsReader::rows(TableSpec const& spec, std::int64_t length, std::int64_
     auto const count = rows.size() / spec.row_bytes;
     OVERTURN_EXPECT(rows.size() % spec.row_bytes == 0);
     std::vector<std::int64_t> values(count);
-    std::vector<std::uint8_t> small;
     for (auto const& column : spec.columns) {
         auto const name = spec.group + "/" + column.name;
         auto const dataset = open_dataset(file_, name);
@@ -187,11 +210,7 @@ void ResultsReader::rows(TableSpec const& spec, std::int64_t length, std::int64_
         validate(stored == length, "results file: {} has {} rows, the campaign {} {}", name, stored, length, advice);
         if (column.type == FieldType::category) {
             validate(is_category(dataset), "results file: {} holds no names {}", name, advice);
-            Datatype const type(checked(H5Dget_type(dataset.id()), "read a type"));
-            validate(H5Tget_size(type.id()) == 1, "results file: {} holds other names {}", name, advice);
-            small.resize(count);
-            read_some(dataset, name, type.id(), first, static_cast<std::int64_t>(count), small.data());
-            values.assign(small.begin(), small.end());
+            values = read_categories(dataset, name, first, static_cast<std::int64_t>(count));
             for (auto const value : values) {
                 validate(names(column, value), "results file: {} holds {}, which names nothing {}", name, value,
                          advice);

@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstring>
+#include <limits>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -21,11 +24,23 @@ struct ResultsWriter::Table {
 
 namespace {
 
+static_assert(std::endian::native == std::endian::little);
+
 // Identical content gives identical bytes: no object times, default library version, storage allocated when created.
 PropertyList dataset_properties() {
     PropertyList properties(checked(H5Pcreate(H5P_DATASET_CREATE), "make dataset properties"));
     checked(H5Pset_obj_track_times(properties.id(), false), "leave times out");
     return properties;
+}
+
+// Bytes of a value, as many as the largest one needs.
+std::size_t category_bytes(Field const& spec) {
+    std::int64_t largest = 0;
+    for (auto const& category : spec.categories) {
+        largest = std::max(largest, category.value);
+    }
+    OVERTURN_EXPECT(largest <= std::numeric_limits<std::uint16_t>::max());
+    return largest <= std::numeric_limits<std::uint8_t>::max() ? 1 : 2;
 }
 
 Datatype stored_type(Field const& spec) {
@@ -37,9 +52,10 @@ Datatype stored_type(Field const& spec) {
         case FieldType::category:
             break;
     }
-    Datatype type(checked(H5Tenum_create(H5T_STD_U8LE), "make an enumeration"));
+    bool const small = category_bytes(spec) == 1;
+    Datatype type(checked(H5Tenum_create(small ? H5T_STD_U8LE : H5T_STD_U16LE), "make an enumeration"));
     for (auto const& category : spec.categories) {
-        auto const value = static_cast<std::uint8_t>(category.value);
+        auto const value = static_cast<std::uint16_t>(category.value);  // its first byte is the small one
         checked(H5Tenum_insert(type.id(), category.name.c_str(), &value), "name " + category.name);
     }
     return type;
@@ -153,7 +169,7 @@ void ResultsWriter::append(std::size_t number, std::span<std::byte const> rows) 
     OVERTURN_EXPECT(rows.size() % table.spec.row_bytes == 0);
     OVERTURN_EXPECT(table.written + static_cast<std::int64_t>(count) <= table.rows);
     std::vector<std::int64_t> gathered(count);
-    std::vector<std::uint8_t> categories;
+    std::vector<std::byte> categories;
     for (std::size_t c = 0; c < table.spec.columns.size(); ++c) {
         auto const& column = table.spec.columns[c];
         for (std::size_t i = 0; i < count; ++i) {
@@ -162,7 +178,11 @@ void ResultsWriter::append(std::size_t number, std::span<std::byte const> rows) 
         auto const name = table.spec.group + "/" + column.name;
         auto const size = static_cast<std::int64_t>(count);
         if (column.type == FieldType::category) {
-            categories.assign(gathered.begin(), gathered.end());
+            auto const bytes = category_bytes(column);
+            categories.resize(count * bytes);
+            for (std::size_t i = 0; i < count; ++i) {  // little-endian, here and there
+                std::memcpy(categories.data() + i * bytes, &gathered[i], bytes);
+            }
             auto const type = stored_type(column);
             write_rows(table.datasets[c], type.id(), categories.data(), table.written, size, name);
         } else {
