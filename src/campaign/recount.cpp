@@ -2,6 +2,7 @@
 #include <span>
 
 #include "campaign/results.hpp"
+#include "response/registry.hpp"
 
 namespace overturn {
 
@@ -55,21 +56,22 @@ void each_row(store::ResultsReader const& file, store::TableSpec const& table, s
 
 // What the rows say now is what they said when the file was made.
 void require_stored(store::ResultsReader const& file, BodyStatistics const& counted) {
-    auto const column = [&](char const* name) {
+    auto const column = [&](std::string const& name) {
         auto const place = fmt::format("stripes/{}/{}", counted.body, name);
         auto values = file.integers(place);
         require(values.size() == counted.stripes.size(),
                 fmt::format("{} has {} rows, the campaign {}", place, values.size(), counted.stripes.size()));
         return values;
     };
+    bool same = file.integers(fmt::format("stripes/{}/rung_trials", counted.body)) == counted.rungs;
     auto const trials = column("trials");
-    auto const overturned = column("overturned");
-    auto const failed = column("failed");
     for (std::size_t l = 0; l < counted.stripes.size(); ++l) {
-        auto const& stripe = counted.stripes[l];
-        require(trials[l] == stripe.trials && overturned[l] == stripe.overturned && failed[l] == stripe.failed,
-                fmt::format("stripes/{} does not agree with its trials", counted.body));
+        same = same && trials[l] == counted.stripes[l].trials;
     }
+    for (std::size_t v = 0; v < verdicts().size(); ++v) {
+        same = same && column(column_of(verdicts()[v])) == counted.ends[v];
+    }
+    require(same, fmt::format("stripes/{} does not agree with its trials", counted.body));
 }
 
 // /waves/<body> of all bodies, body by body for each wave.

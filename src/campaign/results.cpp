@@ -82,9 +82,7 @@ void write_stripes(store::ResultsWriter& file, CampaignSpec const& spec, BodySta
     };
     for (std::size_t v = 0; v < verdicts().size(); ++v) {
         auto const& entry = verdicts()[v];
-        std::string name(entry.name);
-        std::replace(name.begin(), name.end(), '-', '_');
-        counts(name,
+        counts(column_of(entry),
                fmt::format("trials with this end: {}{}", entry.summary,
                            entry.decided ? "" : "; left out of the probability"),
                body.ends[v]);

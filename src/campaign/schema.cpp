@@ -1,5 +1,7 @@
 #include "campaign/schema.hpp"
 
+#include <algorithm>
+
 #include "response/registry.hpp"
 
 namespace overturn {
@@ -17,6 +19,12 @@ std::string verdicts_that(bool VerdictEntry::*holds) {
 }
 
 }  // namespace
+
+std::string column_of(VerdictEntry const& verdict) {
+    std::string name(verdict.name);
+    std::ranges::replace(name, '-', '_');
+    return name;
+}
 
 store::TableSpec trial_table(CampaignSpec const& spec) {
     store::TableSpec table{"trials",

@@ -215,10 +215,11 @@ TrialRows run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int
     if (!failed(row)) {
         auto const scene = scene_of(wave, body);
         SceneTrial const at{scene, wave.motion, row.scale, wave.intensity.pga_mps2, &wave.chunks};
+        auto const response = ladder.respond(at, trial.own);
         if (observer != nullptr) {
-            (void)ladder.show(at, *observer);
+            ladder.show(at, response, *observer);
         }
-        close_row(row, wave, ladder.respond(at, trial.own));
+        close_row(row, wave, response);
     }
     return trial;
 }

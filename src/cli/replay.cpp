@@ -41,9 +41,14 @@ int replay(Options const& options) {
     fmt::print("trial {}: wave number {} (id {}), body {}, {} {:.6g} {}\n", options.trial, wave, row.wave,
                spec.bodies[static_cast<std::size_t>(body)].name, spec.levels.measure_name(), row.amplitude,
                spec.levels.units());
+    bool const known = !std::isnan(row.peak_rotation_rad);
     auto const when = std::isnan(row.time_of_peak_s) ? std::string() : fmt::format(" at {:.3f} s", row.time_of_peak_s);
-    fmt::print("verdict {}, peak rotation {:.6g} rad ({:.4f} alpha){}, {} impacts\n", entry_of(row.verdict).name,
-               row.peak_rotation_rad, row.peak_rotation_ratio, when, row.impacts);
+    if (known) {
+        fmt::print("verdict {}, peak rotation {:.6g} rad ({:.4f} alpha){}, {} impacts\n", entry_of(row.verdict).name,
+                   row.peak_rotation_rad, row.peak_rotation_ratio, when, row.impacts);
+    } else {
+        fmt::print("verdict {} ({})\n", entry_of(row.verdict).name, entry_of(row.failure).summary);
+    }
     auto const different = differing_columns(spec, stored, trial);
     if (different.empty()) {
         fmt::print("bit-equal to the stored row\n");

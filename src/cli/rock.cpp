@@ -57,8 +57,9 @@ void print_json(BodySpec const& spec, Response const& response, Ladder const& la
     json["limit_velocity_mps"] = spec.body.limit_velocity_mps();
     json["restitution"] = spec.body.restitution();
     for (auto const& [traits, offset] : ladder.own_parts()) {
+        auto& model = json[std::string(traits->name)];
         for (auto const& field : traits->fields) {
-            json[field.key()] = value_json(own.subspan(offset), field);
+            model[field.key()] = value_json(own.subspan(offset), field);
         }
     }
     fmt::print("{}\n", json.dump(2));
@@ -72,6 +73,9 @@ void print_text(BodySpec const& spec, Response const& r, Ladder const& ladder, s
                b.alpha_rad() * 180 / pi, b.p_radps(), b.restitution(), b.uplift_acceleration_mps2(),
                b.limit_velocity_mps());
     fmt::print("verdict          {}\n", entry_of(r.verdict).name);
+    if (std::isnan(r.peak_rotation_rad)) {
+        return;  // no model ran it: the error says why
+    }
     fmt::print("peak rotation    {:.6g} rad = {:.4f} alpha, {}\n", r.peak_rotation_rad,
                r.peak_rotation_rad / b.alpha_rad(), time_text(r.time_of_peak_s));
     fmt::print("peak energy      {:.4f} of that of critical uplift\n", r.peak_energy_ratio);
@@ -85,7 +89,7 @@ void print_text(BodySpec const& spec, Response const& r, Ladder const& ladder, s
                names_of_effects(static_cast<EffectMask>(r.called)));
     for (auto const& [traits, offset] : ladder.own_parts()) {
         for (auto const& field : traits->fields) {
-            fmt::print("{:<16} {:.6g} {}: {}\n", field.name, real_at(own.subspan(offset), field), field.units,
+            fmt::print("{:<16} {} {}: {}\n", field.name, value_json(own.subspan(offset), field).dump(), field.units,
                        field.description);
         }
     }
@@ -105,7 +109,7 @@ int rock(Options const& options) {
     auto const response = ladder.respond(trial, own);
     if (!options.history.empty()) {
         history.emplace(options.history);
-        (void)ladder.show(trial, *history);
+        ladder.show(trial, response, *history);
     }
     (options.json ? print_json : print_text)(spec, response, ladder, own);
     if (response.verdict == Verdict::failed) {

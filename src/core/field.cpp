@@ -21,6 +21,7 @@ template <class Value> Value value_at(std::span<std::byte const> row, Field cons
 
 std::vector<Category> numbered(std::vector<std::string> names) {
     std::vector<Category> categories;
+    categories.reserve(names.size());
     for (auto& name : names) {
         categories.push_back({static_cast<std::int64_t>(categories.size()), std::move(name)});
     }

@@ -68,10 +68,10 @@ template <auto Member> [[nodiscard]] Field field(std::string name, std::string u
 }
 /// The line of a member whose values have names.
 template <auto Member>
-[[nodiscard]] Field category(std::string name, std::string description, std::vector<Category> categories) {
+[[nodiscard]] Field category(std::string name, std::string description, std::vector<Category> const& categories) {
     auto line = field<Member>(std::move(name), "1", std::move(description));
     line.type = FieldType::category;
-    line.categories = std::move(categories);
+    line.categories = categories;
     return line;
 }
 

@@ -11,7 +11,8 @@ struct Channel {
     std::string_view key;  ///< with its unit: "rotation_rad"
 };
 
-/// Receives a trial as it runs: first what a model tells, then instants in order of time, both sides of every impact.
+/// Receives a trial as it runs: first the channels (ModelTraits), then instants in order of time, both sides of every
+/// impact.
 class Observer {
   public:
     virtual void begin(std::span<Channel const> channels) = 0;

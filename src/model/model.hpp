@@ -25,6 +25,7 @@ struct ModelTraits {
     EffectMask always = 0;                        ///< those of them that it cannot leave out
     std::span<EffectEntry const> effects = {};    ///< those that it brings: cheaper models lack them
     std::span<VerdictEntry const> verdicts = {};  ///< its own, beside the common ones
+    std::span<Channel const> channels = {};       ///< of its histories
     Fields fields = {};                           ///< its own quantities, stored in a group of its name
     std::vector<std::byte> nothing = {};          ///< a row of these for a trial that the model did not run
 
@@ -76,7 +77,7 @@ class Model {
     /// ran says of it; null: none ran yet. Default: what that model itself calls for.
     [[nodiscard]] virtual EffectMask called_for(Trial const& trial, Outcome const* said) const;
     /// Fills the batch's outcomes. Where the trials' order or company changes, no bit does.
-    virtual std::unique_ptr<Checkpoints> run(Batch const& batch) const = 0;
+    [[nodiscard]] virtual std::unique_ptr<Checkpoints> run(Batch const& batch) const = 0;
 };
 
 }  // namespace overturn

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "config/table.hpp"
-#include "rocking/planar_rocking.hpp"
+#include "rocking/rocking_accuracy.hpp"
 
 namespace overturn {
 

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "response/registry.hpp"
 
 namespace overturn {
 namespace {
@@ -59,8 +58,9 @@ struct Ladder::Ended {
     std::vector<std::unique_ptr<Checkpoints>> batches;
 };
 
-Ladder::Ladder(EffectRequest const& request, Accuracy const& accuracy) : request_(request) {
-    for (auto const& entry : overturn::models()) {
+Ladder::Ladder(EffectRequest const& request, Accuracy const& accuracy, std::span<ModelEntry const> entries)
+    : request_(request) {
+    for (auto const& entry : entries) {
         models_.push_back(entry.make(accuracy));
         auto const& traits = models_.back()->traits();
         bool const may_run = models_.size() == 1 || (traits.brings() & request.wanted()) != 0;
@@ -69,13 +69,25 @@ Ladder::Ladder(EffectRequest const& request, Accuracy const& accuracy) : request
             own_bytes_ += traits.nothing.size();
         }
     }
+    validate(request.mode != EffectMode::forced || cheapest(request.include) != none,
+             "effects {} (no model holds them together). Leave one out", text_of(request));
 }
 
 std::size_t Ladder::cheapest(EffectMask needed) const {
     auto const found =
         std::ranges::find_if(models_, [&](auto const& model) { return holds_all(model->traits().holds, needed); });
-    OVERTURN_EXPECT(found != models_.end());
-    return static_cast<std::size_t>(found - models_.begin());
+    return found == models_.end() ? none : static_cast<std::size_t>(found - models_.begin());
+}
+
+// `simulated` and as many of `more`, in the models' order, as some model holds together.
+EffectMask Ladder::held_with(EffectMask simulated, EffectMask more) const {
+    for (auto const& model : models_) {
+        for (auto const& effect : model->traits().effects) {
+            auto const with = simulated | (more & mask_of(effect.value));
+            simulated = cheapest(with) != none ? with : simulated;
+        }
+    }
+    return simulated;
 }
 
 Ladder::Climb Ladder::begin(SceneTrial const& at) const {
@@ -95,7 +107,7 @@ Ladder::Climb Ladder::begin(SceneTrial const& at) const {
         climb.called |= model->called_for(trial, nullptr);
     }
     bool const chooses = request_.mode == EffectMode::automatic;
-    trial.simulated = climb.possible & request_.wanted() & (chooses ? climb.called : ~EffectMask{0});
+    trial.simulated = held_with(0, climb.possible & request_.wanted() & (chooses ? climb.called : ~EffectMask{0}));
     if (out_of_range(trial.excitation, trial.simulated)) {
         climb.outcome = unknown_outcome(FailureReason::absurd_level);
     } else {
@@ -113,10 +125,12 @@ void Ladder::go_on(std::size_t model, Climb& climb) const {
     for (auto dearer = model + 1; dearer < models_.size(); ++dearer) {
         climb.called |= models_[dearer]->called_for(climb.trial, &climb.outcome);
     }
-    auto const needed = climb.trial.simulated | (climb.called & climb.possible);
-    if (request_.mode == EffectMode::automatic && !holds_all(models_[model]->traits().holds, needed)) {
-        climb.trial.simulated = needed;
-        climb.next = cheapest(needed);
+    if (request_.mode != EffectMode::automatic) {
+        return;
+    }
+    climb.trial.simulated = held_with(climb.trial.simulated, climb.called & climb.possible);
+    if (!holds_all(models_[model]->traits().holds, climb.trial.simulated)) {
+        climb.next = cheapest(climb.trial.simulated);
     }
 }
 
@@ -132,7 +146,8 @@ void Ladder::run(std::size_t model, std::size_t from, std::vector<Climb>& climbs
     for (std::size_t i = 0; i < climbs.size(); ++i) {
         auto& climb = climbs[i];
         if (climb.next == model && climb.batch == from) {
-            climb.trial.taken_over = chooses ? climb.possible & ~traits.holds : 0;
+            auto const simulated = climb.trial.simulated;
+            climb.trial.taken_over = chooses ? held_with(simulated, climb.possible) & ~traits.holds : 0;
             which.push_back(i);
             places.push_back(climb.place);
             trials.push_back(climb.trial);
@@ -167,7 +182,7 @@ Response Ladder::conclude(Climb const& climb) const {
     if (climb.last != none) {
         auto const& traits = models_[climb.last]->traits();
         response.effects = climb.trial.simulated | traits.always;
-        response.rung = climb.followed() ? traits.number : rungs().front().value;
+        response.rung = climb.followed() ? traits.number : 0;
     }
     return response;
 }
@@ -203,7 +218,7 @@ std::vector<RungCost> Ladder::respond(std::span<SceneTrial const> trials, std::s
             on[model] += static_cast<std::int64_t>(climbs[i].ran >> model & 1U);
         }
     }
-    std::vector<RungCost> costs(rungs().size());
+    std::vector<RungCost> costs(models_.size() + 1);
     for (auto const& climb : climbs) {
         auto& cost = costs[climb.followed() ? climb.last + 1 : 0];
         ++cost.trials;
@@ -223,17 +238,18 @@ Response Ladder::respond(SceneTrial const& trial, std::span<std::byte> own) cons
     return response;
 }
 
-Response Ladder::show(SceneTrial const& trial, Observer& observer) const {
-    auto const response = respond(trial);
+void Ladder::show(SceneTrial const& trial, Response const& response, Observer& observer) const {
     auto climb = begin(trial);
+    auto const is_its = [&](auto const& model) { return model->traits().number == response.rung; };
+    auto const answered = std::ranges::find_if(models_, is_its);
+    auto const& model = answered != models_.end() ? *answered : models_.front();
+    observer.begin(model->traits().channels);
     if (climb.next == none) {
-        return response;
+        return;
     }
     climb.trial.simulated = static_cast<EffectMask>(response.effects);
-    auto const model = std::max(climb.next, cheapest(climb.trial.simulated));
-    (void)models_[model]->run(
+    (void)model->run(
         {.trials = std::span(&climb.trial, 1), .outcomes = std::span(&climb.outcome, 1), .observer = &observer});
-    return response;
 }
 
 }  // namespace overturn

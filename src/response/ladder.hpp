@@ -12,6 +12,7 @@
 #include "motion/ground_motion.hpp"
 #include "response/accuracy.hpp"
 #include "response/effects.hpp"
+#include "response/registry.hpp"
 #include "response/response.hpp"
 
 namespace overturn {
@@ -46,20 +47,23 @@ struct OwnPart {
 
 /// The models in order of their cost. A trial begins on the first that holds what it is known to need; each answer may
 /// call for effects that its model leaves out, and the trial goes on with the first model that holds them too, until
-/// one holds all that is called for and wanted. Where effects are forced, that is the first one.
+/// one holds all that is called for and wanted. Where effects are forced, that is the first one. What is called for
+/// beside effects with which no model can hold it is left out, and said in Outcome::called.
 class Ladder {
   public:
-    explicit Ladder(EffectRequest const& request, Accuracy const& accuracy = {});
+    /// \throws InputError if effects are forced that no model holds together
+    explicit Ladder(EffectRequest const& request, Accuracy const& accuracy = {},
+                    std::span<ModelEntry const> entries = models());
 
     /// Many trials from rest, those of a model side by side: responses[i] and its record are those of trials[i] alone,
     /// bit for bit. \param own records of own_bytes() each, or empty \return what every rung took, in the order of
     /// rungs()
-    std::vector<RungCost> respond(std::span<SceneTrial const> trials, std::span<Response> responses,
-                                  std::span<std::byte> own = {}) const;
+    [[nodiscard]] std::vector<RungCost> respond(std::span<SceneTrial const> trials, std::span<Response> responses,
+                                                std::span<std::byte> own = {}) const;
     [[nodiscard]] Response respond(SceneTrial const& trial, std::span<std::byte> own = {}) const;
 
-    /// Shows the history of a trial on the model that answered it. \return that answer \throws InputError if none did
-    Response show(SceneTrial const& trial, Observer& observer) const;
+    /// Shows the history of a trial on the model that gave `response`; of one that no model ran, its channels alone.
+    void show(SceneTrial const& trial, Response const& response, Observer& observer) const;
 
     /// Of models that may run here and have quantities of their own.
     [[nodiscard]] std::vector<OwnPart> const& own_parts() const { return own_parts_; }
@@ -69,6 +73,7 @@ class Ladder {
     struct Climb;
     [[nodiscard]] Climb begin(SceneTrial const& at) const;
     [[nodiscard]] std::size_t cheapest(EffectMask needed) const;
+    [[nodiscard]] EffectMask held_with(EffectMask simulated, EffectMask more) const;
     struct Ended;
     void run(std::size_t model, std::size_t from, std::vector<Climb>& climbs, std::span<std::byte> own,
              Ended& ended) const;

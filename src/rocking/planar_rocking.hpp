@@ -2,7 +2,6 @@
 /// others.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -11,6 +10,7 @@
 #include "model/excitation.hpp"
 #include "model/friction.hpp"
 #include "model/outcome.hpp"
+#include "rocking/rocking_accuracy.hpp"
 
 namespace overturn {
 
@@ -32,23 +32,6 @@ enum class Slip {
     ignored,    ///< the corner never slips; friction demand is monitored
     watched,    ///< the same motion, ended at the instant the block would slip: RockingOutcome::slip_called
     simulated,  ///< at rest, sliding, rocking, slide-rocking
-};
-
-/// `linear` is for the closed forms of the literature only: sin -> its argument, cos -> 1, as in Housner (1963).
-enum class Restoring { nonlinear, linear };
-
-/// What RockingAccuracy::taylor_order may be.
-inline constexpr std::array taylor_orders{4, 6, 8, 10, 12};
-
-/// Orders and tolerances. Measured on 28 800 trials of a campaign (82 s at 0.01 s) against order 12 with 8 sub-steps,
-/// median relative error of the peak and verdicts that differ: order 8 2.4e-12 and 56, order 10 1.1e-15 and 10, order
-/// 12 0.6e-15 and 10. From order 10 on, what differs is decided by rounding.
-struct RockingAccuracy {
-    int taylor_order = 10;          ///< terms of the series of theta per step, one of taylor_orders
-    int substeps = 1;               ///< steps per wave sample, before any that step_tolerance adds
-    double step_tolerance = 1e-11;  ///< a step is shortened until its last series term is below this fraction of alpha
-    double settle = 1e-5;           ///< bouncing slower than this fraction of p is summed in closed form, not stepped
-    Restoring restoring = Restoring::nonlinear;
 };
 
 /// Where the block starts; at rest unless stated.

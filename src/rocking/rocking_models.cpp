@@ -19,6 +19,14 @@ constexpr std::array sliding_effect{
                 "Coulomb stick-slip, slide-rocking, slip at impacts; called for when the no-slip motion would "
                 "need more friction than the static coefficient"}};
 
+constexpr std::array channels{Channel{"time_s"},
+                              Channel{"rotation_rad"},
+                              Channel{"velocity_radps"},
+                              Channel{"friction_over_weight"},
+                              Channel{"contact_force_over_weight"},
+                              Channel{"slip_m"},
+                              Channel{"slip_velocity_mps"}};
+
 struct Pauses : Checkpoints {
     std::vector<rocking::Pause> at;
 };
@@ -34,7 +42,7 @@ RockingTrial rocking_trial(Trial const& trial) {
 
 // What the kernel does not know: the body behind the block.
 void conclude(RockingOutcome const& rocking, Trial const& trial, EffectMask called, Outcome& outcome) {
-    outcome = rocking;
+    outcome = static_cast<Outcome const&>(rocking);
     outcome.peak_rotation_ratio = rocking.peak_rotation_rad / trial.body->alpha_rad();
     outcome.friction_work_jpkg = rocking.energy.friction_work;
     outcome.response_velocity_mps = response_velocity(*trial.body, rocking.peak_rotation_rad);
@@ -44,16 +52,7 @@ void conclude(RockingOutcome const& rocking, Trial const& trial, EffectMask call
 /// Instants of the kernel as rows of channels.
 class Shown : public RockingObserver {
   public:
-    explicit Shown(Observer& observer) : observer_(observer) {
-        static constexpr std::array channels{Channel{"time_s"},
-                                             Channel{"rotation_rad"},
-                                             Channel{"velocity_radps"},
-                                             Channel{"friction_over_weight"},
-                                             Channel{"contact_force_over_weight"},
-                                             Channel{"slip_m"},
-                                             Channel{"slip_velocity_mps"}};
-        observer_.begin(channels);
-    }
+    explicit Shown(Observer& observer) : observer_(observer) {}
     void at(RockingInstant const& i) override {
         observer_.at(std::array{i.time_s, i.rotation_rad, i.velocity_radps, i.friction_ratio, i.contact_force_ratio,
                                 i.slip_m, i.slip_velocity_mps});
@@ -74,7 +73,7 @@ class RockingModel : public Model {
         return possible(trial);
     }
 
-    std::unique_ptr<Checkpoints> run(Batch const& batch) const override {
+    [[nodiscard]] std::unique_ptr<Checkpoints> run(Batch const& batch) const override {
         if (batch.observer != nullptr) {
             show(batch);
             return nullptr;
@@ -144,7 +143,7 @@ class SlidingModel : public Model {
         return trial.friction ? mask_of(Effect::sliding) : 0;
     }
 
-    std::unique_ptr<Checkpoints> run(Batch const& batch) const override {
+    [[nodiscard]] std::unique_ptr<Checkpoints> run(Batch const& batch) const override {
         auto const* const paused = dynamic_cast<Pauses const*>(batch.before);
         std::optional<Shown> shown;
         if (batch.observer != nullptr) {
@@ -159,7 +158,8 @@ class SlidingModel : public Model {
                                      ? go_on_slipping(rocking, accuracy_, *pause)
                                      : simulate_rocking(rocking.block, rocking.shaking, accuracy_, {},
                                                         shown ? &*shown : nullptr, Slip::simulated);
-            bool const called = batch.before != nullptr || outcome.peak_slip_m > 0;
+            bool const asked = has(static_cast<EffectMask>(batch.outcomes[i].called), Effect::sliding);
+            bool const called = asked || outcome.peak_slip_m > 0;
             conclude(outcome, trial, called ? mask_of(Effect::sliding) : 0, batch.outcomes[i]);
         }
         return nullptr;
@@ -172,8 +172,11 @@ class SlidingModel : public Model {
 }  // namespace
 
 ModelTraits const& rocking_traits() {
-    static ModelTraits const traits{
-        .name = "rocking", .number = 1, .holds = mask_of(Effect::vertical), .effects = vertical_effect};
+    static ModelTraits const traits{.name = "rocking",
+                                    .number = 1,
+                                    .holds = mask_of(Effect::vertical),
+                                    .effects = vertical_effect,
+                                    .channels = channels};
     return traits;
 }
 
@@ -182,7 +185,8 @@ ModelTraits const& sliding_traits() {
                                     .number = 2,
                                     .holds = mask_of(Effect::vertical) | mask_of(Effect::sliding),
                                     .always = mask_of(Effect::sliding),
-                                    .effects = sliding_effect};
+                                    .effects = sliding_effect,
+                                    .channels = channels};
     return traits;
 }
 

@@ -139,8 +139,9 @@ ResultsReader::ResultsReader(std::filesystem::path const& path, std::string_view
         validate(version <= format_version, "{}: format version {} (this program knows up to {}). Use a newer overturn",
                  path.string(), version, format_version);
         if (version < format_version) {
-            throw InputError(fmt::format("{}: format version {} (this program reads {}). Read it with overturn {}",
-                                         path.string(), version, format_version, text("program_version")));
+            throw InputError(
+                fmt::format("{}: format version {} (this program reads {}). Read it with overturn {}, revision {}",
+                            path.string(), version, format_version, text("program_version"), text("git_revision")));
         }
     }
 }

@@ -59,7 +59,7 @@ void choosing(benchmark::State& state, EffectRequest const& request) {
     }
     std::vector<Response> responses(trials.size());
     for (auto _ : state) {
-        ladder.respond(trials, responses);
+        benchmark::DoNotOptimize(ladder.respond(trials, responses));
     }
     std::int64_t slipped = 0;
     for (auto const& response : responses) {

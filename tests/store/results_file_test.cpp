@@ -284,10 +284,39 @@ void write_claim(std::filesystem::path const& path, Claim const& claim) {
     ResultsWriter writer(path);
     writer.attribute("format", std::string(claim.format));
     writer.attribute("program_version", std::string("0.0.9"));
+    writer.attribute("git_revision", std::string("abc"));
     if (claim.version > 0) {
         writer.attribute("format_version", claim.version);
     }
     writer.finish();
+}
+
+// Rows come back as they were written; a column of another length or kind, or with a value that has no name, is
+// refused.
+TEST_F(Results, RowsAreReadByTheTableThatWroteThem) {
+    write_example(path());
+    ResultsReader const reader(path());
+    auto const table = trials();
+    auto const written = some_rows(row_count);
+    std::vector<Row> rows(10);
+    auto const bytes = std::as_writable_bytes(std::span(rows));
+
+    reader.rows(table, row_count, 7, bytes);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        EXPECT_EQ(rows[i].amplitude, written[7 + i].amplitude);
+        EXPECT_EQ(rows[i].wave, written[7 + i].wave);
+        EXPECT_EQ(rows[i].verdict, written[7 + i].verdict);
+    }
+    for (auto const length : {std::int64_t{row_count} - 1, std::int64_t{row_count} + 1}) {
+        expect_input_error([&] { reader.rows(table, length, 0, bytes); }, "trials/amplitude has 1000 rows");
+    }
+    auto unnamed = table;
+    unnamed.columns[2].categories.pop_back();
+    expect_input_error([&] { reader.rows(unnamed, row_count, 0, bytes); }, "holds 2, which names nothing");
+    auto other = table;
+    other.columns[1].type = FieldType::category;
+    other.columns[1].categories = numbered({"one"});
+    expect_input_error([&] { reader.rows(other, row_count, 0, bytes); }, "trials/wave holds no names");
 }
 
 TEST_F(Results, ReaderRefusesOtherFormats) {
@@ -298,7 +327,8 @@ TEST_F(Results, ReaderRefusesOtherFormats) {
     expect_input_error([&] { (void)ResultsReader(path()); }, "format version 3", "newer overturn");
 
     write_claim(path(), {format_name, format_version - 1});
-    expect_input_error([&] { (void)ResultsReader(path()); }, "format version 1", "reads 2", "overturn 0.0.9");
+    expect_input_error([&] { (void)ResultsReader(path()); }, "format version 1", "reads 2",
+                       "overturn 0.0.9, revision abc");
 
     write_claim(path(), {format_name, 0});
     expect_input_error([&] { (void)ResultsReader(path()); }, "not a results file");
