@@ -5,13 +5,13 @@
 #include <gtest/gtest.h>
 
 #include "contact/cases.hpp"
+#include "contact/matching.hpp"
 
 namespace overturn {
 namespace {
 
 using testing::body_a;
 using testing::body_b;
-using testing::constant;
 using testing::ContactHistory;
 using testing::flat_bed;
 using testing::on_corners;
@@ -106,16 +106,6 @@ TEST(ContactRocking, QuarterPeriodNearsTheRigidOne) {
             EXPECT_NEAR(deviation / expected, 1, 0.02) << doublings << " " << deviation;
         }
     }
-}
-
-// sqrt of the energies of successive peaks.
-double emergent_restitution(RigidBody const& body, ContactBase const& base, ContactPad const& pad) {
-    auto const block = contact_block(body, base, pad, {});
-    double const alpha = body.alpha_rad();
-    auto const out = shaken(block, constant(0, 101), 0.01, {.step_ratio = 0.03, .longest_after_s = 0}, nullptr,
-                            leaning_start(block, 0.3 * alpha));
-    auto const energy = [&](double tilt) { return std::cos(alpha - tilt) - std::cos(alpha); };
-    return std::sqrt(energy(-out.trough_rad) / energy(0.3 * alpha));
 }
 
 TEST(ContactRocking, RestitutionEmergesFromTheBase) {
