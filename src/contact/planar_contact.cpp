@@ -1,7 +1,10 @@
 #include "contact/planar_contact.hpp"
 
+#include <array>
 #include <cmath>
+#include <vector>
 
+#include "contact/detail/contact_lanes.hpp"
 #include "contact/detail/contact_run.hpp"
 #include "core/error.hpp"
 
@@ -32,6 +35,21 @@ ContactOutcome simulate_contact(ContactBlock const& block, Excitation const& sha
         observer->at(run.instant());
     }
     return run.finish();
+}
+
+void simulate_contact(std::span<ContactTrial const> trials, ContactAccuracy const& accuracy,
+                      std::span<ContactOutcome> outcomes) {
+    OVERTURN_EXPECT(trials.size() == outcomes.size());
+    std::array<std::vector<std::size_t>, contact::most_points + 1> by_points;
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        by_points.at(trials[i].block->points.size()).push_back(i);
+    }
+    for (auto const& queue : by_points) {
+        if (!queue.empty()) {
+            contact::ContactLanes lanes(trials, queue, accuracy, outcomes);
+            simd::LaneScheduler(lanes).run();
+        }
+    }
 }
 
 ContactStart leaning_start(ContactBlock const& block, double rotation_rad) {
