@@ -29,16 +29,17 @@ template <class V, int Stride, int Points> class PressForce {
         V press, least_depth;  // sum of the normal forces; of the point that stands highest
     };
 
-    PressForce(double* body, double* bed, double const* const* samples, int points)
-        : body_(body), bed_(bed), samples_(samples), points_(Points > 0 ? Points : points) {}
+    explicit PressForce(PressLanes<Stride>& lanes)
+        : body_(lanes.body.values.data()),
+          bed_(lanes.bed.data()),
+          samples_(lanes.body.samples.data()),
+          points_(Points > 0 ? Points : lanes.points) {}
 
   protected:
-    [[nodiscard]] OVERTURN_LANES_INLINE V get(Pressing field) const {
-        return V::load(body_ + static_cast<int>(field) * Stride);
-    }
-    OVERTURN_LANES_INLINE void put(Pressing field, V value) { value.store(body_ + static_cast<int>(field) * Stride); }
+    [[nodiscard]] OVERTURN_LANES_INLINE V get(Pressing field) const { return V::load(body_ + row(field)); }
+    OVERTURN_LANES_INLINE void put(Pressing field, V value) { value.store(body_ + row(field)); }
     OVERTURN_LANES_INLINE void fetch_wave(PressWave wave, V index, V& here, V& next) const {
-        fetch(samples_ + static_cast<int>(wave) * Stride, index, here, next);
+        fetch(samples_ + row(wave), index, here, next);
     }
 
     [[nodiscard]] OVERTURN_LANES_INLINE Pull now(Motion const& at, Shaking const& by) const {
@@ -50,12 +51,13 @@ template <class V, int Stride, int Points> class PressForce {
     }
 
   private:
+    template <class Name> [[nodiscard]] static constexpr std::ptrdiff_t row(Name name) {
+        return static_cast<std::ptrdiff_t>(name) * Stride;
+    }
     [[nodiscard]] static OVERTURN_LANES_INLINE V spot(double const* point, Spot field) {
-        return V::load(point + static_cast<int>(field) * Stride);
+        return V::load(point + row(field));
     }
-    static OVERTURN_LANES_INLINE void set_spot(double* point, Spot field, V value) {
-        value.store(point + static_cast<int>(field) * Stride);
-    }
+    static OVERTURN_LANES_INLINE void set_spot(double* point, Spot field, V value) { value.store(point + row(field)); }
     template <bool Remember> OVERTURN_LANES_INLINE Pull pulled(Motion const& at, Shaking const& by, double* bed) const;
     OVERTURN_LANES_INLINE void remember_touch(double* point, V depth, V approach) const;
     OVERTURN_LANES_INLINE V remember_anchor(double* point, V here, V shift, V most) const;
@@ -112,7 +114,7 @@ OVERTURN_LANES_INLINE auto PressForce<V, Stride, Points>::pulled(Motion const& a
     V grip_moment = zero;
     V least_depth = 1e300;
     for (int i = 0; i < (Points > 0 ? Points : points_); ++i) {
-        double* const point = bed + i * static_cast<int>(Spot::count) * Stride;
+        double* const point = bed + i * row(Spot::count);
         V const offset = spot(point, Spot::offset);
         V const yield = spot(point, Spot::yield);
         V const depth = fma(at.sine, offset, -lift) - spot(point, Spot::crush);

@@ -20,8 +20,7 @@ template <class V, int Stride, int Points> class PressStepper : private PressFor
   public:
     using Force = PressForce<V, Stride, Points>;
     using M = typename Force::M;
-    PressStepper(double* body, double* bed, double const* const* samples, int points)
-        : Force(body, bed, samples, points) {}
+    explicit PressStepper(PressLanes<Stride>& lanes) : Force(lanes) {}
 
     /// \return the lanes that need care
     OVERTURN_LANES_INLINE M step();

@@ -16,8 +16,7 @@ using Half = simd::HWY_NAMESPACE::Doubles<1>;
 using Single = simd::HWY_NAMESPACE::OneDouble;
 
 template <class V, int Stride, int Points> std::uint32_t press(PressLanes<Stride>& lanes, bool once) {
-    PressStepper<V, Stride, Points> stepper(lanes.body.values.data(), lanes.bed.data(), lanes.body.samples.data(),
-                                            lanes.points);
+    PressStepper<V, Stride, Points> stepper(lanes);
     for (;;) {
         if (auto const care = stepper.step(); once || any(care)) {
             return bits(care);

@@ -91,21 +91,22 @@ enum class PressWave : int { horizontal, vertical, count };
 inline constexpr int most_points = 41;
 
 template <int Lanes> struct PressLanes {
-    static constexpr int spots = static_cast<int>(Spot::count);
+    static constexpr std::size_t spots = static_cast<std::size_t>(Spot::count);
 
     simd::LaneFields<Pressing, PressWave, Lanes> body;
-    alignas(64) std::array<double, std::size_t{most_points} * spots * Lanes> bed{};  ///< point by point
-    int points = 0;                                                                  ///< the same in all lanes
+    alignas(64) std::array<double, most_points * spots * Lanes> bed{};  ///< point by point
+    int points = 0;                                                     ///< the same in all lanes
 
     [[nodiscard]] static std::size_t place(Spot spot, int point, int lane) {
-        return static_cast<std::size_t>((point * spots + static_cast<int>(spot)) * Lanes + lane);
+        return (static_cast<std::size_t>(point) * spots + static_cast<std::size_t>(spot)) * Lanes
+               + static_cast<std::size_t>(lane);
     }
     [[nodiscard]] double& at(Spot spot, int point, int lane) { return bed[place(spot, point, lane)]; }
     [[nodiscard]] double at(Spot spot, int point, int lane) const { return bed[place(spot, point, lane)]; }
 
     void copy_lane(int from, int to) {
         body.copy_lane(from, to);
-        for (std::size_t row = 0; row < static_cast<std::size_t>(points * spots); ++row) {
+        for (std::size_t row = 0; row < static_cast<std::size_t>(points) * spots; ++row) {
             bed[row * Lanes + static_cast<std::size_t>(to)] = bed[row * Lanes + static_cast<std::size_t>(from)];
         }
     }
