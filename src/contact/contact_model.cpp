@@ -84,15 +84,16 @@ class ContactModel : public Model {
     [[nodiscard]] std::vector<ContactBlock> blocks_of(std::span<Trial const> trials) const {
         std::vector<ContactBlock> blocks;
         blocks.reserve(trials.size());
-        RigidBody const* body = nullptr;
+        RigidBody const* matched = nullptr;
         ContactMatch match{setup_.base, setup_.pad, 0};
         for (auto const& trial : trials) {
-            if (trial.body != body && setup_.restitution == Restitution::of_the_body) {
-                body = trial.body;
-                match = match_restitution(*body, setup_.base, setup_.pad, setup_.accuracy);
+            RigidBody const& body = *trial.body;
+            if (&body != matched && setup_.restitution == Restitution::of_the_body) {
+                matched = &body;
+                match = match_restitution(body, setup_.base, setup_.pad, setup_.accuracy);
             }
             bool const slides = has(trial.simulated, Effect::sliding);
-            blocks.push_back(contact_block(*trial.body, match.base, match.pad, slides ? trial.friction : std::nullopt,
+            blocks.push_back(contact_block(body, match.base, match.pad, slides ? trial.friction : std::nullopt,
                                            setup_.base_depth_m));
         }
         return blocks;

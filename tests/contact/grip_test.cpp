@@ -92,6 +92,34 @@ TEST(ContactHardCases, ACornerLandsExactly) {
     EXPECT_LT(out.peak_energy_ratio, 0.1);
 }
 
+// All but balanced on its corner at rest: nothing moves at first, yet it may not be held there.
+TEST(ContactHardCases, BalanceIsNoRest) {
+    auto const block = on_corners(body_a(), 0.8);
+    auto const out =
+        shaken(block, constant(0, 1501), 1e-2, {}, nullptr, leaning_start(block, (1 - 1e-6) * body_a().alpha_rad()));
+    EXPECT_TRUE(out.verdict == Verdict::overturned || out.impacts > 0);
+}
+
+// A pad that yields keeps the crush, and bounds the force of a point.
+TEST(ContactHardCases, AWeakPadIsCrushed) {
+    auto const wave = testing::sine(1.3 * body_a().uplift_acceleration_mps2(), 1, 1, 2);
+    auto const run = [&](std::optional<double> strength_pa) {
+        return shaken(contact_block(body_a(), {}, {.strength_pa = strength_pa}, Friction{0.8, 0.8}), wave, 1e-3);
+    };
+    auto const elastic = run({});
+    auto const strong = run(1e12);
+    auto const weak = run(1e6);
+    EXPECT_EQ(elastic.own.peak_crush_m, 0);
+    EXPECT_EQ(strong.peak_rotation_rad, elastic.peak_rotation_rad);
+    EXPECT_EQ(strong.own.peak_crush_m, 0);
+    EXPECT_GT(weak.own.peak_crush_m, 1e-3);
+    EXPECT_LT(weak.own.peak_crush_m, 0.1);
+    // Damping stands on top of the strength, half of the base's area to a corner.
+    double const strength_ratio = 1e6 * (1.36 * 1.36 / 2) / (body_a().mass_kg() * g0);
+    EXPECT_LT(weak.own.peak_contact_force_ratio, strength_ratio * (1 + normal_damping(0.25)));
+    EXPECT_GT(elastic.own.peak_contact_force_ratio, strength_ratio * (1 + normal_damping(0.25)));
+}
+
 // A block at rest that nothing shakes enough is never stepped.
 TEST(ContactHardCases, RestCostsNothing) {
     auto const block = on_corners(body_a(), 0.8);

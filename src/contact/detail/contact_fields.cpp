@@ -132,6 +132,14 @@ bool ContactRun::slipped() const {
     return get(Pressing::most_slip) > get(Pressing::hold) * most / (w * w);
 }
 
+double ContactRun::deepest_crush() const {
+    double deepest = 0;
+    for (int i = 0; i < lane_.points; ++i) {
+        deepest = std::max(deepest, lane_.at(Spot::crush, i, 0));
+    }
+    return deepest;
+}
+
 // Of the sums that lanes keep, what needs no thought.
 void ContactRun::tell_peaks(ContactOutcome& out) const {
     double const g = block_.gravity_mps2;
@@ -144,10 +152,8 @@ void ContactRun::tell_peaks(ContactOutcome& out) const {
     out.peak_slip_m = get(Pressing::most_slip);
     out.residual_slip_m = get(Pressing::sway) - block_.centre_height_m * get(Pressing::sine);
     out.end_sway_mps = get(Pressing::sway_speed);
-    out.own = {0, std::max(1.0, get(Pressing::most_force) / g), get(Pressing::most_rise) + block_.settlement_m()};
-    for (int i = 0; i < lane_.points; ++i) {
-        out.own.peak_crush_m = std::max(out.own.peak_crush_m, lane_.at(Spot::crush, i, 0));
-    }
+    out.own = {deepest_crush(), std::max(1.0, get(Pressing::most_force) / g),
+               get(Pressing::most_rise) + block_.settlement_m()};
 }
 
 ContactOutcome ContactRun::finish() const {

@@ -166,8 +166,8 @@ bool ContactRun::decided() const {
     double const h = block_.centre_height_m;
     double const radius = std::hypot(b, h);
     double const alpha = std::atan2(b, h);
-    constexpr double safe = 0.99;  // soft corners lower the top by a few settlements
-    double const energy = mechanical_energy() / (block_.gravity_mps2 * radius);
+    constexpr double safe = 0.99;  // soft corners lower the top by a few settlements; crushed ones by what is gone
+    double const energy = mechanical_energy() / (block_.gravity_mps2 * radius) + deepest_crush() / radius;
     if (energy > safe * (1 - std::cos(alpha)) || std::abs(get(Pressing::rotation)) >= alpha) {
         return false;
     }

@@ -39,6 +39,7 @@ class ContactRun {
     [[nodiscard]] bool calm(std::size_t sample) const;
     [[nodiscard]] bool decided() const;
     [[nodiscard]] bool slipped() const;
+    [[nodiscard]] double deepest_crush() const;
     [[nodiscard]] double mechanical_energy() const;
     /// Of motion and unbalance, over the mass: below it a body may be held at rest.
     [[nodiscard]] double quiet_energy() const;

@@ -114,7 +114,10 @@ OVERTURN_LANES_INLINE auto PressStepper<V, Stride, Points>::turn_page(Motion con
     V const energy = 0.5
                      * fma(square(pull.sway, pull.rise, pull.spin, inertia), get(Pressing::flexibility),
                            square(at.sway_speed, at.rise_speed, at.spin, inertia));
-    M const quiet = (energy < get(Pressing::quiet_energy)) & (strongest <= get(Pressing::rest_ratio) * weight);
+    // Near the critical angle all is quiet too.
+    M const upright = abs(at.sine) < 0.1 * get(Pressing::sine_alpha);
+    M const quiet =
+        upright & (energy < get(Pressing::quiet_energy)) & (strongest <= get(Pressing::rest_ratio) * weight);
     return ended & (quiet | (index >= last));
 }
 
