@@ -7,16 +7,38 @@
 namespace overturn::contact {
 
 void ContactRun::fill_trial(ContactAccuracy const& accuracy) {
+    fill_steps(accuracy);
+    fill_law();
     double const b = block_.half_width_m;
     double const h = block_.centre_height_m;
     double const w = block_.vertical_radps();
-    double const y = normal_damping(block_.pad.normal_restitution);
     double const inertia = block_.inertia_over_mass_m2;
     double const alpha = std::atan2(b, h);
     double const radius = std::hypot(b, h);
-    double const p = std::sqrt(block_.gravity_mps2 * radius / (inertia + radius * radius));
+    put(Pressing::gravity, block_.gravity_mps2);
+    put(Pressing::height, h);
+    put(Pressing::inertia, inertia);
+    put(Pressing::mass_over_inertia, 1 / inertia);
+    put(Pressing::inverse_p, std::sqrt((inertia + radius * radius) / (block_.gravity_mps2 * radius)));
+    put(Pressing::sine_alpha, std::sin(alpha));
+    put(Pressing::cosine_alpha, std::cos(alpha));
+    put(Pressing::impact_spin, block_.approach_floor_mps() / b);
+    put(Pressing::quiet_energy, accuracy.rest_gate ? quiet_energy() : -1);
+    put(Pressing::flexibility, 1 / (block_.pad.tangential_ratio * w * w));
+    // Corners part at b / h, a flat bed at a third of it.
+    double const parting = lane_.points == 2 ? 0.9 : 0.25;
+    put(Pressing::rest_ratio, std::min(parting * b / h, 0.5 * block_.friction));
+    put(Pressing::least_force, std::numeric_limits<double>::infinity());
+    put(Pressing::uplift_time, -1);
+    put(Pressing::loss_time, -1);
+}
+
+// A whole number of steps per sample, and the samples.
+void ContactRun::fill_steps(ContactAccuracy const& accuracy) {
+    double const y = normal_damping(block_.pad.normal_restitution);
     static double const usual_damping = normal_damping(ContactPad{}.normal_restitution);
-    longest_step_s_ = accuracy.step_ratio / w * std::min(1.0, usual_damping / std::max(y, usual_damping));
+    longest_step_s_ =
+        accuracy.step_ratio / block_.vertical_radps() * std::min(1.0, usual_damping / std::max(y, usual_damping));
     run_out_s_ = accuracy.longest_after_s;
     double const dt = shaking_.time_step_s > 0 ? shaking_.time_step_s : longest_step_s_;
     constexpr double slack = 1e-9;  // a step that divides the sample is taken as it is
@@ -26,34 +48,24 @@ void ContactRun::fill_trial(ContactAccuracy const& accuracy) {
     put(Pressing::inverse_substeps, 1 / substeps);
     put(Pressing::time_step, dt);
     put(Pressing::last, static_cast<double>(last_));
+    bool const lifted = !shaking_.vertical_mps2.empty();
     put(Pressing::horizontal_scale, shaking_.scale);
-    put(Pressing::vertical_scale, shaking_.vertical_mps2.empty() ? 0 : shaking_.scale);
-    put(Pressing::gravity, block_.gravity_mps2);
-    put(Pressing::height, h);
-    put(Pressing::mass_over_inertia, 1 / inertia);
+    put(Pressing::vertical_scale, lifted ? shaking_.scale : 0);
+    lane_.body.at(PressWave::horizontal, 0) = shaking_.horizontal_mps2.data();
+    lane_.body.at(PressWave::vertical, 0) = (lifted ? shaking_.vertical_mps2 : shaking_.horizontal_mps2).data();
+}
+
+void ContactRun::fill_law() {
+    double const w = block_.vertical_radps();
+    double const y = normal_damping(block_.pad.normal_restitution);
+    auto const& pad = block_.pad;
     put(Pressing::friction, block_.friction);
-    put(Pressing::hold, block_.friction / block_.pad.tangential_ratio);
-    put(Pressing::tangential_ratio, block_.pad.tangential_ratio);
-    put(Pressing::tangential_damping, 2 * block_.pad.tangential_damping * std::sqrt(block_.pad.tangential_ratio) / w);
+    put(Pressing::hold, block_.friction / pad.tangential_ratio);
+    put(Pressing::tangential_ratio, pad.tangential_ratio);
+    put(Pressing::tangential_damping, 2 * pad.tangential_damping * std::sqrt(pad.tangential_ratio) / w);
     put(Pressing::damping, y);
     put(Pressing::most_damping, y / w);
     put(Pressing::least_approach, block_.approach_floor_mps());
-    put(Pressing::inverse_p, 1 / p);
-    put(Pressing::sine_alpha, std::sin(alpha));
-    put(Pressing::cosine_alpha, std::cos(alpha));
-    put(Pressing::impact_spin, block_.approach_floor_mps() / b);
-    put(Pressing::quiet_energy, accuracy.rest_gate ? quiet_energy() : -1);
-    put(Pressing::inverse_inertia, inertia);
-    put(Pressing::flexibility, 1 / (block_.pad.tangential_ratio * w * w));
-    // Corners part at b / h, a flat bed at a third of it.
-    double const parting = lane_.points == 2 ? 0.9 : 0.25;
-    put(Pressing::rest_ratio, std::min(parting * b / h, 0.5 * block_.friction));
-    put(Pressing::least_force, std::numeric_limits<double>::infinity());
-    put(Pressing::uplift_time, -1);
-    put(Pressing::loss_time, -1);
-    lane_.body.at(PressWave::horizontal, 0) = shaking_.horizontal_mps2.data();
-    lane_.body.at(PressWave::vertical, 0) =
-        shaking_.vertical_mps2.empty() ? shaking_.horizontal_mps2.data() : shaking_.vertical_mps2.data();
 }
 
 void ContactRun::fill_points() {

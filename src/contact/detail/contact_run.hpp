@@ -29,6 +29,8 @@ class ContactRun {
     enum class Phase : std::uint8_t { resting, shaken, running_out };
 
     void fill_trial(ContactAccuracy const& accuracy);
+    void fill_steps(ContactAccuracy const& accuracy);
+    void fill_law();
     void fill_points();
     void place(ContactStart const& start);
     void turn_to(double rotation_rad);

@@ -36,6 +36,7 @@ template <class V, int Stride, int Points> class PressStepper : private PressFor
     OVERTURN_LANES_INLINE Motion moved(Motion const& from, V sway, V rise, V turn, Pull const& by, V time) const;
     OVERTURN_LANES_INLINE void log(Motion const& at, Pull const& pull, V index, V substep);
     OVERTURN_LANES_INLINE M turn_page(Motion const& at, Pull const& pull, V index, M ended);
+    OVERTURN_LANES_INLINE M advanced(Motion const& at, Pull const& pull, V index, V substep);
     OVERTURN_LANES_INLINE void save(Motion const& to, V turn);
 };
 
@@ -110,7 +111,7 @@ OVERTURN_LANES_INLINE auto PressStepper<V, Stride, Points>::turn_page(Motion con
     V const weight = min(here, next) + get(Pressing::gravity);
     auto const square = [](V sway, V rise, V spin, V inertia)
                             HWY_ATTR { return fma(sway, sway, fma(rise, rise, inertia * (spin * spin))); };
-    V const inertia = get(Pressing::inverse_inertia);
+    V const inertia = get(Pressing::inertia);
     V const energy = 0.5
                      * fma(square(pull.sway, pull.rise, pull.spin, inertia), get(Pressing::flexibility),
                            square(at.sway_speed, at.rise_speed, at.spin, inertia));
@@ -173,18 +174,25 @@ template <class V, int Stride, int Points> OVERTURN_LANES_INLINE auto PressStepp
                              way(start.rise_speed, a.rise, b.rise, c.rise), turn, sum, h);
     save(end, turn);
 
+    return advanced(end, sum, index, substep);
+}
+
+// The place that the step has reached. Returns the lanes that need care there.
+template <class V, int Stride, int Points>
+OVERTURN_LANES_INLINE auto PressStepper<V, Stride, Points>::advanced(Motion const& at, Pull const& pull, V index,
+                                                                     V substep) -> M {
     V const after = substep + 1.0;
     M const ended = after >= get(Pressing::substeps);
-    M care = !(abs(get(Pressing::rotation)) < 0.5 * std::numbers::pi);
-    if (any(ended)) {
-        V const reached = choose(ended, index + 1.0, index);
-        care = care | turn_page(end, sum, reached, ended);
-        put(Pressing::index, reached);
-        put(Pressing::substep, choose(ended, V(0), after));
-    } else {
+    M const fell = !(abs(get(Pressing::rotation)) < 0.5 * std::numbers::pi);  // or is no number any more
+    if (!any(ended)) {
         put(Pressing::substep, after);
+        return fell;
     }
-    return care;
+    V const reached = choose(ended, index + 1.0, index);
+    M const turned = turn_page(at, pull, reached, ended);
+    put(Pressing::index, reached);
+    put(Pressing::substep, choose(ended, V(0), after));
+    return fell | turned;
 }
 
 }  // namespace overturn::contact::HWY_NAMESPACE

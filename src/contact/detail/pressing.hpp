@@ -67,7 +67,7 @@ enum class Pressing : int {
     cosine_alpha,        ///< likewise
     impact_spin,         ///< slower passages of theta through zero are no impacts
     quiet_energy,        ///< negative: the body is never held at rest
-    inverse_inertia,     ///< I_G / m
+    inertia,             ///< I_G / m
     flexibility,         ///< 1 / k_t, over the mass: what an unbalanced force is worth in energy
     rest_ratio,          ///< |a| / gv up to which a quiet body is held at rest
     count
