@@ -1,0 +1,204 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/detail/contact_run.hpp"
+
+namespace overturn::contact {
+
+void ContactRun::fill_trial(ContactAccuracy const& accuracy) {
+    fill_steps(accuracy);
+    fill_law();
+    double const b = block_.half_width_m;
+    double const h = block_.centre_height_m;
+    double const w = block_.vertical_radps();
+    double const inertia = block_.inertia_over_mass_m2;
+    double const alpha = std::atan2(b, h);
+    double const radius = std::hypot(b, h);
+    put(Pressing::gravity, block_.gravity_mps2);
+    put(Pressing::height, h);
+    put(Pressing::inertia, inertia);
+    put(Pressing::mass_over_inertia, 1 / inertia);
+    put(Pressing::inverse_p, std::sqrt((inertia + radius * radius) / (block_.gravity_mps2 * radius)));
+    put(Pressing::sine_alpha, std::sin(alpha));
+    put(Pressing::cosine_alpha, std::cos(alpha));
+    put(Pressing::impact_spin, block_.approach_floor_mps() / b);
+    put(Pressing::quiet_energy, accuracy.rest_gate ? quiet_energy() : -1);
+    put(Pressing::flexibility, 1 / (block_.pad.tangential_ratio * w * w));
+    // Corners part at b / h, a flat bed at a third of it.
+    double const parting = lane_.points == 2 ? 0.9 : 0.25;
+    put(Pressing::rest_ratio, std::min(parting * b / h, 0.5 * block_.friction));
+    put(Pressing::least_force, std::numeric_limits<double>::infinity());
+    put(Pressing::uplift_time, -1);
+    put(Pressing::loss_time, -1);
+}
+
+// A whole number of steps per sample, and the samples.
+void ContactRun::fill_steps(ContactAccuracy const& accuracy) {
+    double const y = normal_damping(block_.pad.normal_restitution);
+    static double const usual_damping = normal_damping(ContactPad{}.normal_restitution);
+    longest_step_s_ =
+        accuracy.step_ratio / block_.vertical_radps() * std::min(1.0, usual_damping / std::max(y, usual_damping));
+    run_out_s_ = accuracy.longest_after_s;
+    double const dt = shaking_.time_step_s > 0 ? shaking_.time_step_s : longest_step_s_;
+    constexpr double slack = 1e-9;  // a step that divides the sample is taken as it is
+    double const substeps = std::max(1.0, std::ceil(dt / longest_step_s_ - slack));
+    put(Pressing::step, dt / substeps);
+    put(Pressing::substeps, substeps);
+    put(Pressing::inverse_substeps, 1 / substeps);
+    put(Pressing::time_step, dt);
+    put(Pressing::last, static_cast<double>(last_));
+    bool const lifted = !shaking_.vertical_mps2.empty();
+    put(Pressing::horizontal_scale, shaking_.scale);
+    put(Pressing::vertical_scale, lifted ? shaking_.scale : 0);
+    lane_.body.at(PressWave::horizontal, 0) = shaking_.horizontal_mps2.data();
+    lane_.body.at(PressWave::vertical, 0) = (lifted ? shaking_.vertical_mps2 : shaking_.horizontal_mps2).data();
+}
+
+void ContactRun::fill_law() {
+    double const w = block_.vertical_radps();
+    double const y = normal_damping(block_.pad.normal_restitution);
+    auto const& pad = block_.pad;
+    put(Pressing::friction, block_.friction);
+    put(Pressing::hold, block_.friction / pad.tangential_ratio);
+    put(Pressing::tangential_ratio, pad.tangential_ratio);
+    put(Pressing::tangential_damping, 2 * pad.tangential_damping * std::sqrt(pad.tangential_ratio) / w);
+    put(Pressing::damping, y);
+    put(Pressing::most_damping, y / w);
+    put(Pressing::least_approach, block_.approach_floor_mps());
+}
+
+void ContactRun::fill_points() {
+    double const w = block_.vertical_radps();
+    for (int i = 0; i < lane_.points; ++i) {
+        auto const& point = block_.points[static_cast<std::size_t>(i)];
+        double const stiffness = point.stiffness_share * w * w;
+        lane_.at(Spot::offset, i, 0) = point.offset_m;
+        lane_.at(Spot::stiffness, i, 0) = stiffness;
+        lane_.at(Spot::lever, i, 0) = stiffness * point.offset_m;
+        lane_.at(Spot::yield, i, 0) = block_.yield_depth_m;
+        lane_.at(Spot::gain, i, 0) = get(Pressing::damping) / block_.approach_floor_mps();
+        lane_.at(Spot::anchor, i, 0) = point.offset_m;
+    }
+}
+
+void ContactRun::turn_to(double rotation_rad) {
+    put(Pressing::rotation, rotation_rad);
+    put(Pressing::sine, std::sin(rotation_rad));
+    put(Pressing::cosine, std::cos(rotation_rad));
+}
+
+void ContactRun::place(ContactStart const& start) {
+    turn_to(start.rotation_rad);
+    put(Pressing::sway, start.sway_m);
+    put(Pressing::rise, start.rise_m - block_.settlement_m());
+    put(Pressing::sway_speed, start.sway_mps);
+    put(Pressing::rise_speed, start.rise_mps);
+    put(Pressing::spin, start.velocity_radps);
+    put(Pressing::crest, start.rotation_rad);
+    put(Pressing::trough, start.rotation_rad);
+    put(Pressing::most_rise, get(Pressing::rise));
+    put(Pressing::side, start.rotation_rad < 0 ? -1 : 1);
+}
+
+ContactInstant ContactRun::instant() const {
+    return {get(Pressing::origin) + get(Pressing::index) * get(Pressing::time_step)
+                + get(Pressing::substep) * get(Pressing::step),
+            get(Pressing::rotation),
+            get(Pressing::spin),
+            get(Pressing::sway),
+            get(Pressing::sway_speed),
+            get(Pressing::rise),
+            get(Pressing::rise_speed)};
+}
+
+// Kinetic, of position and of springs, over the mass; none in settled rest.
+double ContactRun::mechanical_energy() const {
+    double const base = get(Pressing::rise) + block_.centre_height_m * (1 - get(Pressing::cosine));
+    double const middle = get(Pressing::sway) - block_.centre_height_m * get(Pressing::sine);
+    double springs = 0;
+    for (int i = 0; i < lane_.points; ++i) {
+        double const x = lane_.at(Spot::offset, i, 0);
+        double const depth = get(Pressing::sine) * x - base - lane_.at(Spot::crush, i, 0);
+        if (depth > 0) {
+            double const shift = middle + get(Pressing::cosine) * x - lane_.at(Spot::anchor, i, 0);
+            springs +=
+                0.5 * lane_.at(Spot::stiffness, i, 0) * (depth * depth + block_.pad.tangential_ratio * shift * shift);
+        }
+    }
+    double const moving = get(Pressing::sway_speed) * get(Pressing::sway_speed)
+                          + get(Pressing::rise_speed) * get(Pressing::rise_speed)
+                          + block_.inertia_over_mass_m2 * get(Pressing::spin) * get(Pressing::spin);
+    return 0.5 * moving + springs + block_.gravity_mps2 * (get(Pressing::rise) + 0.5 * block_.settlement_m());
+}
+
+double ContactRun::quiet_energy() const {
+    constexpr double share = 1e-9;
+    return share * block_.gravity_mps2 * block_.centre_height_m;
+}
+
+// Farther than springs that hold give way.
+bool ContactRun::slipped() const {
+    double const most = std::max(get(Pressing::most_force), block_.gravity_mps2);
+    double const w = block_.vertical_radps();
+    return get(Pressing::most_slip) > get(Pressing::hold) * most / (w * w);
+}
+
+double ContactRun::deepest_crush() const {
+    double deepest = 0;
+    for (int i = 0; i < lane_.points; ++i) {
+        deepest = std::max(deepest, lane_.at(Spot::crush, i, 0));
+    }
+    return deepest;
+}
+
+// Of the sums that lanes keep, what needs no thought.
+void ContactRun::tell_peaks(ContactOutcome& out) const {
+    double const g = block_.gravity_mps2;
+    out.crest_rad = get(Pressing::crest);
+    out.trough_rad = get(Pressing::trough);
+    out.impacts = static_cast<std::int64_t>(get(Pressing::impacts));
+    out.steps = static_cast<std::int64_t>(get(Pressing::steps));
+    out.friction_demand = out.friction_work_jpkg = never;
+    out.min_contact_force_ratio = out.steps > 0 ? get(Pressing::least_force) / g : 1;
+    out.peak_slip_m = get(Pressing::most_slip);
+    out.residual_slip_m = get(Pressing::sway) - block_.centre_height_m * get(Pressing::sine);
+    out.end_sway_mps = get(Pressing::sway_speed);
+    out.own = {deepest_crush(), std::max(1.0, get(Pressing::most_force) / g),
+               get(Pressing::most_rise) + block_.settlement_m()};
+}
+
+ContactOutcome ContactRun::finish() const {
+    ContactOutcome out;
+    tell_peaks(out);
+    double const alpha = std::atan2(block_.half_width_m, block_.centre_height_m);
+    double const radius = std::hypot(block_.half_width_m, block_.centre_height_m);
+    double const rotation = get(Pressing::rotation);
+    bool const fell = std::abs(rotation) >= pi / 2;
+    bool const forward = out.crest_rad >= -out.trough_rad;
+    auto const since = [](double time) { return time < 0 ? never : time; };
+    out.first_uplift_s = since(get(Pressing::uplift_time));
+    out.contact_lost_s = since(get(Pressing::loss_time));
+    out.peak_rotation_rad = fell ? pi / 2 : std::max(out.crest_rad, -out.trough_rad);
+    out.peak_rotation_ratio = out.peak_rotation_rad / alpha;
+    if (fell) {
+        out.overturn_time_s = out.time_of_peak_s = instant().time_s;
+    } else if (out.peak_rotation_rad > 0) {
+        out.time_of_peak_s = get(forward ? Pressing::crest_time : Pressing::trough_time);
+    }
+    out.peak_energy_ratio = get(Pressing::most_energy) / (1 - std::cos(alpha));
+    double const turned = std::min(alpha, out.peak_rotation_rad) / 2;
+    out.response_velocity_mps =
+        2 * std::sqrt(block_.gravity_mps2 * radius * std::sin(alpha - turned) * std::sin(turned));
+    out.verdict = fell                              ? Verdict::overturned
+                  : !std::isnan(out.first_uplift_s) ? Verdict::rocked
+                  : slipped()                       ? Verdict::slid
+                                                    : Verdict::at_rest;
+    if (!std::isfinite(rotation + get(Pressing::sway) + get(Pressing::rise) + get(Pressing::spin))) {
+        out.verdict = Verdict::failed;
+        out.failure = FailureReason::no_convergence;
+    }
+    return out;
+}
+
+}  // namespace overturn::contact

@@ -1,0 +1,152 @@
+// What the points of a base do to the body, in any vector width. Included once per instruction set, so without a
+// #pragma once; by press_step-inl.hpp only.
+#if defined(OVERTURN_PRESS_FORCE) == defined(HWY_TARGET_TOGGLE)
+#ifdef OVERTURN_PRESS_FORCE
+#undef OVERTURN_PRESS_FORCE
+#else
+#define OVERTURN_PRESS_FORCE
+#endif
+
+#include "contact/detail/pressing.hpp"
+#include "simd/lanes-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace overturn::contact::HWY_NAMESPACE {
+
+/// \tparam Points of the base; 0: as many as are said
+template <class V, int Stride, int Points> class PressForce {
+  public:
+    using M = typename V::Mask;
+
+    struct Motion {
+        V sway, rise, sine, cosine, sway_speed, rise_speed, spin;
+    };
+    struct Shaking {
+        V across, weight;  // horizontal acceleration; gravity with the vertical one
+    };
+    struct Pull {
+        V sway, rise, spin;    // accelerations
+        V press, least_depth;  // sum of the normal forces; of the point that stands highest
+    };
+
+    explicit PressForce(PressLanes<Stride>& lanes)
+        : body_(lanes.body.values.data()),
+          bed_(lanes.bed.data()),
+          samples_(lanes.body.samples.data()),
+          points_(Points > 0 ? Points : lanes.points) {}
+
+  protected:
+    [[nodiscard]] OVERTURN_LANES_INLINE V get(Pressing field) const { return V::load(body_ + row(field)); }
+    OVERTURN_LANES_INLINE void put(Pressing field, V value) { value.store(body_ + row(field)); }
+    OVERTURN_LANES_INLINE void fetch_wave(PressWave wave, V index, V& here, V& next) const {
+        fetch(samples_ + row(wave), index, here, next);
+    }
+
+    [[nodiscard]] OVERTURN_LANES_INLINE Pull now(Motion const& at, Shaking const& by) const {
+        return pulled<false>(at, by, bed_);
+    }
+    /// Also brings what the points remember up to date; that changes no force.
+    OVERTURN_LANES_INLINE Pull now_and_remember(Motion const& at, Shaking const& by) {
+        return pulled<true>(at, by, bed_);
+    }
+
+  private:
+    template <class Name> [[nodiscard]] static constexpr std::ptrdiff_t row(Name name) {
+        return static_cast<std::ptrdiff_t>(name) * Stride;
+    }
+    [[nodiscard]] static OVERTURN_LANES_INLINE V spot(double const* point, Spot field) {
+        return V::load(point + row(field));
+    }
+    static OVERTURN_LANES_INLINE void set_spot(double* point, Spot field, V value) { value.store(point + row(field)); }
+    template <bool Remember> OVERTURN_LANES_INLINE Pull pulled(Motion const& at, Shaking const& by, double* bed) const;
+    OVERTURN_LANES_INLINE void remember_touch(double* point, V depth, V approach) const;
+    OVERTURN_LANES_INLINE V remember_anchor(double* point, V here, V shift, V most) const;
+
+    double* body_;
+    double* bed_;
+    double const* const* samples_;
+    int points_;
+};
+
+// The approach speed until it touches; the crush that it leaves.
+template <class V, int Stride, int Points>
+OVERTURN_LANES_INLINE void PressForce<V, Stride, Points>::remember_touch(double* point, V depth, V approach) const {
+    if (M const away = depth <= V(0); any(away)) {
+        V const fresh = get(Pressing::damping) / max(approach, get(Pressing::least_approach));
+        set_spot(point, Spot::gain, choose(away, fresh, spot(point, Spot::gain)));
+    }
+    V const excess = depth - spot(point, Spot::yield);
+    if (any(excess > V(0))) {
+        set_spot(point, Spot::crush, spot(point, Spot::crush) + max(excess, V(0)));
+    }
+}
+
+// An anchor that friction cannot hold follows its point. Returns the shift that is left.
+template <class V, int Stride, int Points>
+OVERTURN_LANES_INLINE V PressForce<V, Stride, Points>::remember_anchor(double* point, V here, V shift, V most) const {
+    M const drags = abs(shift) > most;
+    V const held = max(-most, min(most, shift));
+    if (any(drags)) {
+        set_spot(point, Spot::anchor, choose(drags, here - held, spot(point, Spot::anchor)));
+    }
+    return held;
+}
+
+template <class V, int Stride, int Points>
+template <bool Remember>
+OVERTURN_LANES_INLINE auto PressForce<V, Stride, Points>::pulled(Motion const& at, Shaking const& by, double* bed) const
+    -> Pull {
+    V const zero = 0;
+    V const h = get(Pressing::height);
+    V const turning = at.spin * at.sine;
+    V const rolling = at.spin * at.cosine;
+    V const lift = fma(h, 1.0 - at.cosine, at.rise);  // of the middle of the base
+    V const climb = fma(h, turning, at.rise_speed);   // its velocities
+    V const slide = at.sway_speed - h * rolling;
+    V const base = at.sway - h * at.sine;
+    V const friction = get(Pressing::friction);
+    V const ratio = get(Pressing::tangential_ratio);
+    V const drag = get(Pressing::tangential_damping);
+    V const cap = get(Pressing::most_damping);
+    V press = zero;
+    V grip = zero;
+    V press_moment = zero;
+    V grip_moment = zero;
+    V least_depth = 1e300;
+    for (int i = 0; i < (Points > 0 ? Points : points_); ++i) {
+        double* const point = bed + i * row(Spot::count);
+        V const offset = spot(point, Spot::offset);
+        V const yield = spot(point, Spot::yield);
+        V const depth = fma(at.sine, offset, -lift) - spot(point, Spot::crush);
+        V const approach = fma(rolling, offset, -climb);
+        if constexpr (Remember) {
+            remember_touch(point, depth, approach);
+            least_depth = min(depth, least_depth);
+        }
+        V const elastic = min(max(depth, zero), yield);
+        V const damping = min(spot(point, Spot::gain) * elastic, cap);
+        V const normal = max(fma(damping, approach, elastic), zero);
+        V const here = fma(at.cosine, offset, base);
+        V shift = here - spot(point, Spot::anchor);
+        if constexpr (Remember) {
+            shift = remember_anchor(point, here, shift, get(Pressing::hold) * normal);
+        }
+        V const limit = friction * normal;
+        V const wanted = fma(ratio, shift, drag * fma(-turning, offset, slide));
+        V const held = max(-limit, min(limit, wanted));  // against the motion
+        V const stiffness = spot(point, Spot::stiffness);
+        V const lever = spot(point, Spot::lever);
+        // Unfused: what two corners do alike cancels to the last bit.
+        press = press + stiffness * normal;
+        grip = grip + stiffness * held;
+        press_moment = press_moment + lever * normal;
+        grip_moment = grip_moment + lever * held;
+    }
+    V const moment = at.sine * grip_moment - at.cosine * press_moment + h * fma(at.cosine, grip, at.sine * press);
+    return {-(grip + by.across), press - by.weight, moment * get(Pressing::mass_over_inertia), press, least_depth};
+}
+
+}  // namespace overturn::contact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,125 @@
+/// Bodies pressing on compliant points, stepped in SIMD lanes of any mixture of trials up to the first instant that
+/// needs care. One arithmetic serves one lane and many: whatever the machine's vectors, the bits are the same.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "simd/lane_fields.hpp"
+
+namespace overturn::contact {
+
+/// What a lane holds of the body. SI, forces over the mass: accelerations.
+enum class Pressing : int {
+    // state
+    sway,      ///< x of the centre of gravity
+    rise,      ///< z - h; -g/w_v^2 in rest
+    rotation,  ///< theta
+    sine,      ///< of theta, carried by rotation
+    cosine,
+    sway_speed,
+    rise_speed,
+    spin,  ///< theta'
+    // place in the wave
+    index,    ///< of the sample
+    substep,  ///< since that sample
+    horizontal,
+    horizontal_change,  ///< to the next sample
+    vertical,
+    vertical_change,
+    // log
+    crest,  ///< largest theta
+    crest_time,
+    trough,  ///< smallest theta
+    trough_time,
+    least_force,
+    most_force,
+    most_rise,
+    most_slip,
+    most_energy,  ///< of rocking, over m g R
+    uplift_time,  ///< negative: not yet
+    loss_time,    ///< likewise
+    impacts,
+    side,  ///< sign of theta when it last passed zero
+    steps,
+    // trial
+    step,
+    substeps,  ///< of a sample
+    inverse_substeps,
+    time_step,  ///< of the samples
+    origin,     ///< time of sample 0
+    last,       ///< index of the last sample
+    horizontal_scale,
+    vertical_scale,  ///< 0: without vertical motion
+    gravity,
+    height,              ///< h
+    mass_over_inertia,   ///< m / I_G
+    friction,            ///< mu
+    hold,                ///< mu k / k_t: elastic shift of an anchor at most, over the depth of a point's force
+    tangential_ratio,    ///< k_t / k
+    tangential_damping,  ///< c_t / k
+    damping,             ///< y: of the normal law
+    most_damping,        ///< y / w_v: cap of c / k
+    least_approach,      ///< v_min = g / w_v
+    inverse_p,           ///< 1 / p of the rigid body
+    sine_alpha,          ///< of the critical angle
+    cosine_alpha,        ///< likewise
+    impact_spin,         ///< slower passages of theta through zero are no impacts
+    quiet_energy,        ///< negative: the body is never held at rest
+    inertia,             ///< I_G / m
+    flexibility,         ///< 1 / k_t, over the mass: what an unbalanced force is worth in energy
+    rest_ratio,          ///< |a| / gv up to which a quiet body is held at rest
+    count
+};
+
+/// What a lane holds of each point of the base.
+enum class Spot : int {
+    offset,     ///< X, from the body's axis
+    stiffness,  ///< k / m
+    lever,      ///< X k / m
+    yield,      ///< depth at which the pad yields; infinite: never
+    crush,      ///< q: depth that the pad remembers
+    gain,       ///< y / v: v the approach speed at the last touch
+    anchor,     ///< p: where it holds the ground
+    count
+};
+
+enum class PressWave : int { horizontal, vertical, count };
+
+/// Points of a base at most.
+inline constexpr int most_points = 41;
+
+template <int Lanes> struct PressLanes {
+    static constexpr std::size_t spots = static_cast<std::size_t>(Spot::count);
+
+    simd::LaneFields<Pressing, PressWave, Lanes> body;
+    alignas(64) std::array<double, most_points * spots * Lanes> bed{};  ///< point by point
+    int points = 0;                                                     ///< the same in all lanes
+
+    [[nodiscard]] static std::size_t place(Spot spot, int point, int lane) {
+        return (static_cast<std::size_t>(point) * spots + static_cast<std::size_t>(spot)) * Lanes
+               + static_cast<std::size_t>(lane);
+    }
+    [[nodiscard]] double& at(Spot spot, int point, int lane) { return bed[place(spot, point, lane)]; }
+    [[nodiscard]] double at(Spot spot, int point, int lane) const { return bed[place(spot, point, lane)]; }
+
+    void copy_lane(int from, int to) {
+        body.copy_lane(from, to);
+        for (std::size_t row = 0; row < static_cast<std::size_t>(points) * spots; ++row) {
+            bed[row * Lanes + static_cast<std::size_t>(to)] = bed[row * Lanes + static_cast<std::size_t>(from)];
+        }
+    }
+};
+
+/// Steps the first `used` lanes, all or half of press_width(), until at least one needs care: its wave has ended, it
+/// may rest, or |theta| has reached pi/2. \return one bit per such lane
+[[nodiscard]] std::uint32_t press_on(PressLanes<simd::most_lanes>& lanes, int used);
+/// Steps one lane until it needs care.
+void press_on(PressLanes<1>& lane);
+/// One step of one lane. \return whether it now needs care
+[[nodiscard]] bool press_once(PressLanes<1>& lane);
+/// Lanes that this machine steps at once.
+[[nodiscard]] int press_width();
+
+}  // namespace overturn::contact

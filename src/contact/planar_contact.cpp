@@ -1,0 +1,66 @@
+#include "contact/planar_contact.hpp"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "contact/detail/contact_lanes.hpp"
+#include "contact/detail/contact_run.hpp"
+#include "core/error.hpp"
+
+namespace overturn {
+
+template <> Fields const& fields_of<ContactQuantities>() {
+    using Q = ContactQuantities;
+    static Fields const fields{
+        field<&Q::peak_crush_m>("peak_crush", "m", "deepest crush that the pad keeps; 0: it stayed elastic"),
+        field<&Q::peak_contact_force_ratio>("peak_contact_force_ratio", "1", "max N / (m g)"),
+        field<&Q::peak_rise_m>("peak_rise", "m", "highest rise of the centre of gravity")};
+    return fields;
+}
+
+ContactOutcome simulate_contact(ContactBlock const& block, Excitation const& shaking, ContactAccuracy const& accuracy,
+                                std::optional<ContactStart> const& start, ContactObserver* observer) {
+    contact::ContactRun run(block, shaking, accuracy, start);
+    while (run.advance()) {
+        if (observer == nullptr) {
+            contact::press_on(run.lane());
+            continue;
+        }
+        do {
+            observer->at(run.instant());
+        } while (!contact::press_once(run.lane()));
+    }
+    if (observer != nullptr) {
+        observer->at(run.instant());
+    }
+    return run.finish();
+}
+
+void simulate_contact(std::span<ContactTrial const> trials, ContactAccuracy const& accuracy,
+                      std::span<ContactOutcome> outcomes) {
+    OVERTURN_EXPECT(trials.size() == outcomes.size());
+    std::array<std::vector<std::size_t>, contact::most_points + 1> by_points;
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        by_points.at(trials[i].block->points.size()).push_back(i);
+    }
+    for (auto const& queue : by_points) {
+        if (!queue.empty()) {
+            contact::ContactLanes lanes(trials, queue, accuracy, outcomes);
+            simd::LaneScheduler(lanes).run();
+        }
+    }
+}
+
+ContactStart leaning_start(ContactBlock const& block, double rotation_rad) {
+    double const b = std::copysign(block.half_width_m, rotation_rad);  // the corner that it leans on
+    double const h = block.centre_height_m;
+    double const s = std::sin(rotation_rad);
+    double const c = std::cos(rotation_rad);
+    double const depth = block.settlement_m() / block.points.front().stiffness_share;
+    return {.sway_m = b * (1 - c) + h * s,
+            .rise_m = b * s - h * (1 - c) - depth + block.settlement_m(),
+            .rotation_rad = rotation_rad};
+}
+
+}  // namespace overturn

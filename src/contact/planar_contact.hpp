@@ -1,0 +1,89 @@
+/// Planar rocking, sliding and crushing of a body on compliant points: no event but touch, slip and yield of a point.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "contact/base_layout.hpp"
+#include "model/excitation.hpp"
+#include "model/outcome.hpp"
+
+namespace overturn {
+
+struct ContactAccuracy {
+    double step_ratio = 0.3;      ///< longest step times w_v: 0.49 ms at 98 Hz; shorter where damping asks for it
+    double longest_after_s = 60;  ///< that a body is followed after the wave until energy decides or it rests
+    bool rest_gate = true;        ///< a quiet body is held at rest while the shaking is too weak to part its base
+};
+
+/// Where the body starts: at rest, settled under its weight, unless stated. Anchors stand where the points stood
+/// upright.
+struct ContactStart {
+    double sway_m = 0;  ///< of the centre of gravity
+    double rise_m = 0;  ///< of the centre of gravity above its settled height
+    double rotation_rad = 0;
+    double sway_mps = 0, rise_mps = 0, velocity_radps = 0;
+};
+
+/// What contact has to say beside every model's outcome.
+struct ContactQuantities {
+    double peak_crush_m = never;
+    double peak_contact_force_ratio = never;
+    double peak_rise_m = never;
+};
+template <> [[nodiscard]] Fields const& fields_of<ContactQuantities>();
+
+/// Friction demand and work are not known to this model: NaN. impacts: passages of theta through zero faster than
+/// g / (w_v b). contact_lost_s: the first flight. Slip is of the base. peak_rotation_ratio and response velocity: of
+/// the geometry of the points' corners.
+struct ContactOutcome : Outcome {
+    ContactQuantities own;
+    double crest_rad = 0, trough_rad = 0;  ///< largest and smallest theta
+    double end_sway_mps = 0;               ///< x' when it ended
+};
+
+/// One instant of a history.
+struct ContactInstant {
+    double time_s, rotation_rad, velocity_radps, sway_m, sway_mps, rise_m, rise_mps;  ///< rise: z - h
+};
+
+/// Receives every step's start.
+class ContactObserver {
+  public:
+    virtual void at(ContactInstant const& instant) = 0;
+
+    ContactObserver() = default;
+    ContactObserver(ContactObserver const&) = delete;
+    ContactObserver& operator=(ContactObserver const&) = delete;
+    ContactObserver(ContactObserver&&) = delete;
+    ContactObserver& operator=(ContactObserver&&) = delete;
+    virtual ~ContactObserver() = default;
+};
+
+/// m x'' = sum Fx - m a_x, m z'' = sum Fz - m (g + a_z), I_G theta'' = sum (dz Fx - dx Fz); theta clockwise: a_x > 0
+/// tips to theta < 0, as in simulate_rocking. Every point presses by F = k d + damping that grows with the depth (Hunt
+/// & Crossley 1975), yields at its strength and keeps the crush, and grips by a spring from an anchor up to mu F
+/// (Cundall & Strack 1979). RK4 at a fixed step, a whole number of steps per sample; what points remember is frozen
+/// within a step. Overturned at |theta| = pi/2; after the wave, energy decides. Allocates little, never while it steps.
+///
+/// \pre quantities are positive; components agree in length
+[[nodiscard]] ContactOutcome simulate_contact(ContactBlock const& block, Excitation const& shaking,
+                                              ContactAccuracy const& accuracy = {},
+                                              std::optional<ContactStart> const& start = {},
+                                              ContactObserver* observer = nullptr);
+
+struct ContactTrial {
+    ContactBlock const* block = nullptr;  ///< outlives the trial
+    Excitation shaking;
+};
+
+/// Many trials from rest, side by side in the machine's vector lanes: outcomes[i] is bit-equal to that of trials[i]
+/// alone. Trials come in any mixture.
+void simulate_contact(std::span<ContactTrial const> trials, ContactAccuracy const& accuracy,
+                      std::span<ContactOutcome> outcomes);
+
+/// Leaning on its corner at this angle, at rest, the corner as deep as its weight presses it, not yet dragged aside.
+/// \pre |rotation_rad| < alpha
+[[nodiscard]] ContactStart leaning_start(ContactBlock const& block, double rotation_rad);
+
+}  // namespace overturn

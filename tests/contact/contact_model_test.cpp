@@ -1,0 +1,112 @@
+// Requirement: contact keeps the contract of models: it holds what it says, fills outcomes and own fields, and is
+// called for where a cheaper model cannot be trusted.
+#include "contact/contact_model.hpp"
+
+#include <cmath>
+#include <cstring>
+
+#include <gtest/gtest.h>
+
+#include "contact/cases.hpp"
+#include "support/bit_equal.hpp"
+#include "support/expect_input_error.hpp"
+
+namespace overturn {
+namespace {
+
+using testing::body_a;
+
+constexpr EffectMask contact = mask_of(Effect::contact);
+constexpr EffectMask all = mask_of(Effect::vertical) | mask_of(Effect::sliding) | contact;
+
+TEST(ContactModel, SaysWhatItIs) {
+    auto const& traits = contact_traits();
+    EXPECT_EQ(traits.name, "contact");
+    EXPECT_EQ(traits.number, 3);
+    EXPECT_EQ(traits.holds, all);
+    EXPECT_EQ(traits.brings(), contact);
+    EXPECT_TRUE(describe_all(traits.fields, traits.nothing.size()));
+    EXPECT_TRUE(std::isnan(real_at(traits.nothing, field_named(traits.fields, "peak_crush"))));
+}
+
+TEST(ContactModel, RunsABatchAsItsTrialsAlone) {
+    auto const wave = testing::sine(1, 1, 1, 2, 0.01);
+    auto const body = body_a();
+    auto const model = make_contact_model({.restitution = Restitution::of_the_base});
+    std::vector<Trial> trials;
+    for (double const level : {3.0, 7.0, 9.0, 12.0, 14.0}) {
+        for (EffectMask const simulated : {contact, all}) {
+            trials.push_back({&body,
+                              Friction{0.5, 0.4},
+                              {.horizontal_mps2 = wave, .vertical_mps2 = wave, .time_step_s = 0.01, .scale = level},
+                              simulated});
+        }
+    }
+    std::vector<Outcome> outcomes(trials.size());
+    std::vector<std::byte> own(trials.size() * sizeof(ContactQuantities));
+    model->run({.trials = trials, .outcomes = outcomes, .own = own});
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        bool const everything = trials[i].simulated == all;
+        auto const block = contact_block(body, {}, {}, everything ? trials[i].friction : std::nullopt);
+        auto shaking = trials[i].excitation;
+        shaking.vertical_mps2 = everything ? shaking.vertical_mps2 : std::span<double const>{};
+        auto alone = simulate_contact(block, shaking);
+        alone.called = contact;
+        EXPECT_TRUE(testing::bit_equal<Outcome>(alone, outcomes[i])) << i;
+        ContactQuantities row;
+        std::memcpy(&row, own.data() + i * sizeof(row), sizeof(row));
+        EXPECT_TRUE(testing::bit_equal(alone.own, row)) << i;
+    }
+}
+
+TEST(ContactModel, MatchesEveryBody) {
+    auto const wave = testing::sine(8, 1, 1, 2, 0.01);
+    RigidBody const body({.mass_kg = 12.6e3,
+                          .half_width_m = 0.68,
+                          .centre_height_m = 1.045,
+                          .inertia_kgm2 = body_a().inertia_kgm2(),
+                          .restitution = 0.7});
+    Trial const trial{&body, {}, {.horizontal_mps2 = wave, .vertical_mps2 = {}, .time_step_s = 0.01}, contact};
+    Outcome outcome;
+    make_contact_model({})->run({.trials = {&trial, 1}, .outcomes = {&outcome, 1}});
+    auto const match = match_restitution(body, {}, {});
+    auto const alone = simulate_contact(contact_block(body, match.base, match.pad, {}), trial.excitation);
+    EXPECT_EQ(outcome.peak_rotation_rad, alone.peak_rotation_rad);
+    EXPECT_LT(match.base.corner_share, 0.5);
+
+    auto const housner = body_a();
+    Trial const impossible{&housner, {}, trial.excitation, contact};
+    testing::expect_input_error(
+        [&] {
+            make_contact_model({})->run({.trials = {&impossible, 1}, .outcomes = {&outcome, 1}});
+        },
+        "restitution");
+}
+
+TEST(ContactModel, IsCalledForWhereItMatters) {
+    auto const body = body_a();
+    Trial const trial{&body, {}, {}, 0};
+    auto const corners = make_contact_model({});
+    Outcome said;
+    EXPECT_EQ(corners->called_for(trial, nullptr), 0U);
+    EXPECT_EQ(corners->called_for(trial, &said), 0U);
+    said.peak_rotation_ratio = 0.29;
+    EXPECT_EQ(corners->called_for(trial, &said), 0U);
+    said.peak_rotation_ratio = 0.3;
+    EXPECT_EQ(corners->called_for(trial, &said), contact);
+    said.peak_rotation_ratio = 0;
+    said.verdict = Verdict::contact_lost;
+    EXPECT_EQ(corners->called_for(trial, &said), contact);
+    EXPECT_EQ(make_contact_model({.base = testing::flat_bed()})->called_for(trial, nullptr), contact);
+
+    // On a pad of 1 MPa an impact far below 0.3 alpha crushes: its energy decides.
+    auto const weak = make_contact_model({.pad = {.strength_pa = 1e6}});
+    Outcome small;
+    EXPECT_EQ(weak->called_for(trial, &small), 0U);
+    small.peak_energy_ratio = 0.2;
+    EXPECT_EQ(weak->called_for(trial, &small), contact);
+    EXPECT_EQ(corners->called_for(trial, &small), 0U);
+}
+
+}  // namespace
+}  // namespace overturn
