@@ -44,7 +44,7 @@ class ContactModel : public Model {
         return called ? mask_of(Effect::contact) : 0;
     }
 
-    std::unique_ptr<Checkpoints> run(Batch const& batch) const override {
+    [[nodiscard]] std::unique_ptr<Checkpoints> run(Batch const& batch) const override {
         auto const blocks = blocks_of(batch.trials);
         std::vector<ContactTrial> trials;
         trials.reserve(batch.trials.size());
@@ -87,13 +87,12 @@ class ContactModel : public Model {
         RigidBody const* matched = nullptr;
         ContactMatch match{setup_.base, setup_.pad, 0};
         for (auto const& trial : trials) {
-            RigidBody const& body = *trial.body;
-            if (&body != matched && setup_.restitution == Restitution::of_the_body) {
-                matched = &body;
-                match = match_restitution(body, setup_.base, setup_.pad, setup_.accuracy);
+            if (trial.body != matched && setup_.restitution == Restitution::of_the_body) {
+                matched = trial.body;
+                match = match_restitution(*trial.body, setup_.base, setup_.pad, setup_.accuracy);
             }
             bool const slides = has(trial.simulated, Effect::sliding);
-            blocks.push_back(contact_block(body, match.base, match.pad, slides ? trial.friction : std::nullopt,
+            blocks.push_back(contact_block(*trial.body, match.base, match.pad, slides ? trial.friction : std::nullopt,
                                            setup_.base_depth_m));
         }
         return blocks;

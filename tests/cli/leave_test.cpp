@@ -15,7 +15,7 @@ class Leaving : public ::testing::Test {
 
     /// Blocks of 382 waves: some seconds each.
     void write_long_blocks() const { folder.write("c.toml", small_campaign("shared", 400'000'000)); }
-    void write_short_blocks() const { folder.write("c.toml", small_campaign("independent", 100)); }
+    void write_short_blocks(int waves = 100) const { folder.write("c.toml", small_campaign("independent", waves)); }
 
     Folder folder;
 };
@@ -63,7 +63,7 @@ TEST_F(Leaving, AtOnceOnASecondSignal) {
 
 // Requirement: no block is begun that would not end in time.
 TEST_F(Leaving, BeforeTheWalltimeIsUp) {
-    write_short_blocks();
+    write_short_blocks(2000);  // some seconds even on a fast machine
     auto const begin = Clock::now();
     auto const ended = execute(folder, mpirun(2, {"run", "c.toml", "--max-walltime", "0.5 s", "--part", "1/2"}));
 
