@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "motion/intensity.hpp"
 #include "report/figure.hpp"
 #include "spectra/input_energy.hpp"
