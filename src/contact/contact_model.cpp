@@ -87,7 +87,8 @@ class ContactModel : public Model {
         RigidBody const* matched = nullptr;
         ContactMatch match{setup_.base, setup_.pad, 0};
         for (auto const& trial : trials) {
-            if (trial.body != matched && setup_.restitution == Restitution::of_the_body) {
+            bool const again = matched != nullptr && trial.body == matched;
+            if (!again && setup_.restitution == Restitution::of_the_body) {
                 matched = trial.body;
                 match = match_restitution(*trial.body, setup_.base, setup_.pad, setup_.accuracy);
             }
