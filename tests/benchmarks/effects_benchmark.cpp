@@ -7,6 +7,7 @@
 #include <benchmark/benchmark.h>
 
 #include "response/ladder.hpp"
+#include "rocking/planar_rocking.hpp"
 #include "support/long_period_wave.hpp"
 
 namespace overturn {
