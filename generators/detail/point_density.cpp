@@ -5,43 +5,16 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "motion/text_lines.hpp"
+#include "motion/pair_table.hpp"
 
 namespace overturn {
 namespace {
 
-bool begins_with_a_number(std::string_view row) { return row.find_first_of("0123456789.+-") == 0; }
-
-// Two numbers, between blanks or a comma.
-std::pair<double, double> parse_row(std::string_view row) {
-    auto const end = row.find_first_of(", \t;");
-    std::pair<double, double> point;
-    auto const rest = end == std::string_view::npos ? std::string_view() : row.substr(end);
-    auto const second = trimmed(rest.substr(std::min(rest.find_first_not_of(", \t;"), rest.size())));
-    validate(parse_number(trimmed(row.substr(0, end)), point.first) && parse_number(second, point.second),
-             "{} (a frequency in Hz and a power density belong here). Write two numbers", in_quotes(row));
-    return point;
-}
-
-PointDensity parse_table(std::string_view content, std::string const& name) {
-    std::vector<std::pair<double, double>> points;
-    TextLines lines(content);
-    while (auto const line = lines.next()) {
-        auto const row = trimmed(line->substr(0, line->find_first_of("#!")));
-        if (row.empty() || (points.empty() && !begins_with_a_number(row))) {
-            continue;  // a comment, or the columns' names
-        }
-        try {
-            points.push_back(parse_row(row));
-        } catch (InputError const& error) {
-            throw InputError({name, lines.number()}, error.what());
-        }
-    }
-    try {
-        return PointDensity(std::move(points));
-    } catch (InputError const& error) {
-        throw InputError({name}, error.what());
-    }
+void check_point(Pair const& point, Pair const* before) {
+    auto const [f, s] = point;
+    validate(std::isfinite(f) && (before == nullptr ? f >= 0 : f > before->first),
+             "frequency {} Hz (must rise from 0 or above). Sort the points", f);
+    validate(std::isfinite(s) && s >= 0, "density {} at {} Hz (must not be negative). Mend it", s, f);
 }
 
 }  // namespace
@@ -49,10 +22,7 @@ PointDensity parse_table(std::string_view content, std::string const& name) {
 PointDensity::PointDensity(std::vector<std::pair<double, double>> points) : points_(std::move(points)) {
     validate(points_.size() >= 2, "{} points (a density needs at least two). Add some", points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i) {
-        auto const [f, s] = points_[i];
-        validate(std::isfinite(f) && (i == 0 ? f >= 0 : f > points_[i - 1].first),
-                 "frequency {} Hz (must rise from 0 or above). Sort the points", f);
-        validate(std::isfinite(s) && s >= 0, "density {} at {} Hz (must not be negative). Mend it", s, f);
+        check_point(points_[i], i == 0 ? nullptr : &points_[i - 1]);
     }
     validate(integral_hz() > 0, "no density above 0 (nothing shakes). State some");
 }
@@ -85,7 +55,9 @@ PointDensity read_point_density(config::Table const& table, InputFiles& files) {
     }
     if (table.has("file")) {
         auto const name = table.text("file");
-        return table.located("file", [&] { return parse_table(files.read(name), name); });
+        return table.located("file", [&] {
+            return PointDensity(read_pairs(files.read(name), name, "frequency in Hz and power density", check_point));
+        });
     }
     auto points = table.pairs("points", Dimension::frequency, Dimension::none);
     return table.located("points", [&] { return PointDensity(std::move(points)); });

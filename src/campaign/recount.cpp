@@ -100,8 +100,6 @@ Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec) {
     });
     auto const levels = static_cast<std::int64_t>(spec.levels.levels.size());
     each_row<TrialRow>(file, trial_table(spec), done * plan.trials_per_wave(), [&](TrialRow const& row) {
-        require(row.body >= 0 && row.body < static_cast<std::int64_t>(bodies),
-                fmt::format("trials/body holds {}, which names nothing", row.body));
         require(row.level >= 0 && row.level < levels,
                 fmt::format("trials/level holds {}, which names nothing", row.level));
         statistics.add(row);

@@ -195,15 +195,6 @@ void account(std::vector<RungCost> const& taken, PhaseSeconds& seconds) {
     }
 }
 
-// Records of trials that no model runs say nothing.
-void put_nothing(Ladder const& ladder, std::span<std::byte> own) {
-    for (std::size_t at = 0; at < own.size(); at += ladder.own_bytes()) {
-        for (auto const& [traits, offset] : ladder.own_parts()) {
-            std::ranges::copy(traits->nothing, own.begin() + static_cast<std::ptrdiff_t>(at + offset));
-        }
-    }
-}
-
 }  // namespace
 
 TrialRows run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t body, std::int64_t level,
@@ -211,7 +202,7 @@ TrialRows run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int
     Ladder const ladder(spec.effects, spec.accuracy);
     TrialRows trial{{open_row(spec, wave, body, level)}, std::vector<std::byte>(ladder.own_bytes())};
     auto& row = trial.rows.front();
-    put_nothing(ladder, trial.own);
+    ladder.put_nothing(trial.own);
     if (!failed(row)) {
         auto const scene = scene_of(wave, body);
         SceneTrial const at{scene, wave.motion, row.scale, wave.intensity.pga_mps2, &wave.chunks};
@@ -257,7 +248,7 @@ bool append_trials(CampaignSpec const& spec, Plan const& plan, std::span<Prepare
     }
     auto const each = ladder.own_bytes();
     trials.own.resize(rows.size() * each);
-    put_nothing(ladder, std::span(trials.own).subspan(first_row * each));
+    ladder.put_nothing(std::span(trials.own).subspan(first_row * each));
     constexpr std::size_t most_at_once = 4096;  // a second's work or less: some waves have tens of thousands of levels
     std::vector<Response> responses(std::min(most_at_once, tried.size()));
     std::vector<std::byte> own(responses.size() * each);

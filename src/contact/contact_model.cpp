@@ -15,15 +15,14 @@ constexpr std::array contact_effect{
                 "a compliant base that bounces and is crushed; called for by a base that is not two corners, a tilt of "
                 "0.3 alpha, a loss of contact, or an impact near the pad's strength"}};
 
+constexpr std::array channels{Channel{"time_s"},  Channel{"rotation_rad"}, Channel{"velocity_radps"},
+                              Channel{"sway_m"},  Channel{"sway_mps"},     Channel{"rise_m"},
+                              Channel{"rise_mps"}};
+
 /// Instants of the kernel as rows of channels.
 class Shown : public ContactObserver {
   public:
-    explicit Shown(Observer& observer) : observer_(observer) {
-        static constexpr std::array channels{Channel{"time_s"},  Channel{"rotation_rad"}, Channel{"velocity_radps"},
-                                             Channel{"sway_m"},  Channel{"sway_mps"},     Channel{"rise_m"},
-                                             Channel{"rise_mps"}};
-        observer_.begin(channels);
-    }
+    explicit Shown(Observer& observer) : observer_(observer) {}
     void at(ContactInstant const& i) override {
         observer_.at(
             std::array{i.time_s, i.rotation_rad, i.velocity_radps, i.sway_m, i.sway_mps, i.rise_m, i.rise_mps});
@@ -49,7 +48,7 @@ class ContactModel : public Model {
         std::vector<ContactTrial> trials;
         trials.reserve(batch.trials.size());
         for (std::size_t i = 0; i < batch.trials.size(); ++i) {
-            trials.push_back({&blocks[i], shaking_of(batch.trials[i])});
+            trials.push_back({&blocks[i], planar_excitation(batch.trials[i])});
         }
         std::vector<ContactOutcome> outcomes(trials.size());
         if (batch.observer != nullptr) {
@@ -71,15 +70,6 @@ class ContactModel : public Model {
     }
 
   private:
-    static Excitation shaking_of(Trial const& trial) {
-        auto shaking = trial.excitation;
-        shaking.transverse_mps2 = {};
-        if (!has(trial.simulated, Effect::vertical)) {
-            shaking.vertical_mps2 = {};
-        }
-        return shaking;
-    }
-
     // One each: friction may differ. Neighbours with the same body share its match.
     [[nodiscard]] std::vector<ContactBlock> blocks_of(std::span<Trial const> trials) const {
         std::vector<ContactBlock> blocks;
@@ -131,6 +121,7 @@ ModelTraits const& contact_traits() {
         .holds = mask_of(Effect::vertical) | mask_of(Effect::sliding) | mask_of(Effect::contact),
         .always = mask_of(Effect::contact),
         .effects = contact_effect,
+        .channels = channels,
         .fields = fields_of<ContactQuantities>(),
         .nothing = nothing_of<ContactQuantities>()};
     return traits;

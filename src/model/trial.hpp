@@ -21,4 +21,8 @@ struct Trial {
     EffectMask taken_over = 0;
 };
 
+/// What a planar model simulates of the excitation: no transverse component, the vertical one if it is among
+/// `simulated`.
+[[nodiscard]] Excitation planar_excitation(Trial const& trial);
+
 }  // namespace overturn

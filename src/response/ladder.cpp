@@ -187,15 +187,19 @@ Response Ladder::conclude(Climb const& climb) const {
     return response;
 }
 
+void Ladder::put_nothing(std::span<std::byte> own) const {
+    for (std::size_t at = 0; at < own.size(); at += own_bytes_) {
+        for (auto const& [traits, offset] : own_parts_) {
+            std::ranges::copy(traits->nothing, own.begin() + static_cast<std::ptrdiff_t>(at + offset));
+        }
+    }
+}
+
 std::vector<RungCost> Ladder::respond(std::span<SceneTrial const> trials, std::span<Response> responses,
                                       std::span<std::byte> own) const {
     OVERTURN_EXPECT(responses.size() == trials.size());
     OVERTURN_EXPECT(own.empty() || own.size() == trials.size() * own_bytes_);
-    for (std::size_t i = 0; i < (own.empty() ? 0 : trials.size()); ++i) {
-        for (auto const& [traits, offset] : own_parts_) {
-            std::ranges::copy(traits->nothing, own.begin() + static_cast<std::ptrdiff_t>(i * own_bytes_ + offset));
-        }
-    }
+    put_nothing(own);
     Stopwatch watch;
     std::vector<Climb> climbs;
     climbs.reserve(trials.size());

@@ -68,6 +68,8 @@ class Ladder {
     /// Of models that may run here and have quantities of their own.
     [[nodiscard]] std::vector<OwnPart> const& own_parts() const { return own_parts_; }
     [[nodiscard]] std::size_t own_bytes() const { return own_bytes_; }
+    /// Records of trials that no model has run: they say nothing. \param own as many as it holds
+    void put_nothing(std::span<std::byte> own) const;
 
   private:
     struct Climb;

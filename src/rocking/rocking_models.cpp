@@ -32,12 +32,7 @@ struct Pauses : Checkpoints {
 };
 
 RockingTrial rocking_trial(Trial const& trial) {
-    RockingTrial rocking{block_of(*trial.body, trial.friction), trial.excitation};
-    rocking.shaking.transverse_mps2 = {};
-    if (!has(trial.simulated, Effect::vertical)) {
-        rocking.shaking.vertical_mps2 = {};
-    }
-    return rocking;
+    return {block_of(*trial.body, trial.friction), planar_excitation(trial)};
 }
 
 // What the kernel does not know: the body behind the block.

@@ -6,7 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "motion/text_lines.hpp"
+#include "motion/pair_table.hpp"
 
 namespace overturn {
 namespace {
@@ -24,29 +24,13 @@ int derivatives_to_acceleration(TargetKind kind) {
     return kind == TargetKind::acceleration ? 0 : kind == TargetKind::displacement ? 2 : 1;
 }
 
-void check_point(std::pair<double, double> const& point, std::pair<double, double> const* before) {
+void check_point(Pair const& point, Pair const* before) {
     auto const [period, value] = point;
     validate(period > 0 && std::isfinite(period), "period {} s (must be positive and finite). Mend it", period);
     validate(value > 0 && std::isfinite(value), "ordinate {} at period {} s (must be positive and finite). Mend it",
              value, period);
     validate(before == nullptr || period > before->first, "period {} s after {} s (periods must rise). Sort the table",
              period, before == nullptr ? 0.0 : before->first);
-}
-
-std::pair<double, double> parse_row(std::string_view row) {
-    auto const split = row.find_first_of(" \t,;");
-    auto const second = row.substr(std::min(row.find_first_not_of(" \t,;", split), row.size()));
-    std::pair<double, double> point;
-    validate(parse_number(row.substr(0, split), point.first) && parse_number(second, point.second),
-             "'{}' (must be two numbers: period and value). Mend the line", row);
-    return point;
-}
-
-/// A line of names: its first field begins with a letter and is no "nan" or "inf".
-bool is_names(std::string_view row) {
-    auto const first = lowered(row.substr(0, row.find_first_of(" \t,;(")));
-    bool const lettered = !first.empty() && ((first[0] >= 'a' && first[0] <= 'z') || first[0] == '"');
-    return lettered && first != "nan" && first != "inf" && first != "infinity";
 }
 
 }  // namespace
@@ -135,27 +119,7 @@ TargetSpectrum TargetSpectrum::at_damping(double damping, DampingRule rule) cons
 }
 
 TargetSpectrum parse_target_table(std::string_view content, std::string const& name, TargetKind kind, double damping) {
-    std::vector<std::pair<double, double>> points;
-    TextLines lines(content);
-    bool names_seen = false;
-    while (auto const line = lines.next()) {
-        auto const row = trimmed(line->substr(0, line->find_first_of("#!")));
-        if (row.empty()) {
-            continue;
-        }
-        if (points.empty() && !names_seen && is_names(row)) {
-            names_seen = true;
-            continue;
-        }
-        try {
-            auto const point = parse_row(row);
-            check_point(point, points.empty() ? nullptr : &points.back());
-            points.push_back(point);
-        } catch (InputError const& error) {
-            throw InputError({name, lines.number()}, error.what());
-        }
-    }
-    return TargetSpectrum::from_points(name, damping, kind, points);
+    return TargetSpectrum::from_points(name, damping, kind, read_pairs(content, name, "period and value", check_point));
 }
 
 }  // namespace overturn

@@ -29,6 +29,31 @@ TEST(ContactModel, SaysWhatItIs) {
     EXPECT_TRUE(std::isnan(real_at(traits.nothing, field_named(traits.fields, "peak_crush"))));
 }
 
+/// Counts what it is shown.
+struct Seen : Observer {
+    void begin(std::span<Channel const> /*channels*/) override { ++begun; }
+    void at(std::span<double const> values) override {
+        width = values.size();
+        ++instants;
+    }
+    int begun = 0, instants = 0;
+    std::size_t width = 0;
+};
+
+// Whoever asks for a history begins it, with the channels that the traits name.
+TEST(ContactModel, ShowsTheChannelsThatItNames) {
+    auto const wave = testing::sine(1, 1, 1, 2, 0.01);
+    auto const body = body_a();
+    Trial const trial{&body, {}, {.horizontal_mps2 = wave, .time_step_s = 0.01, .scale = 9}, contact};
+    Outcome outcome;
+    Seen seen;
+    (void)make_contact_model({.restitution = Restitution::of_the_base})
+        ->run({.trials = std::span(&trial, 1), .outcomes = std::span(&outcome, 1), .observer = &seen});
+    EXPECT_EQ(seen.begun, 0);
+    EXPECT_GT(seen.instants, 10);
+    EXPECT_EQ(seen.width, contact_traits().channels.size());
+}
+
 TEST(ContactModel, RunsABatchAsItsTrialsAlone) {
     auto const wave = testing::sine(1, 1, 1, 2, 0.01);
     auto const body = body_a();

@@ -1,0 +1,21 @@
+/// Tables of two columns of numbers, as targets and densities come.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace overturn {
+
+using Pair = std::pair<double, double>;
+
+/// Rows of two numbers between blanks, commas or semicolons; `#` and `!` begin a comment, a line of names may come
+/// first. \param name of the file \param meaning of the columns, for messages: "period and value" \param check looks at
+/// each row and the one before it (null: none) and throws InputError if it may not be
+/// \throws InputError with file and line
+[[nodiscard]] std::vector<Pair> read_pairs(std::string_view content, std::string const& name, std::string_view meaning,
+                                           std::function<void(Pair const&, Pair const*)> const& check);
+
+}  // namespace overturn
