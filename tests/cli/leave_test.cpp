@@ -13,8 +13,13 @@ class Leaving : public ::testing::Test {
   protected:
     Leaving() { folder.write("target.csv", target_csv); }
 
-    /// Blocks of 382 waves: some seconds each.
-    void write_long_blocks() const { folder.write("c.toml", small_campaign("shared", 400'000'000)); }
+    /// Blocks of 955 waves of 160 s: many seconds each, on a fast machine too.
+    void write_long_blocks() const {
+        auto campaign = small_campaign("shared", 1'000'000'000);
+        std::string const short_wave = "20.48 s";
+        campaign.replace(campaign.find(short_wave), short_wave.size(), "163.84 s");
+        folder.write("c.toml", campaign);
+    }
     void write_short_blocks(int waves = 100) const { folder.write("c.toml", small_campaign("independent", waves)); }
 
     Folder folder;
@@ -58,17 +63,17 @@ TEST_F(Leaving, AtOnceOnASecondSignal) {
     EXPECT_EQ(running.wait().code, 128 + SIGUSR1);
     auto const resumed = overturn(folder, {"run", "c.toml", "--resume", "--max-walltime", "0.1 s"});
     expect_told(resumed, "overturn run c.toml -o c.h5 --resume");
-    EXPECT_NE(resumed.err.find("0 of 1047121 blocks"), std::string::npos) << resumed.err;
+    EXPECT_NE(resumed.err.find("stopped early: 0 of "), std::string::npos) << resumed.err;
 }
 
 // Requirement: no block is begun that would not end in time.
 TEST_F(Leaving, BeforeTheWalltimeIsUp) {
-    write_short_blocks(2000);  // some seconds even on a fast machine
+    write_short_blocks(20'000);  // half a minute even on a fast machine
     auto const begin = Clock::now();
     auto const ended = execute(folder, mpirun(2, {"run", "c.toml", "--max-walltime", "0.5 s", "--part", "1/2"}));
 
     expect_told(ended, "overturn run c.toml -o c.h5 --resume --part 1/2");
-    EXPECT_LT(seconds_since(begin), 3);
+    EXPECT_LT(seconds_since(begin), 6) << "half a second, one that mpirun waits, and more on a busy machine";
     EXPECT_GT(blocks_done(folder, "c.h5"), 0);
 }
 
