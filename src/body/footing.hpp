@@ -1,0 +1,48 @@
+/// What a body stands on: the outline and bedding of its base, and the compliant pad under it. Plain data; says nothing
+/// about validity.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace overturn {
+
+/// Square: as wide as the base in the rocking plane, in both directions. Round: of that diameter.
+enum class BaseShape { square, round, polygon };
+
+struct BasePlan {
+    static constexpr int points_across = 11;  ///< a flat bed
+    static constexpr int points_around = 32;  ///< a round rim
+
+    BaseShape shape = BaseShape::square;
+    /// x in the rocking plane, y across it, from the body's axis; of a polygon only, which is convex [m]
+    std::vector<std::array<double, 2>> corners_m = {};
+    /// w: of the stiffness, on both corners of the rocking plane together [-]. 1: corners alone. Empty: a flat, evenly
+    /// bedded base, whose corners stand for half a cell each.
+    std::optional<double> corner_share = 1;
+    int points = points_across;  ///< evenly spread from corner to corner; of a round base: round its rim
+};
+
+/// Body, pallet and pad as one mass on one bed of springs: an assumption.
+struct Pad {
+    double vertical_frequency_hz = 98;       ///< f_v, of the body on its whole base: K = m (2 pi f_v)^2
+    double normal_restitution = 0.25;        ///< e_n, of one point in a flat drop, at any speed [-]
+    std::optional<double> strength_pa = {};  ///< above it the pad is crushed for good; empty: it stays elastic [Pa]
+    double tangential_ratio = 0.8;           ///< k_t / k; Mindlin: 2 (1 - nu) / (2 - nu)
+    double tangential_damping = 0.3;         ///< zeta_t, fraction of critical
+    /// Whether base and points are tuned until the body rocks with the restitution that it states.
+    bool match_restitution = true;
+};
+
+struct Footing {
+    BasePlan base = {};
+    Pad pad = {};
+    /// About the horizontal axis in the rocking plane (tilting across it), and about the vertical one. Empty: as in the
+    /// rocking plane, and the uniform solid of the base [kg m2]
+    std::optional<double> inertia_across_kgm2 = {}, inertia_vertical_kgm2 = {};
+    /// Whether base or pad were stated at all: a body that says nothing stands on a square base on its corners.
+    bool stated = false;
+};
+
+}  // namespace overturn
