@@ -173,9 +173,10 @@ TrialRow open_row(CampaignSpec const& spec, PreparedWave const& wave, std::int64
 
 bool failed(TrialRow const& row) { return row.failure != FailureReason::none; }
 
-Scene scene_of(PreparedWave const& wave, std::int64_t body) {
-    auto const& drawn = wave.bodies.at(static_cast<std::size_t>(body));
-    return {drawn.body, drawn.friction};
+Scene scene_of(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t body) {
+    auto const number = static_cast<std::size_t>(body);
+    auto const& drawn = wave.bodies.at(number);
+    return {drawn.body, drawn.friction, spec.bodies.at(number).footing};
 }
 
 void close_row(TrialRow& row, PreparedWave const& wave, Response const& response) {
@@ -204,7 +205,7 @@ TrialRows run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int
     auto& row = trial.rows.front();
     ladder.put_nothing(trial.own);
     if (!failed(row)) {
-        auto const scene = scene_of(wave, body);
+        auto const scene = scene_of(spec, wave, body);
         SceneTrial const at{scene, wave.motion, row.scale, wave.intensity.pga_mps2, &wave.chunks};
         auto const response = ladder.respond(at, trial.own);
         if (observer != nullptr) {
@@ -235,7 +236,7 @@ bool append_trials(CampaignSpec const& spec, Plan const& plan, std::span<Prepare
     for (auto const& wave : waves) {
         auto const first_level = plan.first_level(wave.number);
         for (std::int64_t body = 0; body < plan.bodies(); ++body) {
-            scenes.push_back(scene_of(wave, body));
+            scenes.push_back(scene_of(spec, wave, body));
             for (auto level = first_level; level < first_level + plan.level_count(); ++level) {
                 rows.push_back(open_row(spec, wave, body, level));
                 if (failed(rows.back())) {
