@@ -45,7 +45,7 @@ class SpectrumMatcher {
 
     explicit SpectrumMatcher(SpectrumMatcherInput input);
 
-    /// \param component which stream of the wave: 0 horizontal, 1 vertical.
+    /// \param component which stream of the wave: 0 horizontal, 1 vertical, 2 transverse
     [[nodiscard]] Component make(std::uint64_t seed, std::uint64_t wave, std::uint64_t component) const;
 
     /// Matches a given motion, which keeps the phases of its own lines; cut or followed by silence to `samples`.

@@ -54,6 +54,7 @@ void describe_motion(WaveRow& row, GroundMotion const& motion, Intensity const& 
     row.pgv_mps = intensity.pgv_mps;
     row.pgd_m = intensity.pgd_m;
     row.arias_mps = intensity.arias_mps;
+    row.vector_pga_mps2 = intensity.vector_pga_mps2;
     row.transverse_pga_mps2 = peak_of(motion.transverse_mps2);
     row.vertical_pga_mps2 = peak_of(motion.vertical_mps2);
 }
@@ -124,6 +125,7 @@ PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64
         validate_motion(generated.motion);
         describe_check(prepared, check_wave(generated, spec.bodies, spec.measures.radius_unit));
         describe_match(prepared.row, generated);
+        prepared.row.turned_rad = generated.turned_rad;
         prepared.motion = std::move(generated.motion);
     } catch (InputError const&) {
         prepared.row.failed = 1;
@@ -131,7 +133,7 @@ PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64
     }
     Stopwatch const watch(seconds.measures);
     prepared.chunks = ChunkExtremes(prepared.motion.horizontal_mps2, prepared.motion.vertical_mps2);
-    prepared.intensity = intensity_of(prepared.motion.horizontal_mps2, prepared.motion.time_step_s);
+    prepared.intensity = intensity_of(prepared.motion);
     describe_motion(prepared.row, prepared.motion, prepared.intensity);
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
         measure_energy(spec.measures, prepared.motion, prepared.bodies[b].body.radius_m(), prepared.measures[b]);
