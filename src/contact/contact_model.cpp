@@ -48,7 +48,8 @@ class ContactModel : public Model {
     [[nodiscard]] ModelTraits const& traits() const override { return contact_traits(); }
 
     [[nodiscard]] Call called_for(Trial const& trial, Outcome const* said) const override {
-        constexpr auto contact = mask_of(Effect::contact);
+        // Its points slip one by one, far below where all of a rigid base would.
+        auto const contact = mask_of(Effect::contact) | (trial.friction ? mask_of(Effect::sliding) : 0);
         constexpr double wild = 0.3;  // of alpha
         auto const& footing = *trial.footing;
         if (footing.base.shape == BaseShape::square && footing.base.corner_share != 1) {

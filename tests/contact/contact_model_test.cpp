@@ -140,6 +140,11 @@ TEST(ContactModel, IsCalledForWhereItMatters) {
     EXPECT_EQ(reason({.base = {.corner_share = {}}}, nullptr), 3);
     EXPECT_EQ(reason({.base = {.shape = BaseShape::round}}, nullptr), 0);
 
+    // Where there is friction, contact slips.
+    Footing const flat{.base = testing::flat_bed()};
+    EXPECT_EQ(model->called_for(Trial{&body, &flat, Friction{0.5, 0.5}, {}, 0}, nullptr).effects,
+              contact | mask_of(Effect::sliding));
+
     // On a pad of 1 MPa an impact far below 0.3 alpha crushes: its energy decides.
     Footing const weak{.pad = {.strength_pa = 1e6}, .stated = true};
     Outcome small;
