@@ -1,0 +1,273 @@
+// What the points of a base do to a body in space, in any vector width. Included once per instruction set, so without a
+// #pragma once; by spatial_step-inl.hpp only.
+#if defined(OVERTURN_SPATIAL_FORCE) == defined(HWY_TARGET_TOGGLE)
+#ifdef OVERTURN_SPATIAL_FORCE
+#undef OVERTURN_SPATIAL_FORCE
+#else
+#define OVERTURN_SPATIAL_FORCE
+#endif
+
+#include <bitset>
+
+#include "contact/point_law-inl.hpp"
+#include "simd/lanes-inl.hpp"
+#include "spatial/detail/rotation-inl.hpp"
+#include "spatial/detail/spatial_state.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace overturn::spatial::HWY_NAMESPACE {
+
+template <class V, int Stride> class SpatialForce {
+  public:
+    using M = typename V::Mask;
+
+    struct Motion {
+        Triple<V> at;  // x, y, rise of the centre of gravity
+        Quaternion<V> turn;
+        Triple<V> velocity;
+        Triple<V> spin;  // about the body's own axes
+    };
+    /// The base of a moving body: position and velocity of its centre, and by how much both differ along the body's
+    /// own first and second axis.
+    struct Base {
+        Triple<V> at, first, second;
+        Triple<V> velocity, first_rate, second_rate;
+    };
+    struct Shaking {
+        V x, y, weight;  // horizontal accelerations; gravity with the vertical one
+    };
+    struct Pull {
+        Triple<V> move, spin;  // accelerations
+        V press;               // sum of the normal forces
+    };
+    struct Depths {
+        V least, most;  // of the points that stand highest and lowest; of the latter without crush
+    };
+
+    explicit SpatialForce(SpatialLanes<Stride>& lanes)
+        : body_(lanes.body.values.data()),
+          bed_(lanes.bed.data()),
+          samples_(lanes.body.samples.data()),
+          points_(lanes.points) {}
+
+  protected:
+    [[nodiscard]] OVERTURN_LANES_INLINE V get(State field) const { return V::load(body_ + row(field)); }
+    OVERTURN_LANES_INLINE void put(State field, V value) { value.store(body_ + row(field)); }
+    OVERTURN_LANES_INLINE void fetch_wave(Wave wave, V index, V& here, V& next) const {
+        fetch(samples_ + row(wave), index, here, next);
+    }
+
+    /// Of a step's start: what points remember is brought up to date there, of those that are about to be asked.
+    void begin(Motion const& start);
+    /// The rest of them: what they remember counts wherever a lane is looked at from outside.
+    void complete();
+    [[nodiscard]] Pull now(Motion const& at, Shaking const& by);
+    [[nodiscard]] Depths depths() const;
+    [[nodiscard]] Base const& base_at_start() const { return start_; }
+
+  private:
+    struct Sums {
+        Triple<V> all, by_x, by_y;  // of forces; of forces times x and y of their points
+    };
+
+    template <class Name> [[nodiscard]] static constexpr std::ptrdiff_t row(Name name) {
+        return static_cast<std::ptrdiff_t>(name) * Stride;
+    }
+    [[nodiscard]] double* point(int i) const { return bed_ + i * row(Spot::count); }
+    [[nodiscard]] static OVERTURN_LANES_INLINE V spot(double const* point, Spot field) {
+        return V::load(point + row(field));
+    }
+    static OVERTURN_LANES_INLINE void set_spot(double* point, Spot field, V value) { value.store(point + row(field)); }
+
+    [[nodiscard]] OVERTURN_LANES_INLINE Base base_of(Motion const& at) const;
+    [[nodiscard]] static OVERTURN_LANES_INLINE V depth_of(double const* point, Base const& base);
+    [[nodiscard]] static OVERTURN_LANES_INLINE V approach_of(double const* point, Base const& base);
+    [[nodiscard]] OVERTURN_LANES_INLINE V normal_of(double const* point, V depth, V approach) const;
+    void remember(int i);
+    OVERTURN_LANES_INLINE bool press(int i, Base const& base, Sums& sums);
+    [[nodiscard]] OVERTURN_LANES_INLINE Pull pull_of(Sums const& sums, Base const& base, Motion const& at,
+                                                     Shaking const& by) const;
+
+    double* body_;
+    double* bed_;
+    double const* const* samples_;
+    int points_;
+    Base start_;
+    std::bitset<most_spatial_points> remembered_;  // in this step
+};
+
+// Space's third axis is up: its components of the body's axes are how fast points rise along them.
+template <class V, int Stride>
+OVERTURN_LANES_INLINE auto SpatialForce<V, Stride>::base_of(Motion const& at) const -> Base {
+    auto const axes = axes_of(at.turn);
+    V const h = get(State::height);
+    auto const& body = at.spin;
+    auto const& [first, second, third] = axes;
+    Triple<V> const spin{fma(first.x, body.x, second.x * body.y) + third.x * body.z,
+                         fma(second.y, body.y, first.y * body.x) + third.y * body.z,
+                         fma(third.z, body.z, first.z * body.x + second.z * body.y)};
+    auto const arm = cross(spin, third);
+    V const versine = 2.0 * fma(at.turn.x, at.turn.x, at.turn.y * at.turn.y);
+    return {{at.at.x - h * third.x, at.at.y - h * third.y, fma(h, versine, at.at.z)},
+            first,
+            second,
+            {at.velocity.x - h * arm.x, at.velocity.y - h * arm.y, at.velocity.z - h * arm.z},
+            cross(spin, first),
+            cross(spin, second)};
+}
+
+template <class V, int Stride>
+OVERTURN_LANES_INLINE V SpatialForce<V, Stride>::depth_of(double const* point, Base const& base) {
+    V const height = fma(base.first.z, spot(point, Spot::x), fma(base.second.z, spot(point, Spot::y), base.at.z));
+    return -height - spot(point, Spot::crush);
+}
+
+template <class V, int Stride>
+OVERTURN_LANES_INLINE V SpatialForce<V, Stride>::approach_of(double const* point, Base const& base) {
+    return -fma(base.first_rate.z, spot(point, Spot::x),
+                fma(base.second_rate.z, spot(point, Spot::y), base.velocity.z));
+}
+
+template <class V, int Stride>
+OVERTURN_LANES_INLINE V SpatialForce<V, Stride>::normal_of(double const* point, V depth, V approach) const {
+    return contact::HWY_NAMESPACE::normal_depth(depth, approach, spot(point, Spot::yield), spot(point, Spot::gain),
+                                                get(State::most_damping));
+}
+
+// The approach speed until it touches; the crush that it leaves; an anchor that friction cannot hold follows its point.
+template <class V, int Stride> void SpatialForce<V, Stride>::remember(int i) {
+    remembered_.set(static_cast<std::size_t>(i));
+    double* const place = point(i);
+    V const zero = 0;
+    V const depth = depth_of(place, start_);
+    V const approach = approach_of(place, start_);
+    if (M const away = depth <= zero; any(away)) {
+        V const fresh =
+            contact::HWY_NAMESPACE::gain_of_approach(approach, get(State::damping), get(State::least_approach));
+        set_spot(place, Spot::gain, choose(away, fresh, spot(place, Spot::gain)));
+    }
+    V const normal = normal_of(place, depth, approach);
+    if (V const excess = depth - spot(place, Spot::yield); any(excess > zero)) {
+        set_spot(place, Spot::crush, spot(place, Spot::crush) + max(excess, zero));
+    }
+    V const x = spot(place, Spot::x);
+    V const y = spot(place, Spot::y);
+    V const here_x = fma(start_.first.x, x, fma(start_.second.x, y, start_.at.x));
+    V const here_y = fma(start_.first.y, x, fma(start_.second.y, y, start_.at.y));
+    V const shift_x = here_x - spot(place, Spot::anchor_x);
+    V const shift_y = here_y - spot(place, Spot::anchor_y);
+    V const most = get(State::hold) * normal;
+    V const length = shift_x * shift_x + shift_y * shift_y;
+    if (M const drags = length > most * most; any(drags)) {
+        V const share = most / sqrt(length);
+        set_spot(place, Spot::anchor_x, choose(drags, here_x - share * shift_x, spot(place, Spot::anchor_x)));
+        set_spot(place, Spot::anchor_y, choose(drags, here_y - share * shift_y, spot(place, Spot::anchor_y)));
+    }
+}
+
+template <class V, int Stride> void SpatialForce<V, Stride>::begin(Motion const& start) {
+    start_ = base_of(start);
+    remembered_.reset();
+}
+
+template <class V, int Stride> void SpatialForce<V, Stride>::complete() {
+    for (int i = 0; i < points_; ++i) {
+        if (!remembered_[static_cast<std::size_t>(i)]) {
+            remember(i);
+        }
+    }
+}
+
+template <class V, int Stride> auto SpatialForce<V, Stride>::depths() const -> Depths {
+    Depths all{1e300, -1e300};
+    for (int i = 0; i < points_; ++i) {
+        V const depth = depth_of(point(i), start_);
+        all.least = min(depth, all.least);
+        all.most = max(depth + spot(point(i), Spot::crush), all.most);
+    }
+    return all;
+}
+
+// A point that no lane's ground touches presses nothing; what it remembers waits until it is asked.
+template <class V, int Stride>
+OVERTURN_LANES_INLINE bool SpatialForce<V, Stride>::press(int i, Base const& base, Sums& sums) {
+    double* const place = point(i);
+    V const zero = 0;
+    if (!any(depth_of(place, base) > zero)) {
+        return false;
+    }
+    if (!remembered_[static_cast<std::size_t>(i)]) {
+        remember(i);
+    }
+    V const normal = normal_of(place, depth_of(place, base), approach_of(place, base));
+    V const x = spot(place, Spot::x);
+    V const y = spot(place, Spot::y);
+    V const ratio = get(State::tangential_ratio);
+    V const drag = get(State::tangential_damping);
+    auto const wanted = [&](V first, V second, V at, V anchor, V first_rate, V second_rate, V rate) HWY_ATTR {
+        V const shift = fma(first, x, fma(second, y, at)) - anchor;
+        return fma(ratio, shift, drag * fma(first_rate, x, fma(second_rate, y, rate)));
+    };
+    V held_x = wanted(base.first.x, base.second.x, base.at.x, spot(place, Spot::anchor_x), base.first_rate.x,
+                      base.second_rate.x, base.velocity.x);
+    V held_y = wanted(base.first.y, base.second.y, base.at.y, spot(place, Spot::anchor_y), base.first_rate.y,
+                      base.second_rate.y, base.velocity.y);
+    V const limit = get(State::friction) * normal;
+    V const length = held_x * held_x + held_y * held_y;
+    if (M const slips = length > limit * limit; any(slips)) {
+        V const share = choose(slips, limit / sqrt(length), V(1));
+        held_x = share * held_x;
+        held_y = share * held_y;
+    }
+    V const stiffness = spot(place, Spot::stiffness);
+    Triple<V> const force{-(stiffness * held_x), -(stiffness * held_y), stiffness * normal};
+    // Unfused: what opposite points do alike cancels to the last bit.
+    sums.all = sums.all + force;
+    sums.by_x = sums.by_x + x * force;
+    sums.by_y = sums.by_y + y * force;
+    return true;
+}
+
+template <class V, int Stride>
+OVERTURN_LANES_INLINE auto SpatialForce<V, Stride>::pull_of(Sums const& sums, Base const& base, Motion const& at,
+                                                            Shaking const& by) const -> Pull {
+    auto const& [all, by_x, by_y] = sums;
+    auto const third = axes_of(at.turn).third;
+    V const h = get(State::height);
+    // (X, Y, -h) x F in the body's own axes, over all points
+    V const turn_x = dot(third, by_y) + h * dot(base.second, all);
+    V const turn_y = -(dot(third, by_x) + h * dot(base.first, all));
+    V const turn_z = dot(base.second, by_x) - dot(base.first, by_y);
+    V const ix = get(State::inertia_x);
+    V const iy = get(State::inertia_y);
+    V const iz = get(State::inertia_z);
+    auto const& w = at.spin;
+    return {{all.x - by.x, all.y - by.y, all.z - by.weight},
+            {(turn_x - (iz - iy) * (w.y * w.z)) * get(State::mass_over_inertia_x),
+             (turn_y - (ix - iz) * (w.z * w.x)) * get(State::mass_over_inertia_y),
+             (turn_z - (iy - ix) * (w.x * w.y)) * get(State::mass_over_inertia_z)},
+            all.z};
+}
+
+// Points come in pairs whose sums are made first: on opposite points of a symmetric base mirrored motions are mirrored
+// to the last bit.
+template <class V, int Stride> auto SpatialForce<V, Stride>::now(Motion const& at, Shaking const& by) -> Pull {
+    auto const base = base_of(at);
+    V const zero = 0;
+    Triple<V> const none{zero, zero, zero};
+    Sums sums{none, none, none};
+    for (int i = 0; i < points_; i += 2) {
+        Sums pair{none, none, none};
+        bool const one = press(i, base, pair);
+        bool const other = press(i + 1, base, pair);
+        if (one || other) {
+            sums = {sums.all + pair.all, sums.by_x + pair.by_x, sums.by_y + pair.by_y};
+        }
+    }
+    return pull_of(sums, base, at, by);
+}
+
+}  // namespace overturn::spatial::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
