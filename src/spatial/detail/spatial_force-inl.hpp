@@ -48,7 +48,9 @@ template <class V, int Stride> class SpatialForce {
         : body_(lanes.body.values.data()),
           bed_(lanes.bed.data()),
           samples_(lanes.body.samples.data()),
-          points_(lanes.points) {}
+          points_(lanes.points) {
+        remembered_.set();  // whoever was looked at from outside was completed before
+    }
 
   protected:
     [[nodiscard]] OVERTURN_LANES_INLINE V get(State field) const { return V::load(body_ + row(field)); }
@@ -57,12 +59,11 @@ template <class V, int Stride> class SpatialForce {
         fetch(samples_ + row(wave), index, here, next);
     }
 
-    /// Of a step's start: what points remember is brought up to date there, of those that are about to be asked.
-    void begin(Motion const& start);
+    /// A step's start: what points remember is brought up to date there, of those that are asked for it in the step.
+    [[nodiscard]] Depths begin(Motion const& start);
     /// The rest of them: what they remember counts wherever a lane is looked at from outside.
     void complete();
     [[nodiscard]] Pull now(Motion const& at, Shaking const& by);
-    [[nodiscard]] Depths depths() const;
     [[nodiscard]] Base const& base_at_start() const { return start_; }
 
   private:
@@ -165,9 +166,21 @@ template <class V, int Stride> void SpatialForce<V, Stride>::remember(int i) {
     }
 }
 
-template <class V, int Stride> void SpatialForce<V, Stride>::begin(Motion const& start) {
-    start_ = base_of(start);
+// A point that came to touch only at the end of a step was away at its start, and remembers that.
+template <class V, int Stride> auto SpatialForce<V, Stride>::begin(Motion const& start) -> Depths {
+    auto const base = base_of(start);
+    Depths all{1e300, -1e300};
+    for (int i = 0; i < points_; ++i) {
+        V const depth = depth_of(point(i), base);
+        all.least = min(depth, all.least);
+        all.most = max(depth + spot(point(i), Spot::crush), all.most);
+        if (!remembered_[static_cast<std::size_t>(i)] && any(depth > V(0))) {
+            remember(i);
+        }
+    }
+    start_ = base;
     remembered_.reset();
+    return all;
 }
 
 template <class V, int Stride> void SpatialForce<V, Stride>::complete() {
@@ -176,16 +189,6 @@ template <class V, int Stride> void SpatialForce<V, Stride>::complete() {
             remember(i);
         }
     }
-}
-
-template <class V, int Stride> auto SpatialForce<V, Stride>::depths() const -> Depths {
-    Depths all{1e300, -1e300};
-    for (int i = 0; i < points_; ++i) {
-        V const depth = depth_of(point(i), start_);
-        all.least = min(depth, all.least);
-        all.most = max(depth + spot(point(i), Spot::crush), all.most);
-    }
-    return all;
 }
 
 // A point that no lane's ground touches presses nothing; what it remembers waits until it is asked.

@@ -29,6 +29,7 @@ template <class V, int Stride> class SpatialStepper : private SpatialForce<V, St
     using Force::get;
     using Force::now;
     using Force::put;
+    using typename Force::Depths;
     using typename Force::Motion;
     using typename Force::Pull;
     using typename Force::Shaking;
@@ -38,8 +39,8 @@ template <class V, int Stride> class SpatialStepper : private SpatialForce<V, St
     [[nodiscard]] OVERTURN_LANES_INLINE Shaking shaken(V substep) const;
     [[nodiscard]] static OVERTURN_LANES_INLINE Motion moved(Motion const& from, Triple<V> const& way,
                                                             Triple<V> const& turn, Pull const& by, V time);
-    void log(Motion const& at, Pull const& pull);
-    OVERTURN_LANES_INLINE void log_height(Motion const& at, V time);
+    void log(Motion const& at, Pull const& pull, Depths const& depths);
+    OVERTURN_LANES_INLINE void log_height(Motion const& at, Depths const& depths, V time);
     OVERTURN_LANES_INLINE void log_place(Motion const& at);
     OVERTURN_LANES_INLINE void log_reversal(Motion const& at, Triple<V> const& axis);
     M turn_page(Motion const& at, Pull const& pull, V index, M ended);
@@ -85,7 +86,8 @@ OVERTURN_LANES_INLINE auto SpatialStepper<V, Stride>::moved(Motion const& from, 
 }
 
 // Once the shaking's fields say where it stands.
-template <class V, int Stride> void SpatialStepper<V, Stride>::log(Motion const& at, Pull const& pull) {
+template <class V, int Stride>
+void SpatialStepper<V, Stride>::log(Motion const& at, Pull const& pull, Depths const& depths) {
     V const zero = 0;
     V const time =
         get(State::origin) + fma(get(State::index), get(State::time_step), get(State::substep) * get(State::step));
@@ -95,20 +97,19 @@ template <class V, int Stride> void SpatialStepper<V, Stride>::log(Motion const&
     if (M const lost = (pull.press <= zero) & (get(State::loss_time) < zero); any(lost)) {
         put(State::loss_time, choose(lost, time, get(State::loss_time)));
     }
-    log_height(at, time);
+    log_height(at, depths, time);
     log_place(at);
     put(State::steps, get(State::steps) + 1.0);
 }
 
 template <class V, int Stride>
-OVERTURN_LANES_INLINE void SpatialStepper<V, Stride>::log_height(Motion const& at, V time) {
+OVERTURN_LANES_INLINE void SpatialStepper<V, Stride>::log_height(Motion const& at, Depths const& depths, V time) {
     V const zero = 0;
     V const tilt = at.turn.x * at.turn.x + at.turn.y * at.turn.y;
     if (M const more = tilt > get(State::most_tilt); any(more)) {
         put(State::most_tilt, choose(more, tilt, get(State::most_tilt)));
         put(State::tilt_time, choose(more, time, get(State::tilt_time)));
     }
-    auto const depths = this->depths();
     if (M const parts = (depths.least <= zero) & (get(State::uplift_time) < zero); any(parts)) {
         put(State::uplift_time, choose(parts, time, get(State::uplift_time)));
     }
@@ -193,9 +194,9 @@ template <class V, int Stride> auto SpatialStepper<V, Stride>::step() -> M {
     V const half = 0.5 * h;
     auto const middle = shaken(substep + 0.5);
 
-    this->begin(start);
+    auto const depths = this->begin(start);
     Pull const a = now(start, shaken(substep));
-    log(start, a);
+    log(start, a, depths);
     Motion const second = moved(start, half * start.velocity, half * start.spin, a, half);
     auto const second_excess = turning_excess(half * start.spin, second.spin);
     Pull const b = now(second, middle);
