@@ -27,11 +27,15 @@ template <class V, int Stride> class SpatialForce {
         Triple<V> velocity;
         Triple<V> spin;  // about the body's own axes
     };
-    /// The base of a moving body: position and velocity of its centre, and by how much both differ along the body's
-    /// own first and second axis.
+    /// A quantity that changes evenly over the base.
+    struct Line {
+        V by_x, by_y, at;  // per metre along the body's own axes; at the base's centre
+
+        [[nodiscard]] OVERTURN_LANES_INLINE V of(V x, V y) const { return fma(by_x, x, fma(by_y, y, at)); }
+    };
+    /// The base of a moving body: how deep it lies, how fast it comes down, where it is, and how fast it slides.
     struct Base {
-        Triple<V> at, first, second;
-        Triple<V> velocity, first_rate, second_rate;
+        Line depth, approach, x, y, x_rate, y_rate;
     };
     struct Shaking {
         V x, y, weight;  // horizontal accelerations; gravity with the vertical one
@@ -67,6 +71,10 @@ template <class V, int Stride> class SpatialForce {
     [[nodiscard]] Base const& base_at_start() const { return start_; }
 
   private:
+    /// What presses and drags points: depth, approach, and horizontal force over stiffness but for the anchor's share.
+    struct Grips {
+        Line depth, approach, x, y;
+    };
     struct Sums {
         Triple<V> all, by_x, by_y;  // of forces; of forces times x and y of their points
     };
@@ -81,13 +89,17 @@ template <class V, int Stride> class SpatialForce {
     static OVERTURN_LANES_INLINE void set_spot(double* point, Spot field, V value) { value.store(point + row(field)); }
 
     [[nodiscard]] OVERTURN_LANES_INLINE Base base_of(Motion const& at) const;
-    [[nodiscard]] static OVERTURN_LANES_INLINE V depth_of(double const* point, Base const& base);
-    [[nodiscard]] static OVERTURN_LANES_INLINE V approach_of(double const* point, Base const& base);
+    [[nodiscard]] OVERTURN_LANES_INLINE Line spring(Line const& way, Line const& rate) const;
+    [[nodiscard]] static OVERTURN_LANES_INLINE V over(double const* point, Line const& line) {
+        return line.of(spot(point, Spot::x), spot(point, Spot::y));
+    }
+    [[nodiscard]] static OVERTURN_LANES_INLINE V depth_of(double const* point, Base const& base) {
+        return over(point, base.depth) - spot(point, Spot::crush);
+    }
     [[nodiscard]] OVERTURN_LANES_INLINE V normal_of(double const* point, V depth, V approach) const;
     void remember(int i);
-    OVERTURN_LANES_INLINE bool press(int i, Base const& base, Sums& sums);
-    [[nodiscard]] OVERTURN_LANES_INLINE Pull pull_of(Sums const& sums, Base const& base, Motion const& at,
-                                                     Shaking const& by) const;
+    OVERTURN_LANES_INLINE bool press(int i, Grips const& grips, Triple<V>& force);
+    [[nodiscard]] OVERTURN_LANES_INLINE Pull pull_of(Sums const& sums, Motion const& at, Shaking const& by) const;
 
     double* body_;
     double* bed_;
@@ -97,36 +109,33 @@ template <class V, int Stride> class SpatialForce {
     std::bitset<most_spatial_points> remembered_;  // in this step
 };
 
-// Space's third axis is up: its components of the body's axes are how fast points rise along them.
 template <class V, int Stride>
 OVERTURN_LANES_INLINE auto SpatialForce<V, Stride>::base_of(Motion const& at) const -> Base {
-    auto const axes = axes_of(at.turn);
+    auto const [first, second, third] = axes_of(at.turn);
     V const h = get(State::height);
     auto const& body = at.spin;
-    auto const& [first, second, third] = axes;
     Triple<V> const spin{fma(first.x, body.x, second.x * body.y) + third.x * body.z,
                          fma(second.y, body.y, first.y * body.x) + third.y * body.z,
                          fma(third.z, body.z, first.z * body.x + second.z * body.y)};
     auto const arm = cross(spin, third);
+    auto const first_rate = cross(spin, first);
+    auto const second_rate = cross(spin, second);
     V const versine = 2.0 * fma(at.turn.x, at.turn.x, at.turn.y * at.turn.y);
-    return {{at.at.x - h * third.x, at.at.y - h * third.y, fma(h, versine, at.at.z)},
-            first,
-            second,
-            {at.velocity.x - h * arm.x, at.velocity.y - h * arm.y, at.velocity.z - h * arm.z},
-            cross(spin, first),
-            cross(spin, second)};
+    return {{-first.z, -second.z, -fma(h, versine, at.at.z)},
+            {-first_rate.z, -second_rate.z, h * arm.z - at.velocity.z},
+            {first.x, second.x, at.at.x - h * third.x},
+            {first.y, second.y, at.at.y - h * third.y},
+            {first_rate.x, second_rate.x, at.velocity.x - h * arm.x},
+            {first_rate.y, second_rate.y, at.velocity.y - h * arm.y}};
 }
 
+// Against the way and its rate.
 template <class V, int Stride>
-OVERTURN_LANES_INLINE V SpatialForce<V, Stride>::depth_of(double const* point, Base const& base) {
-    V const height = fma(base.first.z, spot(point, Spot::x), fma(base.second.z, spot(point, Spot::y), base.at.z));
-    return -height - spot(point, Spot::crush);
-}
-
-template <class V, int Stride>
-OVERTURN_LANES_INLINE V SpatialForce<V, Stride>::approach_of(double const* point, Base const& base) {
-    return -fma(base.first_rate.z, spot(point, Spot::x),
-                fma(base.second_rate.z, spot(point, Spot::y), base.velocity.z));
+OVERTURN_LANES_INLINE auto SpatialForce<V, Stride>::spring(Line const& way, Line const& rate) const -> Line {
+    V const ratio = -get(State::tangential_ratio);
+    V const drag = -get(State::tangential_damping);
+    return {fma(ratio, way.by_x, drag * rate.by_x), fma(ratio, way.by_y, drag * rate.by_y),
+            fma(ratio, way.at, drag * rate.at)};
 }
 
 template <class V, int Stride>
@@ -141,7 +150,7 @@ template <class V, int Stride> void SpatialForce<V, Stride>::remember(int i) {
     double* const place = point(i);
     V const zero = 0;
     V const depth = depth_of(place, start_);
-    V const approach = approach_of(place, start_);
+    V const approach = over(place, start_.approach);
     if (M const away = depth <= zero; any(away)) {
         V const fresh =
             contact::HWY_NAMESPACE::gain_of_approach(approach, get(State::damping), get(State::least_approach));
@@ -151,10 +160,8 @@ template <class V, int Stride> void SpatialForce<V, Stride>::remember(int i) {
     if (V const excess = depth - spot(place, Spot::yield); any(excess > zero)) {
         set_spot(place, Spot::crush, spot(place, Spot::crush) + max(excess, zero));
     }
-    V const x = spot(place, Spot::x);
-    V const y = spot(place, Spot::y);
-    V const here_x = fma(start_.first.x, x, fma(start_.second.x, y, start_.at.x));
-    V const here_y = fma(start_.first.y, x, fma(start_.second.y, y, start_.at.y));
+    V const here_x = over(place, start_.x);
+    V const here_y = over(place, start_.y);
     V const shift_x = here_x - spot(place, Spot::anchor_x);
     V const shift_y = here_y - spot(place, Spot::anchor_y);
     V const most = get(State::hold) * normal;
@@ -193,28 +200,21 @@ template <class V, int Stride> void SpatialForce<V, Stride>::complete() {
 
 // A point that no lane's ground touches presses nothing; what it remembers waits until it is asked.
 template <class V, int Stride>
-OVERTURN_LANES_INLINE bool SpatialForce<V, Stride>::press(int i, Base const& base, Sums& sums) {
+OVERTURN_LANES_INLINE bool SpatialForce<V, Stride>::press(int i, Grips const& grips, Triple<V>& force) {
     double* const place = point(i);
     V const zero = 0;
-    if (!any(depth_of(place, base) > zero)) {
+    V const depth = over(place, grips.depth);
+    if (!any(depth - spot(place, Spot::crush) > zero)) {
+        force = {zero, zero, zero};
         return false;
     }
     if (!remembered_[static_cast<std::size_t>(i)]) {
         remember(i);
     }
-    V const normal = normal_of(place, depth_of(place, base), approach_of(place, base));
-    V const x = spot(place, Spot::x);
-    V const y = spot(place, Spot::y);
+    V const normal = normal_of(place, depth - spot(place, Spot::crush), over(place, grips.approach));
     V const ratio = get(State::tangential_ratio);
-    V const drag = get(State::tangential_damping);
-    auto const wanted = [&](V first, V second, V at, V anchor, V first_rate, V second_rate, V rate) HWY_ATTR {
-        V const shift = fma(first, x, fma(second, y, at)) - anchor;
-        return fma(ratio, shift, drag * fma(first_rate, x, fma(second_rate, y, rate)));
-    };
-    V held_x = wanted(base.first.x, base.second.x, base.at.x, spot(place, Spot::anchor_x), base.first_rate.x,
-                      base.second_rate.x, base.velocity.x);
-    V held_y = wanted(base.first.y, base.second.y, base.at.y, spot(place, Spot::anchor_y), base.first_rate.y,
-                      base.second_rate.y, base.velocity.y);
+    V held_x = fma(ratio, spot(place, Spot::anchor_x), over(place, grips.x));
+    V held_y = fma(ratio, spot(place, Spot::anchor_y), over(place, grips.y));
     V const limit = get(State::friction) * normal;
     V const length = held_x * held_x + held_y * held_y;
     if (M const slips = length > limit * limit; any(slips)) {
@@ -223,24 +223,20 @@ OVERTURN_LANES_INLINE bool SpatialForce<V, Stride>::press(int i, Base const& bas
         held_y = share * held_y;
     }
     V const stiffness = spot(place, Spot::stiffness);
-    Triple<V> const force{-(stiffness * held_x), -(stiffness * held_y), stiffness * normal};
-    // Unfused: what opposite points do alike cancels to the last bit.
-    sums.all = sums.all + force;
-    sums.by_x = sums.by_x + x * force;
-    sums.by_y = sums.by_y + y * force;
+    force = {stiffness * held_x, stiffness * held_y, stiffness * normal};
     return true;
 }
 
 template <class V, int Stride>
-OVERTURN_LANES_INLINE auto SpatialForce<V, Stride>::pull_of(Sums const& sums, Base const& base, Motion const& at,
-                                                            Shaking const& by) const -> Pull {
+OVERTURN_LANES_INLINE auto SpatialForce<V, Stride>::pull_of(Sums const& sums, Motion const& at, Shaking const& by) const
+    -> Pull {
     auto const& [all, by_x, by_y] = sums;
-    auto const third = axes_of(at.turn).third;
+    auto const [first, second, third] = axes_of(at.turn);
     V const h = get(State::height);
     // (X, Y, -h) x F in the body's own axes, over all points
-    V const turn_x = dot(third, by_y) + h * dot(base.second, all);
-    V const turn_y = -(dot(third, by_x) + h * dot(base.first, all));
-    V const turn_z = dot(base.second, by_x) - dot(base.first, by_y);
+    V const turn_x = dot(third, by_y) + h * dot(second, all);
+    V const turn_y = -(dot(third, by_x) + h * dot(first, all));
+    V const turn_z = dot(second, by_x) - dot(first, by_y);
     V const ix = get(State::inertia_x);
     V const iy = get(State::inertia_y);
     V const iz = get(State::inertia_z);
@@ -252,22 +248,27 @@ OVERTURN_LANES_INLINE auto SpatialForce<V, Stride>::pull_of(Sums const& sums, Ba
             all.z};
 }
 
-// Points come in pairs whose sums are made first: on opposite points of a symmetric base mirrored motions are mirrored
-// to the last bit.
+// Points come in pairs whose sums are made first, unfused: on opposite points of a symmetric base what both do alike
+// cancels to the last bit, and mirrored motions are mirrored.
 template <class V, int Stride> auto SpatialForce<V, Stride>::now(Motion const& at, Shaking const& by) -> Pull {
     auto const base = base_of(at);
+    Grips const grips{base.depth, base.approach, spring(base.x, base.x_rate), spring(base.y, base.y_rate)};
     V const zero = 0;
     Triple<V> const none{zero, zero, zero};
     Sums sums{none, none, none};
     for (int i = 0; i < points_; i += 2) {
-        Sums pair{none, none, none};
-        bool const one = press(i, base, pair);
-        bool const other = press(i + 1, base, pair);
-        if (one || other) {
-            sums = {sums.all + pair.all, sums.by_x + pair.by_x, sums.by_y + pair.by_y};
+        Triple<V> one;
+        Triple<V> other;
+        bool const first = press(i, grips, one);
+        bool const second = press(i + 1, grips, other);
+        if (!first && !second) {
+            continue;
         }
+        sums.all = sums.all + (one + other);
+        sums.by_x = sums.by_x + (spot(point(i), Spot::x) * one + spot(point(i + 1), Spot::x) * other);
+        sums.by_y = sums.by_y + (spot(point(i), Spot::y) * one + spot(point(i + 1), Spot::y) * other);
     }
-    return pull_of(sums, base, at, by);
+    return pull_of(sums, at, by);
 }
 
 }  // namespace overturn::spatial::HWY_NAMESPACE

@@ -124,13 +124,14 @@ OVERTURN_LANES_INLINE void SpatialStepper<V, Stride>::log_height(Motion const& a
 
 // Where the base's centre is, how far it has come, how the body has turned about its axis, and which way it leans.
 template <class V, int Stride> OVERTURN_LANES_INLINE void SpatialStepper<V, Stride>::log_place(Motion const& at) {
-    auto const& base = base_at_start().at;
-    V const dx = base.x - get(State::base_x);
-    V const dy = base.y - get(State::base_y);
+    V const x = base_at_start().x.at;
+    V const y = base_at_start().y.at;
+    V const dx = x - get(State::base_x);
+    V const dy = y - get(State::base_y);
     put(State::slip_path, get(State::slip_path) + sqrt(dx * dx + dy * dy));
-    put(State::base_x, base.x);
-    put(State::base_y, base.y);
-    put(State::most_slip, max(base.x * base.x + base.y * base.y, get(State::most_slip)));
+    put(State::base_x, x);
+    put(State::base_y, y);
+    put(State::most_slip, max(x * x + y * y, get(State::most_slip)));
     V const zero = 0;
     V const z = choose(at.turn.w < zero, -at.turn.z, at.turn.z);
     V const yaw = fma(z / (abs(at.turn.w) + abs(at.turn.z)), 0.5, get(State::turns));
