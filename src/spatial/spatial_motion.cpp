@@ -1,8 +1,12 @@
 #include "spatial/spatial_motion.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
@@ -65,17 +69,16 @@ SpatialOutcome simulate_spatial(SpatialBlock const& block, Excitation const& sha
 void simulate_spatial(std::span<SpatialTrial const> trials, ContactAccuracy const& accuracy,
                       std::span<SpatialOutcome> outcomes) {
     OVERTURN_EXPECT(trials.size() == outcomes.size());
-    std::array<std::vector<std::size_t>, most_spatial_points + 1> by_points;
+    std::map<std::pair<std::size_t, bool>, std::vector<std::size_t>> alike;
     for (std::size_t i = 0; i < trials.size(); ++i) {
-        by_points.at(trials[i].block->points.size()).push_back(i);
+        auto const& block = *trials[i].block;
+        alike[{block.points.size(), block.opposite}].push_back(i);
     }
-    for (auto const& queue : by_points) {
-        if (!queue.empty()) {
-            spatial::SpatialBatch batch(trials, queue, accuracy, outcomes);
-            // Too large for the stack.
-            auto const scheduler = std::make_unique<simd::LaneScheduler<spatial::SpatialBatch>>(batch);
-            scheduler->run();
-        }
+    for (auto const& [key, queue] : alike) {
+        spatial::SpatialBatch batch(trials, queue, accuracy, outcomes);
+        // Too large for the stack.
+        auto const scheduler = std::make_unique<simd::LaneScheduler<spatial::SpatialBatch>>(batch);
+        scheduler->run();
     }
 }
 

@@ -20,6 +20,9 @@ template <class V> OVERTURN_LANES_INLINE Triple<V> operator*(V factor, Triple<V>
 template <class V> OVERTURN_LANES_INLINE Triple<V> operator+(Triple<V> const& a, Triple<V> const& b) {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
+template <class V> OVERTURN_LANES_INLINE Triple<V> operator-(Triple<V> const& a, Triple<V> const& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
 /// factor a + b
 template <class V> OVERTURN_LANES_INLINE Triple<V> fma(V factor, Triple<V> const& a, Triple<V> const& b) {
     return {fma(factor, a.x, b.x), fma(factor, a.y, b.y), fma(factor, a.z, b.z)};

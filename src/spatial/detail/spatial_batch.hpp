@@ -23,7 +23,7 @@ class SpatialBatch {
         std::size_t number;
     };
 
-    /// \param queue the numbers of the trials to run, all on bases of as many points
+    /// \param queue the numbers of the trials to run, all on bases of as many points, opposite ones or not
     SpatialBatch(std::span<SpatialTrial const> trials, std::span<std::size_t const> queue,
                  ContactAccuracy const& accuracy, std::span<SpatialOutcome> outcomes)
         : trials_(trials), queue_(queue), accuracy_(accuracy), outcomes_(outcomes) {}
@@ -40,6 +40,7 @@ class SpatialBatch {
     bool advance(Trajectory& trajectory) { return trajectory.run.advance(); }
     void load_lane(Trajectory const& trajectory, Fields& fields, int lane) {
         fields.points = trajectory.run.lane().points;
+        fields.opposite = trajectory.run.lane().opposite;
         copy_lane(trajectory.run.lane(), 0, fields, lane);
     }
     void store_lane(Trajectory& trajectory, Fields const& fields, int lane) {

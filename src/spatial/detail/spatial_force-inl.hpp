@@ -52,7 +52,8 @@ template <class V, int Stride> class SpatialForce {
         : body_(lanes.body.values.data()),
           bed_(lanes.bed.data()),
           samples_(lanes.body.samples.data()),
-          points_(lanes.points) {
+          points_(lanes.points),
+          opposite_(lanes.opposite) {
         remembered_.set();  // whoever was looked at from outside was completed before
     }
 
@@ -105,6 +106,7 @@ template <class V, int Stride> class SpatialForce {
     double* bed_;
     double const* const* samples_;
     int points_;
+    bool opposite_;
     Base start_;
     std::bitset<most_spatial_points> remembered_;  // in this step
 };
@@ -216,7 +218,7 @@ OVERTURN_LANES_INLINE bool SpatialForce<V, Stride>::press(int i, Grips const& gr
     V held_x = fma(ratio, spot(place, Spot::anchor_x), over(place, grips.x));
     V held_y = fma(ratio, spot(place, Spot::anchor_y), over(place, grips.y));
     V const limit = get(State::friction) * normal;
-    V const length = held_x * held_x + held_y * held_y;
+    V const length = fma(held_x, held_x, held_y * held_y);
     if (M const slips = length > limit * limit; any(slips)) {
         V const share = choose(slips, limit / sqrt(length), V(1));
         held_x = share * held_x;
@@ -264,9 +266,17 @@ template <class V, int Stride> auto SpatialForce<V, Stride>::now(Motion const& a
         if (!first && !second) {
             continue;
         }
+        V const x = spot(point(i), Spot::x);
+        V const y = spot(point(i), Spot::y);
         sums.all = sums.all + (one + other);
-        sums.by_x = sums.by_x + (spot(point(i), Spot::x) * one + spot(point(i + 1), Spot::x) * other);
-        sums.by_y = sums.by_y + (spot(point(i), Spot::y) * one + spot(point(i + 1), Spot::y) * other);
+        if (opposite_) {
+            auto const turning = one - other;
+            sums.by_x = sums.by_x + x * turning;
+            sums.by_y = sums.by_y + y * turning;
+        } else {
+            sums.by_x = sums.by_x + (x * one + spot(point(i + 1), Spot::x) * other);
+            sums.by_y = sums.by_y + (y * one + spot(point(i + 1), Spot::y) * other);
+        }
     }
     return pull_of(sums, at, by);
 }

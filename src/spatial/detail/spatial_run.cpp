@@ -22,6 +22,7 @@ SpatialRun::SpatialRun(SpatialBlock const& block, Excitation const& shaking, Con
     OVERTURN_EXPECT(block_.points.size() >= 4 && block_.points.size() <= most_spatial_points);
     OVERTURN_EXPECT(block_.points.size() % 2 == 0);
     lane_.points = static_cast<int>(block_.points.size());
+    lane_.opposite = block_.opposite;
     fill_trial(accuracy);
     fill_points();
     place(start.value_or(SpatialStart{}));

@@ -115,6 +115,7 @@ template <int Lanes> struct SpatialLanes {
     simd::LaneFields<State, Wave, Lanes> body;
     alignas(64) std::array<double, most_spatial_points * spots * Lanes> bed{};  ///< point by point
     int points = 0;                                                             ///< the same in all lanes
+    bool opposite = true;  ///< whether the points of every pair are opposite ones; likewise
 
     [[nodiscard]] static std::size_t place(Spot spot, int point, int lane) {
         return (static_cast<std::size_t>(point) * spots + static_cast<std::size_t>(spot)) * Lanes
