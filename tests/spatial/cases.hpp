@@ -1,7 +1,11 @@
 /// Bodies, bases, waves and instants that the tests of motion in space share.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "contact/cases.hpp"
@@ -42,6 +46,40 @@ struct SpatialHistory : SpatialObserver {
     std::vector<SpatialInstant> instants;
     void at(SpatialInstant const& instant) override { instants.push_back(instant); }
 };
+
+/// What shakes: components of equal length, some of them empty; they outlive the run.
+struct Shaking {
+    std::vector<double> const& x;
+    std::vector<double> const& y;
+    double step_s = 0.01;
+    double level = 1;
+    std::vector<double> const& z = nothing();
+
+    [[nodiscard]] Excitation excitation() const {
+        return {.horizontal_mps2 = x, .transverse_mps2 = y, .vertical_mps2 = z, .time_step_s = step_s, .scale = level};
+    }
+    [[nodiscard]] static std::vector<double> const& nothing() {
+        static std::vector<double> const empty;
+        return empty;
+    }
+};
+
+inline SpatialOutcome shaken(SpatialBlock const& block, Shaking const& by, ContactAccuracy const& accuracy = {},
+                             SpatialObserver* observer = nullptr, std::optional<SpatialStart> const& start = {}) {
+    return simulate_spatial(block, by.excitation(), accuracy, start, observer);
+}
+
+/// Free motion from a start for some time; every instant.
+struct Release {
+    std::vector<SpatialInstant> instants;
+};
+inline Release released(SpatialBlock const& block, SpatialStart const& start, double seconds,
+                        ContactAccuracy const& accuracy = unheld, double sample_s = 0.01) {
+    auto const calm = constant(0, static_cast<std::size_t>(std::lround(seconds / sample_s)) + 1);
+    SpatialHistory history;
+    static_cast<void>(shaken(block, {calm, Shaking::nothing(), sample_s}, accuracy, &history, start));
+    return {std::move(history.instants)};
+}
 
 /// The body's axes in space: rows of the matrix.
 inline std::array<std::array<double, 3>, 3> matrix_of(SpatialInstant const& instant) {
