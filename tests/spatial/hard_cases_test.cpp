@@ -62,7 +62,9 @@ TEST(SpatialHardCases, AWobblingCylinderNeverGainsEnergy) {
             }
             auto const& end = history.instants.back();
             EXPECT_TRUE(std::isfinite(end.x_m + end.y_m + end.yaw_rad));
-            EXPECT_LT(end.tilt_rad(), 0.004) << points << " " << friction;
+            if (points > fewest_rim_points) {  // which rolls from point to point for some seconds more
+                EXPECT_LT(end.tilt_rad(), 1e-9) << points << " " << friction;
+            }
             EXPECT_GT(std::abs(end.yaw_rad), 1e-3) << points << " " << friction;
         }
     }

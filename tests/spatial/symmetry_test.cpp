@@ -52,24 +52,24 @@ void expect_mapped(std::vector<SpatialInstant> const& one, std::vector<SpatialIn
             << i << " of " << one.size();
         tilt = std::max(tilt, one[i].tilt_rad());
     }
-    EXPECT_GT(tilt, 0.03);
+    EXPECT_GT(tilt, 0.001);
 }
 
 // To the last bit, friction, impacts and all.
 TEST(SpatialSymmetry, MirroredShakingMirrorsCorners) {
     testing::TwoWaves const waves;
-    auto const block = standing(body_a(), square_base(), 0.5);
-    auto const plain = history_of(block, {waves, 3001, 1, 0, 0, 1}, 12);
-    expect_mapped(plain, history_of(block, {waves, 3001, 1, 0, 0, -1}, 12), 1, -1, -1);
-    expect_mapped(plain, history_of(block, {waves, 3001, -1, 0, 0, 1}, 12), -1, 1, -1);
+    auto const block = standing(body_a(), square_base(), 0.7);
+    auto const plain = history_of(block, {waves, 3001, 1, 0, 0, 1}, 14);
+    expect_mapped(plain, history_of(block, {waves, 3001, 1, 0, 0, -1}, 14), 1, -1, -1);
+    expect_mapped(plain, history_of(block, {waves, 3001, -1, 0, 0, 1}, 14), -1, 1, -1);
 }
 
 TEST(SpatialSymmetry, HalfATurnTurnsEveryOppositeBase) {
     testing::TwoWaves const waves;
     for (auto const& footing : {square_base(), square_base(0.1), square_base(0.3, 5), round_base(), round_base(18)}) {
-        auto const block = standing(body_a(), footing, 0.5);
-        auto const plain = history_of(block, {waves, 2501, 1, 0, 0, 1}, 10);
-        expect_mapped(plain, history_of(block, {waves, 2501, -1, 0, 0, -1}, 10), -1, -1, 1);
+        auto const block = standing(body_a(), footing, 0.7);
+        auto const plain = history_of(block, {waves, 2501, 1, 0, 0, 1}, 11);
+        expect_mapped(plain, history_of(block, {waves, 2501, -1, 0, 0, -1}, 11), -1, -1, 1);
     }
 }
 
@@ -84,41 +84,45 @@ TEST(SpatialSymmetry, AQuarterTurnTurnsASquare) {
         double most = 0;
         double tilt = 0;
         for (std::size_t i = 0; i < plain.size(); ++i) {
-            most = std::max({most, std::abs(turned[i].tilts_rad()[1] + plain[i].tilts_rad()[0]),
-                             std::abs(turned[i].tilts_rad()[0] - plain[i].tilts_rad()[1]),
+            most = std::max({most, std::abs(turned[i].tilts_rad()[1] - plain[i].tilts_rad()[0]),
+                             std::abs(turned[i].tilts_rad()[0] + plain[i].tilts_rad()[1]),
                              std::abs(turned[i].yaw_rad - plain[i].yaw_rad)});
             tilt = std::max(tilt, plain[i].tilt_rad());
         }
         EXPECT_LT(most, 1e-10);
-        EXPECT_GT(tilt, 0.005);
+        EXPECT_GT(tilt, 0.003);
         RecordProperty("difference_1e-15", std::to_string(most * 1e15));
     }
 }
 
 // By a point's place round the rim to rounding; by less, within what the points make of a circle.
 TEST(SpatialSymmetry, ARoundBaseKnowsNoDirection) {
-    testing::TwoWaves const waves;
+    testing::TwoWaves pulse;
+    pulse.x = testing::sine(1, 1, 1, 0.3, 0.01);
+    pulse.y = testing::sine(0.7, 1.5, 1, 0, 0.01);
+    pulse.y.resize(pulse.x.size());
     struct Case {
         int points;
         double angle_rad, difference_rad;
     };
-    for (auto const& [points, angle, difference] : {Case{32, 2 * pi / 32, 1e-9},
-                                                    {32, 5 * 2 * pi / 32, 1e-9},
-                                                    {32, pi / 32, 2e-3},
-                                                    {32, 1.0, 2e-3},
-                                                    {128, pi / 128, 2e-4},
-                                                    {128, 1.0, 2e-4}}) {
-        auto const block = standing(body_a(), round_base(points), 0.8);
-        auto const plain = history_of(block, Mapped::turned(waves, 1501, 0), 8);
-        auto const turned = history_of(block, Mapped::turned(waves, 1501, angle), 8);
+    auto const gap = [](int points) { return 2 * (1 - std::cos(pi / points)); };  // of a chord, over the radius, twice
+    for (auto const& [points, angle, difference] : {Case{32, 2 * pi / 32, 1e-12},
+                                                    {32, 5 * 2 * pi / 32, 1e-12},
+                                                    {32, pi / 32, gap(32)},
+                                                    {32, 1.0, gap(32)},
+                                                    {128, pi / 128, gap(128)},
+                                                    {128, 1.0, gap(128)}}) {
+        auto const block = standing(body_a(), round_base(points), 10);
+        auto const plain = history_of(block, Mapped::turned(pulse, pulse.x.size(), 0), 9);
+        auto const turned = history_of(block, Mapped::turned(pulse, pulse.x.size(), angle), 9);
         double most = 0;
         double tilt = 0;
-        for (std::size_t i = 0; i < std::min(plain.size(), turned.size()); ++i) {
+        for (std::size_t i = 0; i < plain.size() && plain[i].time_s < 1.3; ++i) {
             most = std::max(most, std::abs(plain[i].tilt_rad() - turned[i].tilt_rad()));
             tilt = std::max(tilt, plain[i].tilt_rad());
         }
         EXPECT_LT(most, difference) << points << " " << angle;
-        EXPECT_GT(tilt, 0.005);
+        EXPECT_GT(tilt, 0.03);
         RecordProperty("difference_" + std::to_string(points) + "_" + std::to_string(angle),
                        std::to_string(most * 1e9));
     }

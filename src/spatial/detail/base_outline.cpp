@@ -145,8 +145,14 @@ BaseOutline round_outline(int points, double radius_m) {
             {{-radius_m, 0, share}, {radius_m, 0, share}, {0, -radius_m, share}, {0, radius_m, share}});
         return outline;
     }
-    for (int i = 0; i < points; ++i) {
-        outline.points.push_back({radius_m * std::cos(angle * i), radius_m * std::sin(angle * i), share});
+    bool const even = points % 2 == 0;
+    for (int i = 0; i < (even ? points / 2 : points); ++i) {
+        double const x = radius_m * std::cos(angle * i);
+        double const y = radius_m * std::sin(angle * i);
+        outline.points.push_back({x, y, share});
+        if (even) {
+            outline.points.push_back({-x, -y, share});
+        }
     }
     complete_pairs(outline.points);
     return outline;

@@ -57,6 +57,9 @@ template <class V, int Stride> class SpatialForce {
         remembered_.set();  // whoever was looked at from outside was completed before
     }
 
+    /// Brings up to date what the step that was taken did not ask for: a lane may be looked at from outside then.
+    void complete();
+
   protected:
     [[nodiscard]] OVERTURN_LANES_INLINE V get(State field) const { return V::load(body_ + row(field)); }
     OVERTURN_LANES_INLINE void put(State field, V value) { value.store(body_ + row(field)); }
@@ -66,8 +69,6 @@ template <class V, int Stride> class SpatialForce {
 
     /// A step's start: what points remember is brought up to date there, of those that are asked for it in the step.
     [[nodiscard]] Depths begin(Motion const& start);
-    /// The rest of them: what they remember counts wherever a lane is looked at from outside.
-    void complete();
     [[nodiscard]] Pull now(Motion const& at, Shaking const& by);
     [[nodiscard]] Base const& base_at_start() const { return start_; }
 

@@ -18,6 +18,7 @@ template <class V, int Stride> std::uint32_t step_lanes(SpatialLanes<Stride>& la
     SpatialStepper<V, Stride> stepper(lanes);
     for (;;) {
         if (auto const care = stepper.step(); once || any(care)) {
+            stepper.complete();
             return bits(care);
         }
     }

@@ -75,6 +75,9 @@ bool SpatialRun::advance() {
 // Too weak for the base to part or to leave its place. Between two such samples all are: the bound is convex.
 bool SpatialRun::calm(std::size_t sample) const {
     auto const a = shaking_at(sample);
+    if (!std::isfinite(a.x + a.y + a.z)) {
+        return false;  // nothing holds against it
+    }
     return std::sqrt(a.x * a.x + a.y * a.y) <= get(State::rest_ratio) * (planar_.gravity_mps2 + a.z);
 }
 
@@ -96,6 +99,24 @@ void SpatialRun::show_sample() {
     put(State::substep, 0);
 }
 
+// Of the points that touch: by pairs, as forces are summed.
+SpatialRun::BedMoments SpatialRun::bed_moments() const {
+    auto const of = [&](int i) {
+        auto const point = placed(i);
+        double const k = point.depth > 0 ? point.stiffness : 0;
+        return BedMoments{
+            k, k * point.x, k * point.y, k * point.x * point.x, k * point.x * point.y, k * point.y * point.y};
+    };
+    BedMoments sum{};
+    for (int i = 0; i < lane_.points; i += 2) {
+        auto const one = of(i);
+        auto const other = of(i + 1);
+        sum = {sum.k + (one.k + other.k),    sum.x + (one.x + other.x),    sum.y + (one.y + other.y),
+               sum.xx + (one.xx + other.xx), sum.xy + (one.xy + other.xy), sum.yy + (one.yy + other.yy)};
+    }
+    return sum;
+}
+
 // The shaking grew while the body was held: it stands where springs that still touch have let it sink, sway and lean.
 void SpatialRun::wake() {
     phase_ = Phase::shaken;
@@ -103,22 +124,7 @@ void SpatialRun::wake() {
     if (get(State::index) == 0) {
         return;  // whatever the first sample holds comes suddenly
     }
-    double k = 0;  // and its first and second moments over the base
-    double x = 0;
-    double y = 0;
-    double xx = 0;
-    double xy = 0;
-    double yy = 0;
-    for (int i = 0; i < lane_.points; ++i) {
-        auto const point = placed(i);
-        double const stiffness = point.depth > 0 ? point.stiffness : 0;
-        k += stiffness;
-        x += stiffness * point.x;
-        y += stiffness * point.y;
-        xx += stiffness * point.x * point.x;
-        xy += stiffness * point.x * point.y;
-        yy += stiffness * point.y * point.y;
-    }
+    auto const [k, x, y, xx, xy, yy] = bed_moments();
     double const h = planar_.centre_height_m;
     double const weight = planar_.gravity_mps2 + held_.z;
     double const lean_xx = xx - x * x / k - h * weight;

@@ -37,6 +37,11 @@ class SpatialRun {
         double depth;  ///< negative: away
     };
 
+    /// Stiffness of the points that touch, and its first and second moments over the base.
+    struct BedMoments {
+        double k, x, y, xx, xy, yy;
+    };
+
     void fill_trial(ContactAccuracy const& accuracy);
     void fill_steps(ContactAccuracy const& accuracy);
     void fill_law();
@@ -63,6 +68,7 @@ class SpatialRun {
     [[nodiscard]] std::array<double, 9> rotation() const;
     [[nodiscard]] std::array<double, 2> base_centre() const;
     [[nodiscard]] Placed placed(int point) const;
+    [[nodiscard]] BedMoments bed_moments() const;
     [[nodiscard]] double get(State field) const { return lane_.body.at(field, 0); }
     void put(State field, double value) { lane_.body.at(field, 0) = value; }
 

@@ -23,6 +23,7 @@ template <class V, int Stride> class SpatialStepper : private SpatialForce<V, St
 
     /// \return the lanes that need care
     M step();
+    using Force::complete;
 
   private:
     using Force::base_at_start;
@@ -229,11 +230,7 @@ template <class V, int Stride> auto SpatialStepper<V, Stride>::step() -> M {
     }
     save(end);
 
-    M const care = advanced(end, sum);
-    if (any(care)) {
-        this->complete();
-    }
-    return care;
+    return advanced(end, sum);
 }
 
 // The place that the step has reached. Returns the lanes that need care there.
