@@ -1,0 +1,80 @@
+#include "spatial/spatial_block.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/error.hpp"
+#include "spatial/detail/base_outline.hpp"
+
+namespace overturn {
+namespace {
+
+ContactPad pad_of(Pad const& pad) {
+    return {.vertical_frequency_hz = pad.vertical_frequency_hz,
+            .normal_restitution = pad.normal_restitution,
+            .strength_pa = pad.strength_pa,
+            .tangential_ratio = pad.tangential_ratio,
+            .tangential_damping = pad.tangential_damping};
+}
+
+// Across a square base; under other outlines the planar body stands on corners, which are not used.
+ContactBase across(BasePlan const& base) {
+    if (base.shape != BaseShape::square) {
+        return {};
+    }
+    constexpr int most_across = 16;
+    static_assert(most_across * most_across <= most_spatial_points);
+    validate(base.points <= most_across, "a square base of {0} x {0} points (it takes at most {1} x {1}) take 11",
+             base.points, most_across);
+    return {base.corner_share.value_or(ContactBase::flat_share(base.points)), base.points};
+}
+
+spatial::BaseOutline outline_of(BasePlan const& base, ContactBlock const& planar) {
+    switch (base.shape) {
+        case BaseShape::round:
+            return spatial::round_outline(base.points, planar.half_width_m);
+        case BaseShape::polygon:
+            return spatial::polygon_outline(base.corners_m);
+        case BaseShape::square:
+            break;
+    }
+    return spatial::square_outline(planar.points, planar.half_width_m);
+}
+
+double inertia_over_mass(std::optional<double> const& stated_kgm2, char const* axis, double otherwise, double mass_kg) {
+    validate(!stated_kgm2 || (*stated_kgm2 > 0 && std::isfinite(*stated_kgm2)),
+             "the moment of inertia about the {} axis is {} kg m2 (it must be positive) state it about the centre of "
+             "gravity, or leave it out",
+             axis, stated_kgm2.value_or(0));
+    return stated_kgm2 ? *stated_kgm2 / mass_kg : otherwise;
+}
+
+}  // namespace
+
+SpatialBlock spatial_block(RigidBody const& body, Footing const& footing, std::optional<Friction> const& friction) {
+    SpatialBlock block;
+    block.planar = contact_block(body, across(footing.base), pad_of(footing.pad), friction);
+    auto outline = outline_of(footing.base, block.planar);
+    double const w = block.planar.vertical_radps();
+    block.planar.yield_depth_m = footing.pad.strength_pa
+                                     ? *footing.pad.strength_pa * outline.area_m2 / (body.mass_kg() * w * w)
+                                     : std::numeric_limits<double>::infinity();
+    double const rocking = block.planar.inertia_over_mass_m2;
+    block.inertia_over_mass_m2 = {
+        inertia_over_mass(footing.inertia_across_kgm2, "horizontal", rocking, body.mass_kg()), rocking,
+        inertia_over_mass(footing.inertia_vertical_kgm2, "vertical", outline.polar_radius2_m2, body.mass_kg())};
+    block.edge_m = outline.edge_m;
+    block.points = std::move(outline.points);
+    for (std::size_t i = 0; i < block.points.size(); i += 2) {
+        auto const& [x, y, share] = block.points[i];
+        auto const& other = block.points[i + 1];
+        block.opposite = block.opposite && other.x_m == -x && other.y_m == -y;
+    }
+    for (auto const& point : block.points) {
+        block.reach_m = std::max(block.reach_m, std::hypot(point.x_m, point.y_m));
+    }
+    return block;
+}
+
+}  // namespace overturn

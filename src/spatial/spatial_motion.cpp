@@ -1,0 +1,85 @@
+#include "spatial/spatial_motion.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "core/error.hpp"
+#include "spatial/detail/spatial_batch.hpp"
+#include "spatial/detail/spatial_run.hpp"
+
+namespace overturn {
+
+template <> Fields const& fields_of<SpatialQuantities>() {
+    using Q = SpatialQuantities;
+    static Fields const fields{
+        field<&Q::peak_crush_m>("peak_crush", "m", "deepest crush that the pad keeps; 0: it stayed elastic"),
+        field<&Q::peak_contact_force_ratio>("peak_contact_force_ratio", "1", "max N / (m g)"),
+        field<&Q::peak_rise_m>("peak_rise", "m", "highest rise of the centre of gravity"),
+        field<&Q::yaw_rad>("yaw", "rad", "turn about the body's axis that is left"),
+        field<&Q::peak_yaw_rad>("peak_yaw", "rad", "largest turn about the body's axis"),
+        field<&Q::slip_path_m>("slip_path", "m", "way that the centre of the base has travelled")};
+    return fields;
+}
+
+double SpatialInstant::tilt_rad() const {
+    return 2 * std::asin(std::min(1.0, std::hypot(quaternion[1], quaternion[2])));
+}
+
+double SpatialInstant::azimuth_rad() const {
+    auto const& [w, x, y, z] = quaternion;
+    return std::atan2(y * z - w * x, x * z + w * y);
+}
+
+std::array<double, 2> SpatialInstant::tilts_rad() const {
+    double const tilt = tilt_rad();
+    auto const& [w, x, y, z] = quaternion;
+    double const across = y * z - w * x;  // of the body's axis, halved
+    double const along = x * z + w * y;
+    double const length = std::hypot(across, along);
+    return length > 0 ? std::array{-tilt * across / length, tilt * along / length} : std::array{0.0, 0.0};
+}
+
+SpatialOutcome simulate_spatial(SpatialBlock const& block, Excitation const& shaking, ContactAccuracy const& accuracy,
+                                std::optional<SpatialStart> const& start, SpatialObserver* observer) {
+    spatial::SpatialRun run(block, shaking, accuracy, start);
+    while (run.advance()) {
+        if (observer == nullptr) {
+            spatial::step_on(run.lane());
+            continue;
+        }
+        for (bool care = false; !care;) {
+            auto instant = run.instant();
+            care = spatial::step_once(run.lane());
+            instant.contact_force_ratio = run.instant().contact_force_ratio;  // at the start of that step
+            observer->at(instant);
+        }
+    }
+    if (observer != nullptr) {
+        observer->at(run.instant());
+    }
+    return run.finish();
+}
+
+void simulate_spatial(std::span<SpatialTrial const> trials, ContactAccuracy const& accuracy,
+                      std::span<SpatialOutcome> outcomes) {
+    OVERTURN_EXPECT(trials.size() == outcomes.size());
+    std::map<std::pair<std::size_t, bool>, std::vector<std::size_t>> alike;
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        auto const& block = *trials[i].block;
+        alike[{block.points.size(), block.opposite}].push_back(i);
+    }
+    for (auto const& [key, queue] : alike) {
+        spatial::SpatialBatch batch(trials, queue, accuracy, outcomes);
+        // Too large for the stack.
+        auto const scheduler = std::make_unique<simd::LaneScheduler<spatial::SpatialBatch>>(batch);
+        scheduler->run();
+    }
+}
+
+}  // namespace overturn
