@@ -35,6 +35,7 @@ struct BodySpec {
     RigidBody body;                    ///< of what is stated, scaled
     std::optional<Friction> friction;  ///< likewise central; empty: no slip
     BodyScatter scatter;
+    int axes = 3;                 ///< Scene::axes
     Footing stated_footing = {};  ///< as the keys say
     Footing footing = {};         ///< of the body in force
 
@@ -48,7 +49,7 @@ struct BodySpec {
 };
 
 /// Keys: name, file, mass, base_width, centre_height, inertia (number or "uniform-block"), parts, restitution,
-/// friction, gravity, similarity, base, pad, inertia_y, inertia_z (footing_spec.hpp); mass, centre_height, restitution
+/// friction, gravity, similarity, axes, base, pad, inertia_y, inertia_z (footing_spec.hpp); mass, centre_height, restitution
 /// and friction may be distributions. Reads every key of `table` and finishes it. \throws InputError
 [[nodiscard]] BodySpec read_body(config::Table const& table, InputFiles& files);
 

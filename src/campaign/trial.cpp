@@ -178,7 +178,8 @@ bool failed(TrialRow const& row) { return row.failure != FailureReason::none; }
 Scene scene_of(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t body) {
     auto const number = static_cast<std::size_t>(body);
     auto const& drawn = wave.bodies.at(number);
-    return {drawn.body, drawn.friction, spec.bodies.at(number).footing};
+    auto const& stated = spec.bodies.at(number);
+    return {drawn.body, drawn.friction, stated.footing, stated.axes};
 }
 
 void close_row(TrialRow& row, PreparedWave const& wave, Response const& response) {

@@ -120,7 +120,7 @@ int rock(Options const& options) {
     auto const record = load_motion(options.record);
     validate_rocking_plane(record.direction, {options.record.wave});
     auto const& motion = record.motion;
-    Scene const scene{spec.body, spec.friction, spec.footing};
+    Scene const scene{spec.body, spec.friction, spec.footing, spec.axes};
     Ladder const ladder(parse_effects(options.effects));
     std::vector<std::byte> own(ladder.own_bytes());
     SceneTrial const trial{scene, motion, options.scale};

@@ -37,7 +37,7 @@ constexpr std::int64_t of_base = 3;
 constexpr std::int64_t of_tilt = 4;
 constexpr std::int64_t of_lost_contact = 5;
 constexpr std::int64_t of_strength = 6;
-constexpr std::array reasons{ReasonEntry{of_base, "bedding", "the base is not two corners"},
+constexpr std::array reasons{ReasonEntry{of_base, "bedding", "the base is not two corners: its restitution is its own"},
                              ReasonEntry{of_tilt, "tilt", "it rocks to 0.3 alpha, or falls, on a stated pad"},
                              ReasonEntry{of_lost_contact, "contact-lost", "a rigid base would leave the ground"},
                              ReasonEntry{of_strength, "pad-strength", "an impact may crush the pad"}};
@@ -52,7 +52,8 @@ class ContactModel : public Model {
         auto const contact = mask_of(Effect::contact) | (trial.friction ? mask_of(Effect::sliding) : 0);
         constexpr double wild = 0.3;  // of alpha
         auto const& footing = *trial.footing;
-        if (footing.base.shape == BaseShape::square && footing.base.corner_share != 1) {
+        bool const on_corners = footing.base.shape == BaseShape::square && footing.base.corner_share == 1;
+        if (!on_corners && footing.base.shape != BaseShape::polygon) {
             return {contact, of_base};
         }
         if (said == nullptr || said->verdict == Verdict::failed) {

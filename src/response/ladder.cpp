@@ -113,12 +113,16 @@ Ladder::Climb Ladder::begin(SceneTrial const& at) const {
     trial.footing = &at.scene.footing;
     trial.friction = at.scene.friction;
     trial.excitation = {.horizontal_mps2 = at.motion.horizontal_mps2,
-                        .transverse_mps2 = at.motion.transverse_mps2,
-                        .vertical_mps2 = at.motion.vertical_mps2,
                         .time_step_s = at.motion.time_step_s,
                         .scale = at.scale,
                         .peak_mps2 = at.peak_mps2,
                         .chunks = at.chunks};
+    if (at.scene.axes >= 2) {
+        trial.excitation.transverse_mps2 = at.motion.transverse_mps2;
+    }
+    if (at.scene.axes >= 3) {
+        trial.excitation.vertical_mps2 = at.motion.vertical_mps2;
+    }
     for (std::size_t model = 0; model < models_.size(); ++model) {
         climb.possible |= models_[model]->possible(trial);
         climb.call(model, models_[model]->called_for(trial, nullptr));

@@ -22,6 +22,7 @@ struct Scene {
     RigidBody const& body;
     std::optional<Friction> friction;  ///< empty: no slip
     Footing const& footing = on_corners();
+    int axes = 3;  ///< that shake it: 1 the horizontal one, 2 both horizontal ones, 3 the vertical one too
 
     /// A square base on its corners, on the usual pad.
     [[nodiscard]] static Footing const& on_corners();

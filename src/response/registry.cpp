@@ -6,6 +6,7 @@
 #include "contact/contact_model.hpp"
 #include "core/error.hpp"
 #include "rocking/rocking_models.hpp"
+#include "spatial/spatial_model.hpp"
 
 namespace overturn {
 
@@ -14,6 +15,7 @@ std::span<ModelEntry const> models() {
         ModelEntry{rocking_traits, [](Accuracy const& a) { return make_rocking_model(a.rocking); }},
         ModelEntry{sliding_traits, [](Accuracy const& a) { return make_sliding_model(a.rocking); }},
         ModelEntry{contact_traits, [](Accuracy const& a) { return make_contact_model(a.contact); }},
+        ModelEntry{spatial_traits, [](Accuracy const& a) { return make_spatial_model(a.contact); }},
     };
     return entries;
 }

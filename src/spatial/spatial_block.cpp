@@ -10,24 +10,16 @@
 namespace overturn {
 namespace {
 
-ContactPad pad_of(Pad const& pad) {
-    return {.vertical_frequency_hz = pad.vertical_frequency_hz,
-            .normal_restitution = pad.normal_restitution,
-            .strength_pa = pad.strength_pa,
-            .tangential_ratio = pad.tangential_ratio,
-            .tangential_damping = pad.tangential_damping};
-}
-
-// Across a square base; under other outlines the planar body stands on corners, which are not used.
-ContactBase across(BasePlan const& base) {
+// Along one axis of a square base, a finer bed than space holds as fine as it does; under other outlines the planar
+// body stands on corners, which are not used.
+BasePlan across(BasePlan base) {
     if (base.shape != BaseShape::square) {
         return {};
     }
     constexpr int most_across = 16;
     static_assert(most_across * most_across <= most_spatial_points);
-    validate(base.points <= most_across, "a square base of {0} x {0} points (it takes at most {1} x {1}) take 11",
-             base.points, most_across);
-    return {base.corner_share.value_or(ContactBase::flat_share(base.points)), base.points};
+    base.points = std::min(base.points, most_across);
+    return base;
 }
 
 spatial::BaseOutline outline_of(BasePlan const& base, ContactBlock const& planar) {
@@ -54,7 +46,7 @@ double inertia_over_mass(std::optional<double> const& stated_kgm2, char const* a
 
 SpatialBlock spatial_block(RigidBody const& body, Footing const& footing, std::optional<Friction> const& friction) {
     SpatialBlock block;
-    block.planar = contact_block(body, across(footing.base), pad_of(footing.pad), friction);
+    block.planar = contact_block(body, across(footing.base), footing.pad, friction);
     auto outline = outline_of(footing.base, block.planar);
     double const w = block.planar.vertical_radps();
     block.planar.yield_depth_m = footing.pad.strength_pa

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <vector>
 
@@ -16,6 +17,14 @@ constexpr std::array spatial_effect{
     EffectEntry{Effect::spatial, "spatial",
                 "two horizontal components and three rotations; called for by a polygonal base, by a round one with a "
                 "second component, and where that component may tip or slide a square one"}};
+
+constexpr std::int64_t of_transverse = 7;
+constexpr std::int64_t of_round = 8;
+constexpr std::int64_t of_polygon = 9;
+constexpr std::array reasons{
+    ReasonEntry{of_transverse, "transverse-motion", "the second component may tip or slide a square base"},
+    ReasonEntry{of_round, "round-base", "a round base rolls as soon as a second component shakes it"},
+    ReasonEntry{of_polygon, "polygon-base", "no plane holds a polygon"}};
 
 constexpr std::array channels{Channel{"time_s"},      Channel{"tilt_rad"},
                               Channel{"azimuth_rad"}, Channel{"tilt_x_rad"},
@@ -80,24 +89,24 @@ bool acts_on_square(Trial const& trial) {
 
 class SpatialModel : public Model {
   public:
-    explicit SpatialModel(SpatialSetup const& setup) : setup_(setup) {}
+    explicit SpatialModel(ContactAccuracy const& accuracy) : accuracy_(accuracy) {}
     [[nodiscard]] ModelTraits const& traits() const override { return spatial_traits(); }
 
-    [[nodiscard]] EffectMask called_for(Trial const& trial, Outcome const* /*said*/) const override {
+    [[nodiscard]] Call called_for(Trial const& trial, Outcome const* said) const override {
+        auto const all = traits().always | (trial.friction ? mask_of(Effect::sliding) : 0);
         bool const shaken_across = !trial.excitation.transverse_mps2.empty();
-        bool called = false;
-        switch (setup_.footing.base.shape) {
+        if (said != nullptr) {
+            return {};  // all that calls for it is known before
+        }
+        switch (trial.footing->base.shape) {
             case BaseShape::polygon:
-                called = true;
-                break;
+                return {all, of_polygon};
             case BaseShape::round:
-                called = shaken_across;
-                break;
+                return shaken_across ? Call{all, of_round} : Call{};
             case BaseShape::square:
-                called = shaken_across && acts_on_square(trial);
                 break;
         }
-        return called ? mask_of(Effect::spatial) : 0;
+        return shaken_across && acts_on_square(trial) ? Call{all, of_transverse} : Call{};
     }
 
     [[nodiscard]] std::unique_ptr<Checkpoints> run(Batch const& batch) const override {
@@ -105,20 +114,21 @@ class SpatialModel : public Model {
         std::vector<SpatialTrial> trials;
         trials.reserve(batch.trials.size());
         for (std::size_t i = 0; i < batch.trials.size(); ++i) {
-            trials.push_back({&blocks[i], excitation_of(batch.trials[i])});
+            trials.push_back({&blocks[i].block, excitation_of(batch.trials[i])});
         }
         std::vector<SpatialOutcome> outcomes(trials.size());
         if (batch.observer != nullptr) {
             OVERTURN_EXPECT(trials.size() == 1);
             Shown shown(*batch.observer);
-            outcomes.front() = simulate_spatial(blocks.front(), trials.front().shaking, setup_.accuracy, {}, &shown);
+            outcomes.front() = simulate_spatial(*trials.front().block, trials.front().shaking, accuracy_, {}, &shown);
         } else {
-            simulate_spatial(trials, setup_.accuracy, outcomes);
+            simulate_spatial(trials, accuracy_, outcomes);
         }
         for (std::size_t i = 0; i < outcomes.size(); ++i) {
             batch.outcomes[i] = outcomes[i];
             batch.outcomes[i].called = mask_of(Effect::spatial);
             if (!batch.own.empty()) {
+                tell_match(blocks[i].match, outcomes[i].own);
                 constexpr std::size_t row = sizeof(SpatialQuantities);
                 std::memcpy(batch.own.subspan(i * row, row).data(), &outcomes[i].own, row);
             }
@@ -135,42 +145,45 @@ class SpatialModel : public Model {
         return shaking;
     }
 
-    // One each: friction may differ. Neighbours with the same body share its match.
-    [[nodiscard]] std::vector<SpatialBlock> blocks_of(std::span<Trial const> trials) const {
-        std::vector<SpatialBlock> blocks;
+    struct Matched {
+        SpatialBlock block;
+        ContactMatch match;
+    };
+
+    // One each: friction may differ. Neighbours of the same body and footing share its match.
+    [[nodiscard]] std::vector<Matched> blocks_of(std::span<Trial const> trials) const {
+        std::vector<Matched> blocks;
         blocks.reserve(trials.size());
-        RigidBody const* matched = nullptr;
-        Footing footing = setup_.footing;
+        Trial const* before = nullptr;
+        ContactMatch match;
         for (auto const& trial : trials) {
-            if (trial.body != matched) {
-                matched = trial.body;
-                footing = matched_footing(*trial.body);
+            if (before == nullptr || before->body != trial.body || before->footing != trial.footing) {
+                match = match_of(*trial.body, *trial.footing);
             }
+            auto footing = *trial.footing;
+            footing.base = match.base;
+            footing.pad = match.pad;
             bool const slides = has(trial.simulated, Effect::sliding);
-            blocks.push_back(spatial_block(*trial.body, footing, slides ? trial.friction : std::nullopt));
+            blocks.push_back({spatial_block(*trial.body, footing, slides ? trial.friction : std::nullopt), match});
+            before = &trial;
         }
         return blocks;
     }
 
-    [[nodiscard]] Footing matched_footing(RigidBody const& body) const {
-        auto footing = setup_.footing;
-        if (!footing.pad.match_restitution || footing.base.shape != BaseShape::square) {
-            return footing;
-        }
-        ContactBase const base{footing.base.corner_share.value_or(ContactBase::flat_share(footing.base.points)),
-                               footing.base.points};
-        ContactPad const pad{.vertical_frequency_hz = footing.pad.vertical_frequency_hz,
-                             .normal_restitution = footing.pad.normal_restitution,
-                             .tangential_ratio = footing.pad.tangential_ratio,
-                             .tangential_damping = footing.pad.tangential_damping};
-        auto const match = match_restitution(body, base, pad, setup_.accuracy);
-        footing.base.corner_share = match.base.corner_share;
-        footing.base.points = match.base.points;
-        footing.pad.normal_restitution = match.pad.normal_restitution;
-        return footing;
+    [[nodiscard]] ContactMatch match_of(RigidBody const& body, Footing const& footing) const {
+        return footing.base.shape == BaseShape::polygon ? ContactMatch{footing.base, footing.pad, never}
+                                                        : match_restitution(body, footing.base, footing.pad, accuracy_);
     }
 
-    SpatialSetup setup_;
+    static void tell_match(ContactMatch const& match, SpatialQuantities& own) {
+        own.restitution = match.restitution;
+        own.normal_restitution = match.pad.normal_restitution;
+        if (match.base.shape == BaseShape::square) {
+            own.corner_share = match.base.corner_share.value_or(flat_share(match.base.points));
+        }
+    }
+
+    ContactAccuracy accuracy_;
 };
 
 }  // namespace
@@ -182,12 +195,15 @@ ModelTraits const& spatial_traits() {
                                              | mask_of(Effect::contact) | mask_of(Effect::spatial),
                                     .always = mask_of(Effect::contact) | mask_of(Effect::spatial),
                                     .effects = spatial_effect,
+                                    .reasons = reasons,
                                     .channels = channels,
                                     .fields = fields_of<SpatialQuantities>(),
                                     .nothing = nothing_of<SpatialQuantities>()};
     return traits;
 }
 
-std::unique_ptr<Model> make_spatial_model(SpatialSetup const& setup) { return std::make_unique<SpatialModel>(setup); }
+std::unique_ptr<Model> make_spatial_model(ContactAccuracy const& accuracy) {
+    return std::make_unique<SpatialModel>(accuracy);
+}
 
 }  // namespace overturn

@@ -10,16 +10,10 @@ namespace overturn {
 
 [[nodiscard]] ModelTraits const& spatial_traits();
 
-struct SpatialSetup {
-    /// Where the pad asks for it, a square base is matched to the body's restitution as the planar one is
-    /// (match_restitution); other bases stand as stated.
-    Footing footing = {};
-    ContactAccuracy accuracy = {};
-};
-
 /// Called for by a polygon, which no plane holds; by a round base that a second component shakes at all; and on a
 /// square base where the second component comes near to tipping it, or where both together overcome a friction that
-/// the first one does not.
-[[nodiscard]] std::unique_ptr<Model> make_spatial_model(SpatialSetup const& setup);
+/// the first one does not. Where the pad asks for it, a square or round base is matched to the body's restitution as
+/// the planar one is (match_restitution).
+[[nodiscard]] std::unique_ptr<Model> make_spatial_model(ContactAccuracy const& accuracy);
 
 }  // namespace overturn

@@ -23,7 +23,7 @@ struct SpatialStart {
 };
 
 /// What motion in space has to say beside every model's outcome. Yaw is the turn about the body's axis that is left
-/// when its tilt is undone the shortest way; slip is of the base's centre.
+/// when its tilt is undone the shortest way; slip as in SpatialOutcome.
 struct SpatialQuantities {
     double peak_crush_m = never;
     double peak_contact_force_ratio = never;
@@ -31,12 +31,14 @@ struct SpatialQuantities {
     double yaw_rad = never;
     double peak_yaw_rad = never;
     double slip_path_m = never;
+    double restitution = never, corner_share = never, normal_restitution = never;  ///< of the base, as matched
 };
 template <> [[nodiscard]] Fields const& fields_of<SpatialQuantities>();
 
 /// Rotation is the tilt: the angle between the body's axis and the vertical. Friction demand and work are not known to
 /// this model: NaN. impacts: reversals of the tilt faster than g / (w_v b), about one axis the passages of theta
-/// through zero. contact_lost_s: the first flight. peak_slip_m: longest way of the base's centre from its start.
+/// through zero. contact_lost_s: the first flight. peak_slip_m: longest way from its start of the base,
+/// which stands where it leans over its nearest edge.
 /// Energy and response velocity, sqrt(2 g lift): of the height of the centre of gravity above the body's lowest point,
 /// less h; in the rocking plane that is the planar definition up to its peak, and over a corner it may exceed V_Ereq.
 struct SpatialOutcome : Outcome {

@@ -138,7 +138,8 @@ TEST(ContactModel, IsCalledForWhereItMatters) {
     EXPECT_EQ(reason(stated, &said), 0);
     EXPECT_EQ(reason({.base = testing::flat_bed()}, nullptr), 3);
     EXPECT_EQ(reason({.base = {.corner_share = {}}}, nullptr), 3);
-    EXPECT_EQ(reason({.base = {.shape = BaseShape::round}}, nullptr), 0);
+    EXPECT_EQ(reason({.base = {.shape = BaseShape::round}}, nullptr), 3);
+    EXPECT_EQ(reason({.base = {.shape = BaseShape::polygon}}, nullptr), 0);  // that is motion in space
 
     // Where there is friction, contact slips.
     Footing const flat{.base = testing::flat_bed()};

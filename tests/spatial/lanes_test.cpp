@@ -150,6 +150,12 @@ TEST(SpatialLanes, ShortTouchesAreRememberedAlike) {
     }
 }
 
+// Of the edge that the body leans on: from it, the base's centre is one edge's distance times the cosine away.
+double slip_at(SpatialInstant const& at, double edge_m) {
+    double const away = edge_m * (1 - std::cos(at.tilt_rad()));
+    return std::hypot(at.x_m - away * std::cos(at.azimuth_rad()), at.y_m - away * std::sin(at.azimuth_rad()));
+}
+
 // A history is made step by step in one lane: it may not change the trial.
 TEST(SpatialLanes, AnObserverChangesNothing) {
     Mixture const mixture;
@@ -165,7 +171,7 @@ TEST(SpatialLanes, AnObserverChangesNothing) {
         double force = 1;
         for (auto const& instant : history.instants) {
             tilt = std::max(tilt, instant.tilt_rad());
-            slip = std::max(slip, std::hypot(instant.x_m, instant.y_m));
+            slip = std::max(slip, slip_at(instant, block->edge_m));
             yaw = std::max(yaw, std::abs(instant.yaw_rad));
             force = std::max(force, instant.contact_force_ratio);
         }

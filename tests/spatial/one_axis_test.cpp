@@ -26,8 +26,8 @@ struct Difference {
 Difference largest_difference(RigidBody const& body, Footing const& footing, double friction, Shaking const& by,
                               ContactAccuracy const& accuracy = testing::unheld) {
     auto const space = standing(body, footing, friction);
-    auto const plane = contact_block(body, {*footing.base.corner_share, footing.base.points},
-                                     {.strength_pa = footing.pad.strength_pa}, Friction{friction, friction});
+    auto const plane =
+        contact_block(body, footing.base, {.strength_pa = footing.pad.strength_pa}, Friction{friction, friction});
     SpatialHistory of_space;
     testing::ContactHistory of_plane;
     static_cast<void>(simulate_spatial(space, by.excitation(), accuracy, {}, &of_space));

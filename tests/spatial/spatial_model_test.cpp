@@ -55,12 +55,16 @@ struct Seen : Observer {
 TEST(SpatialModel, ShowsTheChannelsThatItNames) {
     auto const wave = testing::sine(1, 1, 1, 2, 0.01);
     auto const body = body_a();
-    Trial const trial{
-        &body, {}, {.horizontal_mps2 = wave, .transverse_mps2 = wave, .time_step_s = 0.01, .scale = 6}, spatial};
+    auto const footing = unmatched(round_base());
+    Trial const trial{&body,
+                      &footing,
+                      {},
+                      {.horizontal_mps2 = wave, .transverse_mps2 = wave, .time_step_s = 0.01, .scale = 6},
+                      spatial};
     Outcome outcome;
     Seen seen;
-    (void)make_spatial_model({.footing = unmatched(round_base())})
-        ->run({.trials = std::span(&trial, 1), .outcomes = std::span(&outcome, 1), .observer = &seen});
+    (void)make_spatial_model({})->run(
+        {.trials = std::span(&trial, 1), .outcomes = std::span(&outcome, 1), .observer = &seen});
     EXPECT_EQ(seen.begun, 0);
     EXPECT_GT(seen.instants, 10);
     EXPECT_TRUE(seen.finite);
@@ -73,11 +77,12 @@ TEST(SpatialModel, RunsABatchAsItsTrialsAlone) {
     auto const across = testing::sine(0.6, 1.5, 2, 5.0 / 3, 0.01);
     auto const body = body_a();
     auto const footing = unmatched(round_base());
-    auto const model = make_spatial_model({.footing = footing});
+    auto const model = make_spatial_model({});
     std::vector<Trial> trials;
     for (double const level : {3.0, 7.0, 9.0, 14.0}) {
         for (EffectMask const simulated : {spatial, all}) {
             trials.push_back({&body,
+                              &footing,
                               Friction{0.5, 0.4},
                               {.horizontal_mps2 = wave,
                                .transverse_mps2 = across,
@@ -98,6 +103,8 @@ TEST(SpatialModel, RunsABatchAsItsTrialsAlone) {
         auto alone = simulate_spatial(block, shaking);
         alone.called = spatial;
         EXPECT_TRUE(testing::bit_equal<Outcome>(alone, outcomes[i])) << i;
+        alone.own.restitution = emergent_restitution(body, footing.base, footing.pad);
+        alone.own.normal_restitution = 0.25;
         SpatialQuantities row;
         std::memcpy(&row, own.data() + i * sizeof(row), sizeof(row));
         EXPECT_TRUE(testing::bit_equal(alone.own, row)) << i;
@@ -111,11 +118,12 @@ TEST(SpatialModel, MatchesASquareBaseAsThePlanarOne) {
                           .centre_height_m = 1.045,
                           .inertia_kgm2 = body_a().inertia_kgm2(),
                           .restitution = 0.7});
-    Trial const trial{&body, {}, {.horizontal_mps2 = wave, .time_step_s = 0.01}, spatial};
+    Footing const on_corners;
+    Trial const trial{&body, &on_corners, {}, {.horizontal_mps2 = wave, .time_step_s = 0.01}, spatial};
     Outcome outcome;
     make_spatial_model({})->run({.trials = {&trial, 1}, .outcomes = {&outcome, 1}});
     auto const match = match_restitution(body, {}, {});
-    auto footing = square_base(match.base.corner_share, match.base.points);
+    auto footing = square_base(*match.base.corner_share, match.base.points);
     footing.pad.normal_restitution = match.pad.normal_restitution;
     EXPECT_EQ(outcome.peak_rotation_rad,
               simulate_spatial(spatial_block(body, footing, {}), trial.excitation).peak_rotation_rad);
@@ -130,13 +138,17 @@ TEST(SpatialModel, IsCalledForWhereNoPlaneHolds) {
         std::vector<double> const across{0, y};
         std::vector<double> const up{0, z};
         Trial const trial{&body,
+                          &footing,
                           friction,
                           {.horizontal_mps2 = along,
                            .transverse_mps2 = y == 0 ? std::span<double const>{} : across,
                            .vertical_mps2 = up,
                            .time_step_s = 0.01,
                            .scale = -2}};
-        return make_spatial_model({.footing = footing})->called_for(trial, nullptr) == spatial;
+        auto const call = make_spatial_model({})->called_for(trial, nullptr);
+        EXPECT_EQ(call.effects == 0, call.reason == no_reason);
+        EXPECT_EQ(has(call.effects, Effect::sliding), call.effects != 0 && friction.has_value());
+        return has(call.effects, Effect::spatial) && has(call.effects, Effect::contact);
     };
     auto const triangle = polygon_base({{0.6, 0}, {-0.4, 0.6}, {-0.4, -0.6}});
     EXPECT_TRUE(called(triangle, 1, 0.1));

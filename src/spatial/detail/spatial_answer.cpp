@@ -122,7 +122,9 @@ void SpatialRun::tell_peaks(SpatialOutcome& out) const {
     out.peak_energy_ratio = get(State::most_energy) * radius / (radius - planar_.centre_height_m);
     out.response_velocity_mps = std::sqrt(2 * g * lift);
     out.residual_m = base_centre();
-    out.residual_slip_m = std::hypot(out.residual_m[0], out.residual_m[1]);
+    auto const r = rotation();
+    double const lifted = block_.edge_m * std::hypot(r[2], r[5]) / (1 + std::abs(r[8]));
+    out.residual_slip_m = std::hypot(out.residual_m[0] - lifted * r[2], out.residual_m[1] - lifted * r[5]);
     out.peak_slip_m = std::sqrt(get(State::most_slip));
     out.end_velocity_mps = {get(State::vx), get(State::vy), get(State::vz)};
     out.own = {.peak_crush_m = deepest_crush(),

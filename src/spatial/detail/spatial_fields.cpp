@@ -16,6 +16,7 @@ void SpatialRun::fill_trial(ContactAccuracy const& accuracy) {
     auto const& inertia = block_.inertia_over_mass_m2;
     put(State::gravity, planar_.gravity_mps2);
     put(State::height, h);
+    put(State::edge, block_.edge_m);
     put(State::inertia_x, inertia[0]);
     put(State::inertia_y, inertia[1]);
     put(State::inertia_z, inertia[2]);
@@ -58,7 +59,7 @@ double SpatialRun::parting_ratio() const {
 // A whole number of steps per sample, and the samples.
 void SpatialRun::fill_steps(ContactAccuracy const& accuracy) {
     double const y = normal_damping(planar_.pad.normal_restitution);
-    static double const usual_damping = normal_damping(ContactPad{}.normal_restitution);
+    static double const usual_damping = normal_damping(Pad{}.normal_restitution);
     longest_step_s_ =
         accuracy.step_ratio / planar_.vertical_radps() * std::min(1.0, usual_damping / std::max(y, usual_damping));
     run_out_s_ = accuracy.longest_after_s;

@@ -46,9 +46,9 @@ enum class State : int {
     most_rise,
     most_lift,    ///< height of the centre of gravity above the lowest point, less h
     most_energy,  ///< of rocking, over m g R
-    most_slip,    ///< of the base's centre, squared
+    most_slip,    ///< squared
     slip_path,    ///< that it has travelled
-    base_x,       ///< where it was when last looked at
+    base_x,       ///< where what slips was when last looked at
     base_y,       ///< likewise
     turns,        ///< whole turns of yaw
     most_yaw,     ///< largest |yaw_measure|
@@ -70,6 +70,7 @@ enum class State : int {
     z_scale,  ///< 0: without vertical motion
     gravity,
     height,     ///< h
+    edge,       ///< from the axis to the nearest edge
     inertia_x,  ///< I / m, about the body's own axes
     inertia_y,
     inertia_z,

@@ -123,10 +123,13 @@ OVERTURN_LANES_INLINE void SpatialStepper<V, Stride>::log_height(Motion const& a
     put(State::most_rise, max(at.at.z, get(State::most_rise)));
 }
 
-// Where the base's centre is, how far it has come, how the body has turned about its axis, and which way it leans.
+// Where the base stands, how far it has come, how the body has turned about its axis, and which way it leans. Leaning
+// over an edge moves the base's centre, not the edge.
 template <class V, int Stride> OVERTURN_LANES_INLINE void SpatialStepper<V, Stride>::log_place(Motion const& at) {
-    V const x = base_at_start().x.at;
-    V const y = base_at_start().y.at;
+    auto const axis = axes_of(at.turn).third;
+    V const lifted = get(State::edge) * sqrt(axis.x * axis.x + axis.y * axis.y) / (1.0 + abs(axis.z));
+    V const x = base_at_start().x.at - lifted * axis.x;
+    V const y = base_at_start().y.at - lifted * axis.y;
     V const dx = x - get(State::base_x);
     V const dy = y - get(State::base_y);
     put(State::slip_path, get(State::slip_path) + sqrt(dx * dx + dy * dy));
@@ -137,7 +140,7 @@ template <class V, int Stride> OVERTURN_LANES_INLINE void SpatialStepper<V, Stri
     V const z = choose(at.turn.w < zero, -at.turn.z, at.turn.z);
     V const yaw = fma(z / (abs(at.turn.w) + abs(at.turn.z)), 0.5, get(State::turns));
     put(State::most_yaw, max(abs(yaw), get(State::most_yaw)));
-    log_reversal(at, axes_of(at.turn).third);
+    log_reversal(at, axis);
 }
 
 // About one axis: a passage of the angle through zero.
