@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "contact/matching.hpp"
@@ -80,7 +83,7 @@ bool acts_on_square(Trial const& trial) {
 
 class SpatialModel : public Model {
   public:
-    explicit SpatialModel(SpatialSetup const& setup) : setup_(setup) {}
+    explicit SpatialModel(SpatialSetup setup) : setup_(std::move(setup)) {}
     [[nodiscard]] ModelTraits const& traits() const override { return spatial_traits(); }
 
     [[nodiscard]] EffectMask called_for(Trial const& trial, Outcome const* /*said*/) const override {
@@ -142,7 +145,7 @@ class SpatialModel : public Model {
         RigidBody const* matched = nullptr;
         Footing footing = setup_.footing;
         for (auto const& trial : trials) {
-            if (trial.body != matched) {
+            if (matched == nullptr || trial.body != matched) {
                 matched = trial.body;
                 footing = matched_footing(*trial.body);
             }

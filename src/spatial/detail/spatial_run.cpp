@@ -117,6 +117,25 @@ SpatialRun::BedMoments SpatialRun::bed_moments() const {
     return sum;
 }
 
+// What resists a lean: springs less the weight that leans with them.
+SpatialRun::LeanStiffness SpatialRun::lean_stiffness(BedMoments const& bed) const {
+    double const falling = planar_.centre_height_m * (planar_.gravity_mps2 + held_.z);
+    return {bed.xx - bed.x * bed.x / bed.k - falling, bed.xy - bed.x * bed.y / bed.k,
+            bed.yy - bed.y * bed.y / bed.k - falling};
+}
+
+// To a change of the shaking.
+SpatialRun::Yielding SpatialRun::yielding(BedMoments const& bed, Acceleration const& by) const {
+    double const h = planar_.centre_height_m;
+    auto const [xx, xy, yy] = lean_stiffness(bed);
+    double const compliance = h / (xx * yy - xy * xy);
+    double const slope_x = -compliance * (yy * by.x - xy * by.y);
+    double const slope_y = -compliance * (xx * by.y - xy * by.x);
+    double const grip = bed.k * planar_.pad.tangential_ratio;
+    return {slope_x, slope_y, h * slope_x - by.x / grip, h * slope_y - by.y / grip,
+            (slope_x * bed.x + slope_y * bed.y - by.z) / bed.k};
+}
+
 // The shaking grew while the body was held: it stands where springs that still touch have let it sink, sway and lean.
 void SpatialRun::wake() {
     phase_ = Phase::shaken;
@@ -124,39 +143,26 @@ void SpatialRun::wake() {
     if (get(State::index) == 0) {
         return;  // whatever the first sample holds comes suddenly
     }
-    auto const [k, x, y, xx, xy, yy] = bed_moments();
-    double const h = planar_.centre_height_m;
-    double const weight = planar_.gravity_mps2 + held_.z;
-    double const lean_xx = xx - x * x / k - h * weight;
-    double const lean_xy = xy - x * y / k;
-    double const lean_yy = yy - y * y / k - h * weight;
-    double const determinant = lean_xx * lean_yy - lean_xy * lean_xy;
-    if (!(k > 0) || !(lean_xx > 0) || !(determinant > 0)) {
+    auto const bed = bed_moments();
+    auto const stiff = lean_stiffness(bed);
+    if (!(bed.k > 0) || !(stiff.xx > 0) || !(stiff.xx * stiff.yy > stiff.xy * stiff.xy)) {
         return;
     }
-    // Slopes of the base along x and y, and the way of the centre of gravity.
-    auto const yielding = [&](double push_x, double push_y, double lift) {
-        double const slope_x = -h * (lean_yy * push_x - lean_xy * push_y) / determinant;
-        double const slope_y = -h * (lean_xx * push_y - lean_xy * push_x) / determinant;
-        double const grip = k * planar_.pad.tangential_ratio;
-        return std::array{slope_x, slope_y, h * slope_x - push_x / grip, h * slope_y - push_y / grip,
-                          (slope_x * x + slope_y * y - lift) / k};
-    };
-    auto const way = yielding(get(State::ax) - held_.x, get(State::ay) - held_.y, get(State::az) - held_.z);
+    auto const way = yielding(bed, {get(State::ax) - held_.x, get(State::ay) - held_.y, get(State::az) - held_.z});
     double const rate = 1 / shaking_.time_step_s;
     auto const speed =
-        yielding(get(State::ax_change) * rate, get(State::ay_change) * rate, get(State::az_change) * rate);
-    turn_by({-way[1], way[0], 0});
-    put(State::x, get(State::x) + way[2]);
-    put(State::y, get(State::y) + way[3]);
-    put(State::rise, get(State::rise) + way[4]);
+        yielding(bed, {get(State::ax_change) * rate, get(State::ay_change) * rate, get(State::az_change) * rate});
+    turn_by({-way.slope_y, way.slope_x, 0});
+    put(State::x, get(State::x) + way.x);
+    put(State::y, get(State::y) + way.y);
+    put(State::rise, get(State::rise) + way.rise);
     auto const r = rotation();
-    put(State::wx, r[3] * speed[0] - r[0] * speed[1]);
-    put(State::wy, r[4] * speed[0] - r[1] * speed[1]);
-    put(State::wz, r[5] * speed[0] - r[2] * speed[1]);
-    put(State::vx, speed[2]);
-    put(State::vy, speed[3]);
-    put(State::vz, speed[4]);
+    put(State::wx, r[3] * speed.slope_x - r[0] * speed.slope_y);
+    put(State::wy, r[4] * speed.slope_x - r[1] * speed.slope_y);
+    put(State::wz, r[5] * speed.slope_x - r[2] * speed.slope_y);
+    put(State::vx, speed.x);
+    put(State::vy, speed.y);
+    put(State::vz, speed.rise);
 }
 
 void SpatialRun::begin_run_out() {
