@@ -66,11 +66,6 @@ SpatialBlock spatial_block(RigidBody const& body, Footing const& footing, std::o
         inertia_over_mass(footing.inertia_vertical_kgm2, "vertical", outline.polar_radius2_m2, body.mass_kg())};
     block.edge_m = outline.edge_m;
     block.points = std::move(outline.points);
-    for (std::size_t i = 0; i < block.points.size(); i += 2) {
-        auto const& [x, y, share] = block.points[i];
-        auto const& other = block.points[i + 1];
-        block.opposite = block.opposite && other.x_m == -x && other.y_m == -y;
-    }
     for (auto const& point : block.points) {
         block.reach_m = std::max(block.reach_m, std::hypot(point.x_m, point.y_m));
     }

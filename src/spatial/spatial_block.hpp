@@ -31,7 +31,6 @@ struct SpatialBlock {
     /// An even number, in pairs: opposite ones of a symmetric base are neighbours. One that has no partner stands as
     /// two of half its stiffness.
     std::vector<SpatialPoint> points;
-    bool opposite = true;  ///< whether the points of every pair are opposite ones
 };
 
 /// Square: the planar layout in x times that in y, so that it looks along either axis like the planar bed. Round: equal

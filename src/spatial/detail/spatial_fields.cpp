@@ -6,6 +6,16 @@
 
 namespace overturn::spatial {
 
+BaseKind kind_of(std::vector<SpatialPoint> const& points) {
+    BaseKind kind{.points = static_cast<int>(points.size())};
+    for (std::size_t i = 0; i + 1 < points.size(); i += 2) {
+        auto const& one = points[i];
+        auto const& other = points[i + 1];
+        kind.opposite = kind.opposite && other.x_m == -one.x_m && other.y_m == -one.y_m;
+    }
+    return kind;
+}
+
 void SpatialRun::fill_trial(ContactAccuracy const& accuracy) {
     fill_steps(accuracy);
     fill_law();
@@ -95,7 +105,7 @@ void SpatialRun::fill_law() {
 
 void SpatialRun::fill_points() {
     double const w = planar_.vertical_radps();
-    for (int i = 0; i < lane_.points; ++i) {
+    for (int i = 0; i < lane_.kind.points; ++i) {
         auto const& point = block_.points[static_cast<std::size_t>(i)];
         lane_.at(Spot::x, i, 0) = lane_.at(Spot::anchor_x, i, 0) = point.x_m;
         lane_.at(Spot::y, i, 0) = lane_.at(Spot::anchor_y, i, 0) = point.y_m;

@@ -52,8 +52,8 @@ template <class V, int Stride> class SpatialForce {
         : body_(lanes.body.values.data()),
           bed_(lanes.bed.data()),
           samples_(lanes.body.samples.data()),
-          points_(lanes.points),
-          opposite_(lanes.opposite) {
+          points_(lanes.kind.points),
+          opposite_(lanes.kind.opposite) {
         remembered_.set();  // whoever was looked at from outside was completed before
     }
 
@@ -69,7 +69,9 @@ template <class V, int Stride> class SpatialForce {
 
     /// A step's start: what points remember is brought up to date there, of those that are asked for it in the step.
     [[nodiscard]] Depths begin(Motion const& start);
-    [[nodiscard]] Pull now(Motion const& at, Shaking const& by);
+    /// There, before anything else is asked for in the step.
+    [[nodiscard]] Pull at_start(Motion const& start, Shaking const& by) { return pulled<true>(start_, start, by); }
+    [[nodiscard]] Pull now(Motion const& at, Shaking const& by) { return pulled<false>(base_of(at), at, by); }
     [[nodiscard]] Base const& base_at_start() const { return start_; }
 
   private:
@@ -99,8 +101,10 @@ template <class V, int Stride> class SpatialForce {
         return over(point, base.depth) - spot(point, Spot::crush);
     }
     [[nodiscard]] OVERTURN_LANES_INLINE V normal_of(double const* point, V depth, V approach) const;
-    void remember(int i);
-    OVERTURN_LANES_INLINE bool press(int i, Grips const& grips, Triple<V>& force);
+    V remember(int i);
+    OVERTURN_LANES_INLINE void remember_anchor(double* place, V most);
+    template <bool AtStart> OVERTURN_LANES_INLINE bool press(int i, Grips const& grips, Triple<V>& force);
+    template <bool AtStart> [[nodiscard]] Pull pulled(Base const& base, Motion const& at, Shaking const& by);
     [[nodiscard]] OVERTURN_LANES_INLINE Pull pull_of(Sums const& sums, Motion const& at, Shaking const& by) const;
 
     double* body_;
@@ -148,7 +152,8 @@ OVERTURN_LANES_INLINE V SpatialForce<V, Stride>::normal_of(double const* point, 
 }
 
 // The approach speed until it touches; the crush that it leaves; an anchor that friction cannot hold follows its point.
-template <class V, int Stride> void SpatialForce<V, Stride>::remember(int i) {
+// Returns the normal force there, over the stiffness.
+template <class V, int Stride> V SpatialForce<V, Stride>::remember(int i) {
     remembered_.set(static_cast<std::size_t>(i));
     double* const place = point(i);
     V const zero = 0;
@@ -163,16 +168,21 @@ template <class V, int Stride> void SpatialForce<V, Stride>::remember(int i) {
     if (V const excess = depth - spot(place, Spot::yield); any(excess > zero)) {
         set_spot(place, Spot::crush, spot(place, Spot::crush) + max(excess, zero));
     }
-    V const here_x = over(place, start_.x);
-    V const here_y = over(place, start_.y);
-    V const shift_x = here_x - spot(place, Spot::anchor_x);
-    V const shift_y = here_y - spot(place, Spot::anchor_y);
-    V const most = get(State::hold) * normal;
-    V const length = shift_x * shift_x + shift_y * shift_y;
-    if (M const drags = length > most * most; any(drags)) {
-        V const share = most / sqrt(length);
-        set_spot(place, Spot::anchor_x, choose(drags, here_x - share * shift_x, spot(place, Spot::anchor_x)));
-        set_spot(place, Spot::anchor_y, choose(drags, here_y - share * shift_y, spot(place, Spot::anchor_y)));
+    remember_anchor(place, get(State::hold) * normal);
+    return normal;
+}
+
+template <class V, int Stride>
+OVERTURN_LANES_INLINE void SpatialForce<V, Stride>::remember_anchor(double* place, V most) {
+    V const x = over(place, start_.x);
+    V const y = over(place, start_.y);
+    V const shift_x = x - spot(place, Spot::anchor_x);
+    V const shift_y = y - spot(place, Spot::anchor_y);
+    V const square = fma(shift_x, shift_x, shift_y * shift_y);
+    if (M const drags = square > most * most; any(drags)) {
+        V const share = most / sqrt(square);
+        set_spot(place, Spot::anchor_x, choose(drags, x - share * shift_x, spot(place, Spot::anchor_x)));
+        set_spot(place, Spot::anchor_y, choose(drags, y - share * shift_y, spot(place, Spot::anchor_y)));
     }
 }
 
@@ -181,11 +191,12 @@ template <class V, int Stride> auto SpatialForce<V, Stride>::begin(Motion const&
     auto const base = base_of(start);
     Depths all{1e300, -1e300};
     for (int i = 0; i < points_; ++i) {
-        V const depth = depth_of(point(i), base);
+        V const reach = over(point(i), base.depth);
+        V const depth = reach - spot(point(i), Spot::crush);
         all.least = min(depth, all.least);
-        all.most = max(depth + spot(point(i), Spot::crush), all.most);
+        all.most = max(reach, all.most);
         if (!remembered_[static_cast<std::size_t>(i)] && any(depth > V(0))) {
-            remember(i);
+            static_cast<void>(remember(i));
         }
     }
     start_ = base;
@@ -196,13 +207,14 @@ template <class V, int Stride> auto SpatialForce<V, Stride>::begin(Motion const&
 template <class V, int Stride> void SpatialForce<V, Stride>::complete() {
     for (int i = 0; i < points_; ++i) {
         if (!remembered_[static_cast<std::size_t>(i)]) {
-            remember(i);
+            static_cast<void>(remember(i));
         }
     }
 }
 
 // A point that no lane's ground touches presses nothing; what it remembers waits until it is asked.
 template <class V, int Stride>
+template <bool AtStart>
 OVERTURN_LANES_INLINE bool SpatialForce<V, Stride>::press(int i, Grips const& grips, Triple<V>& force) {
     double* const place = point(i);
     V const zero = 0;
@@ -211,10 +223,15 @@ OVERTURN_LANES_INLINE bool SpatialForce<V, Stride>::press(int i, Grips const& gr
         force = {zero, zero, zero};
         return false;
     }
-    if (!remembered_[static_cast<std::size_t>(i)]) {
-        remember(i);
+    V normal;
+    if constexpr (AtStart) {
+        normal = remember(i);
+    } else {
+        if (!remembered_[static_cast<std::size_t>(i)]) {
+            static_cast<void>(remember(i));
+        }
+        normal = normal_of(place, depth - spot(place, Spot::crush), over(place, grips.approach));
     }
-    V const normal = normal_of(place, depth - spot(place, Spot::crush), over(place, grips.approach));
     V const ratio = get(State::tangential_ratio);
     V held_x = fma(ratio, spot(place, Spot::anchor_x), over(place, grips.x));
     V held_y = fma(ratio, spot(place, Spot::anchor_y), over(place, grips.y));
@@ -225,8 +242,7 @@ OVERTURN_LANES_INLINE bool SpatialForce<V, Stride>::press(int i, Grips const& gr
         held_x = share * held_x;
         held_y = share * held_y;
     }
-    V const stiffness = spot(place, Spot::stiffness);
-    force = {stiffness * held_x, stiffness * held_y, stiffness * normal};
+    force = spot(place, Spot::stiffness) * Triple<V>{held_x, held_y, normal};
     return true;
 }
 
@@ -253,8 +269,9 @@ OVERTURN_LANES_INLINE auto SpatialForce<V, Stride>::pull_of(Sums const& sums, Mo
 
 // Points come in pairs whose sums are made first, unfused: on opposite points of a symmetric base what both do alike
 // cancels to the last bit, and mirrored motions are mirrored.
-template <class V, int Stride> auto SpatialForce<V, Stride>::now(Motion const& at, Shaking const& by) -> Pull {
-    auto const base = base_of(at);
+template <class V, int Stride>
+template <bool AtStart>
+auto SpatialForce<V, Stride>::pulled(Base const& base, Motion const& at, Shaking const& by) -> Pull {
     Grips const grips{base.depth, base.approach, spring(base.x, base.x_rate), spring(base.y, base.y_rate)};
     V const zero = 0;
     Triple<V> const none{zero, zero, zero};
@@ -262,8 +279,8 @@ template <class V, int Stride> auto SpatialForce<V, Stride>::now(Motion const& a
     for (int i = 0; i < points_; i += 2) {
         Triple<V> one;
         Triple<V> other;
-        bool const first = press(i, grips, one);
-        bool const second = press(i + 1, grips, other);
+        bool const first = press<AtStart>(i, grips, one);
+        bool const second = press<AtStart>(i + 1, grips, other);
         if (!first && !second) {
             continue;
         }
