@@ -11,7 +11,7 @@
 
 #include "contact/point_law-inl.hpp"
 #include "simd/lanes-inl.hpp"
-#include "spatial/detail/rotation-inl.hpp"
+#include "spatial/detail/base_motion-inl.hpp"
 #include "spatial/detail/spatial_state.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -21,22 +21,9 @@ template <class V, int Stride> class SpatialForce {
   public:
     using M = typename V::Mask;
 
-    struct Motion {
-        Triple<V> at;  // x, y, rise of the centre of gravity
-        Quaternion<V> turn;
-        Triple<V> velocity;
-        Triple<V> spin;  // about the body's own axes
-    };
-    /// A quantity that changes evenly over the base.
-    struct Line {
-        V by_x, by_y, at;  // per metre along the body's own axes; at the base's centre
-
-        [[nodiscard]] OVERTURN_LANES_INLINE V of(V x, V y) const { return fma(by_x, x, fma(by_y, y, at)); }
-    };
-    /// The base of a moving body: how deep it lies, how fast it comes down, where it is, and how fast it slides.
-    struct Base {
-        Line depth, approach, x, y, x_rate, y_rate;
-    };
+    using Motion = spatial::HWY_NAMESPACE::Motion<V>;
+    using Line = spatial::HWY_NAMESPACE::Line<V>;
+    using Base = spatial::HWY_NAMESPACE::Base<V>;
     struct Shaking {
         V x, y, weight;  // horizontal accelerations; gravity with the vertical one
     };
@@ -71,7 +58,9 @@ template <class V, int Stride> class SpatialForce {
     [[nodiscard]] Depths begin(Motion const& start);
     /// There, before anything else is asked for in the step.
     [[nodiscard]] Pull at_start(Motion const& start, Shaking const& by) { return pulled<true>(start_, start, by); }
-    [[nodiscard]] Pull now(Motion const& at, Shaking const& by) { return pulled<false>(base_of(at), at, by); }
+    [[nodiscard]] Pull now(Motion const& at, Shaking const& by) {
+        return pulled<false>(base_of(at, get(State::height)), at, by);
+    }
     [[nodiscard]] Base const& base_at_start() const { return start_; }
 
   private:
@@ -92,7 +81,6 @@ template <class V, int Stride> class SpatialForce {
     }
     static OVERTURN_LANES_INLINE void set_spot(double* point, Spot field, V value) { value.store(point + row(field)); }
 
-    [[nodiscard]] OVERTURN_LANES_INLINE Base base_of(Motion const& at) const;
     [[nodiscard]] OVERTURN_LANES_INLINE Line spring(Line const& way, Line const& rate) const;
     [[nodiscard]] static OVERTURN_LANES_INLINE V over(double const* point, Line const& line) {
         return line.of(spot(point, Spot::x), spot(point, Spot::y));
@@ -115,26 +103,6 @@ template <class V, int Stride> class SpatialForce {
     Base start_;
     std::bitset<most_spatial_points> remembered_;  // in this step
 };
-
-template <class V, int Stride>
-OVERTURN_LANES_INLINE auto SpatialForce<V, Stride>::base_of(Motion const& at) const -> Base {
-    auto const [first, second, third] = axes_of(at.turn);
-    V const h = get(State::height);
-    auto const& body = at.spin;
-    Triple<V> const spin{fma(first.x, body.x, second.x * body.y) + third.x * body.z,
-                         fma(second.y, body.y, first.y * body.x) + third.y * body.z,
-                         fma(third.z, body.z, first.z * body.x + second.z * body.y)};
-    auto const arm = cross(spin, third);
-    auto const first_rate = cross(spin, first);
-    auto const second_rate = cross(spin, second);
-    V const versine = 2.0 * fma(at.turn.x, at.turn.x, at.turn.y * at.turn.y);
-    return {{-first.z, -second.z, -fma(h, versine, at.at.z)},
-            {-first_rate.z, -second_rate.z, h * arm.z - at.velocity.z},
-            {first.x, second.x, at.at.x - h * third.x},
-            {first.y, second.y, at.at.y - h * third.y},
-            {first_rate.x, second_rate.x, at.velocity.x - h * arm.x},
-            {first_rate.y, second_rate.y, at.velocity.y - h * arm.y}};
-}
 
 // Against the way and its rate.
 template <class V, int Stride>
@@ -188,7 +156,7 @@ OVERTURN_LANES_INLINE void SpatialForce<V, Stride>::remember_anchor(double* plac
 
 // A point that came to touch only at the end of a step was away at its start, and remembers that.
 template <class V, int Stride> auto SpatialForce<V, Stride>::begin(Motion const& start) -> Depths {
-    auto const base = base_of(start);
+    auto const base = base_of(start, get(State::height));
     Depths all{1e300, -1e300};
     for (int i = 0; i < points_; ++i) {
         V const reach = over(point(i), base.depth);
