@@ -3,9 +3,9 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "simd/lane_fields.hpp"
@@ -116,7 +116,9 @@ struct BaseKind {
     int points = 0;
     bool opposite = true;  ///< whether the points of every pair are opposite ones
 
-    [[nodiscard]] auto operator<=>(BaseKind const&) const = default;
+    [[nodiscard]] bool operator<(BaseKind const& other) const {
+        return std::pair(points, opposite) < std::pair(other.points, other.opposite);
+    }
 };
 [[nodiscard]] BaseKind kind_of(std::vector<SpatialPoint> const& points);
 
