@@ -56,7 +56,7 @@ enum class State : int {
     most_yaw,     ///< largest |yaw_measure|
     uplift_time,  ///< negative: not yet
     loss_time,    ///< likewise
-    impacts,      ///
+    impacts,
     lean_x,       ///< direction of the last tilt that was more than the springs' own
     lean_y,       ///< likewise
     steps,
