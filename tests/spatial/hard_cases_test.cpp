@@ -111,6 +111,22 @@ TEST(SpatialHardCases, TenTimesGravityUpAndDown) {
     }
 }
 
+// What rocks in its place after the wave and can neither fall nor rise higher needs no following.
+TEST(SpatialHardCases, EnergyDecidesAfterTheWave) {
+    auto const pulse = testing::sine(1, 2, 1, 0);
+    auto longer = pulse;
+    longer.resize(pulse.size() + 8000, 0.0);
+    for (auto const& footing : {square_base(), square_base(0.3), round_base()}) {
+        auto const block = standing(body_a(), footing, 10);
+        auto const decided = shaken(block, {pulse, pulse, 1e-3, 7});
+        auto const followed = shaken(block, {longer, longer, 1e-3, 7});
+        EXPECT_EQ(decided.verdict, Verdict::rocked);
+        EXPECT_EQ(decided.verdict, followed.verdict);
+        EXPECT_EQ(decided.peak_rotation_rad, followed.peak_rotation_rad);
+        EXPECT_LT(static_cast<double>(decided.steps), 0.95 * static_cast<double>(followed.steps));
+    }
+}
+
 // A small second component makes a round base roll, a square one not.
 TEST(SpatialHardCases, RoundBasesFeelASecondComponent) {
     testing::TwoWaves const waves;
