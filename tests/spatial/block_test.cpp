@@ -116,6 +116,18 @@ TEST(SpatialBase, InertiaIsStatedOrTheSolidsOwn) {
     stated.inertia_across_kgm2 = 2 * m;
     stated.inertia_vertical_kgm2 = 3 * m;
     EXPECT_EQ(of(stated), (std::array{2.0, plane, 3.0}));
+    // Uniform solids, as slender or squat as they may be, shiver at most sqrt(3) times as quickly as they bounce.
+    for (double const b : {0.01, 0.68, 50.0}) {
+        for (auto const& footing : {square_base(), square_base(0.1), round_base()}) {
+            double const h = 1.045;
+            RigidBody const body({.mass_kg = 1,
+                                  .half_width_m = b,
+                                  .centre_height_m = h,
+                                  .inertia_kgm2 = (b * b + h * h) / 3,
+                                  .restitution = 0.5});
+            EXPECT_LE(standing(body, footing, 0.8).rotation_stiffness, 3) << b;
+        }
+    }
 }
 
 void expect_refused(Footing const& footing, std::string const& part) {
@@ -147,6 +159,8 @@ TEST(SpatialBase, WhatBearsNothingIsRefused) {
     footing = square_base();
     footing.inertia_vertical_kgm2 = nan;
     expect_refused(footing, "vertical");
+    footing.inertia_vertical_kgm2 = 1e-3 * body_a().mass_kg();
+    expect_refused(footing, "inertia");
     footing = round_base();
     footing.pad.strength_pa = 0;
     expect_refused(footing, "strength");

@@ -152,6 +152,25 @@ TEST(SpatialHardCases, RoundBasesFeelASecondComponent) {
     EXPECT_LT(square, 0.02);
 }
 
+// Little inertia shivers quickly: steps are shorter, and nothing else changes under a push that moves nothing.
+TEST(SpatialHardCases, LittleInertiaNeedsShortSteps) {
+    testing::TwoWaves waves;
+    waves.x.resize(2001);
+    waves.y.resize(2001);
+    for (auto footing : {square_base(), round_base()}) {
+        double const plain =
+            shaken(standing(body_a(), footing, 0.8), {waves.x, waves.y, 0.01, 3}, unheld).peak_rotation_rad;
+        for (double const share : {0.3, 0.03}) {
+            double const inertia = share * body_a().inertia_kgm2();
+            footing.inertia_across_kgm2 = inertia;
+            footing.inertia_vertical_kgm2 = inertia;
+            auto const out = shaken(standing(body_a(), footing, 0.8), {waves.x, waves.y, 0.01, 3}, unheld);
+            EXPECT_NEAR(out.peak_rotation_rad / plain, 1, 0.05) << share;
+            EXPECT_LT(out.own.peak_yaw_rad, 1e-4) << share;
+        }
+    }
+}
+
 // All but balanced over its edge at rest: nothing moves at first, yet it may not be held there.
 TEST(SpatialHardCases, BalanceIsNoRest) {
     auto const block = standing(body_a(), {}, 0.8);

@@ -46,8 +46,8 @@ void SpatialRun::fill_trial(ContactAccuracy const& accuracy) {
     put(State::loss_time, -1);
 }
 
-// A lean s = M^-1 e h a / (g w_v^2 ...) of the springs, M the second moment of the shares, lifts a point by s P: off
-// the ground where that is the settlement.
+// A push a leans the base by s = M^-1 h a / w_v^2, M the second moments of the shares; the point at P is lifted by s P,
+// and off the ground where that is the settlement g / w_v^2.
 double SpatialRun::parting_ratio() const {
     double xx = 0;
     double xy = 0;
@@ -71,6 +71,8 @@ void SpatialRun::fill_steps(ContactAccuracy const& accuracy) {
     static double const usual_damping = normal_damping(ContactPad{}.normal_restitution);
     longest_step_s_ =
         accuracy.step_ratio / planar_.vertical_radps() * std::min(1.0, usual_damping / std::max(y, usual_damping));
+    constexpr double uniform_solid = 3;  // bodies that shiver quicker than these: their damping grows as the stiffness
+    longest_step_s_ *= std::min(1.0, uniform_solid / block_.rotation_stiffness);
     run_out_s_ = accuracy.longest_after_s;
     double const dt = shaking_.time_step_s > 0 ? shaking_.time_step_s : longest_step_s_;
     constexpr double slack = 1e-9;  // a step that divides the sample is taken as it is
