@@ -42,6 +42,20 @@ double inertia_over_mass(std::optional<double> const& stated_kgm2, char const* a
     return stated_kgm2 ? *stated_kgm2 / mass_kg : otherwise;
 }
 
+// About each of the body's axes: springs under the base, and those along it at the arm h.
+double rotation_stiffness(SpatialBlock const& block) {
+    double xx = 0;
+    double yy = 0;
+    for (auto const& point : block.points) {
+        xx += point.stiffness_share * point.x_m * point.x_m;
+        yy += point.stiffness_share * point.y_m * point.y_m;
+    }
+    double const ratio = block.planar.pad.tangential_ratio;
+    double const h = block.planar.centre_height_m;
+    auto const& [about_x, about_y, about_z] = block.inertia_over_mass_m2;
+    return std::max({(yy + ratio * h * h) / about_x, (xx + ratio * h * h) / about_y, ratio * (xx + yy) / about_z});
+}
+
 }  // namespace
 
 SpatialBlock spatial_block(RigidBody const& body, Footing const& footing, std::optional<Friction> const& friction) {
@@ -58,14 +72,16 @@ SpatialBlock spatial_block(RigidBody const& body, Footing const& footing, std::o
         inertia_over_mass(footing.inertia_vertical_kgm2, "vertical", outline.polar_radius2_m2, body.mass_kg())};
     block.edge_m = outline.edge_m;
     block.points = std::move(outline.points);
-    for (std::size_t i = 0; i < block.points.size(); i += 2) {
-        auto const& [x, y, share] = block.points[i];
-        auto const& other = block.points[i + 1];
-        block.opposite = block.opposite && other.x_m == -x && other.y_m == -y;
-    }
     for (auto const& point : block.points) {
         block.reach_m = std::max(block.reach_m, std::hypot(point.x_m, point.y_m));
     }
+    block.rotation_stiffness = rotation_stiffness(block);
+    constexpr double most = 300;
+    validate(block.rotation_stiffness < most,
+             "the moments of inertia over the mass are {}, {} and {} m2 (so small that steps would have to be {:.0f} "
+             "times shorter) state them about the centre of gravity in kg m2",
+             block.inertia_over_mass_m2[0], block.inertia_over_mass_m2[1], block.inertia_over_mass_m2[2],
+             block.rotation_stiffness / 3);
     return block;
 }
 

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <map>
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
@@ -72,12 +71,11 @@ SpatialOutcome simulate_spatial(SpatialBlock const& block, Excitation const& sha
 void simulate_spatial(std::span<SpatialTrial const> trials, ContactAccuracy const& accuracy,
                       std::span<SpatialOutcome> outcomes) {
     OVERTURN_EXPECT(trials.size() == outcomes.size());
-    std::map<std::pair<std::size_t, bool>, std::vector<std::size_t>> alike;
+    std::map<spatial::BaseKind, std::vector<std::size_t>> by_kind;
     for (std::size_t i = 0; i < trials.size(); ++i) {
-        auto const& block = *trials[i].block;
-        alike[{block.points.size(), block.opposite}].push_back(i);
+        by_kind[spatial::kind_of(trials[i].block->points)].push_back(i);
     }
-    for (auto const& [key, queue] : alike) {
+    for (auto const& [kind, queue] : by_kind) {
         spatial::SpatialBatch batch(trials, queue, accuracy, outcomes);
         // Too large for the stack.
         auto const scheduler = std::make_unique<simd::LaneScheduler<spatial::SpatialBatch>>(batch);

@@ -52,9 +52,10 @@ TEST(Footing, EveryKeyIsRead) {
     EXPECT_EQ(read("base={shape='round'}\n").footing.base.points, 32);
     EXPECT_FALSE(read("base={bedding='flat'}\n").footing.base.corner_share.has_value());
     EXPECT_EQ(read("base={bedding='corners'}\n").footing.base.corner_share, 1);
-    auto const polygon = read("base={shape='polygon', corners=[[0.7,0.7],[-0.7,0.7],[-0.7,-0.7],[0.7,-0.7]]}\n");
+    auto const polygon =
+        read("base={shape='polygon', corners=[[0.68,0.68],[-0.68,0.68],[-0.68,-0.68],[0.68,-0.68]]}\n");
     ASSERT_EQ(polygon.footing.base.corners_m.size(), 4U);
-    EXPECT_EQ(polygon.footing.base.corners_m[1][0], -0.7);
+    EXPECT_EQ(polygon.footing.base.corners_m[1][0], -0.68);
 }
 
 // A bed of its own has a restitution of its own: Housner's, which nobody stated, does not tune it.
@@ -68,12 +69,12 @@ TEST(Footing, OnlyAStatedRestitutionTunesABed) {
 TEST(Footing, GoesWithTheSimilarityLaw) {
     auto const footing = read(
                              "pad={vertical_frequency='67 Hz', strength='30 MPa'}\n"
-                             "base={shape='polygon', corners=[[0.7,0.7],[-0.7,0.7],[-0.7,-0.7],[0.7,-0.7]]}\n"
+                             "base={shape='polygon', corners=[[0.68,0.68],[-0.68,0.68],[-0.68,-0.68],[0.68,-0.68]]}\n"
                              "inertia_z='4 t m2'\nsimilarity={direction='to-model'}\n")
                              .footing;
     EXPECT_NEAR(footing.pad.vertical_frequency_hz, 67 / std::sqrt(0.4), 1e-12);
     EXPECT_EQ(footing.pad.strength_pa, 30e6);
-    EXPECT_NEAR(footing.base.corners_m[0][0], 0.28, 1e-15);
+    EXPECT_NEAR(footing.base.corners_m[0][0], 0.272, 1e-15);
     EXPECT_NEAR(*footing.inertia_vertical_kgm2, 4e3 * 1.43 * std::pow(0.4, 5), 1e-10);
 }
 
@@ -89,6 +90,11 @@ TEST(Footing, WhatCannotStandIsRefusedAtItsKey) {
     refused("base={shape='round', bedding='flat'}\n", "bedding", "square");
     refused("base={shape='round', points=18}\n", "multiple of 4");
     refused("base={width=3}\n", "width");
+    refused("base={shape='polygon'}\n", "corners");
+    refused("base={shape='polygon', corners=[[0.68,0.68],[-0.68,0.68]]}\n", "2 corners");
+    testing::expect_input_error(
+        [&] { (void)read("base={shape='polygon', corners=[[0.7,0.7],[-0.7,0.7],[-0.7,-0.7],[0.7,-0.7]]}\n"); },
+        "body.toml:2:", "base_width", "0.7 m");
     refused("pad={strength='0 MPa'}\n", "strength");
     refused("pad={strength='30 kg'}\n", "MPa");
     refused("pad={normal_restitution=0}\n", "normal_restitution");

@@ -95,7 +95,7 @@ TEST(Knobs, EffectsAreThoseThatApply) {
     EXPECT_EQ(knob_named(knobs_from(text), "contact_step"), nullptr);
     auto const across = quick_waves + "[waves.transverse]\nratio=1\n" + type_b + levels("values=[4]\n");
     EXPECT_EQ(labels(knobs_from(across)), (std::vector<std::string>{"none", "contact", "contact, spatial", "auto"}));
-    auto const campaign = input(across);
+    auto const campaign = input_from(across);
     EXPECT_EQ(effects_reference_settings(parse_campaign(campaign)).back(), "effects={include=[\"contact\",\"spatial\"]}");
 }
 

@@ -55,6 +55,11 @@ TEST(SpatialGrip, SpinsOnWithoutFriction) {
         EXPECT_NEAR(history.instants.back().angular_radps[2], 3, 1e-12);
         EXPECT_LT(history.instants.back().tilt_rad(), 1e-12);
         EXPECT_NEAR(history.instants.back().yaw_rad, 30, 1e-9);
+        double norm = 0;
+        for (double const part : history.instants.back().quaternion) {
+            norm += part * part;
+        }
+        EXPECT_NEAR(norm, 1, 1e-15);
     }
 }
 

@@ -111,6 +111,22 @@ TEST(SpatialHardCases, TenTimesGravityUpAndDown) {
     }
 }
 
+// What rocks in its place after the wave and can neither fall nor rise higher needs no following.
+TEST(SpatialHardCases, EnergyDecidesAfterTheWave) {
+    auto const pulse = testing::sine(1, 2, 1, 0);
+    auto longer = pulse;
+    longer.resize(pulse.size() + 8000, 0.0);
+    for (auto const& footing : {square_base(), square_base(0.3), round_base()}) {
+        auto const block = standing(body_a(), footing, 10);
+        auto const decided = shaken(block, {pulse, pulse, 1e-3, 7});
+        auto const followed = shaken(block, {longer, longer, 1e-3, 7});
+        EXPECT_EQ(decided.verdict, Verdict::rocked);
+        EXPECT_EQ(decided.verdict, followed.verdict);
+        EXPECT_EQ(decided.peak_rotation_rad, followed.peak_rotation_rad);
+        EXPECT_LT(static_cast<double>(decided.steps), 0.95 * static_cast<double>(followed.steps));
+    }
+}
+
 // A small second component makes a round base roll, a square one not.
 TEST(SpatialHardCases, RoundBasesFeelASecondComponent) {
     testing::TwoWaves const waves;
@@ -134,6 +150,25 @@ TEST(SpatialHardCases, RoundBasesFeelASecondComponent) {
     RecordProperty("square", std::to_string(square));
     EXPECT_GT(round, 0.1);
     EXPECT_LT(square, 0.02);
+}
+
+// Little inertia shivers quickly: steps are shorter, and nothing else changes under a push that moves nothing.
+TEST(SpatialHardCases, LittleInertiaNeedsShortSteps) {
+    testing::TwoWaves waves;
+    waves.x.resize(2001);
+    waves.y.resize(2001);
+    for (auto footing : {square_base(), round_base()}) {
+        double const plain =
+            shaken(standing(body_a(), footing, 0.8), {waves.x, waves.y, 0.01, 3}, unheld).peak_rotation_rad;
+        for (double const share : {0.3, 0.03}) {
+            double const inertia = share * body_a().inertia_kgm2();
+            footing.inertia_across_kgm2 = inertia;
+            footing.inertia_vertical_kgm2 = inertia;
+            auto const out = shaken(standing(body_a(), footing, 0.8), {waves.x, waves.y, 0.01, 3}, unheld);
+            EXPECT_NEAR(out.peak_rotation_rad / plain, 1, 0.05) << share;
+            EXPECT_LT(out.own.peak_yaw_rad, 1e-4) << share;
+        }
+    }
 }
 
 // All but balanced over its edge at rest: nothing moves at first, yet it may not be held there.

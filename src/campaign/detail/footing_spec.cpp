@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "contact/contact_model.hpp"
+#include "spatial/spatial_block.hpp"
 
 namespace overturn {
 namespace {
@@ -101,6 +102,16 @@ void validate_match(Table const& table, BodySpec const& spec) {
     }
 }
 
+// The critical angle is that of the nearest edge.
+void validate_width(Table const& table, RigidBody const& body, SpatialBlock const& block) {
+    constexpr double same = 1e-6;
+    if (std::abs(block.edge_m - body.half_width_m()) > same * block.edge_m) {
+        table.fail("base_width", fmt::format("{:.6g} m (the polygon's nearest edge passes the axis at {:.6g} m). State "
+                                             "twice that",
+                                             2 * body.half_width_m(), block.edge_m));
+    }
+}
+
 }  // namespace
 
 void read_footing(Table const& table, Footing& footing) {
@@ -128,12 +139,17 @@ void settle_footing(Table const& table, BodySpec& spec) {
     if (base.shape == BaseShape::square && base.corner_share != 1 && !states_restitution) {
         footing.pad.match_restitution = false;  // a bed of its own has a restitution of its own
     }
+    if (!footing.stated) {
+        return;
+    }
+    auto const block = table.located("base", [&] { return spatial_block(spec.body, footing, {}); });
     if (base.shape == BaseShape::polygon) {
+        validate_width(table, spec.body, block);
         return;
     }
     table.located("base", [&] { return contact_block(spec.body, base, footing.pad, {}); });
     bool const scatters = spec.scatter.restitution && spec.scatter.restitution->scatters();
-    if (footing.stated && footing.pad.match_restitution && states_restitution && !scatters) {
+    if (footing.pad.match_restitution && states_restitution && !scatters) {
         validate_match(table, spec);
     }
 }

@@ -23,7 +23,7 @@ class SpatialBatch {
         std::size_t number;
     };
 
-    /// \param queue the numbers of the trials to run, all on bases of as many points, opposite ones or not
+    /// \param queue the numbers of the trials to run, all on bases of one kind
     SpatialBatch(std::span<SpatialTrial const> trials, std::span<std::size_t const> queue,
                  ContactAccuracy const& accuracy, std::span<SpatialOutcome> outcomes)
         : trials_(trials), queue_(queue), accuracy_(accuracy), outcomes_(outcomes) {}
@@ -39,8 +39,7 @@ class SpatialBatch {
     }
     bool advance(Trajectory& trajectory) { return trajectory.run.advance(); }
     void load_lane(Trajectory const& trajectory, Fields& fields, int lane) {
-        fields.points = trajectory.run.lane().points;
-        fields.opposite = trajectory.run.lane().opposite;
+        fields.kind = trajectory.run.lane().kind;
         copy_lane(trajectory.run.lane(), 0, fields, lane);
     }
     void store_lane(Trajectory& trajectory, Fields const& fields, int lane) {
@@ -58,7 +57,7 @@ class SpatialBatch {
         for (auto const wave : {Wave::x, Wave::y, Wave::z}) {
             to.body.at(wave, to_lane) = from.body.at(wave, from_lane);
         }
-        for (int point = 0; point < from.points; ++point) {
+        for (int point = 0; point < from.kind.points; ++point) {
             for (int spot = 0; spot < static_cast<int>(Spot::count); ++spot) {
                 to.at(Spot{spot}, point, to_lane) = from.at(Spot{spot}, point, from_lane);
             }

@@ -6,6 +6,16 @@
 
 namespace overturn::spatial {
 
+BaseKind kind_of(std::vector<SpatialPoint> const& points) {
+    BaseKind kind{.points = static_cast<int>(points.size())};
+    for (std::size_t i = 0; i + 1 < points.size(); i += 2) {
+        auto const& one = points[i];
+        auto const& other = points[i + 1];
+        kind.opposite = kind.opposite && other.x_m == -one.x_m && other.y_m == -one.y_m;
+    }
+    return kind;
+}
+
 void SpatialRun::fill_trial(ContactAccuracy const& accuracy) {
     fill_steps(accuracy);
     fill_law();
@@ -37,8 +47,8 @@ void SpatialRun::fill_trial(ContactAccuracy const& accuracy) {
     put(State::loss_time, -1);
 }
 
-// A lean s = M^-1 e h a / (g w_v^2 ...) of the springs, M the second moment of the shares, lifts a point by s P: off
-// the ground where that is the settlement.
+// A push a leans the base by s = M^-1 h a / w_v^2, M the second moments of the shares; the point at P is lifted by s P,
+// and off the ground where that is the settlement g / w_v^2.
 double SpatialRun::parting_ratio() const {
     double xx = 0;
     double xy = 0;
@@ -62,6 +72,8 @@ void SpatialRun::fill_steps(ContactAccuracy const& accuracy) {
     static double const usual_damping = normal_damping(Pad{}.normal_restitution);
     longest_step_s_ =
         accuracy.step_ratio / planar_.vertical_radps() * std::min(1.0, usual_damping / std::max(y, usual_damping));
+    constexpr double uniform_solid = 3;  // bodies that shiver quicker than these: their damping grows as the stiffness
+    longest_step_s_ *= std::min(1.0, uniform_solid / block_.rotation_stiffness);
     run_out_s_ = accuracy.longest_after_s;
     double const dt = shaking_.time_step_s > 0 ? shaking_.time_step_s : longest_step_s_;
     constexpr double slack = 1e-9;  // a step that divides the sample is taken as it is
@@ -96,7 +108,7 @@ void SpatialRun::fill_law() {
 
 void SpatialRun::fill_points() {
     double const w = planar_.vertical_radps();
-    for (int i = 0; i < lane_.points; ++i) {
+    for (int i = 0; i < lane_.kind.points; ++i) {
         auto const& point = block_.points[static_cast<std::size_t>(i)];
         lane_.at(Spot::x, i, 0) = lane_.at(Spot::anchor_x, i, 0) = point.x_m;
         lane_.at(Spot::y, i, 0) = lane_.at(Spot::anchor_y, i, 0) = point.y_m;

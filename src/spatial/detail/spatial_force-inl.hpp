@@ -11,7 +11,7 @@
 
 #include "contact/point_law-inl.hpp"
 #include "simd/lanes-inl.hpp"
-#include "spatial/detail/rotation-inl.hpp"
+#include "spatial/detail/base_motion-inl.hpp"
 #include "spatial/detail/spatial_state.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -21,22 +21,9 @@ template <class V, int Stride> class SpatialForce {
   public:
     using M = typename V::Mask;
 
-    struct Motion {
-        Triple<V> at;  // x, y, rise of the centre of gravity
-        Quaternion<V> turn;
-        Triple<V> velocity;
-        Triple<V> spin;  // about the body's own axes
-    };
-    /// A quantity that changes evenly over the base.
-    struct Line {
-        V by_x, by_y, at;  // per metre along the body's own axes; at the base's centre
-
-        [[nodiscard]] OVERTURN_LANES_INLINE V of(V x, V y) const { return fma(by_x, x, fma(by_y, y, at)); }
-    };
-    /// The base of a moving body: how deep it lies, how fast it comes down, where it is, and how fast it slides.
-    struct Base {
-        Line depth, approach, x, y, x_rate, y_rate;
-    };
+    using Motion = spatial::HWY_NAMESPACE::Motion<V>;
+    using Line = spatial::HWY_NAMESPACE::Line<V>;
+    using Base = spatial::HWY_NAMESPACE::Base<V>;
     struct Shaking {
         V x, y, weight;  // horizontal accelerations; gravity with the vertical one
     };
@@ -52,8 +39,8 @@ template <class V, int Stride> class SpatialForce {
         : body_(lanes.body.values.data()),
           bed_(lanes.bed.data()),
           samples_(lanes.body.samples.data()),
-          points_(lanes.points),
-          opposite_(lanes.opposite) {
+          points_(lanes.kind.points),
+          opposite_(lanes.kind.opposite) {
         remembered_.set();  // whoever was looked at from outside was completed before
     }
 
@@ -69,7 +56,11 @@ template <class V, int Stride> class SpatialForce {
 
     /// A step's start: what points remember is brought up to date there, of those that are asked for it in the step.
     [[nodiscard]] Depths begin(Motion const& start);
-    [[nodiscard]] Pull now(Motion const& at, Shaking const& by);
+    /// There, before anything else is asked for in the step.
+    [[nodiscard]] Pull at_start(Motion const& start, Shaking const& by) { return pulled<true>(start_, start, by); }
+    [[nodiscard]] Pull now(Motion const& at, Shaking const& by) {
+        return pulled<false>(base_of(at, get(State::height)), at, by);
+    }
     [[nodiscard]] Base const& base_at_start() const { return start_; }
 
   private:
@@ -90,7 +81,6 @@ template <class V, int Stride> class SpatialForce {
     }
     static OVERTURN_LANES_INLINE void set_spot(double* point, Spot field, V value) { value.store(point + row(field)); }
 
-    [[nodiscard]] OVERTURN_LANES_INLINE Base base_of(Motion const& at) const;
     [[nodiscard]] OVERTURN_LANES_INLINE Line spring(Line const& way, Line const& rate) const;
     [[nodiscard]] static OVERTURN_LANES_INLINE V over(double const* point, Line const& line) {
         return line.of(spot(point, Spot::x), spot(point, Spot::y));
@@ -99,8 +89,10 @@ template <class V, int Stride> class SpatialForce {
         return over(point, base.depth) - spot(point, Spot::crush);
     }
     [[nodiscard]] OVERTURN_LANES_INLINE V normal_of(double const* point, V depth, V approach) const;
-    void remember(int i);
-    OVERTURN_LANES_INLINE bool press(int i, Grips const& grips, Triple<V>& force);
+    V remember(int i);
+    OVERTURN_LANES_INLINE void remember_anchor(double* place, V most);
+    template <bool AtStart> OVERTURN_LANES_INLINE bool press(int i, Grips const& grips, Triple<V>& force);
+    template <bool AtStart> [[nodiscard]] Pull pulled(Base const& base, Motion const& at, Shaking const& by);
     [[nodiscard]] OVERTURN_LANES_INLINE Pull pull_of(Sums const& sums, Motion const& at, Shaking const& by) const;
 
     double* body_;
@@ -111,26 +103,6 @@ template <class V, int Stride> class SpatialForce {
     Base start_;
     std::bitset<most_spatial_points> remembered_;  // in this step
 };
-
-template <class V, int Stride>
-OVERTURN_LANES_INLINE auto SpatialForce<V, Stride>::base_of(Motion const& at) const -> Base {
-    auto const [first, second, third] = axes_of(at.turn);
-    V const h = get(State::height);
-    auto const& body = at.spin;
-    Triple<V> const spin{fma(first.x, body.x, second.x * body.y) + third.x * body.z,
-                         fma(second.y, body.y, first.y * body.x) + third.y * body.z,
-                         fma(third.z, body.z, first.z * body.x + second.z * body.y)};
-    auto const arm = cross(spin, third);
-    auto const first_rate = cross(spin, first);
-    auto const second_rate = cross(spin, second);
-    V const versine = 2.0 * fma(at.turn.x, at.turn.x, at.turn.y * at.turn.y);
-    return {{-first.z, -second.z, -fma(h, versine, at.at.z)},
-            {-first_rate.z, -second_rate.z, h * arm.z - at.velocity.z},
-            {first.x, second.x, at.at.x - h * third.x},
-            {first.y, second.y, at.at.y - h * third.y},
-            {first_rate.x, second_rate.x, at.velocity.x - h * arm.x},
-            {first_rate.y, second_rate.y, at.velocity.y - h * arm.y}};
-}
 
 // Against the way and its rate.
 template <class V, int Stride>
@@ -148,7 +120,8 @@ OVERTURN_LANES_INLINE V SpatialForce<V, Stride>::normal_of(double const* point, 
 }
 
 // The approach speed until it touches; the crush that it leaves; an anchor that friction cannot hold follows its point.
-template <class V, int Stride> void SpatialForce<V, Stride>::remember(int i) {
+// Returns the normal force there, over the stiffness.
+template <class V, int Stride> V SpatialForce<V, Stride>::remember(int i) {
     remembered_.set(static_cast<std::size_t>(i));
     double* const place = point(i);
     V const zero = 0;
@@ -163,29 +136,35 @@ template <class V, int Stride> void SpatialForce<V, Stride>::remember(int i) {
     if (V const excess = depth - spot(place, Spot::yield); any(excess > zero)) {
         set_spot(place, Spot::crush, spot(place, Spot::crush) + max(excess, zero));
     }
-    V const here_x = over(place, start_.x);
-    V const here_y = over(place, start_.y);
-    V const shift_x = here_x - spot(place, Spot::anchor_x);
-    V const shift_y = here_y - spot(place, Spot::anchor_y);
-    V const most = get(State::hold) * normal;
-    V const length = shift_x * shift_x + shift_y * shift_y;
-    if (M const drags = length > most * most; any(drags)) {
-        V const share = most / sqrt(length);
-        set_spot(place, Spot::anchor_x, choose(drags, here_x - share * shift_x, spot(place, Spot::anchor_x)));
-        set_spot(place, Spot::anchor_y, choose(drags, here_y - share * shift_y, spot(place, Spot::anchor_y)));
+    remember_anchor(place, get(State::hold) * normal);
+    return normal;
+}
+
+template <class V, int Stride>
+OVERTURN_LANES_INLINE void SpatialForce<V, Stride>::remember_anchor(double* place, V most) {
+    V const x = over(place, start_.x);
+    V const y = over(place, start_.y);
+    V const shift_x = x - spot(place, Spot::anchor_x);
+    V const shift_y = y - spot(place, Spot::anchor_y);
+    V const square = fma(shift_x, shift_x, shift_y * shift_y);
+    if (M const drags = square > most * most; any(drags)) {
+        V const share = most / sqrt(square);
+        set_spot(place, Spot::anchor_x, choose(drags, x - share * shift_x, spot(place, Spot::anchor_x)));
+        set_spot(place, Spot::anchor_y, choose(drags, y - share * shift_y, spot(place, Spot::anchor_y)));
     }
 }
 
 // A point that came to touch only at the end of a step was away at its start, and remembers that.
 template <class V, int Stride> auto SpatialForce<V, Stride>::begin(Motion const& start) -> Depths {
-    auto const base = base_of(start);
+    auto const base = base_of(start, get(State::height));
     Depths all{1e300, -1e300};
     for (int i = 0; i < points_; ++i) {
-        V const depth = depth_of(point(i), base);
+        V const reach = over(point(i), base.depth);
+        V const depth = reach - spot(point(i), Spot::crush);
         all.least = min(depth, all.least);
-        all.most = max(depth + spot(point(i), Spot::crush), all.most);
+        all.most = max(reach, all.most);
         if (!remembered_[static_cast<std::size_t>(i)] && any(depth > V(0))) {
-            remember(i);
+            static_cast<void>(remember(i));
         }
     }
     start_ = base;
@@ -196,13 +175,14 @@ template <class V, int Stride> auto SpatialForce<V, Stride>::begin(Motion const&
 template <class V, int Stride> void SpatialForce<V, Stride>::complete() {
     for (int i = 0; i < points_; ++i) {
         if (!remembered_[static_cast<std::size_t>(i)]) {
-            remember(i);
+            static_cast<void>(remember(i));
         }
     }
 }
 
 // A point that no lane's ground touches presses nothing; what it remembers waits until it is asked.
 template <class V, int Stride>
+template <bool AtStart>
 OVERTURN_LANES_INLINE bool SpatialForce<V, Stride>::press(int i, Grips const& grips, Triple<V>& force) {
     double* const place = point(i);
     V const zero = 0;
@@ -211,10 +191,15 @@ OVERTURN_LANES_INLINE bool SpatialForce<V, Stride>::press(int i, Grips const& gr
         force = {zero, zero, zero};
         return false;
     }
-    if (!remembered_[static_cast<std::size_t>(i)]) {
-        remember(i);
+    V normal;
+    if constexpr (AtStart) {
+        normal = remember(i);
+    } else {
+        if (!remembered_[static_cast<std::size_t>(i)]) {
+            static_cast<void>(remember(i));
+        }
+        normal = normal_of(place, depth - spot(place, Spot::crush), over(place, grips.approach));
     }
-    V const normal = normal_of(place, depth - spot(place, Spot::crush), over(place, grips.approach));
     V const ratio = get(State::tangential_ratio);
     V held_x = fma(ratio, spot(place, Spot::anchor_x), over(place, grips.x));
     V held_y = fma(ratio, spot(place, Spot::anchor_y), over(place, grips.y));
@@ -225,8 +210,7 @@ OVERTURN_LANES_INLINE bool SpatialForce<V, Stride>::press(int i, Grips const& gr
         held_x = share * held_x;
         held_y = share * held_y;
     }
-    V const stiffness = spot(place, Spot::stiffness);
-    force = {stiffness * held_x, stiffness * held_y, stiffness * normal};
+    force = spot(place, Spot::stiffness) * Triple<V>{held_x, held_y, normal};
     return true;
 }
 
@@ -253,8 +237,9 @@ OVERTURN_LANES_INLINE auto SpatialForce<V, Stride>::pull_of(Sums const& sums, Mo
 
 // Points come in pairs whose sums are made first, unfused: on opposite points of a symmetric base what both do alike
 // cancels to the last bit, and mirrored motions are mirrored.
-template <class V, int Stride> auto SpatialForce<V, Stride>::now(Motion const& at, Shaking const& by) -> Pull {
-    auto const base = base_of(at);
+template <class V, int Stride>
+template <bool AtStart>
+auto SpatialForce<V, Stride>::pulled(Base const& base, Motion const& at, Shaking const& by) -> Pull {
     Grips const grips{base.depth, base.approach, spring(base.x, base.x_rate), spring(base.y, base.y_rate)};
     V const zero = 0;
     Triple<V> const none{zero, zero, zero};
@@ -262,8 +247,8 @@ template <class V, int Stride> auto SpatialForce<V, Stride>::now(Motion const& a
     for (int i = 0; i < points_; i += 2) {
         Triple<V> one;
         Triple<V> other;
-        bool const first = press(i, grips, one);
-        bool const second = press(i + 1, grips, other);
+        bool const first = press<AtStart>(i, grips, one);
+        bool const second = press<AtStart>(i + 1, grips, other);
         if (!first && !second) {
             continue;
         }

@@ -21,8 +21,7 @@ SpatialRun::SpatialRun(SpatialBlock const& block, Excitation const& shaking, Con
     last_ = samples < 2 || !(shaking_.time_step_s > 0) ? 0 : samples - 1;
     OVERTURN_EXPECT(block_.points.size() >= 4 && block_.points.size() <= most_spatial_points);
     OVERTURN_EXPECT(block_.points.size() % 2 == 0);
-    lane_.points = static_cast<int>(block_.points.size());
-    lane_.opposite = block_.opposite;
+    lane_.kind = kind_of(block_.points);
     fill_trial(accuracy);
     fill_points();
     place(start.value_or(SpatialStart{}));
@@ -108,13 +107,32 @@ SpatialRun::BedMoments SpatialRun::bed_moments() const {
             k, k * point.x, k * point.y, k * point.x * point.x, k * point.x * point.y, k * point.y * point.y};
     };
     BedMoments sum{};
-    for (int i = 0; i < lane_.points; i += 2) {
+    for (int i = 0; i < lane_.kind.points; i += 2) {
         auto const one = of(i);
         auto const other = of(i + 1);
         sum = {sum.k + (one.k + other.k),    sum.x + (one.x + other.x),    sum.y + (one.y + other.y),
                sum.xx + (one.xx + other.xx), sum.xy + (one.xy + other.xy), sum.yy + (one.yy + other.yy)};
     }
     return sum;
+}
+
+// What resists a lean: springs less the weight that leans with them.
+SpatialRun::LeanStiffness SpatialRun::lean_stiffness(BedMoments const& bed) const {
+    double const falling = planar_.centre_height_m * (planar_.gravity_mps2 + held_.z);
+    return {bed.xx - bed.x * bed.x / bed.k - falling, bed.xy - bed.x * bed.y / bed.k,
+            bed.yy - bed.y * bed.y / bed.k - falling};
+}
+
+// To a change of the shaking.
+SpatialRun::Yielding SpatialRun::yielding(BedMoments const& bed, Acceleration const& by) const {
+    double const h = planar_.centre_height_m;
+    auto const [xx, xy, yy] = lean_stiffness(bed);
+    double const compliance = h / (xx * yy - xy * xy);
+    double const slope_x = -compliance * (yy * by.x - xy * by.y);
+    double const slope_y = -compliance * (xx * by.y - xy * by.x);
+    double const grip = bed.k * planar_.pad.tangential_ratio;
+    return {slope_x, slope_y, h * slope_x - by.x / grip, h * slope_y - by.y / grip,
+            (slope_x * bed.x + slope_y * bed.y - by.z) / bed.k};
 }
 
 // The shaking grew while the body was held: it stands where springs that still touch have let it sink, sway and lean.
@@ -124,39 +142,26 @@ void SpatialRun::wake() {
     if (get(State::index) == 0) {
         return;  // whatever the first sample holds comes suddenly
     }
-    auto const [k, x, y, xx, xy, yy] = bed_moments();
-    double const h = planar_.centre_height_m;
-    double const weight = planar_.gravity_mps2 + held_.z;
-    double const lean_xx = xx - x * x / k - h * weight;
-    double const lean_xy = xy - x * y / k;
-    double const lean_yy = yy - y * y / k - h * weight;
-    double const determinant = lean_xx * lean_yy - lean_xy * lean_xy;
-    if (!(k > 0) || !(lean_xx > 0) || !(determinant > 0)) {
+    auto const bed = bed_moments();
+    auto const stiff = lean_stiffness(bed);
+    if (!(bed.k > 0) || !(stiff.xx > 0) || !(stiff.xx * stiff.yy > stiff.xy * stiff.xy)) {
         return;
     }
-    // Slopes of the base along x and y, and the way of the centre of gravity.
-    auto const yielding = [&](double push_x, double push_y, double lift) {
-        double const slope_x = -h * (lean_yy * push_x - lean_xy * push_y) / determinant;
-        double const slope_y = -h * (lean_xx * push_y - lean_xy * push_x) / determinant;
-        double const grip = k * planar_.pad.tangential_ratio;
-        return std::array{slope_x, slope_y, h * slope_x - push_x / grip, h * slope_y - push_y / grip,
-                          (slope_x * x + slope_y * y - lift) / k};
-    };
-    auto const way = yielding(get(State::ax) - held_.x, get(State::ay) - held_.y, get(State::az) - held_.z);
+    auto const way = yielding(bed, {get(State::ax) - held_.x, get(State::ay) - held_.y, get(State::az) - held_.z});
     double const rate = 1 / shaking_.time_step_s;
     auto const speed =
-        yielding(get(State::ax_change) * rate, get(State::ay_change) * rate, get(State::az_change) * rate);
-    turn_by({-way[1], way[0], 0});
-    put(State::x, get(State::x) + way[2]);
-    put(State::y, get(State::y) + way[3]);
-    put(State::rise, get(State::rise) + way[4]);
+        yielding(bed, {get(State::ax_change) * rate, get(State::ay_change) * rate, get(State::az_change) * rate});
+    turn_by({-way.slope_y, way.slope_x, 0});
+    put(State::x, get(State::x) + way.x);
+    put(State::y, get(State::y) + way.y);
+    put(State::rise, get(State::rise) + way.rise);
     auto const r = rotation();
-    put(State::wx, r[3] * speed[0] - r[0] * speed[1]);
-    put(State::wy, r[4] * speed[0] - r[1] * speed[1]);
-    put(State::wz, r[5] * speed[0] - r[2] * speed[1]);
-    put(State::vx, speed[2]);
-    put(State::vy, speed[3]);
-    put(State::vz, speed[4]);
+    put(State::wx, r[3] * speed.slope_x - r[0] * speed.slope_y);
+    put(State::wy, r[4] * speed.slope_x - r[1] * speed.slope_y);
+    put(State::wz, r[5] * speed.slope_x - r[2] * speed.slope_y);
+    put(State::vx, speed.x);
+    put(State::vy, speed.y);
+    put(State::vz, speed.rise);
 }
 
 void SpatialRun::begin_run_out() {

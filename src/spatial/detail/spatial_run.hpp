@@ -41,6 +41,13 @@ class SpatialRun {
     struct BedMoments {
         double k, x, y, xx, xy, yy;
     };
+    struct LeanStiffness {
+        double xx, xy, yy;
+    };
+    /// How springs give way: slopes of the base along x and y, and the way of the centre of gravity.
+    struct Yielding {
+        double slope_x, slope_y, x, y, rise;
+    };
 
     void fill_trial(ContactAccuracy const& accuracy);
     void fill_steps(ContactAccuracy const& accuracy);
@@ -69,6 +76,8 @@ class SpatialRun {
     [[nodiscard]] std::array<double, 2> base_centre() const;
     [[nodiscard]] Placed placed(int point) const;
     [[nodiscard]] BedMoments bed_moments() const;
+    [[nodiscard]] LeanStiffness lean_stiffness(BedMoments const& bed) const;
+    [[nodiscard]] Yielding yielding(BedMoments const& bed, Acceleration const& by) const;
     [[nodiscard]] double get(State field) const { return lane_.body.at(field, 0); }
     void put(State field, double value) { lane_.body.at(field, 0) = value; }
 

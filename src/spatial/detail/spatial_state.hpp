@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "simd/lane_fields.hpp"
 #include "spatial/spatial_block.hpp"
@@ -54,9 +56,9 @@ enum class State : int {
     most_yaw,     ///< largest |yaw_measure|
     uplift_time,  ///< negative: not yet
     loss_time,    ///< likewise
-    impacts,      ///
-    lean_x,       ///< direction of the last tilt that was more than the springs' own
-    lean_y,       ///< likewise
+    impacts,
+    lean_x,  ///< direction of the last tilt that was more than the springs' own
+    lean_y,  ///< likewise
     steps,
     // trial
     step,
@@ -110,13 +112,23 @@ enum class Spot : int {
 
 enum class Wave : int { x, y, z, count };
 
+/// What the arithmetic of a base rests on: bodies step side by side on bases of one kind.
+struct BaseKind {
+    int points = 0;
+    bool opposite = true;  ///< whether the points of every pair are opposite ones
+
+    [[nodiscard]] bool operator<(BaseKind const& other) const {
+        return std::pair(points, opposite) < std::pair(other.points, other.opposite);
+    }
+};
+[[nodiscard]] BaseKind kind_of(std::vector<SpatialPoint> const& points);
+
 template <int Lanes> struct SpatialLanes {
     static constexpr std::size_t spots = static_cast<std::size_t>(Spot::count);
 
     simd::LaneFields<State, Wave, Lanes> body;
     alignas(64) std::array<double, most_spatial_points * spots * Lanes> bed{};  ///< point by point
-    int points = 0;                                                             ///< the same in all lanes
-    bool opposite = true;  ///< whether the points of every pair are opposite ones; likewise
+    BaseKind kind;                                                              ///< the same in all lanes
 
     [[nodiscard]] static std::size_t place(Spot spot, int point, int lane) {
         return (static_cast<std::size_t>(point) * spots + static_cast<std::size_t>(spot)) * Lanes
@@ -127,7 +139,7 @@ template <int Lanes> struct SpatialLanes {
 
     void copy_lane(int from, int to) {
         body.copy_lane(from, to);
-        for (std::size_t row = 0; row < static_cast<std::size_t>(points) * spots; ++row) {
+        for (std::size_t row = 0; row < static_cast<std::size_t>(kind.points) * spots; ++row) {
             bed[row * Lanes + static_cast<std::size_t>(to)] = bed[row * Lanes + static_cast<std::size_t>(from)];
         }
     }

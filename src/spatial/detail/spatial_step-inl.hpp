@@ -200,7 +200,7 @@ template <class V, int Stride> auto SpatialStepper<V, Stride>::step() -> M {
     auto const middle = shaken(substep + 0.5);
 
     auto const depths = this->begin(start);
-    Pull const a = now(start, shaken(substep));
+    Pull const a = this->at_start(start, shaken(substep));
     log(start, a, depths);
     Motion const second = moved(start, half * start.velocity, half * start.spin, a, half);
     auto const second_excess = turning_excess(half * start.spin, second.spin);
