@@ -49,6 +49,7 @@ void write_body(store::ResultsWriter& file, BodySpec const& spec, RadiusUnit uni
     put("p", "rad/s", "frequency parameter sqrt(m g R / I_O)", body.p_radps());
     put("restitution", "1", "median restitution", body.restitution());
     put("housner_restitution", "1", "1 - 2 m b^2 / I_O", body.housner_restitution());
+    put("axes", "1", "components that shake it: 1 horizontal, 2 both horizontal, 3 the vertical one too", spec.axes);
     auto const band = rocking_period_band(body.radius_m(), unit);
     put("t0", "s", "shortest period that the body runs through", band.t0_s);
     put("t1", "s", "longest period that the body runs through", band.t1_s);

@@ -12,6 +12,7 @@
 #include "campaign/runtime_file.hpp"
 #include "cli/figures.hpp"
 #include "cli/fit_json.hpp"
+#include "cli/shown_trials.hpp"
 #include "cli/verbs.hpp"
 #include "core/note.hpp"
 #include "report/cost_page.hpp"
@@ -154,6 +155,7 @@ int write_report(Options const& options) {
     if (auto const said = statistics.waves().text(spec.source->acceptance()); !said.empty()) {
         data["wave_notes"].push_back(said);
     }
+    data["histories"] = shown_trials(spec, plan, file);
     data["cost"] = cost_of(options.file);
     auto const page = report::figure_text("campaign_page.py", data, ".html");
     store::write_durably(options.page, std::as_bytes(std::span(page)));

@@ -16,17 +16,18 @@ constexpr std::array contact_effect{EffectEntry{
     "a compliant base that bounces and is crushed; called for by a bedding that is not two corners, a loss of "
     "contact, and, where base or pad are stated, a tilt of 0.3 alpha or an impact near the pad's strength"}};
 
-constexpr std::array channels{Channel{"time_s"},  Channel{"rotation_rad"}, Channel{"velocity_radps"},
-                              Channel{"sway_m"},  Channel{"sway_mps"},     Channel{"rise_m"},
-                              Channel{"rise_mps"}};
+constexpr std::array channels{
+    Channel{"time_s"},   Channel{"rotation_rad"}, Channel{"velocity_radps"}, Channel{"sway_m"},
+    Channel{"sway_mps"}, Channel{"rise_m"},       Channel{"rise_mps"},       Channel{"contact_force_over_weight"},
+    Channel{"crush_m"}};
 
 /// Instants of the kernel as rows of channels.
 class Shown : public ContactObserver {
   public:
     explicit Shown(Observer& observer) : observer_(observer) {}
     void at(ContactInstant const& i) override {
-        observer_.at(
-            std::array{i.time_s, i.rotation_rad, i.velocity_radps, i.sway_m, i.sway_mps, i.rise_m, i.rise_mps});
+        observer_.at(std::array{i.time_s, i.rotation_rad, i.velocity_radps, i.sway_m, i.sway_mps, i.rise_m, i.rise_mps,
+                                i.contact_force_ratio, i.crush_m});
     }
 
   private:

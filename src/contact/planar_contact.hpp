@@ -41,6 +41,8 @@ struct ContactOutcome : Outcome {
 /// One instant of a history.
 struct ContactInstant {
     double time_s, rotation_rad, velocity_radps, sway_m, sway_mps, rise_m, rise_mps;  ///< rise: z - h
+    double contact_force_ratio = 1;  ///< over the weight, at the start of the step before
+    double crush_m = 0;              ///< deepest that the pad keeps
 };
 
 /// Receives every step's start.

@@ -243,10 +243,15 @@ class Report:
         parts = []
         for body in self.results.bodies:
             for name, draw in (("ends", trial_figures.ends), ("rotations", trial_figures.rotations),
-                               ("slips", trial_figures.slips)):
+                               ("slips", trial_figures.slips), ("reasons", trial_figures.reasons)):
                 parts.append(self.figure(f"{name}-{body.name}",
                                          lambda path, draw=draw, body=body: draw(self.results, body, path),
                                          f"{name} of {body.name}"))
+        for shown in self.data["histories"]:
+            parts.append(self.figure(f"history-{shown['body']}", lambda path, shown=shown: trial_figures.history(shown, path),
+                                     f"history of {shown['title']}"))
+        parts.append(self.figure("axes", lambda path: trial_figures.axes_compared(self.results, path),
+                                 "V_resp over V_WES under one, two and three components"))
         self.section("trials", "What the trials did, and what was simulated", *parts, paragraphs(self.data["cost"]))
 
     def provenance(self):

@@ -8,7 +8,8 @@ import numpy as np
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-MEASURES = {"pga": ("PGA", "m/s²"), "pgv": ("PGV", "m/s"), "pgd": ("PGD", "m"), "factor": ("factor", ""),
+MEASURES = {"pga": ("PGA", "m/s²"), "pgv": ("PGV", "m/s"), "pgd": ("PGD", "m"), "vector-pga": ("PGA of both axes", "m/s²"),
+            "factor": ("factor", ""),
             "v_wes": ("V_WES", "m/s"), "ou_v_e": ("ouV_E", "m/s"), "v_wes_ratio": ("V_WES / V_Ereq", ""),
             "v_wes_other_unit": ("V_WES, other unit of R", "m/s"), "ou_v_e_other_unit": ("ouV_E, other unit of R", "m/s")}
 MOST_POINTS = 4000  # of a scatter: more cannot be told apart

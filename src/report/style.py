@@ -27,6 +27,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 # Okabe & Ito (2008): told apart by colour-blind readers, and by their lightness in grey print.
 BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY = "#0072b2", "#d55e00", "#009e73", "#e69f00", "#cc79a7", "#56b4e9"
 INK, GREY, PALE = "#1a1a1a", "#7a7a7a", "#dddddd"
+SERIES = [BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY]
 BODIES = [(VERMILION, "-"), (GREEN, "--"), (PURPLE, "-."), (ORANGE, ":"), (SKY, (0, (5, 1, 1, 1)))]
 
 

@@ -168,3 +168,97 @@ def wave_quality(results, path):
     panels[0].set_ylabel("waves")
     style.save(figure, path)
     return True
+
+
+def history(shown, path):
+    """A trial on compliant points: tilt, contact force and crush over time, and the way of its base in plan."""
+    style.use()
+    channels = {key: np.asarray(values, dtype=float) for key, values in shown["channels"].items()}
+    time = channels["time_s"]
+    tilt = channels["tilt_rad"] if "tilt_rad" in channels else channels["rotation_rad"]
+    spatial = "x_m" in channels
+    figure = plt.figure(figsize=(6.8, 3.6), layout="constrained")
+    grid = figure.add_gridspec(3, 2 if spatial else 1, width_ratios=[1.9, 1] if spatial else None)
+    panels = [figure.add_subplot(grid[row, 0]) for row in range(3)]
+    for axes, values, label, colour in (
+            (panels[0], tilt / shown["alpha"], "tilt / α", BLUE),
+            (panels[1], channels["contact_force_over_weight"], "N / (m g)", GREEN),
+            (panels[2], 1000 * channels["crush_m"], "crush [mm]", ORANGE)):
+        axes.plot(time, values, color=colour, lw=0.8)
+        axes.set(ylabel=label, xlim=(time[0], time[-1]))
+    for axes in panels[:2]:
+        axes.tick_params(labelbottom=False)
+    panels[2].set_xlabel("time [s]")
+    panels[2].set_ylim(bottom=0)
+    panels[0].set_title(style.literal(shown["title"]), loc="left")
+    if spatial:
+        plan(figure.add_subplot(grid[:, 1]), channels, np.asarray(shown["outline"]))
+    style.save(figure, path)
+
+
+def plan(axes, channels, outline):
+    """Where the base began and ended, seen from above, and the way of its corners (of a rim: four points)."""
+    yaw, x, y = channels["yaw_rad"], channels["x_m"], channels["y_m"]
+    traced = outline if len(outline) <= 8 else outline[::len(outline) // 4]
+    for corner in traced:
+        axes.plot(x + np.cos(yaw) * corner[0] - np.sin(yaw) * corner[1],
+                  y + np.sin(yaw) * corner[0] + np.cos(yaw) * corner[1], color=SKY, lw=0.6)
+    for at, colour in ((0, GREY), (-1, VERMILION)):
+        turned = np.column_stack([np.cos(yaw[at]) * outline[:, 0] - np.sin(yaw[at]) * outline[:, 1] + x[at],
+                                  np.sin(yaw[at]) * outline[:, 0] + np.cos(yaw[at]) * outline[:, 1] + y[at]])
+        closed = np.vstack([turned, turned[:1]])
+        axes.plot(closed[:, 0], closed[:, 1], color=colour, lw=1.1, label="before" if at == 0 else "after")
+    axes.set_aspect("equal", adjustable="datalim")
+    axes.set(xlabel="x [m]", ylabel="y [m]", title="base in plan")
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2), ncols=2)
+
+
+def axes_compared(results, path):
+    """V_resp over V_WES, in units of V_Ereq, for bodies under one, two and three components; False if all are alike."""
+    shaken = {}
+    for body in results.bodies:
+        shaken.setdefault(int(body.numbers["axes"]), []).append(body)
+    if len(shaken) < 2:
+        return False
+    style.use()
+    names = {1: "one axis", 2: "two axes", 3: "three axes"}
+    figure, panels = plt.subplots(1, len(shaken), figsize=(6.8, 3.0), sharex=True, sharey=True, layout="constrained")
+    for axes, (count, bodies_of_it) in zip(np.atleast_1d(panels), sorted(shaken.items())):
+        for n, body in enumerate(bodies_of_it):
+            known = np.isfinite(body.trials("v_resp"))
+            limit = body.numbers["v_ereq"]
+            fell = body.ended("fell")[known]
+            x, y = body.trials("v_wes")[known] / limit, body.trials("v_resp")[known] / limit
+            colour = style.SERIES[n % len(style.SERIES)]
+            axes.plot(x[~fell], y[~fell], ".", ms=2.5, color=colour, label=style.literal(body.name))
+            axes.plot(x[fell], y[fell], "x", ms=3, mew=0.7, color=colour)
+        axes.axhline(1, color=GREY, lw=0.7, ls="--")
+        axes.set(title=names[count], xlabel="V_WES / V_Ereq", ylim=(0, 1.5))
+        axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2), markerscale=2)
+    np.atleast_1d(panels)[0].set_ylabel("V_resp / V_Ereq (×: overturned)")
+    style.save(figure, path)
+    return True
+
+
+def reasons(results, body, path):
+    """Why trials of each level needed a dearer model; False where none did."""
+    kinds = [(name, which) for name, which in body.kinds("reason") if name != "none" and which.any()]
+    if not kinds:
+        return False
+    style.use()
+    level, count = body.trials("level"), len(body.stripes["amplitude"])
+    amplitude, unit = results.in_units(body.stripes["amplitude"])
+    trials = np.maximum(np.bincount(level, minlength=count), 1)
+    figure, axes = plt.subplots(figsize=(4.6, 2.2), layout="constrained")
+    below = np.zeros(count)
+    for n, (name, which) in enumerate(kinds):
+        share = np.bincount(level[which], minlength=count) / trials
+        axes.bar(np.arange(count), share, bottom=below, width=0.82, color=style.SERIES[n % len(style.SERIES)], label=name)
+        below += share
+    every = max(1, -(-count // 7))
+    axes.set_xticks(np.arange(count)[::every], [f"{value:.4g}" for value in amplitude[::every]])
+    axes.set(title=f"{style.literal(body.name)}: what called for a dearer model", ylim=(0, 1), ylabel="share of trials",
+             xlabel=f"{MEASURES[results.measure][0]} [{unit}]" if unit else MEASURES[results.measure][0])
+    axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))
+    style.save(figure, path)
+    return True

@@ -42,8 +42,8 @@ struct SpatialBlock {
 /// \param friction empty: firm_grip
 /// \throws InputError for what contact_block refuses; a rim of fewer than fewest_rim_points; more than
 /// most_spatial_points; a polygon of fewer than three corners, not convex, without the axis inside, or with a corner
-/// that would have to pull; inertia that is not positive, or so small that the body would shiver on its points a hundred
-/// times quicker than a uniform solid
+/// that would have to pull; inertia that is not positive, or so small that the body would shiver on its points a
+/// hundred times quicker than a uniform solid
 [[nodiscard]] SpatialBlock spatial_block(RigidBody const& body, Footing const& footing,
                                          std::optional<Friction> const& friction);
 

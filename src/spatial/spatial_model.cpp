@@ -32,7 +32,8 @@ constexpr std::array channels{Channel{"time_s"},      Channel{"tilt_rad"},
                               Channel{"azimuth_rad"}, Channel{"tilt_x_rad"},
                               Channel{"tilt_y_rad"},  Channel{"yaw_rad"},
                               Channel{"x_m"},         Channel{"y_m"},
-                              Channel{"rise_m"},      Channel{"contact_force_ratio"}};
+                              Channel{"rise_m"},      Channel{"contact_force_over_weight"},
+                              Channel{"crush_m"}};
 
 /// Instants of the kernel as rows of channels.
 class Shown : public SpatialObserver {
@@ -41,7 +42,7 @@ class Shown : public SpatialObserver {
     void at(SpatialInstant const& i) override {
         auto const [about_x, about_y] = i.tilts_rad();
         observer_.at(std::array{i.time_s, i.tilt_rad(), i.azimuth_rad(), about_x, about_y, i.yaw_rad, i.x_m, i.y_m,
-                                i.rise_m, i.contact_force_ratio});
+                                i.rise_m, i.contact_force_ratio, i.crush_m});
     }
 
   private:

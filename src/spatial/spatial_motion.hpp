@@ -57,6 +57,7 @@ struct SpatialInstant {
     std::array<double, 3> angular_radps{};  ///< about the body's own axes
     double contact_force_ratio = 0;         ///< over the weight; of the step before in the last instant
     double yaw_rad = 0;
+    double crush_m = 0;  ///< deepest that the pad keeps
 
     [[nodiscard]] double tilt_rad() const;
     /// Of the direction in which the body's top leans, from x towards y.

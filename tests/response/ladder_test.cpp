@@ -278,7 +278,7 @@ struct Shown : Observer {
 
 TEST(Ladder, ShowsTheModelThatAnswered) {
     Many const many;
-    Ladder const ladder{EffectRequest{}};
+    auto const ladder = without_crush();
     int slid = 0;
     for (std::size_t i = 0; i < 60; ++i) {
         auto const response = ladder.respond(many.trials()[i]);

@@ -29,6 +29,7 @@ void ContactRun::fill_trial(ContactAccuracy const& accuracy) {
     // Corners part at b / h, a flat bed at a third of it.
     double const parting = lane_.points == 2 ? 0.9 : 0.25;
     put(Pressing::rest_ratio, std::min(parting * b / h, 0.5 * block_.friction));
+    put(Pressing::force, block_.gravity_mps2);
     put(Pressing::least_force, std::numeric_limits<double>::infinity());
     put(Pressing::uplift_time, -1);
     put(Pressing::loss_time, -1);
@@ -110,7 +111,9 @@ ContactInstant ContactRun::instant() const {
             get(Pressing::sway),
             get(Pressing::sway_speed),
             get(Pressing::rise),
-            get(Pressing::rise_speed)};
+            get(Pressing::rise_speed),
+            get(Pressing::force) / block_.gravity_mps2,
+            deepest_crush()};
 }
 
 // Kinetic, of position and of springs, over the mass; none in settled rest.

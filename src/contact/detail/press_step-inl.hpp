@@ -74,6 +74,7 @@ OVERTURN_LANES_INLINE void PressStepper<V, Stride, Points>::log(Motion const& at
     record(Pressing::uplift_time, Pressing::uplift_time,
            (pull.least_depth <= zero) & (get(Pressing::uplift_time) < zero), time);
     record(Pressing::loss_time, Pressing::loss_time, (pull.press <= zero) & (get(Pressing::loss_time) < zero), time);
+    put(Pressing::force, pull.press);
     put(Pressing::least_force, min(pull.press, get(Pressing::least_force)));
     put(Pressing::most_force, max(pull.press, get(Pressing::most_force)));
     put(Pressing::most_rise, max(at.rise, get(Pressing::most_rise)));

@@ -33,6 +33,7 @@ enum class Pressing : int {
     crest_time,
     trough,  ///< smallest theta
     trough_time,
+    force,  ///< sum of the normal forces at the start of the last step
     least_force,
     most_force,
     most_rise,

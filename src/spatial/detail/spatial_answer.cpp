@@ -57,7 +57,8 @@ SpatialInstant SpatialRun::instant() const {
             .velocity_mps = {get(State::vx), get(State::vy), get(State::vz)},
             .angular_radps = {get(State::wx), get(State::wy), get(State::wz)},
             .contact_force_ratio = get(State::force) / planar_.gravity_mps2,
-            .yaw_rad = yaw};
+            .yaw_rad = yaw,
+            .crush_m = deepest_crush()};
 }
 
 // Kinetic, of position and of springs, over the mass; none in settled rest.
