@@ -189,7 +189,7 @@ def history(shown, path):
     for axes in panels[:2]:
         axes.tick_params(labelbottom=False)
     panels[2].set_xlabel("time [s]")
-    panels[2].set_ylim(bottom=0)
+    panels[2].set_ylim(0, 1.1 * max(0.1, 1000 * float(np.max(channels["crush_m"]))))
     panels[0].set_title(style.literal(shown["title"]), loc="left")
     if spatial:
         plan(figure.add_subplot(grid[:, 1]), channels, np.asarray(shown["outline"]))
