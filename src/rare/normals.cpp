@@ -27,7 +27,9 @@ namespace overturn::rare::HWY_NAMESPACE {
 constexpr int rounds = 20;
 constexpr int rotations[8][2] = {{14, 16}, {52, 57}, {23, 40}, {5, 37}, {25, 33}, {46, 12}, {58, 22}, {32, 32}};
 
-struct FourWords { Words a, b, c, d; };
+struct FourWords {
+    Words a, b, c, d;
+};
 
 template <int Round> HWY_INLINE void mix(FourWords& x, Key const& key) {
     x.a = hn::Add(x.a, x.b);
@@ -61,7 +63,9 @@ HWY_INLINE Reals one_to_two(Words x) {
     return hn::BitCast(Real(), hn::Or(hn::ShiftRight<12>(x), hn::Set(Word(), bits_of_one)));
 }
 
-struct Pair { Reals one, other; };
+struct Pair {
+    Reals one, other;
+};
 
 HWY_INLINE Pair normal_pair(Words radius, Words angle) {
     auto const r = hn::Sqrt(hn::Mul(real(-2), log_of(hn::Sub(real(2), one_to_two(radius)))));

@@ -15,7 +15,8 @@
 namespace overturn::rare {
 namespace {
 
-DrawKey const key{.seed = 2013, .problem = 3, .replicate = 5, .phase = Phase::pilot, .level = 7, .step = 0, .index = 11};
+DrawKey const key{
+    .seed = 2013, .problem = 3, .replicate = 5, .phase = Phase::pilot, .level = 7, .step = 0, .index = 11};
 
 std::vector<double> drawn(DrawKey const& from, std::size_t count) {
     std::vector<double> normals(count);

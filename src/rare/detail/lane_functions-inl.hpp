@@ -41,11 +41,9 @@ template <std::size_t N> HWY_INLINE Reals series(Reals x, double const (&c)[N]) 
 HWY_INLINE Reals log_of(Reals x) {
     auto const word = hn::BitCast(Word(), x);
     // The exponent's bits, put into the mantissa of 2^52, are its value.
-    auto const biased =
-        hn::BitCast(Real(), hn::Or(hn::ShiftRight<52>(word), hn::Set(Word(), 0x4330000000000000U)));
+    auto const biased = hn::BitCast(Real(), hn::Or(hn::ShiftRight<52>(word), hn::Set(Word(), 0x4330000000000000U)));
     auto exponent = hn::Sub(biased, real(0x1p52 + 1022));
-    auto m = hn::BitCast(
-        Real(), hn::Or(hn::And(word, hn::Set(Word(), mantissa_bits)), hn::Set(Word(), bits_of_half)));
+    auto m = hn::BitCast(Real(), hn::Or(hn::And(word, hn::Set(Word(), mantissa_bits)), hn::Set(Word(), bits_of_half)));
     auto const low = hn::Lt(m, real(0.70710678118654752440));
     m = hn::IfThenElse(low, hn::Add(m, m), m);
     exponent = hn::IfThenElse(low, hn::Sub(exponent, real(1)), exponent);
@@ -62,15 +60,17 @@ HWY_INLINE Reals exp_of(Reals x) {
     auto const k = hn::Sub(shifted, real(whole_number));
     // log 2 in two parts: the first has so few bits that its product with k is exact.
     auto const r = hn::Sub(hn::Sub(x, hn::Mul(k, real(0x1.62e42fefa38p-1))), hn::Mul(k, real(0x1.ef35793c7673p-45)));
-    static constexpr double factorials[] = {1.0,           1.0,           1.0 / 2,         1.0 / 6,         1.0 / 24,
-                                            1.0 / 120,     1.0 / 720,     1.0 / 5040,      1.0 / 40320,     1.0 / 362880,
-                                            1.0 / 3628800, 1.0 / 39916800, 1.0 / 479001600, 1.0 / 6227020800};
+    static constexpr double factorials[] = {
+        1.0,        1.0,         1.0 / 2,      1.0 / 6,       1.0 / 24,       1.0 / 120,       1.0 / 720,
+        1.0 / 5040, 1.0 / 40320, 1.0 / 362880, 1.0 / 3628800, 1.0 / 39916800, 1.0 / 479001600, 1.0 / 6227020800};
     auto const power = hn::BitCast(
         Real(), hn::ShiftLeft<52>(hn::Add(hn::BitCast(Word(), shifted), hn::Set(Word(), std::uint64_t{1023}))));
     return hn::Mul(series(r, factorials), power);
 }
 
-struct Turn { Reals cosine, sine; };
+struct Turn {
+    Reals cosine, sine;
+};
 
 /// Of 2 pi v, v in [0, 1]: by quarters of a turn, the rest in [-pi/4, pi/4].
 HWY_INLINE Turn turn_of(Reals v) {
@@ -79,10 +79,16 @@ HWY_INLINE Turn turn_of(Reals v) {
     auto const rest = hn::Sub(v, hn::Mul(hn::Sub(shifted, real(whole_number)), real(0.25)));
     auto const a = hn::Mul(rest, real(6.28318530717958647693));
     auto const z = hn::Mul(a, a);
-    static constexpr double odd[] = {1.0,           -1.0 / 6,       1.0 / 120,          -1.0 / 5040,
-                                     1.0 / 362880,  -1.0 / 39916800, 1.0 / 6227020800.0, -1.0 / 1307674368000.0};
-    static constexpr double even[] = {1.0,          -1.0 / 2,       1.0 / 24,         -1.0 / 720,
-                                      1.0 / 40320,  -1.0 / 3628800, 1.0 / 479001600.0, -1.0 / 87178291200.0,
+    static constexpr double odd[] = {1.0,          -1.0 / 6,        1.0 / 120,          -1.0 / 5040,
+                                     1.0 / 362880, -1.0 / 39916800, 1.0 / 6227020800.0, -1.0 / 1307674368000.0};
+    static constexpr double even[] = {1.0,
+                                      -1.0 / 2,
+                                      1.0 / 24,
+                                      -1.0 / 720,
+                                      1.0 / 40320,
+                                      -1.0 / 3628800,
+                                      1.0 / 479001600.0,
+                                      -1.0 / 87178291200.0,
                                       1.0 / 20922789888000.0};
     auto const s = hn::Mul(a, series(z, odd));
     auto const c = series(z, even);
