@@ -1,5 +1,6 @@
 #include "generators/filtered_noise.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -83,6 +84,16 @@ class FilteredNoise : public WaveSource {
             double const scatter = gaussian_ ? gsl_ran_rayleigh(amplitudes.gsl(), std::sqrt(0.5)) : 1.0;
             lines[k] = std::polar(scatter * line_amplitude_[k], gsl_ran_flat(phases.gsl(), 0, 2 * pi));
         }
+        GeneratedWave made;
+        made.motion = motion_of(lines);
+        made.label = fmt::format("filtered noise {}", wave);
+        return made;
+    }
+
+    [[nodiscard]] std::unique_ptr<NormalWaves> from_normals() const override;
+
+    /// Of lines 0, 1, ...: as many as have any power, or all.
+    [[nodiscard]] GroundMotion motion_of(std::span<std::complex<double> const> lines) const {
         std::vector<double> series(fft_.length());
         fft_.synthesise(lines, series);
         series.resize(envelope_.size());
@@ -90,12 +101,15 @@ class FilteredNoise : public WaveSource {
             series[i] *= envelope_[i];
         }
         correct_baseline(series);
-        GeneratedWave made;
-        made.motion.time_step_s = time_step_s_;
-        made.motion.horizontal_mps2 = std::move(series);
-        made.label = fmt::format("filtered noise {}", wave);
-        return made;
+        GroundMotion motion;
+        motion.time_step_s = time_step_s_;
+        motion.horizontal_mps2 = std::move(series);
+        return motion;
     }
+
+    [[nodiscard]] std::vector<double> const& line_amplitude() const { return line_amplitude_; }
+    [[nodiscard]] double spacing_radps() const { return 2 * pi / (time_step_s_ * static_cast<double>(fft_.length())); }
+    [[nodiscard]] bool is_gaussian() const { return gaussian_; }
 
     [[nodiscard]] std::string describe() const override { return summary_; }
 
@@ -107,6 +121,39 @@ class FilteredNoise : public WaveSource {
     std::vector<double> line_amplitude_;
     std::string summary_;
 };
+
+// Line k is A_k z / sqrt 2, z the k-th pair of normals; with fixed amplitudes A_k z / |z|.
+class FilteredNoiseOfNormals : public NormalWaves {
+  public:
+    explicit FilteredNoiseOfNormals(FilteredNoise const& source) : source_(source) {
+        auto const& all = source.line_amplitude();
+        auto const strong = std::find_if(all.rbegin(), all.rend(), [](double a) { return a > 0; });
+        lines_ = static_cast<std::size_t>(all.rend() - strong) - 1;
+    }
+
+    [[nodiscard]] std::size_t normals() const override { return 2 * lines_; }
+
+    [[nodiscard]] GroundMotion make(std::span<double const> normals) const override {
+        std::vector<std::complex<double>> lines(lines_ + 1);
+        for (std::size_t k = 1; k <= lines_; ++k) {
+            std::complex<double> const z(normals[2 * k - 2], normals[2 * k - 1]);
+            lines[k] = source_.line_amplitude()[k] * (source_.is_gaussian() ? z * std::sqrt(0.5) : z / std::abs(z));
+        }
+        return source_.motion_of(lines);
+    }
+
+    [[nodiscard]] std::optional<LinearLines> linear() const override {
+        return source_.is_gaussian() ? std::optional(LinearLines{lines_, source_.spacing_radps()}) : std::nullopt;
+    }
+
+  private:
+    FilteredNoise const& source_;
+    std::size_t lines_ = 0;
+};
+
+std::unique_ptr<NormalWaves> FilteredNoise::from_normals() const {
+    return std::make_unique<FilteredNoiseOfNormals>(*this);
+}
 
 NoiseShape read_ground(config::Table const& waves, NoiseModel model, double time_step_s) {
     auto const positive = config::Range::positive();

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "generators/detail/matched_normals.hpp"
 #include "generators/detail/spectrum_matcher.hpp"
 #include "generators/records.hpp"
 #include "generators/wave_quality.hpp"
@@ -109,6 +110,14 @@ class SpectrumCompatible : public WaveSource {
             }
         }
         return made;
+    }
+
+    [[nodiscard]] std::unique_ptr<NormalWaves> from_normals() const override {
+        std::vector<MatchedNormals::Part> parts;
+        for (auto const& part : parts_) {
+            parts.push_back({&part.matcher, part.kind.place});
+        }
+        return seeds_.empty() ? std::make_unique<MatchedNormals>(std::move(parts), time_step_s_) : nullptr;
     }
 
     [[nodiscard]] std::optional<std::uint64_t> available() const override {
