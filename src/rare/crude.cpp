@@ -42,20 +42,16 @@ Estimate estimate_of(double factor, Count const& count) {
     return estimate;
 }
 
-// What the rarest factor that max_runs can resolve still lacks; nothing is spent on those that it cannot.
+// What the rarest factor needs, as far as max_runs goes.
 std::int64_t runs_wanted(std::span<Count const> counts, Request const& request) {
-    double wanted = 0;
+    std::int64_t wanted = 0;
     for (auto const& count : counts) {
-        if (count.failed == 0) {
-            continue;
-        }
         double const p = static_cast<double>(count.failed) / static_cast<double>(count.trials);
-        double const needed = std::ceil(crude_runs_for(p, request.target_cov));
-        if (needed <= static_cast<double>(request.max_runs)) {
-            wanted = std::max(wanted, needed);
-        }
+        double const needed = p > 0 ? std::ceil(crude_runs_for(p, request.target_cov)) : HUGE_VAL;
+        bool const too_many = needed >= static_cast<double>(request.max_runs);
+        wanted = std::max(wanted, too_many ? request.max_runs : static_cast<std::int64_t>(needed));
     }
-    return static_cast<std::int64_t>(wanted);
+    return wanted;
 }
 
 }  // namespace

@@ -25,7 +25,8 @@ namespace overturn::rare::HWY_NAMESPACE {
 
 // Threefry4x64-20 (Salmon et al., SC'11) as core/random_stream has it, one counter a lane.
 constexpr int rounds = 20;
-constexpr int rotations[8][2] = {{14, 16}, {52, 57}, {23, 40}, {5, 37}, {25, 33}, {46, 12}, {58, 22}, {32, 32}};
+constexpr std::array<std::array<int, 2>, 8> rotations{
+    {{14, 16}, {52, 57}, {23, 40}, {5, 37}, {25, 33}, {46, 12}, {58, 22}, {32, 32}}};
 
 struct FourWords {
     Words a, b, c, d;

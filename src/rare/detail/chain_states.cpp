@@ -46,8 +46,9 @@ ChainStates::State ChainStates::state_of(std::vector<SubsetNode> const& nodes, s
     }
     auto const kept = kept_.find(at);
     auto state = kept != kept_.end() ? kept->second : root(nodes.at(static_cast<std::size_t>(at)));
-    for (auto next = descent.rbegin(); next != descent.rend(); ++next) {
-        state = moved(state, nodes[static_cast<std::size_t>(*next)]);
+    std::reverse(descent.begin(), descent.end());
+    for (auto const next : descent) {
+        state = moved(state, nodes[static_cast<std::size_t>(next)]);
     }
     return state;
 }

@@ -7,6 +7,8 @@
 #define OVERTURN_RARE_FUNCTIONS
 #endif
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include <hwy/highway.h>
@@ -28,7 +30,7 @@ inline constexpr double whole_number = 0x1.8p52;  // a number that is added to i
 HWY_INLINE Reals real(double x) { return hn::Set(Real(), x); }
 
 // c[0] + x (c[1] + x (c[2] + ...)).
-template <std::size_t N> HWY_INLINE Reals series(Reals x, double const (&c)[N]) {
+template <std::size_t N> HWY_INLINE Reals series(Reals x, std::array<double, N> const& c) {
     auto sum = real(c[N - 1]);
     for (std::size_t i = N - 1; i-- > 0;) {
         sum = hn::Add(hn::Mul(sum, x), real(c[i]));
@@ -49,8 +51,8 @@ HWY_INLINE Reals log_of(Reals x) {
     exponent = hn::IfThenElse(low, hn::Sub(exponent, real(1)), exponent);
     auto const s = hn::Div(hn::Sub(m, real(1)), hn::Add(m, real(1)));
     auto const z = hn::Mul(s, s);
-    static constexpr double odd[] = {2.0,      2.0 / 3,  2.0 / 5,  2.0 / 7,  2.0 / 9,
-                                     2.0 / 11, 2.0 / 13, 2.0 / 15, 2.0 / 17, 2.0 / 19};
+    static constexpr std::array odd{2.0,      2.0 / 3,  2.0 / 5,  2.0 / 7,  2.0 / 9,
+                                    2.0 / 11, 2.0 / 13, 2.0 / 15, 2.0 / 17, 2.0 / 19};
     return hn::Add(hn::Mul(exponent, real(0.69314718055994530942)), hn::Mul(s, series(z, odd)));
 }
 
@@ -60,7 +62,7 @@ HWY_INLINE Reals exp_of(Reals x) {
     auto const k = hn::Sub(shifted, real(whole_number));
     // log 2 in two parts: the first has so few bits that its product with k is exact.
     auto const r = hn::Sub(hn::Sub(x, hn::Mul(k, real(0x1.62e42fefa38p-1))), hn::Mul(k, real(0x1.ef35793c7673p-45)));
-    static constexpr double factorials[] = {
+    static constexpr std::array factorials{
         1.0,        1.0,         1.0 / 2,      1.0 / 6,       1.0 / 24,       1.0 / 120,       1.0 / 720,
         1.0 / 5040, 1.0 / 40320, 1.0 / 362880, 1.0 / 3628800, 1.0 / 39916800, 1.0 / 479001600, 1.0 / 6227020800};
     auto const power = hn::BitCast(
@@ -79,17 +81,17 @@ HWY_INLINE Turn turn_of(Reals v) {
     auto const rest = hn::Sub(v, hn::Mul(hn::Sub(shifted, real(whole_number)), real(0.25)));
     auto const a = hn::Mul(rest, real(6.28318530717958647693));
     auto const z = hn::Mul(a, a);
-    static constexpr double odd[] = {1.0,          -1.0 / 6,        1.0 / 120,          -1.0 / 5040,
-                                     1.0 / 362880, -1.0 / 39916800, 1.0 / 6227020800.0, -1.0 / 1307674368000.0};
-    static constexpr double even[] = {1.0,
-                                      -1.0 / 2,
-                                      1.0 / 24,
-                                      -1.0 / 720,
-                                      1.0 / 40320,
-                                      -1.0 / 3628800,
-                                      1.0 / 479001600.0,
-                                      -1.0 / 87178291200.0,
-                                      1.0 / 20922789888000.0};
+    static constexpr std::array odd{1.0,          -1.0 / 6,        1.0 / 120,          -1.0 / 5040,
+                                    1.0 / 362880, -1.0 / 39916800, 1.0 / 6227020800.0, -1.0 / 1307674368000.0};
+    static constexpr std::array even{1.0,
+                                     -1.0 / 2,
+                                     1.0 / 24,
+                                     -1.0 / 720,
+                                     1.0 / 40320,
+                                     -1.0 / 3628800,
+                                     1.0 / 479001600.0,
+                                     -1.0 / 87178291200.0,
+                                     1.0 / 20922789888000.0};
     auto const s = hn::Mul(a, series(z, odd));
     auto const c = series(z, even);
     auto const swaps = hn::Eq(hn::And(quarter, hn::Set(Word(), std::uint64_t{1})), hn::Set(Word(), std::uint64_t{1}));

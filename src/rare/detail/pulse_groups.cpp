@@ -80,6 +80,7 @@ Lines widest(std::vector<Lines> const& waves, std::span<double const> weights, s
 // found no group of their own.
 std::vector<Lines> parted(std::vector<Lines> const& waves, std::span<double const> weights, std::size_t count) {
     std::vector<std::vector<std::size_t>> groups(1);
+    groups.front().reserve(waves.size());
     for (std::size_t i = 0; i < waves.size(); ++i) {
         groups.front().push_back(i);
     }
@@ -107,6 +108,7 @@ std::vector<Lines> parted(std::vector<Lines> const& waves, std::span<double cons
         groups.push_back(std::move(other));
     }
     std::vector<Lines> means;
+    means.reserve(groups.size());
     for (auto const& group : groups) {
         means.push_back(mean_of(waves, weights, group));
     }

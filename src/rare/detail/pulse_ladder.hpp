@@ -27,8 +27,9 @@ class PulseLadder {
 
   private:
     void pilot(double factor);
-    /// \param pooled how many of the last stages' failures are fitted together
-    void fit(std::size_t pooled, double next_factor);
+    /// \param pooled how many of the last stages' failures are fitted together \param strengthened how many times as
+    /// strong as fitted the pulses are drawn
+    void fit(std::size_t pooled, double strengthened);
     [[nodiscard]] Mixture fitted(std::vector<MixtureStage> const& stages, std::size_t pooled) const;
     void run(std::string const& name, std::int64_t first, std::int64_t count);
 
