@@ -10,6 +10,7 @@
 
 #include "core/random_stream.hpp"
 #include "generators/detail/baseline.hpp"
+#include "generators/detail/components.hpp"
 #include "generators/detail/point_density.hpp"
 #include "generators/detail/real_fft.hpp"
 #include "generators/envelope.hpp"
@@ -43,6 +44,11 @@ struct FilteredNoiseInput {
     std::size_t samples = 0;
     Envelope envelope;
     bool gaussian = true;
+    struct Further {
+        FurtherComponent component;
+        double ratio, correlation;
+    };
+    std::vector<Further> further{};
 };
 
 class FilteredNoise : public WaveSource {
@@ -51,6 +57,7 @@ class FilteredNoise : public WaveSource {
         : fft_(RealFft::good_length(input.samples)),
           time_step_s_(input.time_step_s),
           gaussian_(input.gaussian),
+          further_(input.further),
           envelope_(input.envelope.samples(input.time_step_s, input.samples)) {
         double const spacing = 2 * pi / (time_step_s_ * static_cast<double>(fft_.length()));
         line_amplitude_.push_back(0);
@@ -74,39 +81,33 @@ class FilteredNoise : public WaveSource {
             summary_ += fmt::format(" (its spectrum cut at {:g} Hz, where {:.0f} % of its power lie below)",
                                     0.5 / time_step_s_, 100 * share);
         }
+        for (auto const& [component, ratio, correlation] : further_) {
+            summary_ += fmt::format(", {} {:g} of it, correlation {:g}", component.name, ratio, correlation);
+        }
     }
 
     [[nodiscard]] GeneratedWave make(std::uint64_t seed, std::uint64_t wave) const override {
-        RandomStream phases(seed, wave, Purpose::wave_phase);
-        RandomStream amplitudes(seed, wave, Purpose::wave_amplitude);
-        std::vector<std::complex<double>> lines(line_amplitude_.size());
-        for (std::size_t k = 1; k < lines.size(); ++k) {
-            double const scatter = gaussian_ ? gsl_ran_rayleigh(amplitudes.gsl(), std::sqrt(0.5)) : 1.0;
-            lines[k] = std::polar(scatter * line_amplitude_[k], gsl_ran_flat(phases.gsl(), 0, 2 * pi));
-        }
-        GeneratedWave made;
-        made.motion = motion_of(lines);
-        made.label = fmt::format("filtered noise {}", wave);
-        return made;
+        return made_of([&](std::uint64_t component) { return drawn(seed, wave, component); },
+                       fmt::format("filtered noise {}", wave));
     }
 
     [[nodiscard]] std::unique_ptr<NormalWaves> from_normals() const override;
 
-    /// Of lines 0, 1, ...: as many as have any power, or all.
-    [[nodiscard]] GroundMotion motion_of(std::span<std::complex<double> const> lines) const {
-        std::vector<double> series(fft_.length());
-        fft_.synthesise(lines, series);
-        series.resize(envelope_.size());
-        for (std::size_t i = 0; i < series.size(); ++i) {
-            series[i] *= envelope_[i];
-        }
-        correct_baseline(series);
-        GroundMotion motion;
-        motion.time_step_s = time_step_s_;
-        motion.horizontal_mps2 = std::move(series);
-        return motion;
+    /// Of normals, `lines` pairs for each component.
+    [[nodiscard]] GroundMotion motion_of(std::span<double const> normals, std::size_t lines) const {
+        std::size_t taken = 0;
+        auto const next = [&](std::uint64_t /*component*/) {
+            Lines own(line_amplitude_.size());
+            for (std::size_t k = 1; k <= lines; ++k, taken += 2) {
+                std::complex<double> const z(normals[taken], normals[taken + 1]);
+                own[k] = line_amplitude_[k] * (gaussian_ ? z * std::sqrt(0.5) : z / std::abs(z));
+            }
+            return own;
+        };
+        return made_of(next, {}).motion;
     }
 
+    [[nodiscard]] std::size_t components() const { return 1 + further_.size(); }
     [[nodiscard]] std::vector<double> const& line_amplitude() const { return line_amplitude_; }
     [[nodiscard]] double spacing_radps() const { return 2 * pi / (time_step_s_ * static_cast<double>(fft_.length())); }
     [[nodiscard]] bool is_gaussian() const { return gaussian_; }
@@ -114,9 +115,47 @@ class FilteredNoise : public WaveSource {
     [[nodiscard]] std::string describe() const override { return summary_; }
 
   private:
+    using Lines = std::vector<std::complex<double>>;
+
+    // The components in turn from what `lines_of` says of each.
+    template <class LinesOf> [[nodiscard]] GeneratedWave made_of(LinesOf&& lines_of, std::string label) const {
+        auto const lines = lines_of(0);
+        GeneratedWave made;
+        made.motion.time_step_s = time_step_s_;
+        made.motion.horizontal_mps2 = shaped(lines, 1);
+        for (auto const& [component, ratio, correlation] : further_) {
+            made.motion.*(component.place) = shaped(correlated(lines, lines_of(component.stream), correlation), ratio);
+        }
+        made.label = std::move(label);
+        return made;
+    }
+
+    [[nodiscard]] Lines drawn(std::uint64_t seed, std::uint64_t wave, std::uint64_t component) const {
+        RandomStream phases(seed, wave, Purpose::wave_phase, component);
+        RandomStream amplitudes(seed, wave, Purpose::wave_amplitude, component);
+        Lines lines(line_amplitude_.size());
+        for (std::size_t k = 1; k < lines.size(); ++k) {
+            double const scatter = gaussian_ ? gsl_ran_rayleigh(amplitudes.gsl(), std::sqrt(0.5)) : 1.0;
+            lines[k] = std::polar(scatter * line_amplitude_[k], gsl_ran_flat(phases.gsl(), 0, 2 * pi));
+        }
+        return lines;
+    }
+
+    [[nodiscard]] std::vector<double> shaped(Lines const& lines, double ratio) const {
+        std::vector<double> series(fft_.length());
+        fft_.synthesise(lines, series);
+        series.resize(envelope_.size());
+        for (std::size_t i = 0; i < series.size(); ++i) {
+            series[i] *= ratio * envelope_[i];
+        }
+        correct_baseline(series);
+        return series;
+    }
+
     RealFft fft_;
     double time_step_s_;
     bool gaussian_;
+    std::vector<FilteredNoiseInput::Further> further_;
     std::vector<double> envelope_;
     std::vector<double> line_amplitude_;
     std::string summary_;
@@ -131,15 +170,9 @@ class FilteredNoiseOfNormals : public NormalWaves {
         lines_ = static_cast<std::size_t>(all.rend() - strong) - 1;
     }
 
-    [[nodiscard]] std::size_t normals() const override { return 2 * lines_; }
-
+    [[nodiscard]] std::size_t normals() const override { return 2 * lines_ * source_.components(); }
     [[nodiscard]] GroundMotion make(std::span<double const> normals) const override {
-        std::vector<std::complex<double>> lines(lines_ + 1);
-        for (std::size_t k = 1; k <= lines_; ++k) {
-            std::complex<double> const z(normals[2 * k - 2], normals[2 * k - 1]);
-            lines[k] = source_.line_amplitude()[k] * (source_.is_gaussian() ? z * std::sqrt(0.5) : z / std::abs(z));
-        }
-        return source_.motion_of(lines);
+        return source_.motion_of(normals, lines_);
     }
 
     [[nodiscard]] std::optional<LinearLines> linear() const override {
@@ -228,6 +261,13 @@ std::unique_ptr<WaveSource> make_filtered_noise(config::Table const& waves, Inpu
     input.gaussian = waves.choice("amplitudes", std::span<config::Entry<bool> const>(amplitude_kinds), true);
     double const duration = input.time_step_s * static_cast<double>(input.samples - 1);
     input.envelope = read_envelope(waves.child_or_empty("envelope"), duration);
+    for (auto const& component : further_components) {
+        if (waves.has(component.name)) {
+            auto const table = waves.child(component.name);
+            input.further.push_back({component, read_ratio(table), read_correlation(table).value_or(0)});
+            table.finish();
+        }
+    }
     return waves.located("duration", [&] { return std::make_unique<FilteredNoise>(input); });
 }
 

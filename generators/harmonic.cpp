@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "generators/detail/components.hpp"
+
 namespace overturn {
 namespace {
 
@@ -13,6 +15,11 @@ struct HarmonicInput {
     double duration_s = 0;
     double time_step_s = 0;
     double ramp_s = 0;
+    struct Further {
+        FurtherComponent component;
+        double ratio, phase_rad;
+    };
+    std::vector<Further> further{};
 };
 
 class Harmonic : public WaveSource {
@@ -26,12 +33,9 @@ class Harmonic : public WaveSource {
         auto const steps = static_cast<std::size_t>(std::round(duration / input_.time_step_s));
         GeneratedWave made;
         made.motion.time_step_s = input_.time_step_s;
-        made.motion.horizontal_mps2.resize(steps + 1);
-        for (std::size_t i = 0; i <= steps; ++i) {
-            double const t = input_.time_step_s * static_cast<double>(i);
-            double const near_end = std::min(t, input_.time_step_s * static_cast<double>(steps - i));
-            double const ramp = input_.ramp_s > 0 ? std::min(1.0, near_end / input_.ramp_s) : 1.0;
-            made.motion.horizontal_mps2[i] = ramp * input_.amplitude_mps2 * std::sin(2 * pi * t / period);
+        made.motion.horizontal_mps2 = sinusoid(period, steps, 1, 0);
+        for (auto const& [component, ratio, phase_rad] : input_.further) {
+            made.motion.*(component.place) = sinusoid(period, steps, ratio, phase_rad);
         }
         made.label = fmt::format("sinusoid of {:g} Hz", 1 / period);
         return made;
@@ -40,10 +44,25 @@ class Harmonic : public WaveSource {
     [[nodiscard]] std::optional<std::uint64_t> available() const override { return input_.periods_s.size(); }
 
     [[nodiscard]] std::string describe() const override {
-        return fmt::format("{} sinusoids of {} m/s2", input_.periods_s.size(), input_.amplitude_mps2);
+        auto text = fmt::format("{} sinusoids of {} m/s2", input_.periods_s.size(), input_.amplitude_mps2);
+        for (auto const& [component, ratio, phase_rad] : input_.further) {
+            text += fmt::format(", {} {:g} of it, {:g} deg ahead", component.name, ratio, phase_rad * 180 / pi);
+        }
+        return text;
     }
 
   private:
+    [[nodiscard]] std::vector<double> sinusoid(double period_s, std::size_t steps, double ratio,
+                                               double phase_rad) const {
+        std::vector<double> samples(steps + 1);
+        for (std::size_t i = 0; i <= steps; ++i) {
+            double const t = input_.time_step_s * static_cast<double>(i);
+            double const near_end = std::min(t, input_.time_step_s * static_cast<double>(steps - i));
+            double const ramp = input_.ramp_s > 0 ? std::min(1.0, near_end / input_.ramp_s) : 1.0;
+            samples[i] = ratio * (ramp * input_.amplitude_mps2 * std::sin(2 * pi * t / period_s + phase_rad));
+        }
+        return samples;
+    }
     [[nodiscard]] double duration_of(double period_s) const {
         return input_.cycles ? *input_.cycles * period_s : input_.duration_s;
     }
@@ -103,6 +122,15 @@ std::unique_ptr<WaveSource> make_harmonic(config::Table const& waves, InputFiles
         if (duration < 2 * input.time_step_s || duration < 2 * input.ramp_s || duration > 1e6 * input.time_step_s) {
             waves.fail({}, fmt::format("a wave of {} s (must hold both ramps and 2 to 1e6 time steps). Mend its length",
                                        duration));
+        }
+    }
+    for (auto const& component : further_components) {
+        if (waves.has(component.name)) {
+            auto const table = waves.child(component.name);
+            double const ratio = read_ratio(table);
+            input.further.push_back(
+                {component, ratio, table.number("phase", Dimension::angle, config::Range::any(), 0.0)});
+            table.finish();
         }
     }
     return std::make_unique<Harmonic>(std::move(input));

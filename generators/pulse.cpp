@@ -1,8 +1,10 @@
 #include "generators/pulse.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "generators/detail/components.hpp"
 #include "generators/harmonic.hpp"
 
 namespace overturn {
@@ -25,6 +27,11 @@ struct PulseInput {
     std::vector<double> periods_s;
     double time_step_s = 0;
     double quiet_before_s = 0, quiet_after_s = 0;
+    struct Further {
+        FurtherComponent component;
+        double ratio, lag_s;
+    };
+    std::vector<Further> further{};
 };
 
 std::size_t steps_in(double time_s, double step_s) { return static_cast<std::size_t>(std::round(time_s / step_s)); }
@@ -59,6 +66,7 @@ class Pulse : public WaveSource {
             samples[before] = 0;  // without the rounding of sin(2 pi), or the ricker's last 1e-15
             samples[before + length] = 0;
         }
+        add_further(made.motion);
         made.label = fmt::format("{} of {:g} s", input_.name, period);
         return made;
     }
@@ -66,10 +74,32 @@ class Pulse : public WaveSource {
     [[nodiscard]] std::optional<std::uint64_t> available() const override { return input_.periods_s.size(); }
 
     [[nodiscard]] std::string describe() const override {
-        return fmt::format("{} {} pulses of {} m/s2", input_.periods_s.size(), input_.name, input_.amplitude_mps2);
+        auto text = fmt::format("{} {} pulses of {} m/s2", input_.periods_s.size(), input_.name, input_.amplitude_mps2);
+        for (auto const& [component, ratio, lag_s] : input_.further) {
+            text += fmt::format(", {} {:g} of it, {:g} s later", component.name, ratio, lag_s);
+        }
+        return text;
     }
 
   private:
+    // The same pulse, later by whole samples; all components grow to the longest.
+    void add_further(GroundMotion& motion) const {
+        auto const pulse = motion.horizontal_mps2;
+        auto most = pulse.size();
+        for (auto const& further : input_.further) {
+            auto& place = motion.*(further.component.place);
+            place.assign(steps_in(further.lag_s, motion.time_step_s), 0.0);
+            for (double const value : pulse) {
+                place.push_back(further.ratio * value);
+            }
+            most = std::max(most, place.size());
+        }
+        motion.horizontal_mps2.resize(most);
+        for (auto const& further : input_.further) {
+            (motion.*(further.component.place)).resize(most);
+        }
+    }
+
     PulseInput input_;
 };
 
@@ -96,6 +126,14 @@ std::unique_ptr<WaveSource> make_pulse(config::Table const& waves, InputFiles& /
     input.time_step_s = waves.number("time_step", Dimension::time, {.low = 1e-6, .high = 1}, 0.005);
     input.quiet_before_s = waves.number("quiet_before", Dimension::time, quiet, 0.0);
     input.quiet_after_s = waves.number("quiet_after", Dimension::time, quiet, 0.0);
+    for (auto const& component : further_components) {
+        if (waves.has(component.name)) {
+            auto const table = waves.child(component.name);
+            double const ratio = read_ratio(table);
+            input.further.push_back({component, ratio, table.number("lag", Dimension::time, quiet, 0.0)});
+            table.finish();
+        }
+    }
     for (double const period : input.periods_s) {
         constexpr double most = 1e6;
         if ((input.shape.length * period + input.quiet_before_s + input.quiet_after_s) / input.time_step_s > most) {

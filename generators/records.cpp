@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "generators/detail/axes.hpp"
 #include "motion/resample.hpp"
 #include "motion/station.hpp"
 
@@ -15,6 +16,7 @@ struct Record {
     GroundMotion motion;
     std::string label;
     Direction direction = Direction::unknown;
+    double turned_rad = 0;
 };
 
 // Equal up to what printing or a quotient such as 1/100 costs.
@@ -32,6 +34,7 @@ class Records : public WaveSource {
         GeneratedWave made;
         made.motion = records_[wave].motion;
         made.label = records_[wave].label;
+        made.turned_rad = records_[wave].turned_rad;
         return made;
     }
 
@@ -55,6 +58,7 @@ struct Request {
     RecordRequest record;
     Coarsening coarsening = Coarsening::refused;
     double scale = 1;
+    AxesRequest axes;
 };
 
 Request read_request(config::Table const& table) {
@@ -73,6 +77,7 @@ Request read_request(config::Table const& table) {
     request.record.component = table.text("component", "");
     request.record.components = table.choice<ComponentChoice>("components", component_choices(), ComponentChoice::file);
     request.coarsening = table.choice<Coarsening>("resample", coarsenings, Coarsening::refused);
+    request.axes = read_axes(table);
     request.scale = table.number("scale", Dimension::none, {.low = 0, .high = 1000, .low_open = true}, request.scale);
     return request;
 }
@@ -89,6 +94,22 @@ void scale(Record& record, double factor) {
         }
     }
     record.label += fmt::format(", times {:g}", factor);
+}
+
+void turn_to_axes(config::Table const& table, Record& record, AxesRequest const& request) {
+    if (request.axes == Axes::recorded) {
+        return;
+    }
+    if (record.motion.transverse_mps2.empty()) {
+        table.fail("axes", fmt::format("of {} (which has one horizontal component: nothing to turn). State the other "
+                                       "one, or components = \"station\"",
+                                       record.label));
+    }
+    bool const principal = request.axes == Axes::principal;
+    record.turned_rad = principal ? principal_angle(record.motion) : request.angle_rad;
+    turn_axes(record.motion, record.turned_rad);
+    record.label += fmt::format(", turned by {:.1f} deg{}", record.turned_rad * 180 / pi,
+                                principal ? " to its principal axes" : "");
 }
 
 Record read_motion(config::Table const& table, std::string_view key, std::string const& name, Request const& request,
@@ -167,6 +188,7 @@ Record read_table(config::Table const& table, StationFiles& files) {
     if (cut_to_shortest(record.motion)) {
         record.label += fmt::format(" (components cut to {} samples)", record.motion.samples());
     }
+    turn_to_axes(table, record, request.axes);
     scale(record, request.scale);
     table.finish();
     return record;
@@ -184,6 +206,7 @@ std::unique_ptr<WaveSource> make_records(config::Table const& waves, InputFiles&
         auto const request = read_request(waves);
         for (auto const& name : waves.texts("files")) {
             records.push_back(read_horizontal(waves, "files", name, request, station_files));
+            turn_to_axes(waves, records.back(), request.axes);
             scale(records.back(), request.scale);
         }
     } else {

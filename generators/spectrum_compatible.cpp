@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "generators/detail/components.hpp"
 #include "generators/detail/matched_normals.hpp"
 #include "generators/detail/spectrum_matcher.hpp"
 #include "generators/records.hpp"
@@ -40,8 +41,17 @@ constexpr std::array further_kinds{
 struct Part {
     ComponentKind kind;
     SpectrumMatcher matcher;
-    double defined_to_s;  // how far a rule asks for the target
+    std::optional<double> correlation;  // stated, with the horizontal one
+    double of_horizontal;               // ratio of the targets
+    double defined_to_s;                // how far a rule asks for the target
     double longest_s;
+};
+
+// A component beside the horizontal one, as its table says.
+struct Further {
+    ComponentKind kind;
+    TargetSpectrum target;
+    std::optional<double> correlation;
 };
 
 // What the campaign says about all components alike.
@@ -55,7 +65,7 @@ struct Request {
 
 class SpectrumCompatible : public WaveSource {
   public:
-    SpectrumCompatible(Request request, std::vector<std::pair<ComponentKind, TargetSpectrum>> const& further)
+    SpectrumCompatible(Request request, std::vector<Further> const& further)
         : rule_(request.input.rule),
           rule_name_(std::move(request.rule_name)),
           time_step_s_(request.input.time_step_s),
@@ -72,20 +82,20 @@ class SpectrumCompatible : public WaveSource {
             summary_ += fmt::format(", beyond its end at {:g} s on at constant displacement", stated_to_s_);
         }
         summary_ += seeds_.empty() ? "" : fmt::format(", phases of {} records", seeds_.size());
-        add(horizontal_kind, request.input);
+        add(horizontal_kind, request.input, std::nullopt, 1);
         if (auto const& median = parts_.front().matcher.median(); median.max_misfit > 0) {
             summary_ += fmt::format(" (to {:.1f} % on the mean, {:.1f} % at {:.3g} s)", 100 * median.mean_misfit,
                                     100 * median.max_misfit, median.max_misfit_period_s);
         }
-        for (auto const& [kind, own] : further) {
+        for (auto const& [kind, own, correlation] : further) {
             auto input = request.input;
             input.target = own;
             input.longest_s = std::min(input.longest_s, std::max(own.last_period_s(), 1.0));
-            add(kind, input);
             constexpr double at_s = 1;
+            add(kind, input, correlation, own.psa_mps2(at_s) / target.psa_mps2(at_s));
             summary_ += fmt::format(", {} target {}, {:.3g} of the horizontal one at {} s", kind.name, own.name(),
                                     own.psa_mps2(at_s) / target.psa_mps2(at_s), at_s);
-            summary_ += kind.place == &GroundMotion::transverse_mps2 ? " (no part of the planar model)" : "";
+            summary_ += correlation ? fmt::format(", correlation {:g}", *correlation) : "";
         }
     }
 
@@ -117,7 +127,11 @@ class SpectrumCompatible : public WaveSource {
         for (auto const& part : parts_) {
             parts.push_back({&part.matcher, part.kind.place});
         }
-        return seeds_.empty() ? std::make_unique<MatchedNormals>(std::move(parts), time_step_s_) : nullptr;
+        // A stated correlation is brought about by iterating both components together.
+        bool const drawn = seeds_.empty() && std::none_of(parts_.begin(), parts_.end(), [](Part const& part) {
+                               return part.correlation.has_value();
+                           });
+        return drawn ? std::make_unique<MatchedNormals>(std::move(parts), time_step_s_) : nullptr;
     }
 
     [[nodiscard]] std::optional<std::uint64_t> available() const override {
@@ -131,10 +145,11 @@ class SpectrumCompatible : public WaveSource {
     }
 
   private:
-    void add(ComponentKind const& kind, SpectrumMatcherInput const& input) {
+    void add(ComponentKind const& kind, SpectrumMatcherInput const& input, std::optional<double> correlation,
+             double of_horizontal) {
         constexpr double asked_to_s = 10;  // 0.1 Hz
-        parts_.push_back(
-            {kind, SpectrumMatcher(input), std::min(asked_to_s, input.target.last_period_s()), input.longest_s});
+        parts_.push_back({kind, SpectrumMatcher(input), correlation, of_horizontal,
+                          std::min(asked_to_s, input.target.last_period_s()), input.longest_s});
     }
 
     // Chance alone correlates one pair in twenty too much for the rules; the first draw that does not stays.
@@ -143,6 +158,9 @@ class SpectrumCompatible : public WaveSource {
         constexpr std::uint64_t streams_per_attempt = 16;
         constexpr std::uint64_t attempts = 8;
         constexpr double largest_correlation = 0.16;
+        if (part.correlation) {
+            return mixed(part, before.horizontal_mps2, seed, wave);
+        }
         for (std::uint64_t attempt = 0;; ++attempt) {
             auto component = part.matcher.make(seed, wave, part.kind.stream + attempt * streams_per_attempt);
             bool const apart = std::all_of(further_kinds.begin(), further_kinds.end(), [&](ComponentKind const& kind) {
@@ -153,6 +171,32 @@ class SpectrumCompatible : public WaveSource {
                 return component;
             }
         }
+    }
+
+    // Of the horizontal component and a draw of its own that is matched, matched again; that takes some of what both
+    // share, which further mixtures make good as far as they can. The nearest is kept.
+    static SpectrumMatcher::Component mixed(Part const& part, std::vector<double> const& horizontal, std::uint64_t seed,
+                                            std::uint64_t wave) {
+        auto const own = part.matcher.make(seed, wave, part.kind.stream).acceleration_mps2;
+        std::vector<double> scaled(horizontal);
+        for (double& value : scaled) {
+            value *= part.of_horizontal;
+        }
+        constexpr double close = 0.02;
+        constexpr int most = 4;
+        SpectrumMatcher::Component best;
+        double least = 2;
+        double weight = *part.correlation;
+        for (int mixture = 0; mixture < most && least > close; ++mixture) {
+            auto made = part.matcher.match_motion(correlated(scaled, own, weight));
+            double const missing = *part.correlation - correlation_of(horizontal, made.acceleration_mps2);
+            weight = std::clamp(weight + missing, -1.0, 1.0);
+            if (std::abs(missing) < least) {
+                least = std::abs(missing);
+                best = std::move(made);
+            }
+        }
+        return best;
     }
 
     static bool independent(std::span<double const> a, std::span<double const> b, double largest) {
@@ -196,23 +240,27 @@ double read_longest(config::Table const& table, TargetSpectrum const& target, do
     return longest;
 }
 
-// The target of a further component: its own, or a ratio of the horizontal one; nothing if there is no such component.
-std::optional<TargetSpectrum> read_further(config::Table const& waves, char const* name,
-                                           TargetSpectrum const& horizontal, InputFiles& files) {
-    if (!waves.has(name)) {
+// A further component with a target of its own, or a ratio of the horizontal one; nothing if there is no such one.
+std::optional<Further> read_further(config::Table const& waves, ComponentKind const& kind,
+                                    TargetSpectrum const& horizontal, InputFiles& files) {
+    if (!waves.has(kind.name)) {
         return std::nullopt;
     }
-    auto const table = waves.child(name);
+    auto const table = waves.child(kind.name);
     std::optional<TargetSpectrum> target;
     if (table.has("target")) {
         auto const own = table.child("target");
         target = read_target(own, files);
         own.finish();
     } else {
-        target = horizontal.scaled(table.number("ratio", Dimension::none, {.low = 0, .high = 10, .low_open = true}));
+        target = horizontal.scaled(read_ratio(table));
+    }
+    auto const correlation = read_correlation(table);
+    if (correlation && waves.has("seed")) {
+        table.fail("correlation", "beside seed (records have one of their own). Leave it out");
     }
     table.finish();
-    return target;
+    return Further{kind, *target, correlation};
 }
 
 // Reads the measured motions whose phases are to be kept; the first one's time step is everybody's.
@@ -282,13 +330,13 @@ std::unique_ptr<WaveSource> make_spectrum_compatible(config::Table const& waves,
         input.amplitudes = waves.choice<LineAmplitudes>(
             "amplitudes", line_amplitudes, input.calibrated ? LineAmplitudes::gaussian : LineAmplitudes::fixed);
     }
-    std::vector<std::pair<ComponentKind, TargetSpectrum>> further;
+    std::vector<Further> further;
     for (auto const& kind : further_kinds) {
-        if (auto const target = read_further(waves, kind.name, input.target, files)) {
+        if (auto const found = read_further(waves, kind, input.target, files)) {
             if (input.rule.asks()) {
-                expect_judgeable(waves, kind.name, *target);
+                expect_judgeable(waves, kind.name, found->target);
             }
-            further.emplace_back(kind, *target);
+            further.push_back(*found);
         }
         bool const measured = std::all_of(request.seeds.begin(), request.seeds.end(),
                                           [&](GroundMotion const& seed) { return !(seed.*(kind.place)).empty(); });

@@ -35,6 +35,7 @@ struct GeneratedWave {
     MatchReport match;             ///< of the horizontal component
     MatchReport transverse_match;  ///< of the other horizontal one
     MatchReport vertical_match;    ///< of the vertical one
+    double turned_rad = 0;         ///< axes of the horizontal components, from those of the record [rad]
     std::string label;             ///< one line that tells this wave from its neighbours
 
     std::vector<double> judged_periods_s;  ///< where the horizontal component was compared; empty without a target

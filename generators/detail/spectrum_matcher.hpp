@@ -45,7 +45,7 @@ class SpectrumMatcher {
 
     explicit SpectrumMatcher(SpectrumMatcherInput input);
 
-    /// \param component which stream of the wave: 0 horizontal, 1 vertical.
+    /// \param component which stream of the wave: 0 horizontal, 1 vertical, 2 transverse
     [[nodiscard]] Component make(std::uint64_t seed, std::uint64_t wave, std::uint64_t component) const;
 
     /// The acceleration alone, of lines that pairs of normals give, matched as make does.

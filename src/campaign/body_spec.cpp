@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "body/parts.hpp"
+#include "campaign/detail/footing_spec.hpp"
 
 namespace overturn {
 namespace {
@@ -165,9 +166,12 @@ void read_uncertain(Table const& table, BodySpec& spec) {
     if (table.has("friction")) {
         read_friction(table, spec);
     }
+    read_footing(table, spec.stated_footing);
+    spec.axes = static_cast<int>(table.integer("axes", 1, 3, spec.axes));
     table.finish();
     spec.body = table.located("", [&] { return scaled(spec.stated, spec.scaling); });
     validate_draws(table, spec);
+    settle_footing(table, spec);
 }
 
 BodySpec read_stated(Table const& table, std::string name) {
@@ -175,7 +179,7 @@ BodySpec read_stated(Table const& table, std::string name) {
     stated.gravity_mps2 = table.number("gravity", Dimension::acceleration, Range::positive(), g0);
     auto const scaling = read_scaling(table);
     auto const body = table.located("", [&] { return scaled(stated, scaling); });
-    BodySpec spec{std::move(name), stated, scaling, body, {}, {}};
+    BodySpec spec{std::move(name), stated, scaling, body, {}, {}, 3, {}, {}};
     read_uncertain(table, spec);
     return spec;
 }

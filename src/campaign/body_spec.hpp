@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "body/footing.hpp"
 #include "body/rigid_body.hpp"
 #include "body/similarity.hpp"
 #include "campaign/scatter.hpp"
@@ -34,6 +35,9 @@ struct BodySpec {
     RigidBody body;                    ///< of what is stated, scaled
     std::optional<Friction> friction;  ///< likewise central; empty: no slip
     BodyScatter scatter;
+    int axes = 3;                 ///< Scene::axes
+    Footing stated_footing = {};  ///< as the keys say
+    Footing footing = {};         ///< of the body in force
 
     /// Which of mass, centre_height, restitution and friction scatter, in that order.
     [[nodiscard]] std::vector<std::string> scattering() const;
@@ -45,8 +49,8 @@ struct BodySpec {
 };
 
 /// Keys: name, file, mass, base_width, centre_height, inertia (number or "uniform-block"), parts, restitution,
-/// friction, gravity, similarity; mass, centre_height, restitution and friction may be distributions. Reads every key
-/// of `table` and finishes it. \throws InputError
+/// friction, gravity, similarity, axes, base, pad, inertia_y, inertia_z (footing_spec.hpp); mass, centre_height,
+/// restitution and friction may be distributions. Reads every key of `table` and finishes it. \throws InputError
 [[nodiscard]] BodySpec read_body(config::Table const& table, InputFiles& files);
 
 }  // namespace overturn

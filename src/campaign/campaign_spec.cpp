@@ -130,6 +130,12 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
     spec.effects = read_effects(effects);
     effects.finish();
     for (auto const& body : spec.bodies) {
+        bool const in_plane = has(spec.effects.include, Effect::contact) && !has(spec.effects.include, Effect::spatial);
+        if (in_plane && body.footing.base.shape == BaseShape::polygon) {
+            effects.fail("include", fmt::format("contact without spatial on '{}' (no plane holds its polygon). Add "
+                                                "spatial",
+                                                body.name));
+        }
         if (has(spec.effects.include, Effect::sliding) && !body.friction) {
             effects.fail("include",
                          fmt::format("sliding forced on '{}', which states no friction (nothing says when it "

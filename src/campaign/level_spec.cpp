@@ -13,6 +13,9 @@ constexpr std::array measures{
     config::Entry<Measure>{"pga", "peak horizontal acceleration", {LevelMeasure::pga, Dimension::acceleration}},
     config::Entry<Measure>{"pgv", "peak horizontal velocity", {LevelMeasure::pgv, Dimension::velocity}},
     config::Entry<Measure>{"pgd", "peak horizontal displacement", {LevelMeasure::pgd, Dimension::length}},
+    config::Entry<Measure>{"vector-pga",
+                           "peak length of the horizontal acceleration, of both components together",
+                           {LevelMeasure::vector_pga, Dimension::acceleration}},
     config::Entry<Measure>{"factor", "a plain factor on the wave as it is", {LevelMeasure::factor, Dimension::none}},
 };
 
@@ -121,6 +124,9 @@ std::optional<double> LevelSpec::scale(Level const& level, Intensity const& wave
             break;
         case LevelMeasure::pgd:
             base = wave.pgd_m;
+            break;
+        case LevelMeasure::vector_pga:
+            base = wave.vector_pga_mps2;
             break;
         case LevelMeasure::factor:
             break;

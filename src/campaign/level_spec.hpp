@@ -12,7 +12,7 @@
 namespace overturn {
 
 /// What a level's value measures on the scaled wave; `factor` multiplies the wave as it is.
-enum class LevelMeasure { pga, pgv, pgd, factor };
+enum class LevelMeasure { pga, pgv, pgd, vector_pga, factor };
 
 /// What a level is for.
 enum class LevelClass : std::uint8_t { ordinary = 0, design_basis = 1, beyond_design = 2 };

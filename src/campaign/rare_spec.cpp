@@ -34,9 +34,10 @@ void check_levels(config::Table const& root, LevelSpec const& levels) {
 void check_waves(config::Table const& root, WaveSource const& source, Wish const& method) {
     auto const waves = source.from_normals();
     if (waves == nullptr) {
-        root.child("waves").fail("source",
-                                 "beside [rare] (its waves are not drawn at random). Use filtered-noise or "
-                                 "spectrum-compatible without a seed");
+        root.child("waves").fail(
+            "source",
+            "beside [rare] (its waves are not drawn at random, or components have a stated correlation). Use "
+            "filtered-noise, or spectrum-compatible without a seed and a correlation");
     }
     if (method == rare::Method::pulse_mixture && !waves->linear()) {
         root.child("rare").fail("method",

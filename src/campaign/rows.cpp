@@ -15,6 +15,8 @@ template <> Fields const& fields_of<WaveRow>() {
         field<&W::transverse_pga_mps2>("transverse_pga", "m/s2",
                                        "peak acceleration of the other horizontal component; 0: none"),
         field<&W::vertical_pga_mps2>("vertical_pga", "m/s2", "peak vertical acceleration; 0: none"),
+        field<&W::vector_pga_mps2>("vector_pga", "m/s2",
+                                   "peak length of the horizontal acceleration, of both together"),
         field<&W::matched>("matched", "1", "1: matched to a target spectrum"),
         field<&W::match_iterations>("match_iterations", "1", "iterations of the match"),
         field<&W::match_mean_misfit>("match_mean_misfit", "1", "mean |computed / target - 1|"),
@@ -51,6 +53,8 @@ template <> Fields const& fields_of<WaveRow>() {
         field<&W::residual_displacement_m>("residual_displacement", "m", "horizontal displacement at the end"),
         field<&W::correlation>("correlation", "1",
                                "coefficient of the two components that are correlated most; 0: just one"),
+        field<&W::turned_rad>("turned", "rad",
+                              "angle from the recorded horizontal axis to the one used, towards the transverse one"),
         category<&W::accepted>("accepted", "does it meet waves.acceptance?", numbered({"no", "yes", "not-asked"})),
         field<&W::acceptance_failures>("acceptance_failures", "1",
                                        "bit mask of clauses not met, from bit 0: time step, duration, judged to, "

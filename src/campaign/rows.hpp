@@ -17,7 +17,7 @@ struct WaveRow {
     std::int64_t failed = 0;
     double duration_s = 0;
     double pga_mps2 = 0, pgv_mps = 0, pgd_m = 0, arias_mps = 0;
-    double transverse_pga_mps2 = 0, vertical_pga_mps2 = 0;
+    double transverse_pga_mps2 = 0, vertical_pga_mps2 = 0, vector_pga_mps2 = 0;
     std::int64_t matched = 0;
     std::int64_t match_iterations = 0;
     double match_mean_misfit = 0, match_max_misfit = 0, match_max_misfit_period_s = 0;
@@ -31,6 +31,7 @@ struct WaveRow {
     double duration_5_75_s = 0, duration_5_95_s = 0;
     double residual_velocity_mps = 0, residual_displacement_m = 0;
     double correlation = 0;
+    double turned_rad = 0;
     Accepted accepted = Accepted::not_asked;
     std::int64_t acceptance_failures = 0;
 };

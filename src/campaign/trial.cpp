@@ -54,6 +54,7 @@ void describe_motion(WaveRow& row, GroundMotion const& motion, Intensity const& 
     row.pgv_mps = intensity.pgv_mps;
     row.pgd_m = intensity.pgd_m;
     row.arias_mps = intensity.arias_mps;
+    row.vector_pga_mps2 = intensity.vector_pga_mps2;
     row.transverse_pga_mps2 = peak_of(motion.transverse_mps2);
     row.vertical_pga_mps2 = peak_of(motion.vertical_mps2);
 }
@@ -124,6 +125,7 @@ PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64
         validate_motion(generated.motion);
         describe_check(prepared, check_wave(generated, spec.bodies, spec.measures.radius_unit));
         describe_match(prepared.row, generated);
+        prepared.row.turned_rad = generated.turned_rad;
         prepared.motion = std::move(generated.motion);
     } catch (InputError const&) {
         prepared.row.failed = 1;
@@ -131,7 +133,7 @@ PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64
     }
     Stopwatch const watch(seconds.measures);
     prepared.chunks = ChunkExtremes(prepared.motion.horizontal_mps2, prepared.motion.vertical_mps2);
-    prepared.intensity = intensity_of(prepared.motion.horizontal_mps2, prepared.motion.time_step_s);
+    prepared.intensity = intensity_of(prepared.motion);
     describe_motion(prepared.row, prepared.motion, prepared.intensity);
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
         measure_energy(spec.measures, prepared.motion, prepared.bodies[b].body.radius_m(), prepared.measures[b]);
@@ -173,9 +175,11 @@ TrialRow open_row(CampaignSpec const& spec, PreparedWave const& wave, std::int64
 
 bool failed(TrialRow const& row) { return row.failure != FailureReason::none; }
 
-Scene scene_of(PreparedWave const& wave, std::int64_t body) {
-    auto const& drawn = wave.bodies.at(static_cast<std::size_t>(body));
-    return {drawn.body, drawn.friction};
+Scene scene_of(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t body) {
+    auto const number = static_cast<std::size_t>(body);
+    auto const& drawn = wave.bodies.at(number);
+    auto const& stated = spec.bodies.at(number);
+    return {drawn.body, drawn.friction, stated.footing, stated.axes};
 }
 
 void close_row(TrialRow& row, PreparedWave const& wave, Response const& response) {
@@ -204,7 +208,7 @@ TrialRows run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int
     auto& row = trial.rows.front();
     ladder.put_nothing(trial.own);
     if (!failed(row)) {
-        auto const scene = scene_of(wave, body);
+        auto const scene = scene_of(spec, wave, body);
         SceneTrial const at{scene, wave.motion, row.scale, wave.intensity.pga_mps2, &wave.chunks};
         auto const response = ladder.respond(at, trial.own);
         if (observer != nullptr) {
@@ -235,7 +239,7 @@ bool append_trials(CampaignSpec const& spec, Plan const& plan, std::span<Prepare
     for (auto const& wave : waves) {
         auto const first_level = plan.first_level(wave.number);
         for (std::int64_t body = 0; body < plan.bodies(); ++body) {
-            scenes.push_back(scene_of(wave, body));
+            scenes.push_back(scene_of(spec, wave, body));
             for (auto level = first_level; level < first_level + plan.level_count(); ++level) {
                 rows.push_back(open_row(spec, wave, body, level));
                 if (failed(rows.back())) {

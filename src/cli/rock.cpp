@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -45,6 +47,20 @@ nlohmann::ordered_json value_json(std::span<std::byte const> row, Field const& f
     return std::isnan(value) ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(value);
 }
 
+// Quantities that models share are those of the one that ran: the others know nothing of theirs.
+void add_own_json(nlohmann::ordered_json& json, Ladder const& ladder, std::span<std::byte const> own) {
+    static constexpr std::array matched{"restitution", "corner_share", "normal_restitution"};
+    for (auto const& [traits, offset] : ladder.own_parts()) {
+        for (auto const& field : traits->fields) {
+            auto& place =
+                std::ranges::count(matched, field.name) > 0 ? json["matched"][field.key()] : json[field.key()];
+            if (place.is_null()) {
+                place = value_json(own.subspan(offset), field);
+            }
+        }
+    }
+}
+
 void print_json(BodySpec const& spec, Response const& response, Ladder const& ladder, std::span<std::byte const> own) {
     nlohmann::ordered_json json;
     for (auto const& field : fields_of<Response>()) {
@@ -56,13 +72,12 @@ void print_json(BodySpec const& spec, Response const& response, Ladder const& la
     json["response_velocity_mps"] = json["v_resp_mps"];
     json["limit_velocity_mps"] = spec.body.limit_velocity_mps();
     json["restitution"] = spec.body.restitution();
-    for (auto const& [traits, offset] : ladder.own_parts()) {
-        auto& model = json[std::string(traits->name)];
-        for (auto const& field : traits->fields) {
-            model[field.key()] = value_json(own.subspan(offset), field);
-        }
-    }
+    add_own_json(json, ladder, own);
     fmt::print("{}\n", json.dump(2));
+}
+
+std::string_view summary_of_reason(std::int64_t number) {
+    return std::ranges::find(reasons(), number, &ReasonEntry::number)->summary;
 }
 
 std::string time_text(double time_s) { return std::isnan(time_s) ? "never" : fmt::format("at {:.3f} s", time_s); }
@@ -81,16 +96,20 @@ void print_text(BodySpec const& spec, Response const& r, Ladder const& ladder, s
     fmt::print("peak energy      {:.4f} of that of critical uplift\n", r.peak_energy_ratio);
     fmt::print("V_resp           {:.4f} m/s\n", r.response_velocity_mps);
     fmt::print("first uplift     {}, {} impacts\n", time_text(r.first_uplift_s), r.impacts);
-    fmt::print("overturned       {}, contact lost {}\n", time_text(r.overturn_time_s), time_text(r.contact_lost_s));
+    fmt::print("overturned       {}, off the ground {}\n", time_text(r.overturn_time_s), time_text(r.contact_lost_s));
     fmt::print("slip             {:.6g} m at most, {:.6g} m left\n", r.peak_slip_m, r.residual_slip_m);
-    fmt::print("friction demand  {:.4f}, least contact force {:.4f} m g\n", r.friction_demand,
+    fmt::print("friction demand  {}, least contact force {:.4f} m g\n",
+               std::isnan(r.friction_demand) ? "unknown" : fmt::format("{:.4f}", r.friction_demand),
                r.min_contact_force_ratio);
-    fmt::print("effects          {} (called for: {})\n", names_of_effects(static_cast<EffectMask>(r.effects)),
-               names_of_effects(static_cast<EffectMask>(r.called)));
+    fmt::print("effects          {} (called for: {}); {}\n", names_of_effects(static_cast<EffectMask>(r.effects)),
+               names_of_effects(static_cast<EffectMask>(r.called)), summary_of_reason(r.reason));
     for (auto const& [traits, offset] : ladder.own_parts()) {
+        if (traits->number != r.rung) {
+            continue;
+        }
         for (auto const& field : traits->fields) {
-            fmt::print("{:<16} {} {}: {}\n", field.name, value_json(own.subspan(offset), field).dump(), field.units,
-                       field.description);
+            fmt::print("{:<25}{} {}: {}\n", field.name, value_json(own.subspan(offset), field).dump(),
+                       field.units == "1" ? "" : field.units, field.description);
         }
     }
 }
@@ -101,7 +120,7 @@ int rock(Options const& options) {
     auto const record = load_motion(options.record);
     validate_rocking_plane(record.direction, {options.record.wave});
     auto const& motion = record.motion;
-    Scene const scene{spec.body, spec.friction};
+    Scene const scene{spec.body, spec.friction, spec.footing, spec.axes};
     Ladder const ladder(parse_effects(options.effects));
     std::vector<std::byte> own(ladder.own_bytes());
     SceneTrial const trial{scene, motion, options.scale};

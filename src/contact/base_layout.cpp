@@ -9,7 +9,7 @@
 namespace overturn {
 namespace {
 
-void validate_pad(ContactPad const& pad) {
+void validate_pad(Pad const& pad) {
     validate(pad.vertical_frequency_hz > 0 && std::isfinite(pad.vertical_frequency_hz),
              "the pad's vertical frequency is {} Hz (it must be above 0) state the measured one",
              pad.vertical_frequency_hz);
@@ -22,21 +22,45 @@ void validate_pad(ContactPad const& pad) {
              "the pad's tangential damping is {} (it must be at least 0) take 0.3", pad.tangential_damping);
 }
 
-std::vector<ContactPoint> layout(ContactBase const& base, double half_width_m) {
+// The rim's points in pairs on either side of the rocking plane, which see each other from the side.
+std::vector<ContactPoint> rim(int around, double radius_m) {
+    validate(around >= 16 && around <= 64 && around % 4 == 0,
+             "a round base of {} points (it takes 16 to 64, a multiple of 4) take {}", around, BasePlan::points_around);
+    std::vector<ContactPoint> points;
+    for (int i = around / 2; i >= 0; --i) {
+        bool const edge = i == 0 || i == around / 2;
+        // Exactly on the axis where a cosine would only be small.
+        double const cosine = 4 * i == around ? 0 : std::cos(2 * pi * i / around);
+        points.push_back({radius_m * cosine, (edge ? 1.0 : 2.0) / around});
+    }
+    return points;
+}
+
+double area(BasePlan const& base, double half_width_m) {
+    double const square = 4 * half_width_m * half_width_m;
+    return base.shape == BaseShape::round ? square * (pi / 4) : square;
+}
+
+std::vector<ContactPoint> layout(BasePlan const& base, double half_width_m) {
+    validate(base.shape != BaseShape::polygon, "a polygon has no bed in a plane. Simulate it in space");
+    if (base.shape == BaseShape::round) {
+        return rim(base.points, half_width_m);
+    }
     validate(base.points >= 2 && base.points <= contact::most_points,
              "a base of {} points (it takes 2 to {}) take 2 for corners, 11 for a flat bed", base.points,
              contact::most_points);
-    double const flat = ContactBase::flat_share(base.points);
+    double const flat = flat_share(base.points);
+    double const share = base.corner_share.value_or(flat);
     constexpr double slack = 1e-12;
-    validate(base.corner_share >= flat * (1 - slack) && base.corner_share <= 1,
-             "the corners' share of the stiffness is {} (a base of {} points takes {} to 1) 1 is corners alone",
-             base.corner_share, base.points, flat);
-    int const count = base.corner_share == 1 ? 2 : base.points;
+    validate(share >= flat * (1 - slack) && share <= 1,
+             "the corners' share of the stiffness is {} (a base of {} points takes {} to 1) 1 is corners alone", share,
+             base.points, flat);
+    int const count = share == 1 ? 2 : base.points;
     std::vector<ContactPoint> points;
     for (int i = 0; i < count; ++i) {
         bool const corner = i == 0 || i == count - 1;
-        points.push_back({half_width_m * (2 * i - (count - 1)) / (count - 1),
-                          corner ? base.corner_share / 2 : (1 - base.corner_share) / (count - 2)});
+        points.push_back(
+            {half_width_m * (2 * i - (count - 1)) / (count - 1), corner ? share / 2 : (1 - share) / (count - 2)});
     }
     return points;
 }
@@ -47,12 +71,12 @@ double ContactBlock::vertical_radps() const { return 2 * pi * pad.vertical_frequ
 double ContactBlock::settlement_m() const { return gravity_mps2 / (vertical_radps() * vertical_radps()); }
 double ContactBlock::approach_floor_mps() const { return gravity_mps2 / vertical_radps(); }
 
-ContactBlock contact_block(RigidBody const& body, ContactBase const& base, ContactPad const& pad,
-                           std::optional<Friction> const& friction, double base_depth_m) {
+double flat_share(int points) { return 1.0 / (points - 1); }
+
+ContactBlock contact_block(RigidBody const& body, BasePlan const& base, Pad const& pad,
+                           std::optional<Friction> const& friction) {
     validate_pad(pad);
     static_cast<void>(normal_damping(pad.normal_restitution));
-    double const width = 2 * body.half_width_m();
-    double const area = width * (base_depth_m > 0 ? base_depth_m : width);
     ContactBlock block{.half_width_m = body.half_width_m(),
                        .centre_height_m = body.centre_height_m(),
                        .inertia_over_mass_m2 = body.inertia_kgm2() / body.mass_kg(),
@@ -62,8 +86,8 @@ ContactBlock contact_block(RigidBody const& body, ContactBase const& base, Conta
                        .pad = pad,
                        .points = layout(base, body.half_width_m())};
     if (pad.strength_pa) {
-        block.yield_depth_m =
-            *pad.strength_pa * area / (body.mass_kg() * block.vertical_radps() * block.vertical_radps());
+        block.yield_depth_m = *pad.strength_pa * area(base, body.half_width_m())
+                              / (body.mass_kg() * block.vertical_radps() * block.vertical_radps());
     }
     return block;
 }

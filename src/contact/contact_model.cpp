@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <vector>
 
@@ -10,10 +11,10 @@
 namespace overturn {
 namespace {
 
-constexpr std::array contact_effect{
-    EffectEntry{Effect::contact, "contact",
-                "a compliant base that bounces and is crushed; called for by a base that is not two corners, a tilt of "
-                "0.3 alpha, a loss of contact, or an impact near the pad's strength"}};
+constexpr std::array contact_effect{EffectEntry{
+    Effect::contact, "contact",
+    "a compliant base that bounces and is crushed; called for by a bedding that is not two corners, a loss of "
+    "contact, and, where base or pad are stated, a tilt of 0.3 alpha or an impact near the pad's strength"}};
 
 constexpr std::array channels{Channel{"time_s"},  Channel{"rotation_rad"}, Channel{"velocity_radps"},
                               Channel{"sway_m"},  Channel{"sway_mps"},     Channel{"rise_m"},
@@ -32,36 +33,61 @@ class Shown : public ContactObserver {
     Observer& observer_;
 };
 
+constexpr std::int64_t of_base = 3;
+constexpr std::int64_t of_tilt = 4;
+constexpr std::int64_t of_lost_contact = 5;
+constexpr std::int64_t of_strength = 6;
+constexpr std::array reasons{ReasonEntry{of_base, "bedding", "the base is not two corners: its restitution is its own"},
+                             ReasonEntry{of_tilt, "tilt", "it rocks to 0.3 alpha, or falls, on a stated pad"},
+                             ReasonEntry{of_lost_contact, "contact-lost", "a rigid base would leave the ground"},
+                             ReasonEntry{of_strength, "pad-strength", "an impact may crush the pad"}};
+
 class ContactModel : public Model {
   public:
-    explicit ContactModel(ContactSetup const& setup) : setup_(setup) {}
+    explicit ContactModel(ContactAccuracy const& accuracy) : accuracy_(accuracy) {}
     [[nodiscard]] ModelTraits const& traits() const override { return contact_traits(); }
 
-    [[nodiscard]] EffectMask called_for(Trial const& trial, Outcome const* said) const override {
-        bool const corners = setup_.base.corner_share == 1;
-        bool const called = !corners || (said != nullptr && (wild(*said) || crushes(*trial.body, *said)));
-        return called ? mask_of(Effect::contact) : 0;
+    [[nodiscard]] Call called_for(Trial const& trial, Outcome const* said) const override {
+        // Its points slip one by one, far below where all of a rigid base would.
+        auto const contact = mask_of(Effect::contact) | (trial.friction ? mask_of(Effect::sliding) : 0);
+        constexpr double wild = 0.3;  // of alpha
+        auto const& footing = *trial.footing;
+        bool const on_corners = footing.base.shape == BaseShape::square && footing.base.corner_share == 1;
+        if (!on_corners && footing.base.shape != BaseShape::polygon) {
+            return {contact, of_base};
+        }
+        if (said == nullptr || said->verdict == Verdict::failed) {
+            return {};
+        }
+        if (said->verdict == Verdict::contact_lost) {
+            return {contact, of_lost_contact};
+        }
+        if (footing.stated && said->peak_rotation_ratio >= wild) {
+            return {contact, of_tilt};
+        }
+        return crushes(trial, *said) ? Call{contact, of_strength} : Call{};
     }
 
     [[nodiscard]] std::unique_ptr<Checkpoints> run(Batch const& batch) const override {
-        auto const blocks = blocks_of(batch.trials);
+        auto const matched = blocks_of(batch.trials);
         std::vector<ContactTrial> trials;
         trials.reserve(batch.trials.size());
         for (std::size_t i = 0; i < batch.trials.size(); ++i) {
-            trials.push_back({&blocks[i], planar_excitation(batch.trials[i])});
+            trials.push_back({&matched[i].block, planar_excitation(batch.trials[i])});
         }
         std::vector<ContactOutcome> outcomes(trials.size());
         if (batch.observer != nullptr) {
             OVERTURN_EXPECT(trials.size() == 1);
             Shown shown(*batch.observer);
-            outcomes.front() = simulate_contact(blocks.front(), trials.front().shaking, setup_.accuracy, {}, &shown);
+            outcomes.front() = simulate_contact(*trials.front().block, trials.front().shaking, accuracy_, {}, &shown);
         } else {
-            simulate_contact(trials, setup_.accuracy, outcomes);
+            simulate_contact(trials, accuracy_, outcomes);
         }
         for (std::size_t i = 0; i < outcomes.size(); ++i) {
             batch.outcomes[i] = outcomes[i];
             batch.outcomes[i].called = mask_of(Effect::contact);
             if (!batch.own.empty()) {
+                tell_match(matched[i].match, outcomes[i].own);
                 constexpr std::size_t row = sizeof(ContactQuantities);
                 std::memcpy(batch.own.subspan(i * row, row).data(), &outcomes[i].own, row);
             }
@@ -70,37 +96,41 @@ class ContactModel : public Model {
     }
 
   private:
-    // One each: friction may differ. Neighbours with the same body share its match.
-    [[nodiscard]] std::vector<ContactBlock> blocks_of(std::span<Trial const> trials) const {
-        std::vector<ContactBlock> blocks;
+    // One each: friction may differ. Neighbours of the same body and footing share its match.
+    [[nodiscard]] std::vector<MatchedBlock> blocks_of(std::span<Trial const> trials) const {
+        std::vector<MatchedBlock> blocks;
         blocks.reserve(trials.size());
-        RigidBody const* matched = nullptr;
-        ContactMatch match{setup_.base, setup_.pad, 0};
+        Trial const* before = nullptr;
         for (auto const& trial : trials) {
-            bool const again = matched != nullptr && trial.body == matched;
-            if (!again && setup_.restitution == Restitution::of_the_body) {
-                matched = trial.body;
-                match = match_restitution(*trial.body, setup_.base, setup_.pad, setup_.accuracy);
+            auto const friction = has(trial.simulated, Effect::sliding) ? trial.friction : std::nullopt;
+            if (before != nullptr && before->body == trial.body && before->footing == trial.footing) {
+                auto const& match = blocks.back().match;
+                blocks.push_back({contact_block(*trial.body, match.base, match.pad, friction), match});
+            } else {
+                blocks.push_back(matched_block(*trial.body, *trial.footing, friction, accuracy_));
             }
-            bool const slides = has(trial.simulated, Effect::sliding);
-            blocks.push_back(contact_block(*trial.body, match.base, match.pad, slides ? trial.friction : std::nullopt,
-                                           setup_.base_depth_m));
+            before = &trial;
         }
         return blocks;
     }
 
-    static bool wild(Outcome const& said) {
-        constexpr double share = 0.3;  // of alpha
-        return said.peak_rotation_ratio >= share || said.verdict == Verdict::contact_lost;
+    static void tell_match(ContactMatch const& match, ContactQuantities& own) {
+        own.restitution = match.restitution;
+        if (match.base.shape == BaseShape::square) {
+            own.corner_share = match.base.corner_share.value_or(flat_share(match.base.points));
+        }
+        own.normal_restitution = match.pad.normal_restitution;
     }
 
     // The fastest impact that the energy allows, through corner and effective mass: v sqrt(k m_e).
-    [[nodiscard]] bool crushes(RigidBody const& body, Outcome const& said) const {
-        if (!setup_.pad.strength_pa) {
+    [[nodiscard]] static bool crushes(Trial const& trial, Outcome const& said) {
+        auto const& footing = *trial.footing;
+        if (!footing.pad.strength_pa || footing.base.shape == BaseShape::polygon) {
             return false;
         }
         constexpr double hardest = 2.4;  // largest measured ratio of force to v sqrt(k m_e)
-        auto const block = contact_block(body, setup_.base, setup_.pad, {}, setup_.base_depth_m);
+        auto const& body = *trial.body;
+        auto const block = contact_block(body, footing.base, footing.pad, {});
         double const b = block.half_width_m;
         double const spin = body.p_radps() * std::sqrt(2 * said.peak_energy_ratio * (1 - std::cos(body.alpha_rad())));
         double const mass_share = 1 / (1 + b * b / block.inertia_over_mass_m2);
@@ -109,7 +139,7 @@ class ContactModel : public Model {
         return hardest * 2 * b * spin * std::sqrt(mass_share / stiffness) > block.yield_depth_m;
     }
 
-    ContactSetup setup_;
+    ContactAccuracy accuracy_;
 };
 
 }  // namespace
@@ -121,12 +151,21 @@ ModelTraits const& contact_traits() {
         .holds = mask_of(Effect::vertical) | mask_of(Effect::sliding) | mask_of(Effect::contact),
         .always = mask_of(Effect::contact),
         .effects = contact_effect,
+        .reasons = reasons,
         .channels = channels,
         .fields = fields_of<ContactQuantities>(),
         .nothing = nothing_of<ContactQuantities>()};
     return traits;
 }
 
-std::unique_ptr<Model> make_contact_model(ContactSetup const& setup) { return std::make_unique<ContactModel>(setup); }
+std::unique_ptr<Model> make_contact_model(ContactAccuracy const& accuracy) {
+    return std::make_unique<ContactModel>(accuracy);
+}
+
+MatchedBlock matched_block(RigidBody const& body, Footing const& footing, std::optional<Friction> const& friction,
+                           ContactAccuracy const& accuracy) {
+    auto const match = match_restitution(body, footing.base, footing.pad, accuracy);
+    return {contact_block(body, match.base, match.pad, friction), match};
+}
 
 }  // namespace overturn

@@ -1,9 +1,10 @@
 #include "contact/matching.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "core/error.hpp"
+#include <cstdint>
+#include <utility>
 
 namespace overturn {
 namespace {
@@ -14,39 +15,52 @@ constexpr double softest = 0.05;
 constexpr double hardest = 0.95;
 constexpr double close_enough = 1e-4;
 
-// Between a value that gives too much and one that gives too little.
-template <class Restitution> double bisect(double generous, double greedy, double wanted, Restitution restitution) {
-    double middle = generous + (greedy - generous) / 2;
-    for (int i = 0; i < 20; ++i) {
-        double const found = restitution(middle);
-        if (std::abs(found - wanted) < close_enough) {
-            break;
+/// A value tried, and the restitution that came of it.
+struct Tried {
+    double value, restitution;
+};
+
+// Between one that gives too much and one that gives too little: false position, Illinois' halving.
+template <class Restitution> void seek(Tried generous, Tried greedy, double wanted, Restitution restitution) {
+    enum class Kept : std::uint8_t { neither, upper, lower } last = Kept::neither;
+    for (int i = 0; i < 30; ++i) {
+        double const over = generous.restitution - wanted;
+        double const under = wanted - greedy.restitution;
+        double const middle = (generous.value * under + greedy.value * over) / (under + over);
+        Tried const tried{middle, restitution(middle)};
+        if (std::abs(tried.restitution - wanted) < close_enough) {
+            return;
         }
-        (found > wanted ? generous : greedy) = middle;
-        middle = generous + (greedy - generous) / 2;
+        bool const still_over = tried.restitution > wanted;
+        auto& kept = still_over ? greedy : generous;
+        auto const which = still_over ? Kept::lower : Kept::upper;
+        (still_over ? generous : greedy) = tried;
+        if (std::exchange(last, which) == which) {
+            kept.restitution = wanted + (kept.restitution - wanted) / 2;
+        }
     }
-    return middle;
 }
 
 // Of base and points that give what is wanted.
 class Search {
   public:
-    Search(RigidBody const& body, ContactBase const& base, ContactPad const& pad, ContactAccuracy const& accuracy)
-        : body_(body), accuracy_(accuracy), stated_(pad.normal_restitution), match_{base, pad, 0} {
-        match_.base.points = base.points > 2 ? base.points : ContactBase{}.points;
-    }
+    Search(RigidBody const& body, BasePlan const& base, Pad const& pad, ContactAccuracy const& accuracy)
+        : body_(body), accuracy_(accuracy), stated_(pad.normal_restitution), match_{base, pad, 0} {}
 
     ContactMatch run() {
-        double const corners = with_share(1);
-        if (corners > wanted_ + close_enough) {
-            soften();
-        } else if (corners < wanted_ - close_enough) {
-            double const flat = ContactBase::flat_share(match_.base.points);
-            if (with_share(flat) >= wanted_) {
-                with_share(bisect(flat, 1, wanted_, [&](double share) { return with_share(share); }));
-            } else {
-                harden();
-            }
+        auto& base = match_.base;
+        double const stated = gives();
+        if (!match_.pad.match_restitution || std::abs(stated - wanted_) <= close_enough) {
+            return match_;
+        }
+        bool const on_corners = base.shape == BaseShape::square && base.corner_share == 1;
+        if (stated > wanted_) {
+            tune_points({stated_, stated}, std::min(softest, stated_));
+        } else if (on_corners) {
+            base.points = base.points > 2 ? base.points : BasePlan::points_across;
+            spread({1, stated});
+        } else {
+            tune_points({stated_, stated}, std::max(hardest, stated_));
         }
         return match_;
     }
@@ -64,28 +78,24 @@ class Search {
         match_.pad.normal_restitution = restitution;
         return gives();
     }
-    void soften() {
-        double const least = std::min(softest, stated_);
-        if (double const bound = with_points(least); bound > wanted_ + close_enough) {
-            refuse(bound, "at least");
+    // From corners alone towards a flat bed, and on to harder points.
+    void spread(Tried corners) {
+        double const share = flat_share(match_.base.points);
+        Tried const flat{share, with_share(share)};
+        if (flat.restitution > wanted_) {
+            seek(flat, corners, wanted_, [&](double between) { return with_share(between); });
+        } else {
+            tune_points({stated_, flat.restitution}, std::max(hardest, stated_));
         }
-        between(stated_, least);
     }
-    void harden() {
-        double const most = std::max(hardest, stated_);
-        if (double const bound = with_points(most); bound < wanted_ - close_enough) {
-            refuse(bound, "at most");
+    // Up to a bound, where the search ends if that is not enough.
+    void tune_points(Tried stated, double most) {
+        Tried const bound{most, with_points(most)};
+        bool const softer = stated.restitution > wanted_;
+        if (softer == (bound.restitution < wanted_)) {
+            seek(softer ? stated : bound, softer ? bound : stated, wanted_,
+                 [&](double between) { return with_points(between); });
         }
-        between(most, stated_);
-    }
-    void between(double generous, double greedy) {
-        with_points(bisect(generous, greedy, wanted_, [&](double restitution) { return with_points(restitution); }));
-    }
-    [[noreturn]] void refuse(double bound, char const* side) const {
-        throw InputError(
-            fmt::format("a restitution of {:.4f} cannot be had on this pad (its base gives {} {:.4f}) state "
-                        "one that can, or leave it unmatched",
-                        wanted_, side, bound));
     }
 
     RigidBody const& body_;
@@ -97,7 +107,7 @@ class Search {
 
 }  // namespace
 
-double emergent_restitution(RigidBody const& body, ContactBase const& base, ContactPad const& pad,
+double emergent_restitution(RigidBody const& body, BasePlan const& base, Pad const& pad,
                             ContactAccuracy const& accuracy) {
     auto elastic = pad;
     elastic.strength_pa.reset();
@@ -115,7 +125,7 @@ double emergent_restitution(RigidBody const& body, ContactBase const& base, Cont
     return std::sqrt(lifted(std::max(0.0, -out.trough_rad)) / lifted(start_share * alpha));
 }
 
-ContactMatch match_restitution(RigidBody const& body, ContactBase const& base, ContactPad const& pad,
+ContactMatch match_restitution(RigidBody const& body, BasePlan const& base, Pad const& pad,
                                ContactAccuracy const& accuracy) {
     return Search(body, base, pad, accuracy).run();
 }

@@ -7,20 +7,21 @@ namespace overturn {
 
 /// e of free rocking from 0.3 alpha without slip: the root of the energy left after the first impact, of the heights
 /// to which the centre of gravity is lifted [-]. Other amplitudes change it by less than 0.02.
-[[nodiscard]] double emergent_restitution(RigidBody const& body, ContactBase const& base, ContactPad const& pad,
+[[nodiscard]] double emergent_restitution(RigidBody const& body, BasePlan const& base, Pad const& pad,
                                           ContactAccuracy const& accuracy = {});
 
 struct ContactMatch {
-    ContactBase base;        ///< with the corner share that was found
-    ContactPad pad;          ///< with the points' restitution that was found
-    double restitution = 0;  ///< that they give
+    BasePlan base;           ///< with the corner share that was found
+    Pad pad;                 ///< with the points' restitution that was found
+    double restitution = 0;  ///< that they give; not the wanted one where no base or points can give that
 };
 
-/// Finds the corner share that gives the body's restitution, between a flat bed and corners alone; where corners alone
-/// give back too much, softer points on corners; where a flat bed gives back too little, harder points on a flat bed.
-/// \param base its number of points is kept; 11 if it has two
-/// \throws InputError with the range that can be had
-[[nodiscard]] ContactMatch match_restitution(RigidBody const& body, ContactBase const& base, ContactPad const& pad,
+/// Finds a base that gives the body's restitution. A square base that stands on its corners: the corner share, between
+/// corners alone and a flat bed; where corners alone give back too much, softer points on corners; where a flat bed
+/// gives back too little, harder points on a flat bed. Any other base is what it is: softer or harder points on it.
+/// Where none gives it, the nearest: Housner's value, which is that of corners that give nothing back, may lie below
+/// what points of 0.05 do. A pad that is not to be matched is taken as it is.
+[[nodiscard]] ContactMatch match_restitution(RigidBody const& body, BasePlan const& base, Pad const& pad,
                                              ContactAccuracy const& accuracy = {});
 
 }  // namespace overturn

@@ -15,7 +15,10 @@ template <> Fields const& fields_of<ContactQuantities>() {
     static Fields const fields{
         field<&Q::peak_crush_m>("peak_crush", "m", "deepest crush that the pad keeps; 0: it stayed elastic"),
         field<&Q::peak_contact_force_ratio>("peak_contact_force_ratio", "1", "max N / (m g)"),
-        field<&Q::peak_rise_m>("peak_rise", "m", "highest rise of the centre of gravity")};
+        field<&Q::peak_rise_m>("peak_rise", "m", "highest rise of the centre of gravity"),
+        field<&Q::restitution>("restitution", "1", "omega after over before an impact, as base and pad give it"),
+        field<&Q::corner_share>("corner_share", "1", "of the stiffness, on the corners; NaN: a round base"),
+        field<&Q::normal_restitution>("normal_restitution", "1", "of one point of the base in a flat drop")};
     return fields;
 }
 

@@ -5,16 +5,11 @@
 #include <span>
 
 #include "contact/base_layout.hpp"
+#include "contact/contact_accuracy.hpp"
 #include "model/excitation.hpp"
 #include "model/outcome.hpp"
 
 namespace overturn {
-
-struct ContactAccuracy {
-    double step_ratio = 0.3;      ///< longest step times w_v: 0.49 ms at 98 Hz; shorter where damping asks for it
-    double longest_after_s = 60;  ///< that a body is followed after the wave until energy decides or it rests
-    bool rest_gate = true;        ///< a quiet body is held at rest while the shaking is too weak to part its base
-};
 
 /// Where the body starts: at rest, settled under its weight, unless stated. Anchors stand where the points stood
 /// upright.
@@ -30,12 +25,13 @@ struct ContactQuantities {
     double peak_crush_m = never;
     double peak_contact_force_ratio = never;
     double peak_rise_m = never;
+    double restitution = never, corner_share = never, normal_restitution = never;  ///< of the base, as matched
 };
 template <> [[nodiscard]] Fields const& fields_of<ContactQuantities>();
 
 /// Friction demand and work are not known to this model: NaN. impacts: passages of theta through zero faster than
-/// g / (w_v b). contact_lost_s: the first flight. Slip is of the base. peak_rotation_ratio and response velocity: of
-/// the geometry of the points' corners.
+/// g / (w_v b). contact_lost_s: the first flight. Slip is of the corner that the body leans on. peak_rotation_ratio and
+/// response velocity: of the geometry of the points' corners.
 struct ContactOutcome : Outcome {
     ContactQuantities own;
     double crest_rad = 0, trough_rad = 0;  ///< largest and smallest theta

@@ -45,6 +45,10 @@ constexpr std::array units{
     Unit{Dimension::angle, "rad", 1},
     Unit{Dimension::angle, "deg", pi / 180},
     Unit{Dimension::frequency, "Hz", 1},
+    Unit{Dimension::pressure, "Pa", 1},
+    Unit{Dimension::pressure, "kPa", 1e3},
+    Unit{Dimension::pressure, "MPa", 1e6},
+    Unit{Dimension::pressure, "N/mm2", 1e6},
 };
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
@@ -117,6 +121,8 @@ std::string_view name_of(Dimension dimension) {
             return "acceleration";
         case Dimension::angle:
             return "angle";
+        case Dimension::pressure:
+            return "pressure";
         case Dimension::frequency:
             return "frequency";
     }

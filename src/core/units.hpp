@@ -12,7 +12,7 @@ inline constexpr double g0 = 9.80665;
 inline constexpr double pi = std::numbers::pi;
 
 /// What a quantity measures; decides which unit symbols are accepted.
-enum class Dimension { none, time, length, mass, inertia, velocity, acceleration, angle, frequency };
+enum class Dimension { none, time, length, mass, inertia, velocity, acceleration, angle, frequency, pressure };
 
 /// SI value of one `symbol` of the given dimension, e.g. ("gal", acceleration) -> 0.01.
 /// \throws InputError naming the accepted symbols if `symbol` is none of them.

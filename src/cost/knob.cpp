@@ -84,30 +84,68 @@ Setting effects_setting(EffectRequest const& request) {
     return {text_of(request), {fmt::format("effects={{include=[{}]}}", list)}, 0};
 }
 
-bool states_vertical(CampaignSpec const& spec) {
-    try {
-        return !spec.source->make(spec.seed, 0).motion.vertical_mps2.empty();
-    } catch (InputError const&) {
-        return false;  // a wave that cannot be made is the campaign's to report, row by row
+/// What a campaign's scenes hold for effects to act on.
+struct Scenes {
+    bool vertical = false, transverse = false;  ///< components of the waves
+    bool friction = true;                       ///< of every body
+    bool footing = false;                       ///< some base or pad is stated
+
+    /// Models beyond the rigid one may matter.
+    [[nodiscard]] bool yields() const { return footing || transverse; }
+    /// All that can act in the plane, on points, and in space.
+    [[nodiscard]] EffectMask rigid() const {
+        return (vertical ? mask_of(Effect::vertical) : 0) | (friction ? mask_of(Effect::sliding) : 0);
     }
+    [[nodiscard]] EffectMask on_points() const { return rigid() | mask_of(Effect::contact); }
+    [[nodiscard]] EffectMask in_space() const { return on_points() | mask_of(Effect::spatial); }
+    [[nodiscard]] EffectMask all() const { return transverse ? in_space() : footing ? on_points() : rigid(); }
+};
+
+Scenes scenes_of(CampaignSpec const& spec) {
+    Scenes scenes;
+    try {
+        auto const motion = spec.source->make(spec.seed, 0).motion;
+        scenes.vertical = !motion.vertical_mps2.empty();
+        scenes.transverse = !motion.transverse_mps2.empty();
+    } catch (InputError const&) {
+        // a wave that cannot be made is the campaign's to report, row by row
+    }
+    for (auto const& body : spec.bodies) {
+        scenes.friction = scenes.friction && body.friction.has_value();
+        scenes.footing = scenes.footing || body.footing.stated;
+        scenes.transverse = scenes.transverse || body.footing.base.shape == BaseShape::polygon;
+    }
+    return scenes;
 }
 
 Knob effects_knob(CampaignSpec const& spec) {
-    Knob knob{"effects", "effects, rung by rung", peak_error, "trial", Acts::trials, {}, {}};
-    bool const vertical = states_vertical(spec);
-    bool const sliding = std::all_of(spec.bodies.begin(), spec.bodies.end(),
-                                     [](BodySpec const& body) { return body.friction.has_value(); });
-    auto const up = mask_of(Effect::vertical);
-    auto const along = mask_of(Effect::sliding);
+    auto const scenes = scenes_of(spec);
+    Knob knob{"effects",
+              scenes.yields() ? "effects, rung by rung, against all that can be simulated" : "effects, rung by rung",
+              peak_error,
+              "trial",
+              Acts::trials,
+              {},
+              {}};
+    std::vector<EffectMask> forced;
+    if (scenes.vertical) {
+        forced.push_back(mask_of(Effect::vertical));
+    }
+    if (scenes.friction) {
+        forced.push_back(mask_of(Effect::sliding));
+    }
+    if (scenes.vertical && scenes.friction) {
+        forced.push_back(scenes.rigid());
+    }
+    if (scenes.yields()) {
+        forced.push_back(scenes.on_points());
+    }
+    if (scenes.transverse) {
+        forced.push_back(scenes.in_space());
+    }
     std::vector<EffectRequest> requests{{EffectMode::none, 0}};
-    if (vertical) {
-        requests.push_back({EffectMode::forced, up});
-    }
-    if (sliding) {
-        requests.push_back({EffectMode::forced, along});
-    }
-    if (vertical && sliding) {
-        requests.push_back({EffectMode::forced, up | along});
+    for (auto const mask : forced) {
+        requests.push_back({EffectMode::forced, mask});
     }
     requests.push_back({EffectMode::automatic, 0});
     auto const own = text_of(spec.effects);
@@ -179,6 +217,11 @@ std::vector<Knob> knobs_of(CampaignInput const& input, CampaignSpec const& spec)
                               spec.accuracy.rocking.step_tolerance));
     knobs.push_back(real_knob("settle", "bouncing speed, over p, below which a body settles", "accuracy.settle",
                               {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7}, spec.accuracy.rocking.settle));
+    if (scenes_of(spec).yields()) {
+        knobs.push_back(real_knob(contact_step, "step on compliant points, times the vertical mode's frequency",
+                                  "accuracy.contact_step", {1.0, 0.6, 0.3, 0.15, 0.075},
+                                  spec.accuracy.contact.step_ratio));
+    }
     knobs.push_back(effects_knob(spec));
     knobs.push_back(
         panel_knob("ou_v_e", "phase per panel of 16 nodes, ouV_E alone", Acts::ou_v_e, spec.measures.panel_phase_rad));
@@ -200,9 +243,17 @@ std::vector<std::string> second_reference_settings() {
     return settings;
 }
 
-std::vector<std::string> effects_reference_settings() {
+std::vector<std::string> contact_reference_settings() {
     auto settings = reference_settings();
-    settings.emplace_back("effects={mode=\"auto\"}");
+    settings.emplace_back("accuracy.contact_step=0.03");
+    return settings;
+}
+
+std::vector<std::string> effects_reference_settings(CampaignSpec const& spec) {
+    auto settings = reference_settings();
+    auto const scenes = scenes_of(spec);
+    EffectRequest const all{scenes.yields() ? EffectMode::forced : EffectMode::automatic, scenes.all()};
+    settings.push_back(effects_setting(all).settings.front());
     return settings;
 }
 

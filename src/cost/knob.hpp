@@ -33,14 +33,24 @@ struct Knob {
 /// The knobs this campaign has, each with the campaign's own position among its settings.
 [[nodiscard]] std::vector<Knob> knobs_of(CampaignInput const& input, CampaignSpec const& spec);
 
-/// What every trial is held against: order 12, 16 sub-steps, every tolerance near rounding.
+/// What every trial is held against: order 12, 16 sub-steps, every tolerance near rounding; on compliant points the
+/// campaign's own step.
 [[nodiscard]] std::vector<std::string> reference_settings();
 
 /// The same with 12 sub-steps: it differs in rounding only, so what differs is what rounding does to rocking.
 [[nodiscard]] std::vector<std::string> second_reference_settings();
 
-/// The reference with every effect that the scene calls for.
-[[nodiscard]] std::vector<std::string> effects_reference_settings();
+/// The knob of the step on compliant points: there is one where a trial may come to stand on any.
+inline constexpr char const* contact_step = "contact_step";
+/// The reference with a tenth of the usual step on compliant points.
+[[nodiscard]] std::vector<std::string> contact_reference_settings();
+
+/// The reference with every effect that the scene calls for; where some body's base or pad is stated or waves have a
+/// transverse component, with all that can be simulated, so that what auto leaves out shows.
+[[nodiscard]] std::vector<std::string> effects_reference_settings(CampaignSpec const& spec);
+
+/// What a user writes for auto.
+inline constexpr char const* automatic_effects = "effects={mode=\"auto\"}";
 
 /// Phase per panel of the reference quadrature [rad].
 inline constexpr double reference_panel_phase_rad = 4;

@@ -12,8 +12,8 @@ EffectMask ModelTraits::brings() const {
 
 EffectMask Model::possible(Trial const& /*trial*/) const { return traits().brings(); }
 
-EffectMask Model::called_for(Trial const& /*trial*/, Outcome const* said) const {
-    return said == nullptr ? 0 : traits().brings() & static_cast<EffectMask>(said->called);
+Call Model::called_for(Trial const& /*trial*/, Outcome const* said) const {
+    return {said == nullptr ? 0 : traits().brings() & static_cast<EffectMask>(said->called)};
 }
 
 }  // namespace overturn

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/field.hpp"
+#include "model/call.hpp"
 #include "model/effect.hpp"
 #include "model/history.hpp"
 #include "model/outcome.hpp"
@@ -25,6 +26,7 @@ struct ModelTraits {
     EffectMask always = 0;                        ///< those of them that it cannot leave out
     std::span<EffectEntry const> effects = {};    ///< those that it brings: cheaper models lack them
     std::span<VerdictEntry const> verdicts = {};  ///< its own, beside the common ones
+    std::span<ReasonEntry const> reasons = {};    ///< why it may be called for
     std::span<Channel const> channels = {};       ///< of its histories
     Fields fields = {};                           ///< its own quantities, stored in a group of its name
     std::vector<std::byte> nothing = {};          ///< a row of these for a trial that the model did not run
@@ -75,7 +77,7 @@ class Model {
     [[nodiscard]] virtual EffectMask possible(Trial const& trial) const;
     /// Of the effects that this model brings, those that would act on a trial. \param said what a cheaper model that
     /// ran says of it; null: none ran yet. Default: what that model itself calls for.
-    [[nodiscard]] virtual EffectMask called_for(Trial const& trial, Outcome const* said) const;
+    [[nodiscard]] virtual Call called_for(Trial const& trial, Outcome const* said) const;
     /// Fills the batch's outcomes. Where the trials' order or company changes, no bit does.
     [[nodiscard]] virtual std::unique_ptr<Checkpoints> run(Batch const& batch) const = 0;
 };

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "body/footing.hpp"
 #include "body/rigid_body.hpp"
 #include "model/effect.hpp"
 #include "model/excitation.hpp"
@@ -13,6 +14,7 @@ namespace overturn {
 /// Views: what they show must outlive the trial.
 struct Trial {
     RigidBody const* body = nullptr;
+    Footing const* footing = nullptr;  ///< what it stands on; never null where a model is asked
     std::optional<Friction> friction;  ///< empty: no slip
     Excitation excitation;             ///< all that shakes, whether it is simulated or not
     EffectMask simulated = 0;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/units.hpp"
+#include "motion/column_unit.hpp"
 #include "motion/detail/record_readers.hpp"
 #include "motion/text_lines.hpp"
 
@@ -70,6 +71,7 @@ struct Rows {
     std::vector<int> line;
     std::size_t columns = 0;
     std::vector<std::string> names;  // of the columns, if a line of names stands above them
+    int names_line = 0;
 };
 
 /// A number with a decimal comma where semicolons part the fields.
@@ -123,6 +125,7 @@ Rows read_rows(std::string_view content, std::string const& file) {
             }
             names_seen = true;
             rows.names = names_on(*line);
+            rows.names_line = where.line;
             continue;
         }
         if (has_decimal_comma(*line)) {
@@ -212,6 +215,27 @@ std::vector<RecordComponent> components_of(Rows& rows, std::size_t first, Locati
     return components;
 }
 
+/// Of all columns of accelerations, in the unit that their names say or that is stated. [m/s2]
+double unit_of(Rows const& rows, std::size_t first, RecordRequest const& request) {
+    std::optional<double> named;
+    Location const where{request.name, rows.names_line};
+    for (std::size_t i = first; rows.names.size() == rows.columns && i < rows.columns; ++i) {
+        auto const unit = unit_in_name(rows.names[i]);
+        if (unit && named && *unit != *named) {
+            throw InputError(where, "columns in different units (one is meant for all). Bring them into one");
+        }
+        named = unit ? unit : named;
+    }
+    if (named) {
+        check_stated_unit(request, *named, where);
+        return *named;
+    }
+    if (!request.unit_mps2) {
+        refuse_without_unit({request.name, rows.line[0]}, "columns of numbers do not say theirs", request);
+    }
+    return *request.unit_mps2;
+}
+
 }  // namespace
 
 bool recognises_columns(std::string_view content) {
@@ -261,10 +285,8 @@ void check_not_nearly_columns(std::string_view content, RecordRequest const& req
 Recording read_columns(std::string_view content, RecordRequest const& request) {
     auto rows = read_rows(content, request.name);
     Location const start{request.name, rows.line[0]};
-    if (!request.unit_mps2) {
-        refuse_without_unit(start, "columns of numbers do not say theirs", request);
-    }
     bool const timed = rows.columns > 1;
+    double const unit_mps2 = unit_of(rows, timed ? 1 : 0, request);
     if (!timed && !request.time_step_s) {
         throw InputError(start,
                          "time step missing (one column of numbers holds none). State the time step, or put a "
@@ -280,7 +302,7 @@ Recording read_columns(std::string_view content, RecordRequest const& request) {
     recording.components = components_of(rows, timed ? 1 : 0, start);
     for (auto& component : recording.components) {
         for (double& value : component.acceleration_mps2) {
-            value *= *request.unit_mps2;
+            value *= unit_mps2;
         }
     }
     return recording;

@@ -15,6 +15,7 @@ Intensity intensity_of(std::span<double const> acceleration_mps2, double time_st
     OVERTURN_EXPECT(time_step_s > 0);
     double const dt = time_step_s;
     Intensity peak{.pga_mps2 = peak_of(acceleration_mps2)};
+    peak.vector_pga_mps2 = peak.pga_mps2;
     double squares = 0;  // integral of a^2 over dt / 3
     double velocity = 0;
     double displacement = 0;
@@ -38,6 +39,16 @@ Intensity intensity_of(std::span<double const> acceleration_mps2, double time_st
     }
     peak.arias_mps = pi / (2 * g0) * squares * dt / 3;
     return peak;
+}
+
+Intensity intensity_of(GroundMotion const& motion) {
+    auto intensity = intensity_of(motion.horizontal_mps2, motion.time_step_s);
+    // A length of linear functions is convex: it peaks at a sample.
+    for (std::size_t i = 0; i < motion.transverse_mps2.size(); ++i) {
+        intensity.vector_pga_mps2 =
+            std::max(intensity.vector_pga_mps2, std::hypot(motion.horizontal_mps2[i], motion.transverse_mps2[i]));
+    }
+    return intensity;
 }
 
 }  // namespace overturn

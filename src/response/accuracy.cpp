@@ -28,8 +28,16 @@ RockingAccuracy read_rocking(config::Table const& table) {
     return a;
 }
 
+ContactAccuracy read_contact(config::Table const& table) {
+    ContactAccuracy a;
+    a.step_ratio = table.number("contact_step", Dimension::none, {.low = 1e-4, .high = 1}, a.step_ratio);
+    return a;
+}
+
 }  // namespace
 
-Accuracy read_accuracy(config::Table const& table) { return {.rocking = read_rocking(table)}; }
+Accuracy read_accuracy(config::Table const& table) {
+    return {.rocking = read_rocking(table), .contact = read_contact(table)};
+}
 
 }  // namespace overturn

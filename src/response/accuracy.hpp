@@ -2,12 +2,14 @@
 #pragma once
 
 #include "config/table.hpp"
+#include "contact/contact_accuracy.hpp"
 #include "rocking/rocking_accuracy.hpp"
 
 namespace overturn {
 
 struct Accuracy {
     RockingAccuracy rocking;
+    ContactAccuracy contact;
 };
 
 /// Reads the models' keys of `[accuracy]`; others are left to the caller. \throws InputError

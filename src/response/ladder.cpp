@@ -1,6 +1,7 @@
 #include "response/ladder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -13,6 +14,7 @@ namespace overturn {
 namespace {
 
 constexpr std::size_t none = ~std::size_t{0};
+constexpr std::size_t most_models = 8;
 
 class Stopwatch {
   public:
@@ -45,9 +47,17 @@ struct Ladder::Climb {
     Trial trial;
     EffectMask possible = 0, called = 0;
     Outcome outcome;
-    std::size_t next = none, last = none;  ///< model
-    std::size_t batch = none, place = 0;   ///< the one it was in last, and where
-    std::uint64_t ran = 0;                 ///< a bit for each model that followed it
+    std::size_t next = none, last = none;             ///< model
+    std::size_t batch = none, place = 0;              ///< the one it was in last, and where
+    std::uint64_t ran = 0;                            ///< a bit for each model that followed it
+    std::array<std::int64_t, most_models> reasons{};  ///< of each: why it was called for first; none: not yet
+
+    void call(std::size_t model, Call const& more) {
+        called |= more.effects;
+        if (more.effects != 0 && reasons[model] == no_reason) {
+            reasons[model] = more.reason;
+        }
+    }
 
     // The cheapest model follows nothing of a trial at rest.
     [[nodiscard]] bool followed() const { return last != none && (last > 0 || outcome.verdict != Verdict::at_rest); }
@@ -57,6 +67,11 @@ struct Ladder::Climb {
 struct Ladder::Ended {
     std::vector<std::unique_ptr<Checkpoints>> batches;
 };
+
+Footing const& Scene::on_corners() {
+    static Footing const footing;
+    return footing;
+}
 
 Ladder::Ladder(EffectRequest const& request, Accuracy const& accuracy, std::span<ModelEntry const> entries)
     : request_(request) {
@@ -69,6 +84,7 @@ Ladder::Ladder(EffectRequest const& request, Accuracy const& accuracy, std::span
             own_bytes_ += traits.nothing.size();
         }
     }
+    OVERTURN_EXPECT(models_.size() <= most_models);
     validate(request.mode != EffectMode::forced || cheapest(request.include) != none,
              "effects {} (no model holds them together). Leave one out", text_of(request));
 }
@@ -94,17 +110,22 @@ Ladder::Climb Ladder::begin(SceneTrial const& at) const {
     Climb climb;
     auto& trial = climb.trial;
     trial.body = &at.scene.body;
+    trial.footing = &at.scene.footing;
     trial.friction = at.scene.friction;
     trial.excitation = {.horizontal_mps2 = at.motion.horizontal_mps2,
-                        .transverse_mps2 = at.motion.transverse_mps2,
-                        .vertical_mps2 = at.motion.vertical_mps2,
                         .time_step_s = at.motion.time_step_s,
                         .scale = at.scale,
                         .peak_mps2 = at.peak_mps2,
                         .chunks = at.chunks};
-    for (auto const& model : models_) {
-        climb.possible |= model->possible(trial);
-        climb.called |= model->called_for(trial, nullptr);
+    if (at.scene.axes >= 2) {
+        trial.excitation.transverse_mps2 = at.motion.transverse_mps2;
+    }
+    if (at.scene.axes >= 3) {
+        trial.excitation.vertical_mps2 = at.motion.vertical_mps2;
+    }
+    for (std::size_t model = 0; model < models_.size(); ++model) {
+        climb.possible |= models_[model]->possible(trial);
+        climb.call(model, models_[model]->called_for(trial, nullptr));
     }
     bool const chooses = request_.mode == EffectMode::automatic;
     trial.simulated = held_with(0, climb.possible & request_.wanted() & (chooses ? climb.called : ~EffectMask{0}));
@@ -123,7 +144,7 @@ void Ladder::go_on(std::size_t model, Climb& climb) const {
     climb.ran |= climb.followed() ? std::uint64_t{1} << model : 0;
     climb.called |= static_cast<EffectMask>(climb.outcome.called);
     for (auto dearer = model + 1; dearer < models_.size(); ++dearer) {
-        climb.called |= models_[dearer]->called_for(climb.trial, &climb.outcome);
+        climb.call(dearer, models_[dearer]->called_for(climb.trial, &climb.outcome));
     }
     if (request_.mode != EffectMode::automatic) {
         return;
@@ -175,6 +196,16 @@ void Ladder::run(std::size_t model, std::size_t from, std::vector<Climb>& climbs
     }
 }
 
+// Why the trial ended on its model.
+std::int64_t Ladder::reason_of(Climb const& climb) const {
+    if (request_.mode != EffectMode::automatic) {
+        return stated_reason;
+    }
+    auto const& reasons = models_[climb.last]->traits().reasons;
+    auto const own = climb.reasons[climb.last];
+    return climb.last == 0 ? no_reason : own == no_reason && !reasons.empty() ? reasons.front().number : own;
+}
+
 Response Ladder::conclude(Climb const& climb) const {
     Response response;
     static_cast<Outcome&>(response) = climb.outcome;
@@ -183,6 +214,7 @@ Response Ladder::conclude(Climb const& climb) const {
         auto const& traits = models_[climb.last]->traits();
         response.effects = climb.trial.simulated | traits.always;
         response.rung = climb.followed() ? traits.number : 0;
+        response.reason = reason_of(climb);
     }
     return response;
 }

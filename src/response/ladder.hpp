@@ -21,6 +21,11 @@ namespace overturn {
 struct Scene {
     RigidBody const& body;
     std::optional<Friction> friction;  ///< empty: no slip
+    Footing const& footing = on_corners();
+    int axes = 3;  ///< that shake it: 1 the horizontal one, 2 both horizontal ones, 3 the vertical one too
+
+    /// A square base on its corners, on the usual pad.
+    [[nodiscard]] static Footing const& on_corners();
 };
 
 /// One trial of many.
@@ -80,6 +85,7 @@ class Ladder {
     void run(std::size_t model, std::size_t from, std::vector<Climb>& climbs, std::span<std::byte> own,
              Ended& ended) const;
     void go_on(std::size_t model, Climb& climb) const;
+    [[nodiscard]] std::int64_t reason_of(Climb const& climb) const;
     [[nodiscard]] Response conclude(Climb const& climb) const;
 
     EffectRequest request_;

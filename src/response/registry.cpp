@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 
+#include "contact/contact_model.hpp"
 #include "core/error.hpp"
 #include "rocking/rocking_models.hpp"
+#include "spatial/spatial_model.hpp"
 
 namespace overturn {
 
@@ -12,6 +14,8 @@ std::span<ModelEntry const> models() {
     static constexpr std::array entries{
         ModelEntry{rocking_traits, [](Accuracy const& a) { return make_rocking_model(a.rocking); }},
         ModelEntry{sliding_traits, [](Accuracy const& a) { return make_sliding_model(a.rocking); }},
+        ModelEntry{contact_traits, [](Accuracy const& a) { return make_contact_model(a.contact); }},
+        ModelEntry{spatial_traits, [](Accuracy const& a) { return make_spatial_model(a.contact); }},
     };
     return entries;
 }
@@ -72,6 +76,27 @@ std::span<Category const> rungs() {
         }
         return all;
     }();
+    return categories;
+}
+
+std::span<ReasonEntry const> reasons() {
+    static auto const entries = [] {
+        std::vector<ReasonEntry> all{{no_reason, "none", "the cheapest model says all"},
+                                     {stated_reason, "stated", "its effects are stated, not called for"}};
+        for (auto const& model : models()) {
+            auto const& own = model.traits().reasons;
+            all.insert(all.end(), own.begin(), own.end());
+        }
+        return all;
+    }();
+    return entries;
+}
+
+std::vector<Category> reason_categories() {
+    std::vector<Category> categories;
+    for (auto const& entry : reasons()) {
+        categories.push_back({entry.number, std::string(entry.name)});
+    }
     return categories;
 }
 

@@ -34,6 +34,10 @@ struct ModelEntry {
 
 /// What simulated a trial: "at-rest", where the cheapest model had nothing to follow, else the model's name.
 [[nodiscard]] std::span<Category const> rungs();
+/// Why a trial may need a model: none, if the cheapest one does; stated, if the campaign says so; else the models' own.
+[[nodiscard]] std::span<ReasonEntry const> reasons();
+[[nodiscard]] std::vector<Category> reason_categories();
+
 /// Place of a stored rung in rungs().
 [[nodiscard]] std::size_t rung_place(std::int64_t rung);
 

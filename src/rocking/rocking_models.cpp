@@ -19,6 +19,9 @@ constexpr std::array sliding_effect{
                 "Coulomb stick-slip, slide-rocking, slip at impacts; called for when the no-slip motion would "
                 "need more friction than the static coefficient"}};
 
+constexpr std::array sliding_reasons{
+    ReasonEntry{2, "friction-demand", "the motion without slip would need more friction than there is"}};
+
 constexpr std::array channels{Channel{"time_s"},
                               Channel{"rotation_rad"},
                               Channel{"velocity_radps"},
@@ -64,8 +67,8 @@ class RockingModel : public Model {
     [[nodiscard]] EffectMask possible(Trial const& trial) const override {
         return trial.excitation.vertical_mps2.empty() ? 0 : mask_of(Effect::vertical);
     }
-    [[nodiscard]] EffectMask called_for(Trial const& trial, Outcome const* /*said*/) const override {
-        return possible(trial);
+    [[nodiscard]] Call called_for(Trial const& trial, Outcome const* /*said*/) const override {
+        return {possible(trial)};
     }
 
     [[nodiscard]] std::unique_ptr<Checkpoints> run(Batch const& batch) const override {
@@ -181,6 +184,7 @@ ModelTraits const& sliding_traits() {
                                     .holds = mask_of(Effect::vertical) | mask_of(Effect::sliding),
                                     .always = mask_of(Effect::sliding),
                                     .effects = sliding_effect,
+                                    .reasons = sliding_reasons,
                                     .channels = channels};
     return traits;
 }

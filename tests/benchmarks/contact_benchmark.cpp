@@ -17,7 +17,7 @@ struct ContactScenes {
     std::vector<double> wave;
     std::vector<ContactTrial> trials;
 
-    ContactScenes(ContactBase const& base, double strongest)
+    ContactScenes(BasePlan const& base, double strongest)
         : block(contact_block(testing::body_a(), base, {}, Friction{0.8, 0.8})),
           wave(testing::filtered_wave(testing::set_b)) {
         wave.resize(6001);
@@ -37,7 +37,7 @@ void per_trajectory(benchmark::State& state, std::size_t trajectories) {
                            benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-void contact_in_lanes(benchmark::State& state, ContactBase const& base, bool rest) {
+void contact_in_lanes(benchmark::State& state, BasePlan const& base, bool rest) {
     ContactScenes const scenes(base, rest ? 12 : 7);
     std::vector<ContactOutcome> outcomes(scenes.trials.size());
     for ([[maybe_unused]] auto _ : state) {
@@ -54,12 +54,12 @@ void contact_in_lanes(benchmark::State& state, ContactBase const& base, bool res
     state.counters["fell"] = fell;
     per_trajectory(state, scenes.trials.size());
 }
-BENCHMARK_CAPTURE(contact_in_lanes, corners, ContactBase{}, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(contact_in_lanes, corners, BasePlan{}, false)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(contact_in_lanes, flat_bed, testing::flat_bed(), false)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(contact_in_lanes, corners_of_a_campaign, ContactBase{}, true)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(contact_in_lanes, corners_of_a_campaign, BasePlan{}, true)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(contact_in_lanes, flat_bed_of_a_campaign, testing::flat_bed(), true)->Unit(benchmark::kMillisecond);
 
-void contact_alone(benchmark::State& state, ContactBase const& base) {
+void contact_alone(benchmark::State& state, BasePlan const& base) {
     ContactScenes const scenes(base, 7);
     for ([[maybe_unused]] auto _ : state) {
         benchmark::DoNotOptimize(
@@ -67,7 +67,7 @@ void contact_alone(benchmark::State& state, ContactBase const& base) {
     }
     per_trajectory(state, 1);
 }
-BENCHMARK_CAPTURE(contact_alone, corners, ContactBase{})->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(contact_alone, corners, BasePlan{})->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(contact_alone, flat_bed, testing::flat_bed())->Unit(benchmark::kMillisecond);
 
 void contact_match(benchmark::State& state) {

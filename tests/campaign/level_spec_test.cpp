@@ -33,6 +33,13 @@ TEST(Levels, AListInAnyOrderAndUnit) {
     EXPECT_EQ(levels_of("measure='factor'\nvalues=[1]\nwaves='independent'\n").units(), "1");
 }
 
+TEST(Levels, MayBeThatOfBothComponentsTogether) {
+    auto const spec = levels_of("measure='vector-pga'\nvalues=['300 gal']\n");
+    EXPECT_EQ(spec.scale(spec.levels[0], {.pga_mps2 = 1, .vector_pga_mps2 = 1.5}), 2);
+    EXPECT_EQ(spec.units(), "m/s2");
+    EXPECT_EQ(spec.measure_name(), "vector-pga");
+}
+
 TEST(Levels, ARangeHasEqualStepsOrRatios) {
     auto const linear = levels_of("measure='pga'\nvalues={from='300 gal',to='1500 gal',count=13}\n");
     auto const log = levels_of("measure='pga'\nvalues={from=1,to=8,count=4,spacing='log'}\n");

@@ -136,7 +136,7 @@ TEST(Statistics, CountWhatTheRowsSay) {
     EXPECT_EQ(ended(Verdict::overturned), (Counts{2, 0}));
     EXPECT_EQ(ended(Verdict::contact_lost), (Counts{0, 1}));
     EXPECT_EQ(ended(Verdict::failed), (Counts{1, 0}));
-    EXPECT_EQ(b.rungs, (Counts{1, 4, 1})) << "the failed one needed none";
+    EXPECT_EQ(b.rungs, (Counts{1, 4, 1, 0, 0})) << "the failed one needed none";
     EXPECT_EQ(b.v_wes[0].false_safe, 1);
     EXPECT_EQ(b.v_wes[0].true_overturn, 1);
     EXPECT_EQ(b.v_wes[0].true_safe, 1);
@@ -146,8 +146,8 @@ TEST(Statistics, CountWhatTheRowsSay) {
     auto const& a = statistics.bodies()[0];
     EXPECT_EQ(a.stripes[0].trials, 0);
     EXPECT_EQ(a.stripes[1].amplitude, 6);
-    EXPECT_EQ(a.called, (std::vector<Counts>{{0, 1}, {0, 1}})) << "vertical, sliding";
-    EXPECT_EQ(b.called, (std::vector<Counts>{{0, 0}, {0, 0}}));
+    EXPECT_EQ(a.called, (std::vector<Counts>{{0, 1}, {0, 1}, {0, 0}, {0, 0}})) << "vertical, sliding, contact, spatial";
+    EXPECT_EQ(b.called, (std::vector<Counts>{{0, 0}, {0, 0}, {0, 0}, {0, 0}}));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "campaign/trial.hpp"
 
 #include "campaign/results.hpp"
+#include "spatial/spatial_model.hpp"
 #include "support/bit_equal.hpp"
 #include "support/campaigns.hpp"
 #include "support/expect_input_error.hpp"
@@ -82,9 +83,10 @@ TEST(TrialPurity, AloneAndInACrowd) {
     EXPECT_EQ(block.waves[0].transverse_pga_mps2, 0);
 }
 
-// Requirement: how each component was matched is stored with the wave.
-TEST(TrialPurity, TransverseMotionIsReportedAndChangesNoTrial) {
-    auto const transverse = testing::quick_waves + "[waves.transverse]\nratio=0.85\n" + vertical + testing::type_b
+// Requirement: how each component was matched is stored with the wave; a weak transverse one leaves a square base as it
+// is, and so does any for a body that it is not to shake.
+TEST(TrialPurity, TransverseMotionIsReportedAndCallsForSpaceWhereItIsStrong) {
+    auto const transverse = testing::quick_waves + "[waves.transverse]\nratio=0.1\n" + vertical + testing::type_b
                             + scatter + testing::levels("values=[4,6]\n");
     auto const spec = campaign_from(small_campaign);
     auto const other = campaign_from(transverse);
@@ -92,6 +94,13 @@ TEST(TrialPurity, TransverseMotionIsReportedAndChangesNoTrial) {
     auto const with = prepared(other, 1);
     auto const& row = with.row;
     EXPECT_TRUE(bit_equal(run(spec, without, 0, 1), run(other, with, 0, 1)));
+    auto const strong = testing::quick_waves + "[waves.transverse]\nratio=1.2\n" + vertical + testing::type_b + scatter;
+    for (bool const shaken : {true, false}) {
+        auto const third = campaign_from(strong + (shaken ? "" : "axes=1\n") + testing::levels("values=[4,6]\n"));
+        auto const there = run(third, prepared(third, 1), 0, 1);
+        EXPECT_EQ(there.rung == spatial_traits().number, shaken);
+        EXPECT_EQ(has(static_cast<EffectMask>(there.called), Effect::vertical), shaken);
+    }
     EXPECT_EQ(row.vertical_pga_mps2, without.row.vertical_pga_mps2);
     EXPECT_EQ(without.row.transverse_match_mean_misfit, 0);
     EXPECT_GT(row.transverse_pga_mps2, 0);

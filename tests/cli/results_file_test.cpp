@@ -28,9 +28,10 @@ names = h5py.check_enum_dtype(f['trials/verdict'].dtype)
 assert names == {'at-rest': 0, 'slid': 1, 'rocked': 2, 'overturned': 3, 'contact-lost': 4, 'failed': 5}, names
 assert h5py.check_enum_dtype(f['trials/body'].dtype) == {'type-a': 0, 'type-b': 1}
 assert f['trials/verdict'].attrs['decided'] in (b'at-rest, slid, rocked, overturned', 'at-rest, slid, rocked, overturned')
-t = {k: v[:] for k, v in f['trials'].items()}
+t = {k: v[:] for k, v in f['trials'].items() if isinstance(v, h5py.Dataset)}
+own = {k: v[:] for k, v in f['trials/contact'].items()}
 n = len(t['verdict'])
-assert n == 2 * 3 * 12 and all(len(v) == n for v in t.values())
+assert n == 2 * 3 * 12 and all(len(v) == n for v in [*t.values(), *own.values()])
 assert len(f['waves/id']) == 12 and len(f['waves/type-a/v_wes']) == 12
 assert set(t['wave']) == set(f['waves/id'][:])
 

@@ -20,10 +20,13 @@ inline RigidBody rectangle(double half_width_m) {
 inline RigidBody body_a() { return rectangle(0.68); }
 inline RigidBody body_b() { return rectangle(0.45); }
 
-inline ContactBase flat_bed(int points = 11) { return {ContactBase::flat_share(points), points}; }
+inline BasePlan bed(double corner_share, int points = 11) {
+    return {.shape = BaseShape::square, .corners_m = {}, .corner_share = corner_share, .points = points};
+}
+inline BasePlan flat_bed(int points = 11) { return bed(flat_share(points), points); }
 
 /// On corners, elastic.
-inline ContactBlock on_corners(RigidBody const& body, double friction, ContactPad const& pad = {}) {
+inline ContactBlock on_corners(RigidBody const& body, double friction, Pad const& pad = {}) {
     return contact_block(body, {}, pad, Friction{friction, friction});
 }
 

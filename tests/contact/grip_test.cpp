@@ -44,14 +44,29 @@ TEST(ContactGrip, WithoutFrictionTheGroundLeavesTheBody) {
     EXPECT_LT(out.peak_rotation_rad, 1e-12);
 }
 
+// Rocking moves the middle of the base by b (1 - cos theta); until the impact the corner that it leans on stays.
+TEST(ContactGrip, RockingIsNoSlip) {
+    auto const body = body_a();
+    auto const block = on_corners(body, firm_grip);
+    for (double const side : {-1.0, 1.0}) {
+        auto const out = shaken(block, constant(0, 501), 1e-3, {.longest_after_s = 0, .rest_gate = false}, nullptr,
+                                leaning_start(block, side * 0.5 * body.alpha_rad()));
+        EXPECT_GT(block.half_width_m * (1 - std::cos(out.peak_rotation_rad)), 0.02);
+        EXPECT_LT(out.peak_slip_m, 5e-5);
+        EXPECT_GT(out.peak_slip_m, 1e-6);
+    }
+}
+
 TEST(ContactGrip, TenMinutesAtRestDoNotCreep) {
     for (bool const flat : {false, true}) {
-        auto const block = contact_block(body_a(), flat ? flat_bed() : ContactBase{}, {}, Friction{0.4, 0.3});
+        auto const block = contact_block(body_a(), flat ? flat_bed() : BasePlan{}, {}, Friction{0.4, 0.3});
         ContactHistory early;
         static_cast<void>(shaken(block, constant(0.15 * g0, 501), 1e-2, bare, &early));
         auto const late = shaken(block, constant(0.15 * g0, 60001), 1e-2, bare);
         auto const& there = early.instants.back();
-        double const settled = there.sway_m - block.centre_height_m * std::sin(there.rotation_rad);
+        double const half = std::sin(there.rotation_rad / 2);
+        double const settled = there.sway_m - block.centre_height_m * std::sin(there.rotation_rad)
+                               - std::copysign(2 * block.half_width_m * half * half, there.rotation_rad);
         EXPECT_EQ(late.verdict, Verdict::at_rest);
         EXPECT_NEAR(late.residual_slip_m, settled, 1e-12);
         EXPECT_LT(std::abs(late.end_sway_mps), 1e-12);
@@ -63,7 +78,7 @@ TEST(ContactHardCases, TenTimesGravityUpAndDown) {
     auto const up = testing::sine(10 * g0, 2, 10, 2);
     std::vector<double> const calm(up.size(), 0.0);
     for (bool const flat : {false, true}) {
-        auto const block = contact_block(body_a(), flat ? flat_bed() : ContactBase{}, {}, Friction{0.8, 0.8});
+        auto const block = contact_block(body_a(), flat ? flat_bed() : BasePlan{}, {}, Friction{0.8, 0.8});
         auto const out = simulate_contact(block, {.horizontal_mps2 = calm, .vertical_mps2 = up, .time_step_s = 1e-3});
         EXPECT_EQ(out.failure, FailureReason::none);
         EXPECT_EQ(out.verdict, Verdict::rocked);  // every point parted from the ground

@@ -35,7 +35,7 @@ class Mixture {
                 add_block(body, flat_bed(), {}, friction);
             }
             add_block(body, {}, {.vertical_frequency_hz = 67, .normal_restitution = 0.1}, 0.8);
-            add_block(body, {0.3, 11}, {.strength_pa = 3e6}, 0.8);
+            add_block(body, testing::bed(0.3), {.strength_pa = 3e6}, 0.8);
             add_block(body, flat_bed(5), {.strength_pa = 1e6}, 0.8);
         }
         for (auto const& block : blocks_) {
@@ -51,7 +51,7 @@ class Mixture {
     }
 
   private:
-    void add_block(RigidBody const& body, ContactBase const& base, ContactPad const& pad, double friction) {
+    void add_block(RigidBody const& body, BasePlan const& base, Pad const& pad, double friction) {
         blocks_.push_back(contact_block(body, base, pad, Friction{friction, friction}));
     }
     void add(ContactBlock const& block, std::vector<double> const& horizontal, std::vector<double> const& vertical,

@@ -85,7 +85,7 @@ TEST(ContactLaw, DampingFollowsFromRestitution) {
 }
 
 TEST(ContactLaw, LayoutsShareTheStiffness) {
-    for (auto const& base : {ContactBase{}, testing::flat_bed(), testing::flat_bed(31), ContactBase{0.3, 11}}) {
+    for (auto const& base : {BasePlan{}, testing::flat_bed(), testing::flat_bed(31), testing::bed(0.3)}) {
         auto const block = contact_block(body_a(), base, {}, {});
         double sum = 0;
         double second = 0;
@@ -101,16 +101,17 @@ TEST(ContactLaw, LayoutsShareTheStiffness) {
     }
 }
 
-void expect_refused(ContactBase const& base, ContactPad const& pad, std::string const& part) {
+void expect_refused(BasePlan const& base, Pad const& pad, std::string const& part) {
     testing::expect_input_error([&] { static_cast<void>(contact_block(body_a(), base, pad, {})); }, part);
 }
 
 TEST(ContactLaw, WhatBearsNothingIsRefused) {
     expect_refused({}, {.strength_pa = 0}, "strength");
-    expect_refused({1, 1}, {}, "1 points");
-    expect_refused({0.5, 1000}, {}, "1000 points");
-    expect_refused({0.05, 11}, {}, "share");
-    expect_refused({1.1, 11}, {}, "share");
+    expect_refused(testing::bed(1, 1), {}, "1 points");
+    expect_refused(testing::bed(0.5, 1000), {}, "1000 points");
+    expect_refused(testing::bed(0.05), {}, "share");
+    expect_refused(testing::bed(1.1), {}, "share");
+    expect_refused({.shape = BaseShape::polygon}, {}, "in space");
     expect_refused({}, {.normal_restitution = 0}, "restitution");
     expect_refused({}, {.normal_restitution = 1.01}, "restitution");
     expect_refused({}, {.vertical_frequency_hz = -1}, "frequency");

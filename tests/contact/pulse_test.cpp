@@ -18,7 +18,7 @@ using testing::shaken;
 using testing::steps_of;
 
 // One sine of so many times the uplift acceleration.
-ContactOutcome after_sine(RigidBody const& body, ContactBase const& base, double friction, double frequency_hz,
+ContactOutcome after_sine(RigidBody const& body, BasePlan const& base, double friction, double frequency_hz,
                           double level, double step_s) {
     auto const block = contact_block(body, base, {}, Friction{friction, friction});
     auto const wave = testing::sine(level * body.uplift_acceleration_mps2(), frequency_hz, 1, 4);

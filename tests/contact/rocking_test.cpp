@@ -89,8 +89,8 @@ double rigid_quarter_s(RigidBody const& body, double rotation_rad) {
 double quarter_s(RigidBody const& body, double frequency_hz) {
     auto const block = on_corners(body, firm_grip, {.vertical_frequency_hz = frequency_hz});
     ContactHistory history;
-    static_cast<void>(simulate_contact(block, {}, {.step_ratio = 0.03, .longest_after_s = 0.5},
-                                       leaning_start(block, 0.3 * body.alpha_rad()), &history));
+    static_cast<void>(shaken(block, testing::constant(0, 2), 0.5, {.step_ratio = 0.03}, &history,
+                             leaning_start(block, 0.3 * body.alpha_rad())));
     return history.zero_of(&ContactInstant::rotation_rad, &ContactInstant::velocity_radps);
 }
 

@@ -87,6 +87,16 @@ TEST(Knobs, EffectsAreThoseThatApply) {
               (std::vector<std::string>{"none", "vertical", "sliding", "vertical, sliding", "auto"}));
     EXPECT_EQ(labels(knobs_from(text)), (std::vector<std::string>{"none", "auto"}));
     EXPECT_EQ(here(knobs_from(with_all + "[effects]\ninclude=['sliding']\n"), "effects"), "sliding");
+
+    // Where a pad is stated or waves have a transverse component, auto is held against all that can be simulated.
+    auto const pad = quick_waves + type_b + "pad={vertical_frequency='67 Hz'}\n" + levels("values=[4]\n");
+    EXPECT_EQ(labels(knobs_from(pad)), (std::vector<std::string>{"none", "contact", "auto"}));
+    EXPECT_EQ(here(knobs_from(pad), "contact_step"), "0.3");
+    EXPECT_EQ(knob_named(knobs_from(text), "contact_step"), nullptr);
+    auto const across = quick_waves + "[waves.transverse]\nratio=1\n" + type_b + levels("values=[4]\n");
+    EXPECT_EQ(labels(knobs_from(across)), (std::vector<std::string>{"none", "contact", "contact, spatial", "auto"}));
+    auto const campaign = input_from(across);
+    EXPECT_EQ(effects_reference_settings(parse_campaign(campaign)).back(), "effects={include=[\"contact\",\"spatial\"]}");
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "generators/envelope.hpp"
+#include "generators/wave_quality.hpp"
+#include "motion/intensity.hpp"
 #include "support/expect_input_error.hpp"
 #include "support/sources.hpp"
 #include "support/tolerance.hpp"
@@ -98,6 +100,32 @@ TEST(FilteredNoise, RefusesWhatItCannotMake) {
     testing::expect_input_error([&] { noise("model='kanai-tajimi'\nduration=10\nrms=1\nfilter_damping=0.5\n"); },
                                 "filter_damping", "nothing reads it");
     testing::expect_input_error([&] { noise("model='kanai-tajimi'\nduration=0.1\nrms=1\n"); }, "time steps");
+}
+
+// Drawn together: of the stated correlation on the mean, the horizontal one as it is alone.
+TEST(FilteredNoise, HasThreeComponents) {
+    std::string const noise =
+        "source='filtered-noise'\nmodel='clough-penzien'\nrms='1 m/s2'\nduration='40.96 s'\ntime_step=0.01\n";
+    auto const source = testing::source_of(noise + "transverse={ratio=0.8, correlation=0.6}\nvertical={ratio=0.5}\n");
+    double sum = 0;
+    double upright = 0;
+    double ratio = 0;
+    constexpr int waves = 40;
+    for (std::uint64_t wave = 0; wave < waves; ++wave) {
+        auto const motion = source->make(3, wave).motion;
+        sum += correlation_of(motion.horizontal_mps2, motion.transverse_mps2);
+        upright += correlation_of(motion.horizontal_mps2, motion.vertical_mps2);
+        ratio +=
+            intensity_of(motion.transverse_mps2, 0.01).arias_mps / intensity_of(motion.horizontal_mps2, 0.01).arias_mps;
+    }
+    EXPECT_NEAR(sum / waves, 0.6, 0.03);
+    EXPECT_NEAR(upright / waves, 0, 0.04);
+    EXPECT_NEAR(ratio / waves, 0.64, 0.05);
+    EXPECT_EQ(source->make(3, 1).motion.horizontal_mps2, testing::source_of(noise)->make(3, 1).motion.horizontal_mps2);
+    auto const same = testing::source_of(noise + "transverse={ratio=1, correlation=1}\n")->make(3, 1).motion;
+    EXPECT_EQ(same.transverse_mps2, same.horizontal_mps2);
+    testing::expect_input_error([&] { (void)testing::source_of(noise + "transverse={ratio=1, correlation=1.1}\n"); },
+                                "correlation");
 }
 
 /// However coarse the time step, the noise that it can hold has the rms that was asked for, and what it cuts is said.

@@ -42,6 +42,21 @@ TEST(Harmonic, RampGrowsAndFades) {
     EXPECT_NEAR(ramped.horizontal_mps2[975], plain.horizontal_mps2[975] * 0.25 / 2, 1e-15);
 }
 
+// A quarter period ahead across, the motion goes round in a circle.
+TEST(Harmonic, HasThreeComponents) {
+    auto const motion = source_of(
+                            "source='harmonic'\namplitude=2\nfrequency='2 Hz'\ncycles=4\n"
+                            "transverse={ratio=1, phase='90 deg'}\nvertical={ratio=0.5}\n")
+                            ->make(1, 0)
+                            .motion;
+    ASSERT_EQ(motion.transverse_mps2.size(), motion.samples());
+    for (std::size_t i = 0; i < motion.samples(); ++i) {
+        EXPECT_NEAR(std::hypot(motion.horizontal_mps2[i], motion.transverse_mps2[i]), 2, 1e-13);
+        EXPECT_EQ(motion.vertical_mps2[i], 0.5 * motion.horizontal_mps2[i]);
+    }
+    EXPECT_NEAR(motion.transverse_mps2[0], 2, 1e-15);
+}
+
 TEST(Harmonic, RefusesNonsense) {
     auto const refuse = [](std::string const& keys, char const* part) {
         testing::expect_input_error([&] { (void)source_of("source='harmonic'\namplitude=1\n" + keys); }, part);

@@ -84,6 +84,21 @@ TEST(Pulse, ListOfPeriodsIsASweep) {
     testing::expect_input_error([&] { (void)source->make(1, 3); }, "wave 3 of 3");
 }
 
+TEST(Pulse, HasThreeComponents) {
+    auto const source = source_of(
+        "source='pulse'\nshape='one-sine'\namplitude=2\nperiod=1\ntime_step=0.05\n"
+        "transverse={ratio=0.5, lag='0.25 s'}\nvertical={ratio=0.1}\n");
+    auto const motion = source->make(1, 0).motion;
+    ASSERT_EQ(motion.samples(), 26U);
+    for (std::size_t i = 0; i < 26; ++i) {
+        double const before = i < 5 ? 0 : motion.horizontal_mps2[i - 5];
+        EXPECT_EQ(motion.transverse_mps2[i], 0.5 * before) << i;
+        EXPECT_EQ(motion.vertical_mps2[i], 0.1 * motion.horizontal_mps2[i]) << i;
+    }
+    EXPECT_EQ(motion.horizontal_mps2[25], 0);
+    EXPECT_NE(source->describe().find("transverse 0.5 of it, 0.25 s later"), std::string::npos);
+}
+
 TEST(Pulse, RefusesNonsense) {
     testing::expect_input_error([] { (void)pulse("one_sine"); }, "c.toml:4:", "'one-sine'?");
     testing::expect_input_error([] { (void)source_of("source='pulse'\nshape='ricker'\namplitude=1\n"); },

@@ -1,7 +1,12 @@
 // Requirement: record n is wave n, untouched, and a damaged or missing file is named where the campaign names it.
 #include "generators/records.hpp"
 
+#include <cmath>
+
+#include <fmt/format.h>
+
 #include "core/units.hpp"
+#include "generators/wave_quality.hpp"
 #include "support/expect_input_error.hpp"
 #include "support/sources.hpp"
 
@@ -53,6 +58,38 @@ TEST(Records, ScaleIsForAllComponents) {
     auto const list = source_of("source='records'\nfiles=['a.csv','b.csv']\nunit='gal'\nscale=2\n", files);
     EXPECT_DOUBLE_EQ(list->make(1, 0).motion.horizontal_mps2[2], -0.4);
     EXPECT_EQ(list->make(1, 1).label, "b.csv, times 2");
+}
+
+// Requirement: two horizontal components may be turned to their principal axes, and the row says by how much.
+TEST(Records, AxesMayBeTurned) {
+    // Of strength 3 along 30 deg and 1 across, in time with nothing: x = 3 c p - s q, y = 3 s p + c q.
+    std::string csv = "time_s,ax_mps2,ay_mps2\n";
+    double const c = std::cos(pi / 6);
+    double const s = std::sin(pi / 6);
+    for (int i = 0; i <= 1000; ++i) {
+        double const p = std::sin(2 * pi * i / 100.0);
+        double const q = std::cos(2 * pi * i / 100.0) * (i < 1000 ? 1 : 0);
+        csv += fmt::format("{},{:.17g},{:.17g}\n", i / 100.0, 3 * c * p - s * q, 3 * s * p + c * q);
+    }
+    std::map<std::string, std::string> const both{{"two.csv", csv}, {"a.csv", files.at("a.csv")}};
+    std::string const keys = "source='records'\nfiles=['two.csv']\n";
+    auto const turned = source_of(keys + "axes='principal'\n", both)->make(1, 0);
+    EXPECT_NEAR(turned.turned_rad, pi / 6, 1e-3);  // the last sample's q is missing
+    EXPECT_NEAR(correlation_of(turned.motion.horizontal_mps2, turned.motion.transverse_mps2), 0, 1e-12);
+    EXPECT_NEAR(peak_of(turned.motion.horizontal_mps2), 3, 1e-3);
+    EXPECT_NE(turned.label.find("turned by 30.0 deg to its principal axes"), std::string::npos) << turned.label;
+    auto const recorded = source_of(keys, both)->make(1, 0);
+    EXPECT_EQ(recorded.turned_rad, 0);
+    auto const back = source_of(keys + "axes='30 deg'\n", both)->make(1, 0);
+    for (std::size_t i = 0; i < recorded.motion.samples(); i += 50) {
+        double const x = recorded.motion.horizontal_mps2[i];
+        double const y = recorded.motion.transverse_mps2[i];
+        EXPECT_NEAR(back.motion.horizontal_mps2[i], c * x + s * y, 1e-14);
+        EXPECT_NEAR(back.motion.transverse_mps2[i], c * y - s * x, 1e-14);
+    }
+    expect_input_error(
+        [&] { (void)source_of("source='records'\nfiles=['a.csv']\nunit='gal'\naxes='principal'\n", both); }, "axes",
+        "nothing to turn");
 }
 
 TEST(Records, RefusesWhatItCannotRead) {

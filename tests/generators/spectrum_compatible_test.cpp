@@ -73,6 +73,21 @@ TEST(SpectrumCompatible, ComponentsAreIndependentAndInProportion) {
     EXPECT_LT(std::abs(correlation), 0.06);  // one wave scatters by about 0.08
 }
 
+TEST(SpectrumCompatible, ComponentsMayBeCorrelatedAsStated) {
+    auto const source = source_of(base + target + "[transverse]\nratio=0.8\ncorrelation=0.5\n");
+    int close = 0;
+    for (std::uint64_t wave = 0; wave < 20; ++wave) {
+        auto const made = source->make(1, wave);
+        double const found = correlation_of(made.motion.horizontal_mps2, made.motion.transverse_mps2);
+        EXPECT_NEAR(found, 0.5, 0.06) << wave;
+        close += std::abs(found - 0.5) < 0.02 ? 1 : 0;
+        EXPECT_LT(made.transverse_match.all.mean_misfit, 0.05);
+    }
+    EXPECT_GE(close, 17) << "the match of few takes more than mixtures make good";
+    EXPECT_NE(source->describe().find("correlation 0.5"), std::string::npos);
+    EXPECT_EQ(source->make(1, 3).motion.horizontal_mps2, source_of(base + target)->make(1, 3).motion.horizontal_mps2);
+}
+
 // Mean power over ten seconds each, relative to what (t/20)^2, 1, exp(-ln 10 (t-60)/50) ask for.
 std::vector<double> power_over_envelope(std::string const& match) {
     auto const source = source_of("source='spectrum-compatible'\nduration='120 s'\nmatch='" + match + "'\n" + target

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/units.hpp"
 #include "motion/record.hpp"
 #include "support/expect_input_error.hpp"
 #include "support/tolerance.hpp"
@@ -21,6 +22,35 @@ GroundMotion read(std::string const& content, RecordRequest request = {.unit_mps
 }
 
 std::vector<double> const three{100 * gal, -200 * gal, 300 * gal};
+
+// Requirement: a unit in a column's name is read, and one that is stated otherwise is an error.
+TEST(Columns, NamesMayStateTheUnit) {
+    struct Named {
+        char const* name;
+        double si;
+    };
+    RecordRequest const silent;
+    for (auto const& [name, si] : {Named{"ax_mps2", 1},
+                                   {"acceleration (g)", g0},
+                                   {"Acc(gal)", gal},
+                                   {"NS [cm/s2]", gal},
+                                   {"a_cmps2", gal},
+                                   {"EW (m/s/s)", 1},
+                                   {"acc_Gal", gal},
+                                   {"a (mm/s2)", 1e-3}}) {
+        auto const text = std::string("time_s,") + name + "\n0,1\n0.5,-2\n1,3\n";
+        EXPECT_EQ(read(text, silent).horizontal_mps2, (std::vector{1 * si, -2 * si, 3 * si})) << name;
+    }
+    for (char const* name : {"a_g", "acc", "a_horizontal", "x (ft/s2)"}) {
+        auto const text = std::string("t,") + name + "\n0,100\n0.5,-200\n";
+        expect_input_error([&] { (void)read(text, silent); }, "unit missing");
+    }
+    expect_input_error([&] { (void)read("t,a_mps2\n0,100\n0.5,-200\n"); }, "a.csv:1", "contradict");
+    expect_input_error([&] { (void)read("t,a_mps2,b_gal\n0,1,1\n0.5,2,2\n", silent); }, "a.csv:1", "different units");
+    auto const all = read("time_s,ax_mps2,ay_mps2,az_mps2\n0,1,2,3\n0.5,4,5,6\n", silent);
+    EXPECT_EQ(all.transverse_mps2, (std::vector<double>{2, 5}));
+    EXPECT_EQ(all.vertical_mps2, (std::vector<double>{3, 6}));
+}
 
 TEST(Columns, TimeAndHorizontalInEveryDress) {
     for (char const* text :
@@ -48,7 +78,7 @@ TEST(Columns, ThirdColumnIsVertical) {
 
 TEST(Columns, FourColumnsHoldBothHorizontalComponents) {
     for (char const* names : {"", "time,a_horizontal,a_transverse,a_vertical\n", "t,NS,EW,UD\n", "t,x,y,z\n",
-                              "time_s,ax_mps2,ay_mps2,az_mps2\n", "t,one,two,three\n"}) {
+                              "time_s,ax,ay,az\n", "t,one,two,three\n"}) {
         auto const motion = read(names + std::string("0,100,1,10\n0.5,-200,2,20\n1,300,3,30\n"));
         EXPECT_EQ(motion.horizontal_mps2, three) << names;
         EXPECT_EQ(motion.transverse_mps2, (std::vector{1 * gal, 2 * gal, 3 * gal})) << names;
@@ -91,7 +121,7 @@ TEST(Columns, OneColumnNeedsATimeStep) {
 }
 
 TEST(Columns, UnitIsNeverGuessed) {
-    expect_input_error([] { (void)read("Time (s),Acceleration (g)\n0,1\n0.5,2\n", {}); }, "a.csv:2: ", "unit missing",
+    expect_input_error([] { (void)read("Time (s),Acceleration\n0,1\n0.5,2\n", {}); }, "a.csv:2: ", "unit missing",
                        "State --unit gal|g|m/s2");
 }
 

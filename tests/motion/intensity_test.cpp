@@ -83,5 +83,17 @@ TEST(Intensity, SilenceAndSingleSampleAreZeroButForTheirPeak) {
     EXPECT_EQ(single.pgv_mps, 0.0);
 }
 
+// Requirement: both horizontal components together have a peak of their own.
+TEST(Intensity, OfBothComponentsIsThatOfTheVector) {
+    GroundMotion motion{.time_step_s = 0.1,
+                        .horizontal_mps2 = {0, 3, -1, 0},
+                        .transverse_mps2 = {0, -4, 4.5, 0},
+                        .vertical_mps2 = {9, 9, 9, 9}};
+    EXPECT_EQ(intensity_of(motion).vector_pga_mps2, 5);
+    EXPECT_EQ(intensity_of(motion).pga_mps2, 3);
+    motion.transverse_mps2.clear();
+    EXPECT_EQ(intensity_of(motion).vector_pga_mps2, 3);
+}
+
 }  // namespace
 }  // namespace overturn

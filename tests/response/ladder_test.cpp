@@ -51,10 +51,9 @@ template <EffectMask Holds> ModelTraits const& crush_traits() {
 template <EffectMask Holds> class Crush : public Model {
   public:
     [[nodiscard]] ModelTraits const& traits() const override { return crush_traits<Holds>(); }
-    [[nodiscard]] EffectMask called_for(Trial const& /*trial*/, Outcome const* said) const override {
-        return said != nullptr && said->verdict != Verdict::failed && said->peak_rotation_ratio > 0.3
-                   ? mask_of(crushing)
-                   : 0;
+    [[nodiscard]] Call called_for(Trial const& /*trial*/, Outcome const* said) const override {
+        bool const rocks = said != nullptr && said->verdict != Verdict::failed && said->peak_rotation_ratio > 0.3;
+        return {rocks ? mask_of(crushing) : 0};
     }
     std::unique_ptr<Checkpoints> run(Batch const& batch) const override {
         for (std::size_t i = 0; i < batch.trials.size(); ++i) {
@@ -76,6 +75,12 @@ template <EffectMask Holds> ModelEntry crush_entry() {
 constexpr EffectMask planar = mask_of(Effect::vertical) | mask_of(Effect::sliding);
 constexpr EffectMask all = planar | mask_of(crushing);
 constexpr EffectMask without_sliding = mask_of(Effect::vertical) | mask_of(crushing);
+
+// As in the program, were there no other models.
+Ladder without_crush() {
+    static std::array const entries{models()[0], models()[1]};
+    return Ladder(EffectRequest{}, {}, entries);
+}
 
 template <EffectMask Holds> Ladder with_crush(EffectRequest const& request = {}) {
     static std::array const entries{models()[0], models()[1], crush_entry<Holds>()};
@@ -182,7 +187,7 @@ TEST(Ladder, SlipThatWasCalledForIsSaidEvenWhereNothingMovesInTheEnd) {
 
 TEST(Ladder, GoesOnToAModelThatHoldsAllThatIsCalledFor) {
     Many const many;
-    auto const plain = answers_of(Ladder(EffectRequest{}), many.trials());
+    auto const plain = answers_of(without_crush(), many.trials());
     auto const ladder = with_crush<all>();
     auto const answers = answers_of(ladder, many.trials());
     std::array<int, 2> seen{};
@@ -210,7 +215,7 @@ TEST(Ladder, GoesOnToAModelThatHoldsAllThatIsCalledFor) {
 // A model that cannot slide never takes a trial that slips; the slip stays, and what is left out is said.
 TEST(Ladder, LeavesOutWhatNoModelHoldsTogether) {
     Many const many;
-    auto const plain = answers_of(Ladder(EffectRequest{}), many.trials());
+    auto const plain = answers_of(without_crush(), many.trials());
     auto const answers = answers_of(with_crush<without_sliding>(), many.trials());
     int left_out = 0;
     for (std::size_t i = 0; i < many.trials().size(); ++i) {

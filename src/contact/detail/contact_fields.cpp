@@ -17,6 +17,7 @@ void ContactRun::fill_trial(ContactAccuracy const& accuracy) {
     double const radius = std::hypot(b, h);
     put(Pressing::gravity, block_.gravity_mps2);
     put(Pressing::height, h);
+    put(Pressing::half_width, b);
     put(Pressing::inertia, inertia);
     put(Pressing::mass_over_inertia, 1 / inertia);
     put(Pressing::inverse_p, std::sqrt((inertia + radius * radius) / (block_.gravity_mps2 * radius)));
@@ -36,7 +37,7 @@ void ContactRun::fill_trial(ContactAccuracy const& accuracy) {
 // A whole number of steps per sample, and the samples.
 void ContactRun::fill_steps(ContactAccuracy const& accuracy) {
     double const y = normal_damping(block_.pad.normal_restitution);
-    static double const usual_damping = normal_damping(ContactPad{}.normal_restitution);
+    static double const usual_damping = normal_damping(Pad{}.normal_restitution);
     longest_step_s_ =
         accuracy.step_ratio / block_.vertical_radps() * std::min(1.0, usual_damping / std::max(y, usual_damping));
     run_out_s_ = accuracy.longest_after_s;
@@ -162,10 +163,14 @@ void ContactRun::tell_peaks(ContactOutcome& out) const {
     out.friction_demand = out.friction_work_jpkg = never;
     out.min_contact_force_ratio = out.steps > 0 ? get(Pressing::least_force) / g : 1;
     out.peak_slip_m = get(Pressing::most_slip);
-    out.residual_slip_m = get(Pressing::sway) - block_.centre_height_m * get(Pressing::sine);
+    double const sine = get(Pressing::sine);  // the cosine's last digits drift
+    double const lifted = block_.half_width_m * sine * sine / (1 + std::abs(get(Pressing::cosine)));
+    out.residual_slip_m = get(Pressing::sway) - block_.centre_height_m * get(Pressing::sine)
+                          - std::copysign(lifted, get(Pressing::rotation));
     out.end_sway_mps = get(Pressing::sway_speed);
-    out.own = {deepest_crush(), std::max(1.0, get(Pressing::most_force) / g),
-               get(Pressing::most_rise) + block_.settlement_m()};
+    out.own.peak_crush_m = deepest_crush();
+    out.own.peak_contact_force_ratio = std::max(1.0, get(Pressing::most_force) / g);
+    out.own.peak_rise_m = get(Pressing::most_rise) + block_.settlement_m();
 }
 
 ContactOutcome ContactRun::finish() const {

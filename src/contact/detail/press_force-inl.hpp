@@ -8,6 +8,7 @@
 #endif
 
 #include "contact/detail/pressing.hpp"
+#include "contact/point_law-inl.hpp"
 #include "simd/lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -72,7 +73,7 @@ template <class V, int Stride, int Points> class PressForce {
 template <class V, int Stride, int Points>
 OVERTURN_LANES_INLINE void PressForce<V, Stride, Points>::remember_touch(double* point, V depth, V approach) const {
     if (M const away = depth <= V(0); any(away)) {
-        V const fresh = get(Pressing::damping) / max(approach, get(Pressing::least_approach));
+        V const fresh = gain_of_approach(approach, get(Pressing::damping), get(Pressing::least_approach));
         set_spot(point, Spot::gain, choose(away, fresh, spot(point, Spot::gain)));
     }
     V const excess = depth - spot(point, Spot::yield);
@@ -123,9 +124,7 @@ OVERTURN_LANES_INLINE auto PressForce<V, Stride, Points>::pulled(Motion const& a
             remember_touch(point, depth, approach);
             least_depth = min(depth, least_depth);
         }
-        V const elastic = min(max(depth, zero), yield);
-        V const damping = min(spot(point, Spot::gain) * elastic, cap);
-        V const normal = max(fma(damping, approach, elastic), zero);
+        V const normal = normal_depth(depth, approach, yield, spot(point, Spot::gain), cap);
         V const here = fma(at.cosine, offset, base);
         V shift = here - spot(point, Spot::anchor);
         if constexpr (Remember) {

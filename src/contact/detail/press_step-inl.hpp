@@ -77,7 +77,10 @@ OVERTURN_LANES_INLINE void PressStepper<V, Stride, Points>::log(Motion const& at
     put(Pressing::least_force, min(pull.press, get(Pressing::least_force)));
     put(Pressing::most_force, max(pull.press, get(Pressing::most_force)));
     put(Pressing::most_rise, max(at.rise, get(Pressing::most_rise)));
-    put(Pressing::most_slip, max(abs(at.sway - get(Pressing::height) * at.sine), get(Pressing::most_slip)));
+    // Of the corner that it leans on: rocking about a corner moves the middle of the base, not that corner.
+    V const lifted = get(Pressing::half_width) * (at.sine * at.sine / (1.0 + abs(at.cosine)));
+    V const middle = at.sway - get(Pressing::height) * at.sine;
+    put(Pressing::most_slip, max(abs(middle - choose(rotation < zero, -lifted, lifted)), get(Pressing::most_slip)));
     V const spread = at.spin * get(Pressing::inverse_p);
     V const lean = fma(get(Pressing::sine_alpha), abs(at.sine), get(Pressing::cosine_alpha) * (at.cosine - 1.0));
     put(Pressing::most_energy, max(fma(0.5 * spread, spread, lean), get(Pressing::most_energy)));

@@ -54,6 +54,7 @@ enum class Pressing : int {
     vertical_scale,  ///< 0: without vertical motion
     gravity,
     height,              ///< h
+    half_width,          ///< b
     mass_over_inertia,   ///< m / I_G
     friction,            ///< mu
     hold,                ///< mu k / k_t: elastic shift of an anchor at most, over the depth of a point's force

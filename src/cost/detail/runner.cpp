@@ -93,15 +93,19 @@ void Runner::run_references() {
     auto trials = exact(reference_settings());
     study_.reference_seconds = trials.seconds / static_cast<double>(std::max<std::int64_t>(1, trials.units));
     reference_ = std::move(trials.rows);
-    effects_reference_ =
-        spec_.effects.mode == EffectMode::automatic ? reference_ : exact(effects_reference_settings()).rows;
+    auto const effects_settings = effects_reference_settings(spec_);
+    bool const same = spec_.effects.mode == EffectMode::automatic && effects_settings.back() == automatic_effects;
+    effects_reference_ = same ? reference_ : exact(effects_settings).rows;
+    bool const on_points =
+        std::ranges::any_of(study_.knobs, [](KnobResult const& result) { return result.knob.name == contact_step; });
+    contact_reference_ = on_points ? exact(contact_reference_settings()).rows : reference_;
     exact_ou_v_e_ = run_energy(few_, reference_panel_phase_rad, Acts::ou_v_e).values;
     exact_v_wes_ = run_energy(few_, reference_panel_phase_rad, Acts::v_wes).values;
     exact_spectra_ = run_spectra(few_, reference_periods_per_decade, Depth::whole).values;
     study_.rounding = compare(exact(second_reference_settings()).rows, reference_);
     auto const own = run_trials(spec_, plan_, waves_.waves).rows;
     study_.trials = static_cast<std::int64_t>(own.size());
-    study_.defaults = compare(own, reference_);
+    study_.defaults = compare(own, contact_reference_);
 }
 
 Run Runner::run_setting(Knob const& knob, Setting const& setting, CampaignSpec const& variant, Depth depth) const {
@@ -141,7 +145,10 @@ void Runner::judge(KnobResult& result, std::size_t s, Run const& run) {
     auto& row = result.rows[s];
     switch (result.knob.acts) {
         case Acts::trials:
-            take_verdicts(row, run.rows, result.knob.name == "effects" ? effects_reference_ : reference_);
+            take_verdicts(row, run.rows,
+                          result.knob.name == "effects"      ? effects_reference_
+                          : result.knob.name == contact_step ? contact_reference_
+                                                             : reference_);
             break;
         case Acts::waves:
             if (s + 1 == result.rows.size()) {

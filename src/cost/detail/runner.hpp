@@ -59,7 +59,7 @@ class Runner {
     std::vector<std::int64_t> numbers_;
     Sample waves_{spec_, plan_, {}};
     Sample few_{spec_, plan_, {}};  // for the knobs that act on waves
-    std::vector<TrialRow> reference_, effects_reference_, best_matched_;
+    std::vector<TrialRow> reference_, contact_reference_, effects_reference_, best_matched_;
     std::vector<double> exact_ou_v_e_, exact_v_wes_, exact_spectra_;
     std::vector<Step> steps_;
     Study study_;

@@ -1,0 +1,47 @@
+#include "generators/detail/axes.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace overturn {
+
+AxesRequest read_axes(config::Table const& table) {
+    static constexpr std::array names{
+        config::Entry<Axes>{"as-recorded", "as the instrument stood", Axes::recorded},
+        config::Entry<Axes>{"principal", "the stronger principal axis in the rocking plane", Axes::principal}};
+    if (!table.has("axes")) {
+        return {};
+    }
+    if (table.kind("axes") == config::Kind::text && table.text("axes").find("deg") == std::string::npos
+        && table.text("axes").find("rad") == std::string::npos) {
+        return {table.choice<Axes>("axes", names), 0};
+    }
+    return {Axes::turned, table.number("axes", Dimension::angle, config::Range::any())};
+}
+
+double principal_angle(GroundMotion const& motion) {
+    double along = 0;
+    double across = 0;
+    double both = 0;
+    for (std::size_t i = 0; i < motion.samples(); ++i) {
+        double const x = motion.horizontal_mps2[i];
+        double const y = motion.transverse_mps2[i];
+        along += x * x;
+        across += y * y;
+        both += x * y;
+    }
+    return 0.5 * std::atan2(2 * both, along - across);
+}
+
+void turn_axes(GroundMotion& motion, double angle_rad) {
+    double const c = std::cos(angle_rad);
+    double const s = std::sin(angle_rad);
+    for (std::size_t i = 0; i < motion.samples(); ++i) {
+        double const x = motion.horizontal_mps2[i];
+        double const y = motion.transverse_mps2[i];
+        motion.horizontal_mps2[i] = c * x + s * y;
+        motion.transverse_mps2[i] = c * y - s * x;
+    }
+}
+
+}  // namespace overturn

@@ -1,0 +1,44 @@
+/// The components that a generated motion may have beside the horizontal one.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "config/table.hpp"
+#include "motion/ground_motion.hpp"
+
+namespace overturn {
+
+/// What its table of [waves] is called, where its motion goes, which streams it draws from.
+struct FurtherComponent {
+    char const* name;
+    std::vector<double> GroundMotion::*place;
+    std::uint64_t stream;
+};
+inline constexpr std::array further_components{FurtherComponent{"transverse", &GroundMotion::transverse_mps2, 2},
+                                               FurtherComponent{"vertical", &GroundMotion::vertical_mps2, 1}};
+
+/// Key `ratio` of a component's table: its amplitude over that of the horizontal one.
+[[nodiscard]] inline double read_ratio(config::Table const& table) {
+    return table.number("ratio", Dimension::none, {.low = 0, .high = 10, .low_open = true});
+}
+
+/// Key `correlation` of a component's table: its coefficient with the horizontal one.
+[[nodiscard]] inline std::optional<double> read_correlation(config::Table const& table) {
+    return table.maybe_number("correlation", Dimension::none, config::Range::between(-1, 1));
+}
+
+/// Of two draws of the same power, their mixture that is correlated so with the first: Cholesky's factor, line by line.
+template <class Lines> [[nodiscard]] Lines correlated(Lines const& first, Lines own, double correlation) {
+    double const rest = std::sqrt(1 - correlation * correlation);
+    for (std::size_t k = 0; k < own.size(); ++k) {
+        own[k] = correlation * first[k] + rest * own[k];
+    }
+    return own;
+}
+
+}  // namespace overturn

@@ -1,0 +1,157 @@
+#include "campaign/detail/footing_spec.hpp"
+
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "contact/contact_model.hpp"
+#include "spatial/spatial_block.hpp"
+
+namespace overturn {
+namespace {
+
+using config::Kind;
+using config::Range;
+using config::Table;
+
+constexpr std::array shapes{
+    config::Entry<BaseShape>{"square", "as wide as base_width, both ways", BaseShape::square},
+    config::Entry<BaseShape>{"round", "of the diameter base_width", BaseShape::round},
+    config::Entry<BaseShape>{"polygon", "convex, with the corners that are stated", BaseShape::polygon}};
+
+std::optional<double> read_bedding(Table const& given) {
+    if (given.kind("bedding") != Kind::text) {
+        return given.number("bedding", Dimension::none, {.low = 0, .high = 1, .low_open = true}, 1);
+    }
+    static constexpr std::array beddings{config::Entry<bool>{"corners", "nothing but the corners bears", true},
+                                         config::Entry<bool>{"flat", "all of the base bears evenly", false}};
+    return given.choice<bool>("bedding", beddings) ? std::optional(1.0) : std::nullopt;
+}
+
+BasePlan read_base(Table const& given) {
+    BasePlan base;
+    base.shape = given.choice<BaseShape>("shape", shapes, BaseShape::square);
+    bool const square = base.shape == BaseShape::square;
+    if (base.shape == BaseShape::polygon) {
+        for (auto const& [x, y] : given.pairs("corners", Dimension::length, Dimension::length)) {
+            base.corners_m.push_back({x, y});
+        }
+    }
+    if (!square && given.has("bedding")) {
+        if (read_bedding(given) != 1) {
+            given.fail("bedding", "only a square base has any but its corners or its rim. Leave it out");
+        }
+    }
+    base.corner_share = square ? read_bedding(given) : 1;
+    constexpr std::int64_t most = 1000;
+    if (base.shape != BaseShape::polygon) {
+        base.points = static_cast<int>(
+            given.integer("points", 2, most, square ? BasePlan::points_across : BasePlan::points_around));
+    }
+    given.finish();
+    return base;
+}
+
+Pad read_pad(Table const& given) {
+    Pad pad;
+    pad.vertical_frequency_hz =
+        given.number("vertical_frequency", Dimension::frequency, Range::positive(), pad.vertical_frequency_hz);
+    pad.normal_restitution = given.number("normal_restitution", Dimension::none,
+                                          {.low = 0, .high = 1, .low_open = true}, pad.normal_restitution);
+    pad.strength_pa = given.maybe_number("strength", Dimension::pressure, Range::positive());
+    pad.tangential_ratio = given.number("tangential_ratio", Dimension::none, Range::positive(), pad.tangential_ratio);
+    pad.tangential_damping =
+        given.number("tangential_damping", Dimension::none, Range::not_negative(), pad.tangential_damping);
+    pad.match_restitution = given.boolean("match_restitution", pad.match_restitution);
+    given.finish();
+    return pad;
+}
+
+// Lengths, times and inertias go with the law; strength, friction and shares do not.
+Footing scaled(Footing footing, std::optional<Scaling> const& scaling) {
+    if (!scaling) {
+        return footing;
+    }
+    auto const& law = scaling->law;
+    auto const by = [&](double& value, double ratio) { value *= scaling->to_model ? ratio : 1 / ratio; };
+    for (auto& [x, y] : footing.base.corners_m) {
+        by(x, law.length);
+        by(y, law.length);
+    }
+    by(footing.pad.vertical_frequency_hz, law.frequency());
+    for (auto* const inertia : {&footing.inertia_across_kgm2, &footing.inertia_vertical_kgm2}) {
+        if (*inertia) {
+            by(**inertia, law.inertia());
+        }
+    }
+    return footing;
+}
+
+// A stated restitution that base and pad cannot give: Housner's, which nobody measured, takes the nearest instead.
+void validate_match(Table const& table, BodySpec const& spec) {
+    constexpr double near_enough = 0.02;  // what the amplitude makes of a base's restitution
+    double const wanted = spec.body.restitution();
+    auto const match = match_restitution(spec.body, spec.footing.base, spec.footing.pad);
+    if (std::abs(match.restitution - wanted) > near_enough) {
+        table.fail(
+            "restitution",
+            fmt::format("{:.4f} (the nearest that this base and pad give is {:.4f}). State that, another bedding, "
+                        "or pad.match_restitution = false",
+                        wanted, match.restitution));
+    }
+}
+
+// The critical angle is that of the nearest edge.
+void validate_width(Table const& table, RigidBody const& body, SpatialBlock const& block) {
+    constexpr double same = 1e-6;
+    if (std::abs(block.edge_m - body.half_width_m()) > same * block.edge_m) {
+        table.fail("base_width", fmt::format("{:.6g} m (the polygon's nearest edge passes the axis at {:.6g} m). State "
+                                             "twice that",
+                                             2 * body.half_width_m(), block.edge_m));
+    }
+}
+
+}  // namespace
+
+void read_footing(Table const& table, Footing& footing) {
+    if (table.has("base")) {
+        footing.base = read_base(table.child("base"));
+        footing.stated = true;
+    }
+    if (table.has("pad")) {
+        footing.pad = read_pad(table.child("pad"));
+        footing.stated = true;
+    }
+    if (auto const across = table.maybe_number("inertia_y", Dimension::inertia, Range::positive())) {
+        footing.inertia_across_kgm2 = across;
+    }
+    if (auto const vertical = table.maybe_number("inertia_z", Dimension::inertia, Range::positive())) {
+        footing.inertia_vertical_kgm2 = vertical;
+    }
+}
+
+void settle_footing(Table const& table, BodySpec& spec) {
+    auto& footing = spec.footing;
+    footing = scaled(spec.stated_footing, spec.scaling);
+    auto const& base = footing.base;
+    bool const states_restitution = spec.stated.restitution.has_value();
+    if (base.shape == BaseShape::square && base.corner_share != 1 && !states_restitution) {
+        footing.pad.match_restitution = false;  // a bed of its own has a restitution of its own
+    }
+    if (!footing.stated) {
+        return;
+    }
+    auto const block = table.located("base", [&] { return spatial_block(spec.body, footing, {}); });
+    if (base.shape == BaseShape::polygon) {
+        validate_width(table, spec.body, block);
+        return;
+    }
+    table.located("base", [&] { return contact_block(spec.body, base, footing.pad, {}); });
+    bool const scatters = spec.scatter.restitution && spec.scatter.restitution->scatters();
+    if (footing.pad.match_restitution && states_restitution && !scatters) {
+        validate_match(table, spec);
+    }
+}
+
+}  // namespace overturn

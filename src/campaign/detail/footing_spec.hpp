@@ -1,0 +1,18 @@
+/// What a body stands on, as the keys base, pad, inertia_y and inertia_z say.
+#pragma once
+
+#include "campaign/body_spec.hpp"
+#include "config/table.hpp"
+
+namespace overturn {
+
+/// base = {shape = "square" | "round" | "polygon", corners = [[x, y], ...], bedding = "corners" | "flat" | share,
+/// points}; pad = {vertical_frequency, normal_restitution, strength, match_restitution, tangential_ratio,
+/// tangential_damping}. Keys that are not there leave what stands. \throws InputError
+void read_footing(config::Table const& table, Footing& footing);
+
+/// The footing of the body in force: scaled, and matched where the restitution was stated. \throws InputError at the
+/// key that no base can follow
+void settle_footing(config::Table const& table, BodySpec& spec);
+
+}  // namespace overturn

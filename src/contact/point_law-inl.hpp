@@ -1,0 +1,31 @@
+// How one point presses and what it remembers, in any vector width: the one law of the planar and the spatial code.
+// Included once per instruction set, so without a #pragma once; after simd/targets.hpp and foreach_target.h.
+#if defined(OVERTURN_POINT_LAW) == defined(HWY_TARGET_TOGGLE)
+#ifdef OVERTURN_POINT_LAW
+#undef OVERTURN_POINT_LAW
+#else
+#define OVERTURN_POINT_LAW
+#endif
+
+#include "simd/lanes-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace overturn::contact::HWY_NAMESPACE {
+
+/// Force over stiffness: elastic up to the yield depth, damped in proportion to it up to a cap, never a pull (after
+/// Hunt & Crossley 1975). \param gain y / v, v the approach speed at touch \param cap of damping, y / w_v
+template <class V> OVERTURN_LANES_INLINE V normal_depth(V depth, V approach, V yield, V gain, V cap) {
+    V const elastic = min(max(depth, V(0)), yield);
+    V const damping = min(gain * elastic, cap);
+    return max(fma(damping, approach, elastic), V(0));
+}
+
+/// The gain of a point that is away: it remembers the speed at which it comes. \param damping y
+template <class V> OVERTURN_LANES_INLINE V gain_of_approach(V approach, V damping, V least_approach) {
+    return damping / max(approach, least_approach);
+}
+
+}  // namespace overturn::contact::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

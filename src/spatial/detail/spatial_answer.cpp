@@ -1,0 +1,167 @@
+#include <algorithm>
+#include <cmath>
+
+#include "spatial/detail/spatial_run.hpp"
+
+namespace overturn::spatial {
+namespace {
+
+// Of whole turns and the measure of the rest, z / (|w| + |z|) / 2: it grows with the angle and needs no arc tangent.
+double yaw_of(double measure) {
+    double const turns = std::round(measure);
+    double const rest = 2 * (measure - turns);
+    return 2 * std::atan2(rest, 1 - std::abs(rest)) + 2 * pi * turns;
+}
+
+}  // namespace
+
+double SpatialRun::half_tilt_sine2() const { return get(State::qx) * get(State::qx) + get(State::qy) * get(State::qy); }
+
+// Rows of the matrix from the body's axes to those of space.
+std::array<double, 9> SpatialRun::rotation() const {
+    double const w = get(State::qw);
+    double const x = get(State::qx);
+    double const y = get(State::qy);
+    double const z = get(State::qz);
+    return {1 - 2 * (y * y + z * z), 2 * (x * y - z * w),     2 * (x * z + y * w),
+            2 * (x * y + z * w),     1 - 2 * (x * x + z * z), 2 * (y * z - x * w),
+            2 * (x * z - y * w),     2 * (y * z + x * w),     1 - 2 * (x * x + y * y)};
+}
+
+std::array<double, 2> SpatialRun::base_centre() const {
+    auto const r = rotation();
+    double const h = planar_.centre_height_m;
+    return {get(State::x) - h * r[2], get(State::y) - h * r[5]};
+}
+
+SpatialRun::Placed SpatialRun::placed(int point) const {
+    auto const r = rotation();
+    double const x = lane_.at(Spot::x, point, 0);
+    double const y = lane_.at(Spot::y, point, 0);
+    double const height = r[6] * x + r[7] * y;
+    double const base = get(State::rise) + 2 * planar_.centre_height_m * half_tilt_sine2();
+    return {r[0] * x + r[1] * y, r[3] * x + r[4] * y, height, lane_.at(Spot::stiffness, point, 0),
+            -(base + height) - lane_.at(Spot::crush, point, 0)};
+}
+
+SpatialInstant SpatialRun::instant() const {
+    auto const [x, y] = base_centre();
+    double const w = get(State::qw);
+    double const yaw = 2 * std::atan(get(State::qz) / w) + 2 * pi * get(State::turns);
+    return {.time_s =
+                get(State::origin) + get(State::index) * get(State::time_step) + get(State::substep) * get(State::step),
+            .x_m = x,
+            .y_m = y,
+            .rise_m = get(State::rise),
+            .quaternion = {w, get(State::qx), get(State::qy), get(State::qz)},
+            .velocity_mps = {get(State::vx), get(State::vy), get(State::vz)},
+            .angular_radps = {get(State::wx), get(State::wy), get(State::wz)},
+            .contact_force_ratio = get(State::force) / planar_.gravity_mps2,
+            .yaw_rad = yaw};
+}
+
+// Kinetic, of position and of springs, over the mass; none in settled rest.
+double SpatialRun::mechanical_energy() const {
+    auto const [centre_x, centre_y] = base_centre();
+    double springs = 0;
+    for (int i = 0; i < lane_.kind.points; ++i) {
+        auto const point = placed(i);
+        if (point.depth > 0) {
+            double const x = centre_x + point.x - lane_.at(Spot::anchor_x, i, 0);
+            double const y = centre_y + point.y - lane_.at(Spot::anchor_y, i, 0);
+            springs +=
+                0.5 * point.stiffness * (point.depth * point.depth + planar_.pad.tangential_ratio * (x * x + y * y));
+        }
+    }
+    auto const square = [&](State field) { return get(field) * get(field); };
+    auto const& inertia = block_.inertia_over_mass_m2;
+    double const moving = square(State::vx) + square(State::vy) + square(State::vz) + inertia[0] * square(State::wx)
+                          + inertia[1] * square(State::wy) + inertia[2] * square(State::wz);
+    return 0.5 * moving + springs + planar_.gravity_mps2 * (get(State::rise) + 0.5 * planar_.settlement_m());
+}
+
+double SpatialRun::quiet_energy() const {
+    constexpr double share = 1e-9;
+    return share * planar_.gravity_mps2 * planar_.centre_height_m;
+}
+
+// Farther than springs that hold give way, the base's centre or, by yaw, its farthest point.
+bool SpatialRun::slipped() const {
+    double const most = std::max(get(State::most_force), planar_.gravity_mps2);
+    double const w = planar_.vertical_radps();
+    double const way = std::sqrt(get(State::most_slip)) + block_.reach_m * yaw_of(get(State::most_yaw));
+    return way > get(State::hold) * most / (w * w);
+}
+
+double SpatialRun::deepest_crush() const {
+    double deepest = 0;
+    for (int i = 0; i < lane_.kind.points; ++i) {
+        deepest = std::max(deepest, lane_.at(Spot::crush, i, 0));
+    }
+    return deepest;
+}
+
+bool SpatialRun::sound() const {
+    double sum = 0;
+    for (auto const field : {State::x, State::y, State::rise, State::qw, State::qx, State::qy, State::qz, State::vx,
+                             State::vy, State::vz, State::wx, State::wy, State::wz}) {
+        sum += get(field);
+    }
+    return std::isfinite(sum);
+}
+
+// Of the sums that lanes keep, what needs no thought.
+void SpatialRun::tell_peaks(SpatialOutcome& out) const {
+    double const g = planar_.gravity_mps2;
+    double const radius = std::hypot(planar_.half_width_m, planar_.centre_height_m);
+    double const lift = std::max(0.0, get(State::most_lift));
+    out.impacts = static_cast<std::int64_t>(get(State::impacts));
+    out.steps = static_cast<std::int64_t>(get(State::steps));
+    out.friction_demand = out.friction_work_jpkg = never;
+    out.min_contact_force_ratio = out.steps > 0 ? get(State::least_force) / g : 1;
+    out.peak_energy_ratio = get(State::most_energy) * radius / (radius - planar_.centre_height_m);
+    out.response_velocity_mps = std::sqrt(2 * g * lift);
+    out.residual_m = base_centre();
+    auto const r = rotation();
+    double const lifted = block_.edge_m * std::hypot(r[2], r[5]) / (1 + std::abs(r[8]));
+    out.residual_slip_m = std::hypot(out.residual_m[0] - lifted * r[2], out.residual_m[1] - lifted * r[5]);
+    out.peak_slip_m = std::sqrt(get(State::most_slip));
+    out.end_velocity_mps = {get(State::vx), get(State::vy), get(State::vz)};
+    out.own = {.peak_crush_m = deepest_crush(),
+               .peak_contact_force_ratio = std::max(1.0, get(State::most_force) / g),
+               .peak_rise_m = get(State::most_rise) + planar_.settlement_m(),
+               .yaw_rad = instant().yaw_rad,
+               .peak_yaw_rad = yaw_of(get(State::most_yaw)),
+               .slip_path_m = get(State::slip_path)};
+}
+
+void SpatialRun::tell_verdict(SpatialOutcome& out) const {
+    bool const fell = half_tilt_sine2() >= 0.5;
+    out.peak_rotation_rad = fell ? pi / 2 : 2 * std::asin(std::sqrt(get(State::most_tilt)));
+    out.peak_rotation_ratio = out.peak_rotation_rad / std::atan2(planar_.half_width_m, planar_.centre_height_m);
+    if (fell) {
+        out.overturn_time_s = out.time_of_peak_s = instant().time_s;
+    } else if (out.peak_rotation_rad > 0) {
+        out.time_of_peak_s = get(State::tilt_time);
+    }
+    out.verdict = fell                              ? Verdict::overturned
+                  : !std::isnan(out.first_uplift_s) ? Verdict::rocked
+                  : slipped()                       ? Verdict::slid
+                                                    : Verdict::at_rest;
+    if (!sound()) {
+        out.verdict = Verdict::failed;
+        out.failure = FailureReason::no_convergence;
+    }
+}
+
+SpatialOutcome SpatialRun::finish() const {
+    SpatialOutcome out;
+    auto const since = [](double time) { return time < 0 ? never : time; };
+    out.first_uplift_s = since(get(State::uplift_time));
+    out.contact_lost_s = since(get(State::loss_time));
+    tell_peaks(out);
+    tell_verdict(out);
+    return out;
+}
+
+}  // namespace overturn::spatial

@@ -1,0 +1,273 @@
+// What the points of a base do to a body in space, in any vector width. Included once per instruction set, so without a
+// #pragma once; by spatial_step-inl.hpp only.
+#if defined(OVERTURN_SPATIAL_FORCE) == defined(HWY_TARGET_TOGGLE)
+#ifdef OVERTURN_SPATIAL_FORCE
+#undef OVERTURN_SPATIAL_FORCE
+#else
+#define OVERTURN_SPATIAL_FORCE
+#endif
+
+#include <bitset>
+
+#include "contact/point_law-inl.hpp"
+#include "simd/lanes-inl.hpp"
+#include "spatial/detail/base_motion-inl.hpp"
+#include "spatial/detail/spatial_state.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace overturn::spatial::HWY_NAMESPACE {
+
+template <class V, int Stride> class SpatialForce {
+  public:
+    using M = typename V::Mask;
+
+    using Motion = spatial::HWY_NAMESPACE::Motion<V>;
+    using Line = spatial::HWY_NAMESPACE::Line<V>;
+    using Base = spatial::HWY_NAMESPACE::Base<V>;
+    struct Shaking {
+        V x, y, weight;  // horizontal accelerations; gravity with the vertical one
+    };
+    struct Pull {
+        Triple<V> move, spin;  // accelerations
+        V press;               // sum of the normal forces
+    };
+    struct Depths {
+        V least, most;  // of the points that stand highest and lowest; of the latter without crush
+    };
+
+    explicit SpatialForce(SpatialLanes<Stride>& lanes)
+        : body_(lanes.body.values.data()),
+          bed_(lanes.bed.data()),
+          samples_(lanes.body.samples.data()),
+          points_(lanes.kind.points),
+          opposite_(lanes.kind.opposite) {
+        remembered_.set();  // whoever was looked at from outside was completed before
+    }
+
+    /// Brings up to date what the step that was taken did not ask for: a lane may be looked at from outside then.
+    void complete();
+
+  protected:
+    [[nodiscard]] OVERTURN_LANES_INLINE V get(State field) const { return V::load(body_ + row(field)); }
+    OVERTURN_LANES_INLINE void put(State field, V value) { value.store(body_ + row(field)); }
+    OVERTURN_LANES_INLINE void fetch_wave(Wave wave, V index, V& here, V& next) const {
+        fetch(samples_ + row(wave), index, here, next);
+    }
+
+    /// A step's start: what points remember is brought up to date there, of those that are asked for it in the step.
+    [[nodiscard]] Depths begin(Motion const& start);
+    /// There, before anything else is asked for in the step.
+    [[nodiscard]] Pull at_start(Motion const& start, Shaking const& by) { return pulled<true>(start_, start, by); }
+    [[nodiscard]] Pull now(Motion const& at, Shaking const& by) {
+        return pulled<false>(base_of(at, get(State::height)), at, by);
+    }
+    [[nodiscard]] Base const& base_at_start() const { return start_; }
+
+  private:
+    /// What presses and drags points: depth, approach, and horizontal force over stiffness but for the anchor's share.
+    struct Grips {
+        Line depth, approach, x, y;
+    };
+    struct Sums {
+        Triple<V> all, by_x, by_y;  // of forces; of forces times x and y of their points
+    };
+
+    template <class Name> [[nodiscard]] static constexpr std::ptrdiff_t row(Name name) {
+        return static_cast<std::ptrdiff_t>(name) * Stride;
+    }
+    [[nodiscard]] double* point(int i) const { return bed_ + i * row(Spot::count); }
+    [[nodiscard]] static OVERTURN_LANES_INLINE V spot(double const* point, Spot field) {
+        return V::load(point + row(field));
+    }
+    static OVERTURN_LANES_INLINE void set_spot(double* point, Spot field, V value) { value.store(point + row(field)); }
+
+    [[nodiscard]] OVERTURN_LANES_INLINE Line spring(Line const& way, Line const& rate) const;
+    [[nodiscard]] static OVERTURN_LANES_INLINE V over(double const* point, Line const& line) {
+        return line.of(spot(point, Spot::x), spot(point, Spot::y));
+    }
+    [[nodiscard]] static OVERTURN_LANES_INLINE V depth_of(double const* point, Base const& base) {
+        return over(point, base.depth) - spot(point, Spot::crush);
+    }
+    [[nodiscard]] OVERTURN_LANES_INLINE V normal_of(double const* point, V depth, V approach) const;
+    V remember(int i);
+    OVERTURN_LANES_INLINE void remember_anchor(double* place, V most);
+    template <bool AtStart> OVERTURN_LANES_INLINE bool press(int i, Grips const& grips, Triple<V>& force);
+    template <bool AtStart> [[nodiscard]] Pull pulled(Base const& base, Motion const& at, Shaking const& by);
+    [[nodiscard]] OVERTURN_LANES_INLINE Pull pull_of(Sums const& sums, Motion const& at, Shaking const& by) const;
+
+    double* body_;
+    double* bed_;
+    double const* const* samples_;
+    int points_;
+    bool opposite_;
+    Base start_;
+    std::bitset<most_spatial_points> remembered_;  // in this step
+};
+
+// Against the way and its rate.
+template <class V, int Stride>
+OVERTURN_LANES_INLINE auto SpatialForce<V, Stride>::spring(Line const& way, Line const& rate) const -> Line {
+    V const ratio = -get(State::tangential_ratio);
+    V const drag = -get(State::tangential_damping);
+    return {fma(ratio, way.by_x, drag * rate.by_x), fma(ratio, way.by_y, drag * rate.by_y),
+            fma(ratio, way.at, drag * rate.at)};
+}
+
+template <class V, int Stride>
+OVERTURN_LANES_INLINE V SpatialForce<V, Stride>::normal_of(double const* point, V depth, V approach) const {
+    return contact::HWY_NAMESPACE::normal_depth(depth, approach, spot(point, Spot::yield), spot(point, Spot::gain),
+                                                get(State::most_damping));
+}
+
+// The approach speed until it touches; the crush that it leaves; an anchor that friction cannot hold follows its point.
+// Returns the normal force there, over the stiffness.
+template <class V, int Stride> V SpatialForce<V, Stride>::remember(int i) {
+    remembered_.set(static_cast<std::size_t>(i));
+    double* const place = point(i);
+    V const zero = 0;
+    V const depth = depth_of(place, start_);
+    V const approach = over(place, start_.approach);
+    if (M const away = depth <= zero; any(away)) {
+        V const fresh =
+            contact::HWY_NAMESPACE::gain_of_approach(approach, get(State::damping), get(State::least_approach));
+        set_spot(place, Spot::gain, choose(away, fresh, spot(place, Spot::gain)));
+    }
+    V const normal = normal_of(place, depth, approach);
+    if (V const excess = depth - spot(place, Spot::yield); any(excess > zero)) {
+        set_spot(place, Spot::crush, spot(place, Spot::crush) + max(excess, zero));
+    }
+    remember_anchor(place, get(State::hold) * normal);
+    return normal;
+}
+
+template <class V, int Stride>
+OVERTURN_LANES_INLINE void SpatialForce<V, Stride>::remember_anchor(double* place, V most) {
+    V const x = over(place, start_.x);
+    V const y = over(place, start_.y);
+    V const shift_x = x - spot(place, Spot::anchor_x);
+    V const shift_y = y - spot(place, Spot::anchor_y);
+    V const square = fma(shift_x, shift_x, shift_y * shift_y);
+    if (M const drags = square > most * most; any(drags)) {
+        V const share = most / sqrt(square);
+        set_spot(place, Spot::anchor_x, choose(drags, x - share * shift_x, spot(place, Spot::anchor_x)));
+        set_spot(place, Spot::anchor_y, choose(drags, y - share * shift_y, spot(place, Spot::anchor_y)));
+    }
+}
+
+// A point that came to touch only at the end of a step was away at its start, and remembers that.
+template <class V, int Stride> auto SpatialForce<V, Stride>::begin(Motion const& start) -> Depths {
+    auto const base = base_of(start, get(State::height));
+    Depths all{1e300, -1e300};
+    for (int i = 0; i < points_; ++i) {
+        V const reach = over(point(i), base.depth);
+        V const depth = reach - spot(point(i), Spot::crush);
+        all.least = min(depth, all.least);
+        all.most = max(reach, all.most);
+        if (!remembered_[static_cast<std::size_t>(i)] && any(depth > V(0))) {
+            static_cast<void>(remember(i));
+        }
+    }
+    start_ = base;
+    remembered_.reset();
+    return all;
+}
+
+template <class V, int Stride> void SpatialForce<V, Stride>::complete() {
+    for (int i = 0; i < points_; ++i) {
+        if (!remembered_[static_cast<std::size_t>(i)]) {
+            static_cast<void>(remember(i));
+        }
+    }
+}
+
+// A point that no lane's ground touches presses nothing; what it remembers waits until it is asked.
+template <class V, int Stride>
+template <bool AtStart>
+OVERTURN_LANES_INLINE bool SpatialForce<V, Stride>::press(int i, Grips const& grips, Triple<V>& force) {
+    double* const place = point(i);
+    V const zero = 0;
+    V const depth = over(place, grips.depth);
+    if (!any(depth - spot(place, Spot::crush) > zero)) {
+        force = {zero, zero, zero};
+        return false;
+    }
+    V normal;
+    if constexpr (AtStart) {
+        normal = remember(i);
+    } else {
+        if (!remembered_[static_cast<std::size_t>(i)]) {
+            static_cast<void>(remember(i));
+        }
+        normal = normal_of(place, depth - spot(place, Spot::crush), over(place, grips.approach));
+    }
+    V const ratio = get(State::tangential_ratio);
+    V held_x = fma(ratio, spot(place, Spot::anchor_x), over(place, grips.x));
+    V held_y = fma(ratio, spot(place, Spot::anchor_y), over(place, grips.y));
+    V const limit = get(State::friction) * normal;
+    V const length = fma(held_x, held_x, held_y * held_y);
+    if (M const slips = length > limit * limit; any(slips)) {
+        V const share = choose(slips, limit / sqrt(length), V(1));
+        held_x = share * held_x;
+        held_y = share * held_y;
+    }
+    force = spot(place, Spot::stiffness) * Triple<V>{held_x, held_y, normal};
+    return true;
+}
+
+template <class V, int Stride>
+OVERTURN_LANES_INLINE auto SpatialForce<V, Stride>::pull_of(Sums const& sums, Motion const& at, Shaking const& by) const
+    -> Pull {
+    auto const& [all, by_x, by_y] = sums;
+    auto const [first, second, third] = axes_of(at.turn);
+    V const h = get(State::height);
+    // (X, Y, -h) x F in the body's own axes, over all points
+    V const turn_x = dot(third, by_y) + h * dot(second, all);
+    V const turn_y = -(dot(third, by_x) + h * dot(first, all));
+    V const turn_z = dot(second, by_x) - dot(first, by_y);
+    V const ix = get(State::inertia_x);
+    V const iy = get(State::inertia_y);
+    V const iz = get(State::inertia_z);
+    auto const& w = at.spin;
+    return {{all.x - by.x, all.y - by.y, all.z - by.weight},
+            {(turn_x - (iz - iy) * (w.y * w.z)) * get(State::mass_over_inertia_x),
+             (turn_y - (ix - iz) * (w.z * w.x)) * get(State::mass_over_inertia_y),
+             (turn_z - (iy - ix) * (w.x * w.y)) * get(State::mass_over_inertia_z)},
+            all.z};
+}
+
+// Points come in pairs whose sums are made first, unfused: on opposite points of a symmetric base what both do alike
+// cancels to the last bit, and mirrored motions are mirrored.
+template <class V, int Stride>
+template <bool AtStart>
+auto SpatialForce<V, Stride>::pulled(Base const& base, Motion const& at, Shaking const& by) -> Pull {
+    Grips const grips{base.depth, base.approach, spring(base.x, base.x_rate), spring(base.y, base.y_rate)};
+    V const zero = 0;
+    Triple<V> const none{zero, zero, zero};
+    Sums sums{none, none, none};
+    for (int i = 0; i < points_; i += 2) {
+        Triple<V> one;
+        Triple<V> other;
+        bool const first = press<AtStart>(i, grips, one);
+        bool const second = press<AtStart>(i + 1, grips, other);
+        if (!first && !second) {
+            continue;
+        }
+        V const x = spot(point(i), Spot::x);
+        V const y = spot(point(i), Spot::y);
+        sums.all = sums.all + (one + other);
+        if (opposite_) {
+            auto const turning = one - other;
+            sums.by_x = sums.by_x + x * turning;
+            sums.by_y = sums.by_y + y * turning;
+        } else {
+            sums.by_x = sums.by_x + (x * one + spot(point(i + 1), Spot::x) * other);
+            sums.by_y = sums.by_y + (y * one + spot(point(i + 1), Spot::y) * other);
+        }
+    }
+    return pull_of(sums, at, by);
+}
+
+}  // namespace overturn::spatial::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,158 @@
+/// Bodies on compliant points in space, stepped in SIMD lanes of any mixture of trials up to the first instant that
+/// needs care. One arithmetic serves one lane and many: whatever the machine's vectors, the bits are the same.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "simd/lane_fields.hpp"
+#include "spatial/spatial_block.hpp"
+
+namespace overturn::spatial {
+
+/// What a lane holds of the body. SI, forces over the mass: accelerations. x and y horizontal, z up; the quaternion q
+/// turns the body's axes to those of space.
+enum class State : int {
+    // state
+    x,  ///< of the centre of gravity
+    y,
+    rise,  ///< z - h; -g/w_v^2 in rest
+    qw,
+    qx,
+    qy,
+    qz,
+    vx,
+    vy,
+    vz,
+    wx,  ///< angular velocity about the body's own axes
+    wy,
+    wz,
+    // place in the wave
+    index,    ///< of the sample
+    substep,  ///< since that sample
+    ax,
+    ax_change,  ///< to the next sample
+    ay,
+    ay_change,
+    az,
+    az_change,
+    // log
+    most_tilt,  ///< as the squared sine of half the tilt
+    tilt_time,
+    force,  ///< sum of the normal forces at the start of the last step
+    least_force,
+    most_force,
+    most_rise,
+    most_lift,    ///< height of the centre of gravity above the lowest point, less h
+    most_energy,  ///< of rocking, over m g R
+    most_slip,    ///< squared
+    slip_path,    ///< that it has travelled
+    base_x,       ///< where what slips was when last looked at
+    base_y,       ///< likewise
+    turns,        ///< whole turns of yaw
+    most_yaw,     ///< largest |yaw_measure|
+    uplift_time,  ///< negative: not yet
+    loss_time,    ///< likewise
+    impacts,
+    lean_x,  ///< direction of the last tilt that was more than the springs' own
+    lean_y,  ///< likewise
+    steps,
+    // trial
+    step,
+    substeps,  ///< of a sample
+    inverse_substeps,
+    time_step,  ///< of the samples
+    origin,     ///< time of sample 0
+    last,       ///< index of the last sample
+    x_scale,
+    y_scale,  ///< 0: without transverse motion
+    z_scale,  ///< 0: without vertical motion
+    gravity,
+    height,     ///< h
+    edge,       ///< from the axis to the nearest edge
+    inertia_x,  ///< I / m, about the body's own axes
+    inertia_y,
+    inertia_z,
+    mass_over_inertia_x,
+    mass_over_inertia_y,
+    mass_over_inertia_z,
+    friction,            ///< mu
+    hold,                ///< mu k / k_t: elastic shift of an anchor at most, over the depth of a point's force
+    tangential_ratio,    ///< k_t / k
+    tangential_damping,  ///< c_t / k
+    damping,             ///< y: of the normal law
+    most_damping,        ///< y / w_v: cap of c / k
+    least_approach,      ///< v_min = g / w_v
+    inverse_p,           ///< 1 / p of the rigid body
+    inverse_radius,      ///< 1 / R
+    impact_spin,         ///< slower reversals of the tilt are no impacts
+    least_lean,          ///< sine of a tilt that springs have at rest
+    upright,             ///< sine of a tilt above which nothing rests, squared
+    quiet_energy,        ///< negative: the body is never held at rest
+    flexibility,         ///< 1 / k_t, over the mass: what an unbalanced force is worth in energy
+    rest_ratio,          ///< |a| / gv up to which a quiet body is held at rest
+    count
+};
+
+/// What a lane holds of each point of the base.
+enum class Spot : int {
+    x,  ///< from the body's axis, along the body's own
+    y,
+    stiffness,  ///< k / m
+    yield,      ///< depth at which the pad yields; infinite: never
+    crush,      ///< q: depth that the pad remembers
+    gain,       ///< y / v: v the approach speed at the last touch
+    anchor_x,   ///< p: where it holds the ground
+    anchor_y,
+    count
+};
+
+enum class Wave : int { x, y, z, count };
+
+/// What the arithmetic of a base rests on: bodies step side by side on bases of one kind.
+struct BaseKind {
+    int points = 0;
+    bool opposite = true;  ///< whether the points of every pair are opposite ones
+
+    [[nodiscard]] bool operator<(BaseKind const& other) const {
+        return std::pair(points, opposite) < std::pair(other.points, other.opposite);
+    }
+};
+[[nodiscard]] BaseKind kind_of(std::vector<SpatialPoint> const& points);
+
+template <int Lanes> struct SpatialLanes {
+    static constexpr std::size_t spots = static_cast<std::size_t>(Spot::count);
+
+    simd::LaneFields<State, Wave, Lanes> body;
+    alignas(64) std::array<double, most_spatial_points * spots * Lanes> bed{};  ///< point by point
+    BaseKind kind;                                                              ///< the same in all lanes
+
+    [[nodiscard]] static std::size_t place(Spot spot, int point, int lane) {
+        return (static_cast<std::size_t>(point) * spots + static_cast<std::size_t>(spot)) * Lanes
+               + static_cast<std::size_t>(lane);
+    }
+    [[nodiscard]] double& at(Spot spot, int point, int lane) { return bed[place(spot, point, lane)]; }
+    [[nodiscard]] double at(Spot spot, int point, int lane) const { return bed[place(spot, point, lane)]; }
+
+    void copy_lane(int from, int to) {
+        body.copy_lane(from, to);
+        for (std::size_t row = 0; row < static_cast<std::size_t>(kind.points) * spots; ++row) {
+            bed[row * Lanes + static_cast<std::size_t>(to)] = bed[row * Lanes + static_cast<std::size_t>(from)];
+        }
+    }
+};
+
+/// Steps the first `used` lanes, all or half of step_width(), until at least one needs care: its wave has ended, it may
+/// rest, or the tilt has reached pi/2. \return one bit per such lane
+[[nodiscard]] std::uint32_t step_on(SpatialLanes<simd::most_lanes>& lanes, int used);
+/// Steps one lane until it needs care.
+void step_on(SpatialLanes<1>& lane);
+/// One step of one lane. \return whether it now needs care
+[[nodiscard]] bool step_once(SpatialLanes<1>& lane);
+/// Lanes that this machine steps at once.
+[[nodiscard]] int step_width();
+
+}  // namespace overturn::spatial

@@ -1,0 +1,103 @@
+/// Rocking, rolling, sliding, spinning and crushing of a body on compliant points in space, shaken by three components.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+
+#include "contact/planar_contact.hpp"
+#include "model/excitation.hpp"
+#include "model/outcome.hpp"
+#include "spatial/spatial_block.hpp"
+
+namespace overturn {
+
+/// Where the body starts: at rest, settled under its weight, unless stated. Anchors stand where the points stood
+/// upright.
+struct SpatialStart {
+    double x_m = 0, y_m = 0;                         ///< of the centre of gravity
+    double rise_m = 0;                               ///< of the centre of gravity above its settled height
+    std::array<double, 3> rotation_rad{};            ///< rotation vector
+    std::array<double, 3> velocity_mps{};            ///< of the centre of gravity
+    std::array<double, 3> angular_velocity_radps{};  ///< about the body's own axes
+};
+
+/// What motion in space has to say beside every model's outcome. Yaw is the turn about the body's axis that is left
+/// when its tilt is undone the shortest way; slip as in SpatialOutcome.
+struct SpatialQuantities {
+    double peak_crush_m = never;
+    double peak_contact_force_ratio = never;
+    double peak_rise_m = never;
+    double yaw_rad = never;
+    double peak_yaw_rad = never;
+    double slip_path_m = never;
+    double restitution = never, corner_share = never, normal_restitution = never;  ///< of the base, as matched
+};
+template <> [[nodiscard]] Fields const& fields_of<SpatialQuantities>();
+
+/// Rotation is the tilt: the angle between the body's axis and the vertical. Friction demand and work are not known to
+/// this model: NaN. impacts: reversals of the tilt faster than g / (w_v b), about one axis the passages of theta
+/// through zero. contact_lost_s: the first flight. peak_slip_m: longest way from its start of the base,
+/// which stands where it leans over its nearest edge.
+/// Energy and response velocity, sqrt(2 g lift): of the height of the centre of gravity above the body's lowest point,
+/// less h; in the rocking plane that is the planar definition up to its peak, and over a corner it may exceed V_Ereq.
+struct SpatialOutcome : Outcome {
+    SpatialQuantities own;
+    std::array<double, 2> residual_m{};        ///< of the base's centre
+    std::array<double, 3> end_velocity_mps{};  ///< of the centre of gravity when it ended
+};
+
+/// One instant of a history.
+struct SpatialInstant {
+    double time_s = 0;
+    double x_m = 0, y_m = 0;                ///< of the base's centre
+    double rise_m = 0;                      ///< of the centre of gravity above h
+    std::array<double, 4> quaternion{};     ///< w, x, y, z: from the body's axes to those of space
+    std::array<double, 3> velocity_mps{};   ///< of the centre of gravity
+    std::array<double, 3> angular_radps{};  ///< about the body's own axes
+    double contact_force_ratio = 0;         ///< over the weight; of the step before in the last instant
+    double yaw_rad = 0;
+
+    [[nodiscard]] double tilt_rad() const;
+    /// Of the direction in which the body's top leans, from x towards y.
+    [[nodiscard]] double azimuth_rad() const;
+    /// The tilt as a rotation vector: about x and about y. About y is the planar theta.
+    [[nodiscard]] std::array<double, 2> tilts_rad() const;
+};
+
+/// Receives every step's start.
+class SpatialObserver {
+  public:
+    virtual void at(SpatialInstant const& instant) = 0;
+
+    SpatialObserver() = default;
+    SpatialObserver(SpatialObserver const&) = delete;
+    SpatialObserver& operator=(SpatialObserver const&) = delete;
+    SpatialObserver(SpatialObserver&&) = delete;
+    SpatialObserver& operator=(SpatialObserver&&) = delete;
+    virtual ~SpatialObserver() = default;
+};
+
+/// m r'' = sum F - m (a_x, a_y, g + a_z), I w' = sum (X, Y, -h) x R^T F - w x I w about the body's own axes. Points
+/// press and grip as those of simulate_contact, friction bounding the length of the horizontal force; RK4 at its step,
+/// shorter where inertia is less than a uniform solid's. About one axis and on a square base it is simulate_contact.
+/// Overturned at a tilt of pi/2; after the wave, energy decides against the lowest edge. Allocates little, never while
+/// it steps.
+///
+/// \pre quantities are positive; components agree in length
+[[nodiscard]] SpatialOutcome simulate_spatial(SpatialBlock const& block, Excitation const& shaking,
+                                              ContactAccuracy const& accuracy = {},
+                                              std::optional<SpatialStart> const& start = {},
+                                              SpatialObserver* observer = nullptr);
+
+struct SpatialTrial {
+    SpatialBlock const* block = nullptr;  ///< outlives the trial
+    Excitation shaking;
+};
+
+/// Many trials from rest, side by side in the machine's vector lanes: outcomes[i] is bit-equal to that of trials[i]
+/// alone. Trials come in any mixture.
+void simulate_spatial(std::span<SpatialTrial const> trials, ContactAccuracy const& accuracy,
+                      std::span<SpatialOutcome> outcomes);
+
+}  // namespace overturn

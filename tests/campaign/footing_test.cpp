@@ -1,0 +1,107 @@
+// Requirement: base and pad of a body file mean what they say, scale with the body, and are refused at their key where
+// nothing can stand on them or rock as stated.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "campaign/body_spec.hpp"
+#include "support/expect_input_error.hpp"
+
+namespace overturn {
+namespace {
+
+BodySpec read(std::string const& more) {
+    InputFiles files(".");
+    return read_body(config::Table::parse("mass='12.6 t'\nbase_width='1.36 m'\ncentre_height='1.045 m'\n"
+                                          "inertia='uniform-block'\n"
+                                              + more,
+                                          "body.toml"),
+                     files);
+}
+
+TEST(Footing, WithoutAWordIsASquareOnItsCorners) {
+    auto const footing = read("").footing;
+    EXPECT_FALSE(footing.stated);
+    EXPECT_EQ(footing.base.shape, BaseShape::square);
+    EXPECT_EQ(footing.base.corner_share, 1);
+    EXPECT_EQ(footing.base.points, 11);
+    EXPECT_EQ(footing.pad.vertical_frequency_hz, 98);
+    EXPECT_EQ(footing.pad.normal_restitution, 0.25);
+    EXPECT_FALSE(footing.pad.strength_pa.has_value());
+    EXPECT_TRUE(footing.pad.match_restitution);
+}
+
+TEST(Footing, EveryKeyIsRead) {
+    auto const footing = read(
+                             "base={shape='square', bedding=0.4, points=21}\n"
+                             "pad={vertical_frequency='67 Hz', normal_restitution=0.5, strength='30 MPa', "
+                             "match_restitution=false, tangential_ratio=0.7, tangential_damping=0.2}\n"
+                             "inertia_y='5 t m2'\ninertia_z='4 t m2'\n")
+                             .footing;
+    EXPECT_TRUE(footing.stated);
+    EXPECT_EQ(footing.base.corner_share, 0.4);
+    EXPECT_EQ(footing.base.points, 21);
+    EXPECT_EQ(footing.pad.vertical_frequency_hz, 67);
+    EXPECT_EQ(footing.pad.normal_restitution, 0.5);
+    EXPECT_EQ(footing.pad.strength_pa, 30e6);
+    EXPECT_FALSE(footing.pad.match_restitution);
+    EXPECT_EQ(footing.pad.tangential_ratio, 0.7);
+    EXPECT_EQ(footing.pad.tangential_damping, 0.2);
+    EXPECT_EQ(footing.inertia_across_kgm2, 5e3);
+    EXPECT_EQ(footing.inertia_vertical_kgm2, 4e3);
+    EXPECT_EQ(read("base={shape='round'}\n").footing.base.points, 32);
+    EXPECT_FALSE(read("base={bedding='flat'}\n").footing.base.corner_share.has_value());
+    EXPECT_EQ(read("base={bedding='corners'}\n").footing.base.corner_share, 1);
+    auto const polygon =
+        read("base={shape='polygon', corners=[[0.68,0.68],[-0.68,0.68],[-0.68,-0.68],[0.68,-0.68]]}\n");
+    ASSERT_EQ(polygon.footing.base.corners_m.size(), 4U);
+    EXPECT_EQ(polygon.footing.base.corners_m[1][0], -0.68);
+}
+
+// A bed of its own has a restitution of its own: Housner's, which nobody stated, does not tune it.
+TEST(Footing, OnlyAStatedRestitutionTunesABed) {
+    EXPECT_FALSE(read("base={bedding='flat'}\n").footing.pad.match_restitution);
+    EXPECT_FALSE(read("base={bedding='flat'}\nrestitution='housner'\n").footing.pad.match_restitution);
+    EXPECT_TRUE(read("base={bedding='flat'}\nrestitution=0.8\n").footing.pad.match_restitution);
+    EXPECT_TRUE(read("pad={vertical_frequency='67 Hz'}\n").footing.pad.match_restitution);
+}
+
+TEST(Footing, GoesWithTheSimilarityLaw) {
+    auto const footing = read(
+                             "pad={vertical_frequency='67 Hz', strength='30 MPa'}\n"
+                             "base={shape='polygon', corners=[[0.68,0.68],[-0.68,0.68],[-0.68,-0.68],[0.68,-0.68]]}\n"
+                             "inertia_z='4 t m2'\nsimilarity={direction='to-model'}\n")
+                             .footing;
+    EXPECT_NEAR(footing.pad.vertical_frequency_hz, 67 / std::sqrt(0.4), 1e-12);
+    EXPECT_EQ(footing.pad.strength_pa, 30e6);
+    EXPECT_NEAR(footing.base.corners_m[0][0], 0.272, 1e-15);
+    EXPECT_NEAR(*footing.inertia_vertical_kgm2, 4e3 * 1.43 * std::pow(0.4, 5), 1e-10);
+}
+
+TEST(Footing, WhatCannotStandIsRefusedAtItsKey) {
+    auto const refused = [](std::string const& more, auto... parts) {
+        testing::expect_input_error([&] { (void)read(more); }, "body.toml:5:", parts...);
+    };
+    refused("base={bedding=0}\n", "bedding");
+    refused("base={bedding=0.05}\n", "share");
+    refused("base={bedding='soft'}\n", "soft", "corners");
+    refused("base={shape='oval'}\n", "oval", "round");
+    refused("base={points=1}\n", "points");
+    refused("base={shape='round', bedding='flat'}\n", "bedding", "square");
+    refused("base={shape='round', points=18}\n", "multiple of 4");
+    refused("base={width=3}\n", "width");
+    refused("base={shape='polygon'}\n", "corners");
+    refused("base={shape='polygon', corners=[[0.68,0.68],[-0.68,0.68]]}\n", "2 corners");
+    testing::expect_input_error(
+        [&] { (void)read("base={shape='polygon', corners=[[0.7,0.7],[-0.7,0.7],[-0.7,-0.7],[0.7,-0.7]]}\n"); },
+        "body.toml:2:", "base_width", "0.7 m");
+    refused("pad={strength='0 MPa'}\n", "strength");
+    refused("pad={strength='30 kg'}\n", "MPa");
+    refused("pad={normal_restitution=0}\n", "normal_restitution");
+    refused("restitution=0.3\npad={strength='30 MPa'}\n", "restitution", "0.5687");
+    EXPECT_NO_THROW((void)read("restitution=0.3\n")) << "nobody asked for a pad";
+    EXPECT_NO_THROW((void)read("pad={strength='30 MPa'}\n")) << "Housner's is met as nearly as can be";
+}
+
+}  // namespace
+}  // namespace overturn
