@@ -1,5 +1,6 @@
 #include "generators/filtered_noise.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -86,22 +87,48 @@ class FilteredNoise : public WaveSource {
     }
 
     [[nodiscard]] GeneratedWave make(std::uint64_t seed, std::uint64_t wave) const override {
-        auto const lines = drawn(seed, wave, 0);
-        GeneratedWave made;
-        made.motion.time_step_s = time_step_s_;
-        made.motion.horizontal_mps2 = shaped(lines, 1);
-        for (auto const& [component, ratio, correlation] : further_) {
-            made.motion.*(component.place) =
-                shaped(correlated(lines, drawn(seed, wave, component.stream), correlation), ratio);
-        }
-        made.label = fmt::format("filtered noise {}", wave);
-        return made;
+        return made_of([&](std::uint64_t component) { return drawn(seed, wave, component); },
+                       fmt::format("filtered noise {}", wave));
     }
+
+    [[nodiscard]] std::unique_ptr<NormalWaves> from_normals() const override;
+
+    /// Of normals, `lines` pairs for each component.
+    [[nodiscard]] GroundMotion motion_of(std::span<double const> normals, std::size_t lines) const {
+        std::size_t taken = 0;
+        auto const next = [&](std::uint64_t /*component*/) {
+            Lines own(line_amplitude_.size());
+            for (std::size_t k = 1; k <= lines; ++k, taken += 2) {
+                std::complex<double> const z(normals[taken], normals[taken + 1]);
+                own[k] = line_amplitude_[k] * (gaussian_ ? z * std::sqrt(0.5) : z / std::abs(z));
+            }
+            return own;
+        };
+        return made_of(next, {}).motion;
+    }
+
+    [[nodiscard]] std::size_t components() const { return 1 + further_.size(); }
+    [[nodiscard]] std::vector<double> const& line_amplitude() const { return line_amplitude_; }
+    [[nodiscard]] double spacing_radps() const { return 2 * pi / (time_step_s_ * static_cast<double>(fft_.length())); }
+    [[nodiscard]] bool is_gaussian() const { return gaussian_; }
 
     [[nodiscard]] std::string describe() const override { return summary_; }
 
   private:
     using Lines = std::vector<std::complex<double>>;
+
+    // The components in turn from what `lines_of` says of each.
+    template <class LinesOf> [[nodiscard]] GeneratedWave made_of(LinesOf&& lines_of, std::string label) const {
+        auto const lines = lines_of(0);
+        GeneratedWave made;
+        made.motion.time_step_s = time_step_s_;
+        made.motion.horizontal_mps2 = shaped(lines, 1);
+        for (auto const& [component, ratio, correlation] : further_) {
+            made.motion.*(component.place) = shaped(correlated(lines, lines_of(component.stream), correlation), ratio);
+        }
+        made.label = std::move(label);
+        return made;
+    }
 
     [[nodiscard]] Lines drawn(std::uint64_t seed, std::uint64_t wave, std::uint64_t component) const {
         RandomStream phases(seed, wave, Purpose::wave_phase, component);
@@ -133,6 +160,33 @@ class FilteredNoise : public WaveSource {
     std::vector<double> line_amplitude_;
     std::string summary_;
 };
+
+// Line k is A_k z / sqrt 2, z the k-th pair of normals; with fixed amplitudes A_k z / |z|.
+class FilteredNoiseOfNormals : public NormalWaves {
+  public:
+    explicit FilteredNoiseOfNormals(FilteredNoise const& source) : source_(source) {
+        auto const& all = source.line_amplitude();
+        auto const strong = std::find_if(all.rbegin(), all.rend(), [](double a) { return a > 0; });
+        lines_ = static_cast<std::size_t>(all.rend() - strong) - 1;
+    }
+
+    [[nodiscard]] std::size_t normals() const override { return 2 * lines_ * source_.components(); }
+    [[nodiscard]] GroundMotion make(std::span<double const> normals) const override {
+        return source_.motion_of(normals, lines_);
+    }
+
+    [[nodiscard]] std::optional<LinearLines> linear() const override {
+        return source_.is_gaussian() ? std::optional(LinearLines{lines_, source_.spacing_radps()}) : std::nullopt;
+    }
+
+  private:
+    FilteredNoise const& source_;
+    std::size_t lines_ = 0;
+};
+
+std::unique_ptr<NormalWaves> FilteredNoise::from_normals() const {
+    return std::make_unique<FilteredNoiseOfNormals>(*this);
+}
 
 NoiseShape read_ground(config::Table const& waves, NoiseModel model, double time_step_s) {
     auto const positive = config::Range::positive();

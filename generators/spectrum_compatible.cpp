@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "generators/detail/components.hpp"
+#include "generators/detail/matched_normals.hpp"
 #include "generators/detail/spectrum_matcher.hpp"
 #include "generators/records.hpp"
 #include "generators/wave_quality.hpp"
@@ -119,6 +120,18 @@ class SpectrumCompatible : public WaveSource {
             }
         }
         return made;
+    }
+
+    [[nodiscard]] std::unique_ptr<NormalWaves> from_normals() const override {
+        std::vector<MatchedNormals::Part> parts;
+        for (auto const& part : parts_) {
+            parts.push_back({&part.matcher, part.kind.place});
+        }
+        // A stated correlation is brought about by iterating both components together.
+        bool const drawn = seeds_.empty() && std::none_of(parts_.begin(), parts_.end(), [](Part const& part) {
+                               return part.correlation.has_value();
+                           });
+        return drawn ? std::make_unique<MatchedNormals>(std::move(parts), time_step_s_) : nullptr;
     }
 
     [[nodiscard]] std::optional<std::uint64_t> available() const override {

@@ -11,6 +11,7 @@
 #include "config/table.hpp"
 #include "core/input_files.hpp"
 #include "generators/acceptance.hpp"
+#include "generators/normal_waves.hpp"
 #include "motion/ground_motion.hpp"
 
 namespace overturn {
@@ -55,6 +56,8 @@ class WaveSource {
 
     /// \throws InputError if `wave` is not below available().
     [[nodiscard]] virtual GeneratedWave make(std::uint64_t seed, std::uint64_t wave) const = 0;
+    /// Its waves as a map of normals; null where they are not random. \pre the source outlives it
+    [[nodiscard]] virtual std::unique_ptr<NormalWaves> from_normals() const { return nullptr; }
     /// How many different waves there are; nothing if as many as one likes.
     [[nodiscard]] virtual std::optional<std::uint64_t> available() const { return std::nullopt; }
     /// The rule its waves must meet, "none" if any will do.

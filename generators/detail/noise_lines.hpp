@@ -40,6 +40,10 @@ class NoiseLines {
         return draw(phases, amplitudes, amplitude_.size());
     }
 
+    /// The lines that pairs of standard normals give, the first pair line 1: distributed as draw's.
+    [[nodiscard]] Lines from_normals(std::span<double const> normals) const;
+    [[nodiscard]] bool is_gaussian() const { return gaussian_; }
+
     /// The wave, envelope and baseline included.
     [[nodiscard]] std::vector<double> synthesise(Lines const& lines, std::span<double const> envelope) const;
 

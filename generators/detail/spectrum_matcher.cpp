@@ -249,6 +249,14 @@ SpectrumMatcher::Component SpectrumMatcher::make(std::uint64_t seed, std::uint64
     return made;
 }
 
+std::vector<double> SpectrumMatcher::of_normals(std::span<double const> normals) const {
+    auto lines = noise_.from_normals(normals);
+    if (!iterates()) {
+        return noise_.synthesise(lines, noise_.envelope());
+    }
+    return matched(std::move(lines), {0, EnvelopeStep::sharpen_once}).acceleration_mps2;
+}
+
 SpectrumMatcher::Component SpectrumMatcher::match_motion(std::span<double const> acceleration_mps2) const {
     constexpr int plain = 4;  // a record may be far from the target
     auto made = matched(noise_.analyse(acceleration_mps2), {plain, EnvelopeStep::leave});

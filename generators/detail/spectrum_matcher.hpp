@@ -48,6 +48,12 @@ class SpectrumMatcher {
     /// \param component which stream of the wave: 0 horizontal, 1 vertical, 2 transverse
     [[nodiscard]] Component make(std::uint64_t seed, std::uint64_t wave, std::uint64_t component) const;
 
+    /// The acceleration alone, of lines that pairs of normals give, matched as make does.
+    [[nodiscard]] std::vector<double> of_normals(std::span<double const> normals) const;
+    /// What normals are for; without iteration waves are linear in them if amplitudes are gaussian.
+    [[nodiscard]] NoiseLines const& noise() const { return noise_; }
+    [[nodiscard]] bool iterates() const { return input_.iterations > 0; }
+
     /// Matches a given motion, which keeps the phases of its own lines; cut or followed by silence to `samples`.
     [[nodiscard]] Component match_motion(std::span<double const> acceleration_mps2) const;
 

@@ -10,6 +10,7 @@
 #include "campaign/body_spec.hpp"
 #include "campaign/campaign_input.hpp"
 #include "campaign/level_spec.hpp"
+#include "campaign/rare_spec.hpp"
 #include "core/input_files.hpp"
 #include "generators/wave_source.hpp"
 #include "response/ladder.hpp"
@@ -37,6 +38,7 @@ struct CampaignSpec {
     EffectRequest effects;
     Accuracy accuracy;
     MeasureSpec measures;
+    std::optional<RareSpec> rare;  ///< of every body and level, beside the trials
     double confidence = 0.95;
     PrecisionTarget target;  ///< met before all waves are done, it ends the campaign
 };

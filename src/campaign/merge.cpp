@@ -8,6 +8,7 @@
 #include "campaign/analysis.hpp"
 #include "campaign/detail/stopping.hpp"
 #include "campaign/output_place.hpp"
+#include "campaign/rare_results.hpp"
 #include "core/note.hpp"
 #include "store/durable.hpp"
 
@@ -43,7 +44,7 @@ std::string shell_word(std::string const& text) {
 
 std::optional<std::string> merge_blocks(std::filesystem::path const& output, CampaignInput const& input,
                                         CampaignSpec const& spec, Plan const& plan, store::ShardFolder const& shards,
-                                        std::function<bool()> const& goes_on) {
+                                        std::function<bool()> const& goes_on, std::span<RareBody const> rare) {
     Statistics statistics(spec);
     auto const block = [&](std::int64_t number) {
         if (!goes_on()) {
@@ -53,12 +54,12 @@ std::optional<std::string> merge_blocks(std::filesystem::path const& output, Cam
     };
     std::vector<BodyAnalysis> analysis;
     try {
-        analysis = write_results(output, input, spec, plan, block, statistics);
+        analysis = write_results(output, input, spec, plan, block, statistics, rare);
     } catch (Interrupted const&) {
         return std::nullopt;
     }
     shards.remove();
-    return stripe_table(spec, statistics) + analysis_table(analysis, spec.confidence);
+    return stripe_table(spec, statistics) + analysis_table(analysis, spec.confidence) + rare_table(spec, rare);
 }
 
 std::string resume_command(CampaignInput const& input, std::filesystem::path const& output) {
@@ -113,6 +114,11 @@ MergeEnd merge_parts(std::filesystem::path const& output) {
         note("{}: waves {} are missing ({} of {} blocks). Run their parts again with --resume, or: {}\n",
              shards.folder().string(), plan.waves_text(missing), missing.size(), plan.blocks(),
              resume_command(input, output));
+        return MergeEnd::missing;
+    }
+    if (spec.rare) {
+        note("{}: the rare events are missing (all ranks work at them, stage by stage). Go on with: {}\n",
+             shards.folder().string(), resume_command(input, output));
         return MergeEnd::missing;
     }
     auto const tables = merge_blocks(output, input, spec, plan, shards, [] { return true; });

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "campaign/results.hpp"
@@ -14,12 +15,14 @@ namespace overturn {
 /// Writes the results file from all blocks of `plan`, in the memory of one and a million trials (for the curves), and
 /// removes them once it is durable, those beyond the plan too.
 /// \param goes_on asked before every block
+/// \param rare one per body, or none
 /// \return the tables for the terminal; nothing, and all blocks as they were, if `goes_on` said no
 /// \throws SystemError if a block is missing or damaged, or the file cannot be written; the blocks stay
 [[nodiscard]] std::optional<std::string> merge_blocks(std::filesystem::path const& output, CampaignInput const& input,
                                                       CampaignSpec const& spec, Plan const& plan,
                                                       store::ShardFolder const& shards,
-                                                      std::function<bool()> const& goes_on);
+                                                      std::function<bool()> const& goes_on,
+                                                      std::span<RareBody const> rare = {});
 
 /// How merging the parts of an array job ended.
 enum class MergeEnd { complete, missing };

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "campaign/analysis.hpp"
+#include "campaign/rare_results.hpp"
 #include "campaign/version.hpp"
 #include "response/registry.hpp"
 
@@ -227,7 +228,7 @@ std::string WaveCounts::text(std::string const& acceptance) const {
 std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, CampaignInput const& input,
                                         CampaignSpec const& spec, Plan const& plan,
                                         std::function<std::vector<std::byte>(std::int64_t)> const& block,
-                                        Statistics& statistics) {
+                                        Statistics& statistics, std::span<RareBody const> rare) {
     store::ResultsWriter file(path);
     write_provenance(file, input, spec);
     auto const waves = file.table(wave_table(), plan.waves());
@@ -263,6 +264,7 @@ std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, Campa
         write_fragility(file, analysis[b], spec.confidence);
         write_criterion(file, spec, statistics.bodies()[b]);
     }
+    write_rare(file, spec, rare);
     file.attribute("complete", std::int64_t{1});
     file.finish();
     return analysis;

@@ -10,6 +10,7 @@
 #include "campaign/campaign_spec.hpp"
 #include "campaign/measured_trials.hpp"
 #include "campaign/plan.hpp"
+#include "campaign/rare_run.hpp"
 #include "campaign/schema.hpp"
 #include "campaign/trial.hpp"
 #include "stats/stripe.hpp"
@@ -60,10 +61,11 @@ class Statistics {
 struct BodyAnalysis;
 
 /// Writes the finished file from the blocks, given in order by `block`. \return what the trials say, as stored
+/// \param rare one per body, or none
 std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, CampaignInput const& input,
                                         CampaignSpec const& spec, Plan const& plan,
                                         std::function<std::vector<std::byte>(std::int64_t)> const& block,
-                                        Statistics& statistics);
+                                        Statistics& statistics, std::span<RareBody const> rare = {});
 
 /// The stripe table for the terminal.
 [[nodiscard]] std::string stripe_table(CampaignSpec const& spec, Statistics const& statistics);

@@ -10,6 +10,7 @@
 #include "campaign/merge.hpp"
 #include "campaign/output_place.hpp"
 #include "campaign/progress.hpp"
+#include "campaign/rare_run.hpp"
 #include "campaign/runtime_file.hpp"
 #include "core/note.hpp"
 
@@ -73,6 +74,10 @@ class Run {
           shards_(options.output, input.block_key()) {}
 
     RunEnd run() {
+        validate(!spec_.rare || options_.part.is_whole(),
+                 "--part {}/{} of a campaign with [rare] (its stages need what all parts found before). Run it whole, "
+                 "under mpirun",
+                 options_.part.number, options_.part.of);
         auto const found = nlohmann::json::parse(from_root(comm_, [&] {
             auto const state =
                 take_output(options_.output, shards_, input_, plan_, {options_.resume, options_.part}, claim_);
@@ -102,6 +107,10 @@ class Run {
         }
         auto const range = plan_.blocks_of(options_.part);
         whole = whole && complete(range, committed);
+        if (whole && spec_.rare) {
+            rare_ = run_rare(spec_, shards_, leave_, comm_);
+            whole = rare_.has_value();
+        }
         auto const end = whole && options_.part.is_whole() ? merge() : whole ? RunEnd::complete : RunEnd::stopped;
         if (comm_.is_root() && (end == RunEnd::stopped || !options_.part.is_whole())) {
             tell_what_is_left(input_, options_, here(range, committed) + done_.committed, range.count());
@@ -147,8 +156,9 @@ class Run {
     RunEnd merge() {
         auto const table = from_root(comm_, [&] {
             auto const begin = std::chrono::steady_clock::now();
-            auto const tables =
-                merge_blocks(options_.output, input_, spec_, plan_, shards_, [&] { return leave_.may_merge(); });
+            auto const tables = merge_blocks(
+                options_.output, input_, spec_, plan_, shards_, [&] { return leave_.may_merge(); },
+                rare_.value_or(std::vector<RareBody>{}));
             done_.seconds.store += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
             return tables.value_or("");
         });
@@ -176,6 +186,7 @@ class Run {
     store::ShardFolder shards_;
     std::optional<store::Claim> claim_;
     WorkDone done_;
+    std::optional<std::vector<RareBody>> rare_;
     double wall_s_ = 0;
     std::int64_t next_ = 0;  ///< blocks below it are done with
 };

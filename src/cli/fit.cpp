@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "campaign/rare_results.hpp"
 #include "cli/fit_json.hpp"
+#include "cli/rare_json.hpp"
 #include "cli/stripe_csv.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
@@ -43,10 +45,16 @@ int fit_file(Options const& options) {
     auto const statistics = recount(file, spec);
     double const confidence = options.confidence.value_or(spec.confidence);
     auto const analysis = analyse(spec, statistics, {.confidence = confidence, .beta_u = options.beta_u});
+    auto const rare = read_rare_estimates(file, spec);
     if (options.json) {
-        fmt::print("{}\n", fit_json(statistics, analysis, confidence).dump(2));
+        auto json = fit_json(statistics, analysis, confidence);
+        if (spec.rare) {
+            json["rare"] = rare_json(spec, rare);
+        }
+        fmt::print("{}\n", json.dump(2));
     } else {
-        fmt::print("{}{}", stripe_table(spec, statistics), analysis_table(analysis, confidence));
+        fmt::print("{}{}{}", stripe_table(spec, statistics), analysis_table(analysis, confidence),
+                   rare_table(spec, rare));
     }
     return done;
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "campaign/rare_results.hpp"
 #include "campaign/results.hpp"
 #include "cli/history.hpp"
 #include "cli/verbs.hpp"
@@ -18,12 +19,32 @@ struct Options {
     std::string file;
     std::int64_t trial = 0;
     std::string history;
+    std::string rare;
 };
+
+int tell_difference(Options const& options, store::ResultsReader const& file, std::vector<std::string> const& different,
+                    std::string const& what) {
+    if (different.empty()) {
+        fmt::print("bit-equal to the stored row\n");
+        return done;
+    }
+    fmt::print("NOT bit-equal to the stored row: {} differ\n", fmt::join(different, ", "));
+    note(
+        "overturn: {}: {} is not what this program computes (the file was made by {}, revision {}). "
+        "Replay it with that one\n",
+        options.file, what, file.text("program_version"), file.text("git_revision"));
+    return other_failure;
+}
 
 int replay(Options const& options) {
     store::ResultsReader const file(options.file);
     auto const input = input_of(file);
     auto const spec = parse_campaign(input);
+    if (!options.rare.empty()) {
+        auto const again = replay_rare(file, spec, options.rare, options.trial);
+        fmt::print("{}", again.text);
+        return tell_difference(options, file, again.different, fmt::format("row {}", options.trial));
+    }
     Plan const plan(spec);
     auto const trials = static_cast<std::int64_t>(file.integers("trials/verdict").size());  // fewer than planned, maybe
     validate(options.trial >= 0 && options.trial < trials,
@@ -49,17 +70,8 @@ int replay(Options const& options) {
     } else {
         fmt::print("verdict {} ({})\n", entry_of(row.verdict).name, entry_of(row.failure).summary);
     }
-    auto const different = differing_columns(spec, stored, trial);
-    if (different.empty()) {
-        fmt::print("bit-equal to the stored row\n");
-        return done;
-    }
-    fmt::print("NOT bit-equal to the stored row: {} differ\n", fmt::join(different, ", "));
-    note(
-        "overturn: {}: trial {} is not what this program computes (the file was made by {}, revision {}). "
-        "Replay it with that one\n",
-        options.file, options.trial, file.text("program_version"), file.text("git_revision"));
-    return other_failure;
+    return tell_difference(options, file, differing_columns(spec, stored, trial),
+                           fmt::format("trial {}", options.trial));
 }
 
 }  // namespace
@@ -69,6 +81,7 @@ void add_replay(CommandLine& line) {
     auto options = std::make_shared<Options>();
     verb.needs("file", options->file, "results file");
     verb.needs("--trial", options->trial, "number of the row in /trials, from 0");
+    verb.takes("--rare", options->rare, "BODY: --trial is a row of /rare/BODY/rows");
     verb.takes("--history", options->history, "write the trial's history to this csv file");
     verb.does([options] { return replay(*options); });
 }

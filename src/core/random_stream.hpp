@@ -21,6 +21,8 @@ enum class Purpose : std::uint64_t {
     record_choice = 6,
     calibration = 7,
     bootstrap = 8,
+    rare_normals = 9,
+    rare_choice = 10,
 };
 
 /// A Threefry4x64-20 counter stream (Salmon et al., SC'11) behind GSL's generator interface, so that every

@@ -1,0 +1,97 @@
+#include "campaign/rare_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "core/units.hpp"
+#include "rare/peak.hpp"
+#include "response/registry.hpp"
+
+namespace overturn {
+namespace {
+
+/// Remembers when the tilt last passed the critical angle outwards.
+class LastDeparture : public Observer {
+  public:
+    explicit LastDeparture(double critical_rad) : critical_rad_(critical_rad) {}
+
+    void begin(std::span<Channel const> channels) override {
+        for (std::size_t c = 0; c < channels.size(); ++c) {
+            time_ = channels[c].key == "time_s" ? c : time_;
+            rotation_ = channels[c].key == "rotation_rad" ? c : rotation_;
+        }
+    }
+    void at(std::span<double const> values) override {
+        double const now = values[rotation_];
+        if (std::abs(before_) < critical_rad_ && std::abs(now) >= critical_rad_) {
+            last_ = {values[time_], now > 0 ? 1.0 : -1.0};
+        }
+        before_ = now;
+    }
+    [[nodiscard]] rare::Moment last() const { return last_; }
+
+  private:
+    double critical_rad_;
+    std::size_t time_ = 0, rotation_ = 0;
+    double before_ = 0;
+    rare::Moment last_;
+};
+
+}  // namespace
+
+RareProblem::RareProblem(CampaignSpec const& spec, std::size_t body)
+    : body_(spec.bodies.at(body)), waves_(spec.source->from_normals()), ladder_(spec.effects, spec.accuracy) {}
+
+rare::Answer RareProblem::answer_of(Response const& response, double demand) const {
+    auto const& end = entry_of(response.verdict);
+    rare::Answer answer{.driver = response.peak_rotation_ratio, .failed = end.fell, .undecided = !end.decided};
+    if (!(response.peak_rotation_rad > 0)) {
+        // At rest, or sliding beyond the demand that would have tipped it.
+        constexpr double just_below = 1e-6;
+        answer.driver = demand < 1 ? demand - 1 : -just_below / demand;
+    }
+    if (!std::isfinite(answer.driver)) {
+        answer.driver = answer.failed ? 1 : 0;
+    }
+    return answer;
+}
+
+void RareProblem::respond(std::span<double const> normals, std::span<double const> factors,
+                          std::span<rare::Answer> answers) const {
+    auto const wave = waves_->make(normals);
+    double const peak = rare::peak_of_wave(wave.horizontal_mps2);
+    Scene const scene{body_.body, body_.friction};
+    for (std::size_t f = 0; f < factors.size(); ++f) {
+        auto const response = ladder_.respond(
+            {.scene = scene, .motion = wave, .scale = factors[f], .peak_mps2 = peak, .chunks = nullptr});
+        answers[f] = answer_of(response, factors[f] * peak / body_.body.uplift_acceleration_mps2());
+    }
+}
+
+std::optional<rare::PulseFrame> RareProblem::frame() const {
+    auto const linear = waves_->linear();
+    if (!linear) {
+        return std::nullopt;
+    }
+    constexpr double fastest = 7.5;  // what is faster than so many cycles a body period does not move it
+    double const body_period = 2 * pi / body_.body.p_radps();
+    double const duration = 2 * pi / linear->spacing_radps;
+    auto const lines = static_cast<std::size_t>(fastest / body_period * duration);
+    return rare::PulseFrame{.lines = std::clamp<std::size_t>(lines, 1, linear->count),
+                            .spacing_radps = linear->spacing_radps,
+                            .duration_s = duration,
+                            .body_period_s = body_period};
+}
+
+rare::Moment RareProblem::moment(std::span<double const> normals, double factor) const {
+    auto const wave = waves_->make(normals);
+    Scene const scene{body_.body, body_.friction};
+    SceneTrial const trial{.scene = scene, .motion = wave, .scale = factor};
+    auto const response = ladder_.respond(trial);
+    LastDeparture departure(body_.body.alpha_rad());
+    ladder_.show(trial, response, departure);
+    return departure.last();
+}
+
+}  // namespace overturn

@@ -1,0 +1,191 @@
+#include "campaign/rare_results.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "campaign/rare_rows.hpp"
+
+namespace overturn {
+namespace {
+
+using rare::Estimate;
+
+std::string group_of(BodySpec const& body) { return "rare/" + body.name; }
+
+template <class Value, class Get> std::vector<Value> column(std::span<Estimate const> estimates, Get get) {
+    std::vector<Value> values;
+    for (auto const& estimate : estimates) {
+        values.push_back(static_cast<Value>(get(estimate)));
+    }
+    return values;
+}
+
+std::string health_text(Estimate const& estimate) {
+    std::vector<std::string> checks;
+    for (auto const& check : estimate.health) {
+        checks.push_back(fmt::format("{}: {:.4g} ({} {:.4g})", check.name, check.value,
+                                     check.passed ? "limit" : "FAILED", check.limit));
+    }
+    return fmt::format("{}", fmt::join(checks, "; "));
+}
+
+void write_estimates(store::ResultsWriter& file, std::string const& group, std::span<Estimate const> estimates) {
+    auto const real = [&](char const* name, char const* description, auto get) {
+        file.array(group, {name, "1", description}, column<double>(estimates, get));
+    };
+    auto const integer = [&](char const* name, char const* description, auto get) {
+        file.array(group, {name, "1", description}, column<std::int64_t>(estimates, get));
+    };
+    real("amplitude", "value of the level", [](Estimate const& e) { return e.factor; });
+    real("probability", "of overturning; NaN where nothing can be trusted",
+         [](Estimate const& e) { return e.probability.value_or(never); });
+    real("lower", "lower end of the 95 % interval", [](Estimate const& e) { return e.interval_95.lower; });
+    real("upper", "upper end; of plain trials alone where nothing else can be trusted",
+         [](Estimate const& e) { return e.interval_95.upper; });
+    real("cov", "standard error over probability; 0 without one", [](Estimate const& e) { return e.cov; });
+    real("crude_runs", "waves that crude Monte Carlo needs for this; 0 without a probability",
+         [](Estimate const& e) { return e.crude_runs; });
+    integer("runs", "waves made, those that levels share included", [](Estimate const& e) { return e.runs; });
+    integer("method", "0 crude, 1 subset, 2 pulse-mixture", [](Estimate const& e) { return e.method; });
+    integer("state", "0 trusted, 1 not-trusted, 2 not-resolved", [](Estimate const& e) { return e.state; });
+    std::vector<double> replicates;
+    std::vector<std::int64_t> counts;
+    std::vector<std::string> reasons;
+    std::vector<std::string> health;
+    for (auto const& estimate : estimates) {
+        replicates.insert(replicates.end(), estimate.replicates.begin(), estimate.replicates.end());
+        counts.push_back(static_cast<std::int64_t>(estimate.replicates.size()));
+        reasons.push_back(estimate.reason);
+        health.push_back(health_text(estimate));
+    }
+    file.array(group,
+               {"replicates", "1", "estimates of the replicates, level by level; not to be used where not trusted"},
+               replicates);
+    file.array(group, {"replicate_count", "1", "replicates of each level"}, counts);
+    file.attribute(group, "reasons", fmt::format("{}", fmt::join(reasons, "\n")));
+    file.attribute(group, "health", fmt::format("{}", fmt::join(health, "\n")));
+}
+
+void write_mixture(store::ResultsWriter& file, std::string const& group, rare::PulseResult const& result) {
+    for (std::size_t s = 0; s < result.stages.front().size(); ++s) {
+        auto const place = fmt::format("{}/stage-{}", group, s);
+        std::vector<double> shares;
+        std::vector<double> lines;
+        std::vector<double> arrivals;
+        for (auto const& replicate : result.stages) {
+            for (auto const& pulse : replicate[s].mixture.pulses()) {
+                shares.push_back(pulse.share);
+                for (auto const& line : pulse.lines) {
+                    lines.push_back(line.real());
+                    lines.push_back(line.imag());
+                }
+                arrivals.insert(arrivals.end(), pulse.arrival.begin(), pulse.arrival.end());
+            }
+        }
+        file.array(place, {"factors", "1", "factors on the wave; bit i of a row is the i-th"},
+                   result.stages.front()[s].factors);
+        file.array(place, {"shares", "1", "how often each pulse is chosen, by replicate"}, shares);
+        file.array(place, {"lines", "1", "shift of each line, real and imaginary part, by replicate and pulse"}, lines);
+        file.array(place, {"arrivals", "1", "how often it arrives at each point in time, by replicate and pulse"},
+                   arrivals);
+    }
+}
+
+rare::Estimate read_estimate(store::ResultsReader const& file, std::string const& group, std::int64_t level) {
+    auto const real = [&](char const* name) { return file.real_at(group + "/" + name, level); };
+    Estimate made;
+    made.factor = real("amplitude");
+    if (double const p = real("probability"); !std::isnan(p)) {
+        made.probability = p;
+    }
+    made.interval_95 = {real("lower"), real("upper")};
+    made.cov = real("cov");
+    made.crude_runs = real("crude_runs");
+    made.runs = file.integer_at(group + "/runs", level);
+    made.method = static_cast<rare::Method>(file.integer_at(group + "/method", level));
+    made.state = static_cast<rare::State>(file.integer_at(group + "/state", level));
+    return made;
+}
+
+// The lines of a text, as many as there are levels.
+std::vector<std::string> lines_of(std::string const& text) {
+    std::vector<std::string> lines(1);
+    for (char const c : text) {
+        if (c == '\n') {
+            lines.emplace_back();
+        } else {
+            lines.back() += c;
+        }
+    }
+    return lines;
+}
+
+}  // namespace
+
+void write_rare(store::ResultsWriter& file, CampaignSpec const& spec, std::span<RareBody const> bodies) {
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        auto const group = group_of(spec.bodies[b]);
+        write_estimates(file, group, bodies[b].estimates);
+        auto const rows = rare_rows(bodies[b]);
+        auto const table = file.table({group + "/rows", sizeof(RareRow), fields_of<RareRow>()},
+                                      static_cast<std::int64_t>(rows.size()));
+        file.append(table, std::as_bytes(std::span(rows)));
+        for (std::size_t m = 0; m < bodies[b].record.mixtures.size(); ++m) {
+            write_mixture(file, fmt::format("{}/mixture-{}", group, m), bodies[b].record.mixtures[m]);
+        }
+        for (std::size_t s = 0; s < bodies[b].record.subsets.size(); ++s) {
+            file.array(fmt::format("{}/subset-{}", group, s), {"factors", "1", "factor on the wave"},
+                       std::vector<double>{bodies[b].record.subsets[s].estimate.factor});
+        }
+    }
+}
+
+std::vector<RareBody> read_rare_estimates(store::ResultsReader const& file, CampaignSpec const& spec) {
+    std::vector<RareBody> bodies;
+    for (auto const& body : spec.bodies) {
+        auto const group = group_of(body);
+        if (!spec.rare || !file.has(group)) {
+            return {};
+        }
+        auto const reasons = lines_of(file.note(group, "reasons"));
+        auto const counts = file.integers(group + "/replicate_count");
+        auto const replicates = file.reals(group + "/replicates");
+        std::size_t taken = 0;
+        RareBody made;
+        for (std::size_t l = 0; l < counts.size(); ++l) {
+            auto estimate = read_estimate(file, group, static_cast<std::int64_t>(l));
+            estimate.reason = l < reasons.size() ? reasons[l] : "";
+            auto const count = static_cast<std::size_t>(counts[l]);
+            auto const own = std::span(replicates).subspan(taken, count);
+            estimate.replicates.assign(own.begin(), own.end());
+            taken += count;
+            made.estimates.push_back(std::move(estimate));
+        }
+        bodies.push_back(std::move(made));
+    }
+    return bodies;
+}
+
+std::string rare_table(CampaignSpec const& spec, std::span<RareBody const> bodies) {
+    std::string text;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        text += fmt::format("\nrare events of {}, by {}\n{:>10}  {:>10}  {:>22}  {:>6}  {:>13}  {:>9}  {:>10}\n",
+                            spec.bodies[b].name, spec.levels.measure_name(), "amplitude", "P", "95 % interval",
+                            "c.o.v.", "method", "waves", "crude");
+        for (auto const& e : bodies[b].estimates) {
+            auto const interval = fmt::format("[{:.3g}, {:.3g}]", e.interval_95.lower, e.interval_95.upper);
+            text += e.probability
+                        ? fmt::format("{:>10.4g}  {:>10.3e}  {:>22}  {:>6.3f}  {:>13}  {:>9}  {:>10.2g}\n", e.factor,
+                                      *e.probability, interval, e.cov, name_of(e.method), e.runs, e.crude_runs)
+                        : fmt::format("{:>10.4g}  {:>10}  {:>22}  {:>6}  {:>13}  {:>9}  {}: {}\n", e.factor,
+                                      fmt::format("< {:.2e}", e.interval_95.upper), "", "", name_of(e.method), e.runs,
+                                      name_of(e.state), e.reason);
+        }
+    }
+    return text;
+}
+
+}  // namespace overturn

@@ -1,0 +1,41 @@
+#include "campaign/rare_run.hpp"
+
+#include <fmt/format.h>
+
+#include "campaign/detail/rank_workforce.hpp"
+#include "campaign/rare_problem.hpp"
+#include "core/note.hpp"
+
+namespace overturn {
+
+std::optional<std::vector<RareBody>> run_rare(CampaignSpec const& spec, store::ShardFolder const& shards, Leave& leave,
+                                              parallel::Communicator const& comm) {
+    std::vector<double> factors;
+    for (auto const& level : spec.levels.levels) {
+        factors.push_back(level.value);
+    }
+    RankWorkforce workers(shards, leave, comm);
+    std::vector<RareBody> bodies;
+    try {
+        for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+            if (comm.is_root()) {
+                note("rare events of {}\n", spec.bodies[b].name);
+            }
+            RareProblem const problem(spec, b);
+            workers.set_name(fmt::format("body-{}/", b));
+            rare::Request const request{.seed = spec.seed,
+                                        .problem = b,
+                                        .target_cov = spec.rare->target_cov,
+                                        .max_runs = spec.rare->max_runs,
+                                        .replicates = spec.rare->replicates};
+            RareBody body;
+            body.estimates = rare::estimate(problem, factors, spec.rare->method, request, workers, &body.record);
+            bodies.push_back(std::move(body));
+        }
+    } catch (RareStopped const&) {
+        return std::nullopt;
+    }
+    return bodies;
+}
+
+}  // namespace overturn

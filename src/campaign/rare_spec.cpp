@@ -1,0 +1,86 @@
+#include "campaign/rare_spec.hpp"
+
+#include <array>
+
+#include "rare/crude.hpp"
+
+namespace overturn {
+namespace {
+
+using Wish = std::optional<rare::Method>;
+
+constexpr std::array methods{
+    config::Entry<Wish>{"auto", "what each level calls for, another one where that cannot be trusted", std::nullopt},
+    config::Entry<Wish>{"pulse-mixture", "importance sampling with the pulses that failing waves have in common",
+                        rare::Method::pulse_mixture},
+    config::Entry<Wish>{"subset", "subset simulation, for any random waves", rare::Method::subset},
+    config::Entry<Wish>{"crude", "plain trials, counted", rare::Method::crude},
+};
+
+void check_levels(config::Table const& root, LevelSpec const& levels) {
+    if (levels.measure != LevelMeasure::factor) {
+        root.child("levels").fail(
+            "measure",
+            fmt::format("{} beside [rare] (each wave would be scaled to its own value, and no estimator does "
+                        "better than plain trials there). Use measure = 'factor', one factor for all waves",
+                        levels.measure_name()));
+    }
+    if (levels.levels.size() >= rare::most_factors) {
+        root.child("levels").fail("values", fmt::format("{} levels beside [rare] (at most {}). State fewer",
+                                                        levels.levels.size(), rare::most_factors - 1));
+    }
+}
+
+void check_waves(config::Table const& root, WaveSource const& source, Wish const& method) {
+    auto const waves = source.from_normals();
+    if (waves == nullptr) {
+        root.child("waves").fail(
+            "source",
+            "beside [rare] (its waves are not drawn at random, or components have a stated correlation). Use "
+            "filtered-noise, or spectrum-compatible without a seed and a correlation");
+    }
+    if (method == rare::Method::pulse_mixture && !waves->linear()) {
+        root.child("rare").fail("method",
+                                "pulse-mixture for waves that are not linear in their random numbers (it would "
+                                "be wrong by decades). Use auto or subset, or waves with match = 'none' and "
+                                "amplitudes = 'gaussian'");
+    }
+}
+
+void check_bodies(config::Table const& root, std::vector<BodySpec> const& bodies) {
+    for (auto const& body : bodies) {
+        if (auto const keys = body.scattering(); !keys.empty()) {
+            root.child("rare").fail(
+                {},
+                fmt::format("beside the scatter of {}.{} (rare events are estimated for bodies as they are stated). "
+                            "State a number, or one campaign for each",
+                            body.name, keys.front()));
+        }
+    }
+}
+
+}  // namespace
+
+std::optional<RareSpec> read_rare(config::Table const& root, LevelSpec const& levels, WaveSource const& source,
+                                  std::vector<BodySpec> const& bodies) {
+    if (!root.has("rare")) {
+        return std::nullopt;
+    }
+    auto const table = root.child("rare");
+    RareSpec spec;
+    spec.method = table.choice<Wish>("method", methods, std::nullopt);
+    spec.target_cov = table.number("target_cov", Dimension::none, {.low = 0.01, .high = 1}, spec.target_cov);
+    constexpr std::int64_t fewest_replicates = 4;  // fewer give no interval
+    constexpr std::int64_t most_replicates = 4095;
+    spec.replicates = table.integer("replicates", fewest_replicates, most_replicates, spec.replicates);
+    constexpr std::int64_t fewest_runs = 1000;
+    constexpr std::int64_t most_runs = 1'000'000'000;
+    spec.max_runs = table.integer("max_runs", fewest_runs, most_runs, spec.max_runs);
+    table.finish();
+    check_levels(root, levels);
+    check_waves(root, source, spec.method);
+    check_bodies(root, bodies);
+    return spec;
+}
+
+}  // namespace overturn

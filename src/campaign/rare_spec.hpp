@@ -1,0 +1,28 @@
+/// What a campaign asks about rare events.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "campaign/body_spec.hpp"
+#include "campaign/level_spec.hpp"
+#include "config/table.hpp"
+#include "generators/wave_source.hpp"
+#include "rare/estimate.hpp"
+
+namespace overturn {
+
+struct RareSpec {
+    std::optional<rare::Method> method;  ///< empty: what each level calls for
+    double target_cov = 0.1;             ///< wanted standard error over probability, where max_runs allows it
+    std::int64_t replicates = 8;         ///< independent ones, for the interval
+    std::int64_t max_runs = 1'000'000;   ///< waves per estimator, body and level
+};
+
+/// Reads [rare]: method (auto | pulse-mixture | subset | crude), target_cov (0.1), replicates (8), max_runs (1e6).
+/// Nothing where there is no such table. \throws InputError where the campaign's levels, waves or bodies are not for
+/// these estimators, with the reason and what to do
+[[nodiscard]] std::optional<RareSpec> read_rare(config::Table const& root, LevelSpec const& levels,
+                                                WaveSource const& source, std::vector<BodySpec> const& bodies);
+
+}  // namespace overturn

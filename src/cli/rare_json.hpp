@@ -1,0 +1,15 @@
+/// Rare events as JSON, by the names that scripts depend on. What cannot be trusted is null.
+#pragma once
+
+#include <span>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "campaign/rare_run.hpp"
+
+namespace overturn::cli {
+
+/// [{body, amplitude, probability, interval_95, method, state, reason, runs, crude_runs}, ...]
+[[nodiscard]] nlohmann::ordered_json rare_json(CampaignSpec const& spec, std::span<RareBody const> bodies);
+
+}  // namespace overturn::cli

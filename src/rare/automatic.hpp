@@ -1,0 +1,30 @@
+/// The estimator that a problem calls for, and another one where the first cannot be trusted.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "rare/pulse_mixture.hpp"
+#include "rare/subset.hpp"
+
+namespace overturn::rare {
+
+/// From here on plain trials are as good as anything.
+inline constexpr double common_probability = 1e-2;
+
+/// What was done to get at the estimates: enough to draw every trial again.
+struct Record {
+    std::vector<PulseResult> mixtures;
+    std::vector<SubsetResult> subsets;
+};
+
+/// Estimates at all factors of one limit state, in their order. \param method empty: crude where P >= 1e-2; the pulse
+/// mixture for what is rarer if the problem has a frame; what that cannot be trusted with, with pulses of its own; what
+/// is then left, and all of a problem without a frame, by subset simulation. \pre the request's problem is below 2^16
+[[nodiscard]] std::vector<Estimate> estimate(Problem const& problem, std::span<double const> factors,
+                                             std::optional<Method> method, Request const& request, Workforce& workers,
+                                             Record* record = nullptr);
+
+}  // namespace overturn::rare

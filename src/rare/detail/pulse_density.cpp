@@ -1,0 +1,67 @@
+#include "rare/detail/pulse_density.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "core/error.hpp"
+#include "rare/mixture.hpp"
+#include "simd/targets.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "rare/detail/pulse_density.cpp"
+#include <hwy/foreach_target.h>
+// foreach_target comes first: it includes this file once per instruction set
+#include "rare/detail/lane_functions-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace overturn::rare::HWY_NAMESPACE {
+
+// With E = exp r and F = exp(step r): exp((1 - step) r) = E / F, exp((1 + step) r) = E F. `scale` holds exp(-kappa^2
+// square / 2) / 6 of the three strengths. Eight sums, whatever the registers hold.
+void sum_densities(double const* arrival, double const* correlation, std::size_t count, double const* scale,
+                   double* sums) {
+    constexpr auto lanes = hn::MaxLanes(Real());
+    constexpr std::size_t together = 8;
+    constexpr double largest = 600;  // far beyond what normals of any draw give
+    for (std::size_t lane = 0; lane < together; lane += lanes) {
+        auto sum = real(0);
+        for (std::size_t j = lane; j < count; j += together) {
+            auto const r = hn::Min(hn::Abs(hn::LoadU(Real(), correlation + j)), real(largest));
+            auto const e = exp_of(r);
+            auto const f = exp_of(hn::Mul(r, real(strength_step)));
+            auto const under_e = hn::Div(real(1), e);
+            auto const under_f = hn::Div(real(1), f);
+            auto const weak = hn::Add(hn::Mul(e, under_f), hn::Mul(f, under_e));
+            auto const even = hn::Add(e, under_e);
+            auto const strong = hn::Add(hn::Mul(e, f), hn::Mul(under_e, under_f));
+            auto const all = hn::Add(hn::Add(hn::Mul(weak, real(scale[0])), hn::Mul(even, real(scale[1]))),
+                                     hn::Mul(strong, real(scale[2])));
+            sum = hn::Add(sum, hn::Mul(hn::LoadU(Real(), arrival + j), all));
+        }
+        hn::StoreU(sum, Real(), sums + lane);
+    }
+}
+
+}  // namespace overturn::rare::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace overturn::rare {
+
+HWY_EXPORT(sum_densities);
+
+double pulse_density(std::span<double const> arrival, std::span<double const> correlation, double square) {
+    constexpr std::size_t together = 8;
+    OVERTURN_EXPECT(arrival.size() == correlation.size() && arrival.size() % together == 0);
+    std::array<double, pulse_strengths.size()> scale{};
+    for (std::size_t i = 0; i < pulse_strengths.size(); ++i) {
+        scale[i] = std::exp(-0.5 * pulse_strengths[i] * pulse_strengths[i] * square) / (2.0 * pulse_strengths.size());
+    }
+    std::array<double, together> sums{};
+    HWY_DYNAMIC_DISPATCH(sum_densities)(arrival.data(), correlation.data(), arrival.size(), scale.data(), sums.data());
+    return ((sums[0] + sums[4]) + (sums[1] + sums[5])) + ((sums[2] + sums[6]) + (sums[3] + sums[7]));
+}
+
+}  // namespace overturn::rare
+#endif

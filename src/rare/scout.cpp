@@ -1,0 +1,83 @@
+#include "rare/scout.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include <fmt/format.h>
+
+#include "rare/normals.hpp"
+
+namespace overturn::rare {
+namespace {
+
+struct ScoutRow {
+    double driver = 0;
+    std::int64_t failed = 0, undecided = 0;
+};
+
+std::vector<ScoutRow> look(Problem const& problem, double factor, DrawKey key, std::int64_t trials,
+                           Workforce& workers) {
+    return workers.map<ScoutRow>(
+        {.name = fmt::format("scout-{}", key.level), .items = trials},
+        [&](std::int64_t first, std::span<ScoutRow> out) {
+            std::vector<double> normals(problem.normals());
+            for (std::size_t i = 0; i < out.size(); ++i) {
+                key.index = static_cast<std::uint64_t>(first) + i;
+                draw_normals(key, normals);
+                auto const answer = respond_at(problem, normals, factor);
+                out[i] = {answer.driver, answer.failed ? 1 : 0, answer.undecided && !answer.failed ? 1 : 0};
+            }
+        });
+}
+
+Count count_of(std::span<ScoutRow const> rows) {
+    Count count{.trials = static_cast<std::int64_t>(rows.size())};
+    for (auto const& row : rows) {
+        count.failed += row.failed;
+        count.undecided += row.undecided;
+    }
+    return count;
+}
+
+// Of a nested driver the failures are the highest, but for few that came close.
+double missed_by_driver(std::span<ScoutRow const> rows, std::int64_t failed) {
+    auto const within = static_cast<std::size_t>(2 * failed);
+    if (failed == 0 || within >= rows.size()) {
+        return 0;
+    }
+    std::vector<double> drivers;
+    for (auto const& row : rows) {
+        drivers.push_back(row.driver);
+    }
+    std::nth_element(drivers.begin(), drivers.begin() + static_cast<std::ptrdiff_t>(within), drivers.end(),
+                     std::greater<>());
+    double const least = drivers[within];
+    auto const missed = std::count_if(rows.begin(), rows.end(),
+                                      [&](ScoutRow const& row) { return row.failed != 0 && row.driver < least; });
+    return static_cast<double>(missed) / static_cast<double>(failed);
+}
+
+}  // namespace
+
+Scouted scout(Problem const& problem, double factor, Request const& request, Workforce& workers) {
+    constexpr std::int64_t trials = 2048;
+    constexpr double common = 0.05;
+    constexpr double raise = 1.15;
+    constexpr std::uint64_t attempts = 40;
+    Scouted found{.factor = factor};
+    for (std::uint64_t attempt = 0; attempt < attempts; ++attempt) {
+        DrawKey const key{.seed = request.seed, .problem = request.problem, .phase = Phase::scout, .level = attempt};
+        auto const rows = look(problem, found.factor, key, trials, workers);
+        found.runs += trials;
+        found.count = count_of(rows);
+        if (static_cast<double>(found.count.failed) >= common * static_cast<double>(trials)) {
+            found.missed = missed_by_driver(rows, found.count.failed);
+            found.found = true;
+            return found;
+        }
+        found.factor *= raise;
+    }
+    return found;
+}
+
+}  // namespace overturn::rare

@@ -1,0 +1,218 @@
+#include "rare/subset.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "rare/detail/subset_run.hpp"
+#include "rare/normals.hpp"
+#include "rare/scout.hpp"
+
+namespace overturn::rare {
+namespace {
+
+SubsetRow row_of(Answer const& answer) {
+    return {answer.driver, answer.failed ? 1 : 0, answer.undecided && !answer.failed ? 1 : 0};
+}
+
+class Simulation {
+  public:
+    Simulation(Problem const& problem, double factor, Request const& request, Workforce& workers,
+               SubsetOptions const& options)
+        : problem_(problem), factor_(factor), options_(options), workers_(workers), normals_(problem.normals()) {
+        for (std::int64_t r = 0; r < request.replicates; ++r) {
+            runs_.emplace_back(DrawKey{.seed = request.seed,
+                                       .problem = request.problem,
+                                       .replicate = static_cast<std::uint64_t>(r),
+                                       .phase = Phase::subset},
+                               problem.normals(), options);
+        }
+    }
+
+    /// All replicates level by level, until each has ended or the runs are spent.
+    void run(std::int64_t most_trials) {
+        begin();
+        for (auto going = close_levels(); !going.empty(); going = close_levels()) {
+            auto const steps = options_.samples / options_.chains - 1;
+            if (trials_ + steps * options_.chains * static_cast<std::int64_t>(going.size()) > most_trials) {
+                return;
+            }
+            for (std::int64_t step = 0; step < steps; ++step) {
+                step_all(going, step);
+            }
+        }
+    }
+
+    [[nodiscard]] std::vector<SubsetRun> const& runs() const { return runs_; }
+    [[nodiscard]] std::int64_t trials() const { return trials_; }
+    [[nodiscard]] Count const& plain() const { return plain_; }
+
+  private:
+    void begin();
+    [[nodiscard]] std::int64_t replicates() const { return static_cast<std::int64_t>(runs_.size()); }
+    std::vector<std::size_t> close_levels();
+    void step_all(std::vector<std::size_t> const& going, std::int64_t step);
+
+    Problem const& problem_;
+    double factor_;
+    SubsetOptions options_;
+    Workforce& workers_;
+    std::vector<double> normals_;
+    std::vector<SubsetRun> runs_;
+    std::int64_t trials_ = 0;
+    Count plain_;
+};
+
+void Simulation::begin() {
+    auto const each = options_.samples;
+    auto const rows = workers_.map<SubsetRow>(
+        {.name = "subset-0", .items = each * replicates()}, [&](std::int64_t first, std::span<SubsetRow> out) {
+            for (std::size_t i = 0; i < out.size(); ++i) {
+                auto const item = first + static_cast<std::int64_t>(i);
+                runs_[static_cast<std::size_t>(item / each)].plain(item % each, normals_);
+                out[i] = row_of(respond_at(problem_, normals_, factor_));
+            }
+        });
+    for (std::size_t r = 0; r < runs_.size(); ++r) {
+        runs_[r].begin(std::span(rows).subspan(r * static_cast<std::size_t>(each), static_cast<std::size_t>(each)));
+    }
+    for (auto const& row : rows) {
+        plain_.failed += row.failed;
+        plain_.undecided += row.undecided;
+    }
+    plain_.trials = trials_ = each * replicates();
+}
+
+std::vector<std::size_t> Simulation::close_levels() {
+    std::vector<std::size_t> going;
+    for (std::size_t r = 0; r < runs_.size(); ++r) {
+        if (runs_[r].end() == SubsetRun::End::none) {
+            runs_[r].close_level();
+            if (runs_[r].end() == SubsetRun::End::none) {
+                going.push_back(r);
+            }
+        }
+    }
+    return going;
+}
+
+void Simulation::step_all(std::vector<std::size_t> const& going, std::int64_t step) {
+    auto const chains = options_.chains;
+    auto const items = chains * static_cast<std::int64_t>(going.size());
+    auto const name = fmt::format("subset-{}-{}", runs_[going.front()].result().levels, step + 1);
+    auto const rows =
+        workers_.map<SubsetRow>({.name = name, .items = items}, [&](std::int64_t first, std::span<SubsetRow> out) {
+            for (std::size_t i = 0; i < out.size(); ++i) {
+                auto const item = first + static_cast<std::int64_t>(i);
+                runs_[going[static_cast<std::size_t>(item / chains)]].propose(item % chains, normals_);
+                out[i] = row_of(respond_at(problem_, normals_, factor_));
+            }
+        });
+    for (std::size_t g = 0; g < going.size(); ++g) {
+        auto const from = g * static_cast<std::size_t>(chains);
+        runs_[going[g]].step(std::span(rows).subspan(from, static_cast<std::size_t>(chains)));
+    }
+    trials_ += items;
+}
+
+// Why no number can be given, if so.
+struct Doubt {
+    State state = State::trusted;
+    std::string reason;
+};
+
+Doubt doubt_of(Simulation const& simulation, Scouted const& scouted, Estimate const& estimate,
+               SubsetOptions const& options) {
+    if (!scouted.found) {
+        return {State::not_resolved, "no factor makes failure common"};
+    }
+    if (auto const words = words_of(estimate.health); !words.empty()) {
+        return {State::not_trusted, words};
+    }
+    auto const ended = [&](SubsetRun::End how) {
+        return std::count_if(simulation.runs().begin(), simulation.runs().end(),
+                             [&](SubsetRun const& run) { return run.end() == how; });
+    };
+    if (auto const tied = ended(SubsetRun::End::plateau); tied > 0) {
+        return {State::not_trusted,
+                fmt::format("the driver's threshold ties in {} of {} replicates (many trials answer "
+                            "the same, so nothing leads to failure)",
+                            tied, simulation.runs().size())};
+    }
+    if (ended(SubsetRun::End::too_deep) > 0) {
+        return {State::not_resolved, fmt::format("not reached in {} levels", options.most_levels)};
+    }
+    if (ended(SubsetRun::End::none) > 0) {
+        return {State::not_resolved, fmt::format("not reached in {} runs (max_runs)", simulation.trials())};
+    }
+    return {};
+}
+
+void check_health(Estimate& estimate, Simulation const& simulation, Scouted const& scouted) {
+    auto const check = [&](std::string name, double value, double limit) {
+        estimate.health.push_back({std::move(name), value, limit, value <= limit});
+    };
+    check("failures that the driver misses", scouted.missed, most_missed);
+    std::int64_t undecided = 0;
+    for (auto const& run : simulation.runs()) {
+        undecided += run.undecided();
+    }
+    constexpr double most_undecided = 0.001;
+    check("undecided trials", static_cast<double>(undecided) / static_cast<double>(simulation.trials()),
+          most_undecided);
+}
+
+// Beyond it the interval spans a decade, and the mean rests on one or two replicates.
+constexpr double largest_cov = 0.5;
+
+}  // namespace
+
+SubsetResult estimate_subset(Problem const& problem, double factor, Request const& request, Workforce& workers,
+                             SubsetOptions const& options) {
+    OVERTURN_EXPECT(options.samples % options.chains == 0 && options.chains < options.samples);
+    auto const scouted = scout(problem, factor, request, workers);
+    SubsetResult result;
+    result.key = {.seed = request.seed, .problem = request.problem, .phase = Phase::subset};
+    auto& estimate = result.estimate;
+    estimate.factor = factor;
+    estimate.method = Method::subset;
+    Simulation simulation(problem, factor, request, workers, options);
+    if (scouted.found && scouted.missed <= most_missed) {
+        simulation.run(request.max_runs);
+    }
+    estimate.runs = scouted.runs + simulation.trials();
+    for (auto const& run : simulation.runs()) {
+        result.replicates.push_back(run.result());
+        estimate.replicates.push_back(run.result().probability);
+    }
+    if (simulation.trials() > 0) {
+        check_health(estimate, simulation, scouted);
+    } else {
+        estimate.health.push_back(
+            {"failures that the driver misses", scouted.missed, most_missed, scouted.missed <= most_missed});
+    }
+    auto doubt = doubt_of(simulation, scouted, estimate, options);
+    auto const mean = mean_of_replicates(estimate.replicates);
+    if (doubt.state == State::trusted && !(mean.standard_error <= largest_cov * mean.mean)) {
+        doubt = {State::not_trusted, "replicates disagree"};
+    }
+    if (doubt.state != State::trusted) {
+        distrust(estimate, doubt.state, doubt.reason, simulation.plain());
+        return result;
+    }
+    estimate.state = State::trusted;
+    estimate.probability = mean.mean;
+    estimate.interval_95 = mean.interval_95;
+    estimate.cov = mean.standard_error / mean.mean;
+    estimate.crude_runs = crude_runs_for(mean.mean, estimate.cov);
+    return result;
+}
+
+void normals_of_node(std::vector<SubsetNode> const& nodes, std::int64_t node, DrawKey key, std::span<double> normals) {
+    auto const state = ChainStates(key, normals.size()).state_of(nodes, node);
+    std::copy(state.begin(), state.end(), normals.begin());
+}
+
+}  // namespace overturn::rare

@@ -1,0 +1,140 @@
+// Requirement: a campaign's rare events are the same bytes on any number of ranks and after SIGKILL, replayable row by
+// row from the file alone, and stated only where they can be trusted.
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "support/command.hpp"
+
+namespace overturn::testing {
+namespace {
+
+class Rare : public ::testing::Test {
+  protected:
+    static std::string campaign(std::string const& rare, std::string const& levels = "measure='factor'\nvalues=[1.25]",
+                                std::string const& waves =
+                                    "source='filtered-noise'\nrms='1 m/s2'\n"
+                                    "model='clough-penzien'\nground_frequency='0.5 Hz'\n"
+                                    "ground_damping=0.5\nfilter_frequency='0.1 Hz'\n") {
+        return fmt::format(
+            "seed=7\n[waves]\n{}count=3\nduration='20.47 s'\ntime_step='0.02 s'\n"
+            "[[bodies]]\nname='block'\nmass='12.6 t'\nbase_width='0.9 m'\ncentre_height='1.045 m'\n"
+            "inertia='uniform-block'\nrestitution=0.85\n[levels]\n{}\n[rare]\n{}\nreplicates=4\n",
+            waves, levels, rare);
+    }
+
+    nlohmann::json answers(std::string const& file) {
+        auto const ended = overturn(folder, {"fit", file, "--json"});
+        EXPECT_EQ(ended.code, 0) << ended.err;
+        return nlohmann::json::parse(ended.out).at("rare");
+    }
+
+    // What `overturn run` says of a campaign it refuses.
+    std::string refusal(std::string const& text) {
+        folder.write("bad.toml", text);
+        auto const ended = overturn(folder, {"run", "bad.toml"});
+        EXPECT_EQ(ended.code, 2);
+        return ended.err;
+    }
+
+    Folder folder;
+};
+
+// Requirement: subset simulation killed in the middle of a level goes on, on other ranks, to the bytes of an unbroken
+// run.
+TEST_F(Rare, SubsetIsTheSameOnAnyRanksAndAfterKills) {
+    folder.write("c.toml", campaign("method='subset'"));
+    ASSERT_EQ(execute(folder, mpirun(1, {"run", "c.toml", "-o", "one.h5"})).code, 0);
+    for (int const blocks : {4, 12, 22}) {
+        Running running(folder, {OVERTURN_PROGRAM, "run", "c.toml", "--resume"});
+        ASSERT_TRUE(comes_true([&] { return blocks_done(folder, "c.h5") > blocks; }));
+        running.signal(SIGKILL);
+        EXPECT_EQ(running.wait().code, 128 + SIGKILL);
+    }
+    auto const ended = execute(folder, mpirun(3, {"run", "c.toml", "--resume"}));
+    ASSERT_EQ(ended.code, 0) << ended.err;
+
+    EXPECT_TRUE(folder.read("c.h5") == folder.read("one.h5"));
+    EXPECT_FALSE(folder.has("c.h5.parts"));
+}
+
+// Requirement: the same of the pulse mixture, killed in the middle of its ladder; every kind of row replays bit-equal.
+TEST_F(Rare, PulsesAreTheSameOnAnyRanksAndAfterKills) {
+    folder.write("c.toml", campaign("method='pulse-mixture'\ntarget_cov=1"));
+    ASSERT_EQ(execute(folder, mpirun(2, {"run", "c.toml", "-o", "two.h5"})).code, 0);
+    Running running(folder, {OVERTURN_PROGRAM, "run", "c.toml"});
+    ASSERT_TRUE(comes_true([&] { return blocks_done(folder, "c.h5") > 8; }));
+    running.signal(SIGKILL);
+    EXPECT_EQ(running.wait().code, 128 + SIGKILL);
+    ASSERT_EQ(execute(folder, mpirun(3, {"run", "c.toml", "--resume"})).code, 0);
+
+    EXPECT_TRUE(folder.read("c.h5") == folder.read("two.h5"));
+    for (auto const* row : {"0", "2500", "20000", "40000"}) {
+        auto const replay = overturn(folder, {"replay", "c.h5", "--rare", "block", "--trial", row});
+        EXPECT_EQ(replay.code, 0) << replay.err;
+        EXPECT_NE(replay.out.find("bit-equal"), std::string::npos) << replay.out;
+    }
+}
+
+// Requirement: rows of chains replay bit-equal too, through all they descend from.
+TEST_F(Rare, ChainsReplay) {
+    folder.write("c.toml", campaign("method='subset'"));
+    ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
+    for (auto const* row : {"5", "2400", "3300", "12000"}) {
+        auto const replay = overturn(folder, {"replay", "c.h5", "--rare", "block", "--trial", row});
+        EXPECT_EQ(replay.code, 0) << replay.err;
+        EXPECT_NE(replay.out.find("bit-equal"), std::string::npos) << replay.out;
+    }
+    auto const beyond = overturn(folder, {"replay", "c.h5", "--rare", "block", "--trial", "99999999"});
+    EXPECT_EQ(beyond.code, 2);
+}
+
+// Requirement: answers have the stated keys; what cannot be resolved is null and a bound, never a number.
+TEST_F(Rare, AnswersHaveTheirKeys) {
+    folder.write("c.toml", campaign("method='crude'\nmax_runs=2000", "measure='factor'\nvalues=[0.7, 1.8]"));
+    auto const run = overturn(folder, {"run", "c.toml"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_NE(run.out.find("rare events of block"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("not-resolved"), std::string::npos) << run.out;
+
+    auto const rare = answers("c.h5");
+
+    ASSERT_EQ(rare.size(), 2U);
+    EXPECT_EQ(rare[0].at("body"), "block");
+    EXPECT_EQ(rare[0].at("amplitude"), 0.7);
+    EXPECT_TRUE(rare[0].at("probability").is_null());
+    EXPECT_TRUE(rare[0].at("crude_runs").is_null());
+    EXPECT_EQ(rare[0].at("state"), "not-resolved");
+    EXPECT_TRUE(rare[0].at("reason").is_string());
+    EXPECT_EQ(rare[0].at("interval_95")[0], 0);
+    EXPECT_EQ(rare[1].at("state"), "trusted");
+    EXPECT_EQ(rare[1].at("method"), "crude");
+    EXPECT_GT(rare[1].at("probability"), 0.03);
+    EXPECT_EQ(rare[1].at("runs"), 2000);
+    EXPECT_TRUE(rare[1].at("reason").is_null());
+}
+
+// Requirement: a campaign whose levels, waves or bodies these estimators are not for is refused at the line concerned,
+// with the reason and what to do.
+TEST_F(Rare, RefusesWhatItIsNotFor) {
+    auto const pga = refusal(campaign("method='auto'", "measure='pga'\nvalues=['400 gal']"));
+    EXPECT_NE(pga.find("bad.toml:20:"), std::string::npos) << pga;
+    EXPECT_NE(pga.find("factor"), std::string::npos) << pga;
+    auto const matched =
+        refusal(campaign("method='pulse-mixture'", "measure='factor'\nvalues=[1]",
+                         "source='spectrum-compatible'\nmatch='each'\ntarget={spectrum='mlit-ch1'}\n"));
+    EXPECT_NE(matched.find("not linear"), std::string::npos) << matched;
+    auto const pulse = refusal(campaign("method='auto'", "measure='factor'\nvalues=[1]",
+                                        "source='harmonic'\nfrequencies=['1 Hz','2 Hz','3 Hz']\namplitude='1 m/s2'\n"));
+    EXPECT_NE(pulse.find("at random"), std::string::npos) << pulse;
+    auto const method = refusal(campaign("method='subsett'"));
+    EXPECT_NE(method.find("subset"), std::string::npos) << method;
+    auto const unknown = refusal(campaign("cov=0.1"));
+    EXPECT_NE(unknown.find("cov"), std::string::npos) << unknown;
+    folder.write("c.toml", campaign("method='crude'"));
+    auto const part = overturn(folder, {"run", "c.toml", "--part", "1/2"});
+    EXPECT_EQ(part.code, 2);
+    EXPECT_NE(part.err.find("[rare]"), std::string::npos) << part.err;
+}
+
+}  // namespace
+}  // namespace overturn::testing

@@ -1,0 +1,220 @@
+// Requirement: importance sampling with failure pulses gives the measured probabilities of a block under filtered
+// noise, and none where waves are not linear in their normals.
+#include "rare/pulse_mixture.hpp"
+
+#include <cmath>
+#include <complex>
+#include <vector>
+
+#include <gsl/gsl_cdf.h>
+#include <gtest/gtest.h>
+
+#include "rare/normals.hpp"
+#include "support/rocking_noise.hpp"
+
+namespace overturn::rare {
+namespace {
+
+using testing::RockingNoise;
+
+/// An oscillator at one instant of the stationary wave: linear in the normals, so that P is known in closed form.
+class OscillatorAtATime : public Problem {
+  public:
+    OscillatorAtATime(double period_s, double damping) {
+        double const w = 2 * pi / period_s;
+        for (std::size_t k = 1; k <= noise_.amplitude().size(); ++k) {
+            double const wk = noise_.frame()->spacing_radps * static_cast<double>(k);
+            auto const transfer = noise_.amplitude()[k - 1] * std::polar(1.0, wk * instant_s)
+                                  / std::complex<double>(w * w - wk * wk, 2 * damping * w * wk);
+            weights_.push_back(transfer.real());
+            weights_.push_back(-transfer.imag());
+            sigma_ += std::norm(transfer);
+        }
+        sigma_ = std::sqrt(sigma_);
+    }
+
+    static constexpr double limit = 4.5;  ///< in standard deviations
+    [[nodiscard]] double sigma() const { return sigma_; }
+    [[nodiscard]] std::size_t normals() const override { return weights_.size(); }
+    [[nodiscard]] std::optional<PulseFrame> frame() const override { return noise_.frame(); }
+    void respond(std::span<double const> x, std::span<double const> factors, std::span<Answer> answers) const override {
+        double const size = std::abs(displacement(x)) / (limit * sigma_);
+        for (std::size_t f = 0; f < factors.size(); ++f) {
+            answers[f] = {factors[f] * size - 1, factors[f] * size > 1, false};
+        }
+    }
+    [[nodiscard]] Moment moment(std::span<double const> x, double /*factor*/) const override {
+        return {instant_s, displacement(x) > 0 ? 1.0 : -1.0};
+    }
+
+  private:
+    [[nodiscard]] double displacement(std::span<double const> x) const {
+        double sum = 0;
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            sum += weights_[i] * x[i];
+        }
+        return sum;
+    }
+
+    static constexpr double instant_s = 20;
+    RockingNoise noise_;
+    std::vector<double> weights_;
+    double sigma_ = 0;
+};
+
+Request request(std::uint64_t seed) { return {.seed = seed, .target_cov = 1}; }
+
+// Requirement: the test problem's spectrum is the one that its probabilities were measured with.
+TEST(TestProblem, HasTheStatedSpectrum) {
+    RockingNoise const noise;
+
+    EXPECT_NEAR(noise.amplitude()[0], .00785002, 5e-9);
+    EXPECT_NEAR(noise.amplitude()[19], .18794224, 5e-9);
+    EXPECT_NEAR(noise.amplitude()[40], .08141573, 5e-9);
+    EXPECT_NEAR(OscillatorAtATime(2, .05).sigma(), .3281908, 5e-8);
+    EXPECT_NEAR(OscillatorAtATime(1, .05).sigma(), .0585032, 5e-8);
+    EXPECT_NEAR(OscillatorAtATime(4, .1).sigma(), .5637664, 5e-8);
+}
+
+// Requirement: P(|y| > 4.5 sigma) of an oscillator at a fixed time, known in closed form, within 3 errors.
+TEST(PulseMixture, MeetsTheExactProbabilityOfAnOscillator) {
+    OscillatorAtATime const problem(2, .05);
+    LoneWorker workers;
+    double const exact = 2 * gsl_cdf_ugaussian_Q(OscillatorAtATime::limit);
+    std::vector<double> const factors{1.0};
+    // All fail at the same instant, after a long swing.
+    PulseOptions const options{
+        .pilot_runs = 1000, .final_runs = 1000, .fit = {.before = 6, .after = 1, .arrival_kernel = .02}};
+
+    auto const estimate =
+        estimate_pulse_mixture(problem, factors, 1, request(3), workers, {}, options).estimates.front();
+
+    ASSERT_EQ(estimate.state, State::trusted) << estimate.reason;
+    EXPECT_NEAR(exact, 6.79535e-6, 5e-12);
+    EXPECT_NEAR(*estimate.probability, exact, 3 * estimate.cov * exact);
+    EXPECT_LT(estimate.cov, 0.12);
+}
+
+// Requirement: one set of waves gives the whole tail: the values of 8 million plain trials and of earlier samplings, at
+// P 1e-2, 1e-3 and 2.8e-6, and at least 500 times fewer waves than crude Monte Carlo at the last.
+TEST(PulseMixture, GivesTheTailOfTheTestProblem) {
+    RockingNoise const problem;
+    LoneWorker workers;
+    std::vector<double> const factors{1.42, 1.25, 1.00};
+    std::vector<double> const known{1.0596e-2, 1.0029e-3, 2.79e-6};
+    std::vector<double> const known_error{.003, .011, .011};
+
+    auto const estimates =
+        estimate_pulse_mixture(problem, factors, 1.1, request(17), workers, {}, {.pilot_runs = 1000}).estimates;
+
+    for (std::size_t f = 0; f < factors.size(); ++f) {
+        auto const& made = estimates[f];
+        ASSERT_EQ(made.state, State::trusted) << factors[f] << ": " << made.reason;
+        EXPECT_NEAR(*made.probability, known[f], 3 * std::hypot(made.cov, known_error[f]) * known[f]) << factors[f];
+        EXPECT_LT(made.cov, 0.2) << factors[f];
+    }
+    EXPECT_GT(estimates.back().crude_runs, 500.0 * static_cast<double>(estimates.back().runs));
+}
+
+// Requirement: the mean of all weights is 1, and none exceeds 1 / the share of plain draws.
+TEST(PulseMixture, WeightsAverageToOne) {
+    RockingNoise const problem;
+    LoneWorker workers;
+    std::vector<double> const factors{1.25};
+    auto const result = estimate_pulse_mixture(problem, factors, 1.25, request(5), workers, {},
+                                               {.pilot_runs = 500, .final_runs = 2500});
+
+    double sum = 0;
+    double squares = 0;
+    double n = 0;
+    double largest = 0;
+    for (auto const& replicate : result.stages) {
+        for (auto const& row : replicate.back().rows) {
+            sum += row.weight;
+            squares += row.weight * row.weight;
+            largest = std::max(largest, row.weight);
+            ++n;
+        }
+    }
+    double const error = std::sqrt((squares / n - 1) / n);
+    EXPECT_NEAR(sum / n, 1, 4 * error);
+    EXPECT_LT(error, 0.02);
+    EXPECT_LE(largest, 1 / Mixture::plain_share);
+}
+
+// Requirement: a weight is the ratio of two densities: of one pulse with one time of arrival, by the formula.
+TEST(Mixture, WeightIsTheRatioOfDensities) {
+    PulseFrame const frame{.lines = 3, .spacing_radps = 2 * pi / 8, .duration_s = 8, .body_period_s = 1};
+    Pulse pulse{.lines = {{1, .5}, {-.3, 2}, {.7, -.1}}, .share = 1, .arrival = std::vector<double>(8, 0.0)};
+    pulse.arrival[3] = 1;
+    Mixture const mixture(frame, {pulse});
+    std::vector<double> const x{.3, -1, 2, .4, -.6, 1.7, 5, 5};
+
+    double shifted = 0;
+    for (double const strength : {.85, 1.0, 1.15}) {
+        for (double const sign : {-1.0, 1.0}) {
+            double exponent = 0;
+            for (std::size_t k = 1; k <= 3; ++k) {
+                auto const m =
+                    sign * strength * pulse.lines[k - 1] * std::polar(1.0, -2 * pi * 3 / 8 * static_cast<double>(k));
+                std::complex<double> const z(x[2 * k - 2], x[2 * k - 1]);
+                exponent += .5 * std::norm(z) - .5 * std::norm(z - m);
+            }
+            shifted += std::exp(exponent) / 6;
+        }
+    }
+    EXPECT_NEAR(mixture.weight(x), 1 / (.1 + .9 * shifted), 1e-13);
+}
+
+// Requirement: without pulses the method is crude Monte Carlo, bit for bit.
+TEST(PulseMixture, WithoutPulsesIsCrude) {
+    RockingNoise const problem;
+    LoneWorker workers;
+    std::vector<double> const factors{1.6, 1.42};
+    auto const result = estimate_pulse_mixture(problem, factors, 1.6, {.seed = 2, .target_cov = 1, .replicates = 2},
+                                               workers, {}, {.final_runs = 500, .fit = {.pulses = 0}});
+    for (std::size_t r = 0; r < 2; ++r) {
+        DrawKey const key{.seed = 2, .replicate = r, .phase = Phase::final};
+        auto const counts = count_failures(problem, factors, key, 0, 500, "plain", workers);
+        for (std::size_t f = 0; f < factors.size(); ++f) {
+            EXPECT_EQ(result.estimates[f].replicates[r], static_cast<double>(counts[f].failed) / 500);
+        }
+    }
+}
+
+// Requirement: of waves that are each scaled to their own peak, which is not linear in the normals, nothing is stated
+// but the bound of plain trials.
+TEST(PulseMixture, DoesNotTrustItselfWhereEachWaveIsScaled) {
+    RockingNoise const problem(4096, RockingNoise::Map::peak_scaled);
+    LoneWorker workers;
+    std::vector<double> const factors{1.10};
+
+    auto const estimate = estimate_pulse_mixture(problem, factors, 1.10, request(1), workers, {},
+                                                 {.pilot_runs = 1000, .final_runs = 1000})
+                              .estimates.front();
+
+    EXPECT_EQ(estimate.state, State::not_trusted);
+    EXPECT_FALSE(estimate.probability.has_value());
+    EXPECT_FALSE(estimate.reason.empty());
+    EXPECT_EQ(estimate.interval_95.lower, 0);
+    EXPECT_GT(estimate.interval_95.upper, 1.17e-4);
+}
+
+// Requirement: a wave and its mirror image end the same, so that signs may be drawn.
+TEST(TestProblem, MirroredWavesEndTheSame) {
+    RockingNoise const problem;
+    std::vector<double> x(problem.normals());
+    for (std::uint64_t i = 0; i < 300; ++i) {
+        draw_normals({.seed = 8, .index = i}, x);
+        auto const one = respond_at(problem, x, 2.5);
+        for (double& value : x) {
+            value = -value;
+        }
+        auto const other = respond_at(problem, x, 2.5);
+        ASSERT_EQ(one.failed, other.failed);
+        ASSERT_EQ(one.driver, other.driver);
+    }
+}
+
+}  // namespace
+}  // namespace overturn::rare
