@@ -45,7 +45,9 @@ template <> Fields const& fields_of<Outcome>() {
         field<&O::peak_slip_m>("peak_slip", "m", "max |slip| of the base"),
         field<&O::residual_slip_m>("residual_slip", "m", "slip at the end"),
         field<&O::friction_work_jpkg>("friction_work", "J/kg", "work lost in slip, over the mass"),
-        field<&O::response_velocity_mps>("v_resp", "m/s", "response velocity of the peak rotation: at most V_Ereq in the plane, more over a corner in space"),
+        field<&O::response_velocity_mps>(
+            "v_resp", "m/s",
+            "response velocity of the peak rotation: at most V_Ereq in the plane, more over a corner in space"),
         field<&O::called>("effects_called", "1", "bit mask of effects that the monitors say would act"),
         field<&O::steps>("steps", "1", "series evaluated")};
     return fields;

@@ -26,4 +26,18 @@ inline std::string small_campaign(std::string const& waves = "shared", int count
            + waves + "'\n";
 }
 
+/// As small_campaign, shaken by three components, with bodies that stand on points in the plane and in space.
+inline std::string campaign_on_points(int count) {
+    auto campaign = small_campaign("shared", count);
+    auto const levels = campaign.find("[levels]");
+    std::string const body = "mass='12.6 t'\nbase_width='0.9 m'\ncentre_height='1.045 m'\ninertia='uniform-block'\n";
+    campaign.insert(levels, "[[bodies]]\nname='flat'\naxes=1\nbase={bedding='flat', points=5}\npad={strength='5 MPa'}\n" + body
+                                + "[[bodies]]\nname='round'\nfriction=0.6\nbase={shape='round', points=16}\n" + body
+                                + "[[bodies]]\nname='scatters'\npad={vertical_frequency='67 Hz'}\n"
+                                  "restitution={distribution='normal',mean=0.8,deviation=0.03,low=0.7,high=0.9}\n"
+                                + body);
+    campaign.insert(campaign.find("[waves.vertical]"), "[waves.transverse]\nratio=0.8\n");
+    return campaign;
+}
+
 }  // namespace overturn::testing

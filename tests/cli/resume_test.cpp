@@ -61,6 +61,19 @@ TEST_F(Resume, AfterASignalToMpirun) {
     expect_as_unbroken();
 }
 
+// Requirement: a kill loses no byte of trials on points and in space either.
+TEST_F(Resume, AfterAKillOnPoints) {
+    folder.write("c.toml", campaign_on_points(24));
+    {
+        Running running(folder, {OVERTURN_PROGRAM, "run", "c.toml"});
+        ASSERT_TRUE(comes_true([&] { return blocks_done(folder, "c.h5") > 3; }));
+        running.signal(SIGKILL);
+        EXPECT_EQ(running.wait().code, 128 + SIGKILL);
+    }
+    EXPECT_EQ(overturn(folder, {"status", "c.h5"}).code, 3);
+    expect_as_unbroken();
+}
+
 // Requirement: SIGKILL loses only blocks under way.
 TEST_F(Resume, AfterAKill) {
     {

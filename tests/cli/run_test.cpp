@@ -40,6 +40,26 @@ TEST_F(Run, RanksDoNotMatter) {
     EXPECT_TRUE(folder.has("shared3.runtime.json"));
 }
 
+// Requirement: that holds on compliant points, in the plane and in space; every model answers some trial.
+TEST_F(Run, RanksDoNotMatterOnPoints) {
+    folder.write("c.toml", campaign_on_points(4));
+    auto const alone = bytes({OVERTURN_PROGRAM, "run", "c.toml", "-o", "0.h5"}, "0.h5");
+    for (int const ranks : {1, 2, 3}) {
+        auto const name = std::to_string(ranks) + ".h5";
+        expect_same(alone, bytes(mpirun(ranks, {"run", "c.toml", "-o", name}), name), name.c_str());
+    }
+    auto const other = bytes({OVERTURN_PROGRAM, "run", "c.toml", "-o", "o.h5", "--set", "seed=7"}, "o.h5");
+    EXPECT_FALSE(alone == other);
+    auto const told = execute(folder, {OVERTURN_PROGRAM, "fit", "0.h5"});
+    EXPECT_EQ(told.code, 0) << told.err;
+    EXPECT_NE(told.out.find(" contact"), std::string::npos) << told.out;
+    EXPECT_NE(told.out.find(" spatial"), std::string::npos) << told.out;
+    for (auto const* trial : {"7", "25", "38", "57"}) {
+        auto const replayed = overturn(folder, {"replay", "0.h5", "--trial", trial, "--history", "h.csv"});
+        EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;
+    }
+}
+
 // Requirement: nor on there being far more ranks than cores, or than blocks.
 TEST_F(Run, SixteenRanksDoNotMatter) {
     folder.write("c.toml", small_campaign("shared", 20));

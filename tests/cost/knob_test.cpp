@@ -96,7 +96,8 @@ TEST(Knobs, EffectsAreThoseThatApply) {
     auto const across = quick_waves + "[waves.transverse]\nratio=1\n" + type_b + levels("values=[4]\n");
     EXPECT_EQ(labels(knobs_from(across)), (std::vector<std::string>{"none", "contact", "contact, spatial", "auto"}));
     auto const campaign = input_from(across);
-    EXPECT_EQ(effects_reference_settings(parse_campaign(campaign)).back(), "effects={include=[\"contact\",\"spatial\"]}");
+    EXPECT_EQ(effects_reference_settings(parse_campaign(campaign)).back(),
+              "effects={include=[\"contact\",\"spatial\"]}");
 }
 
 }  // namespace
