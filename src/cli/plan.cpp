@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
+#include <string>
 #include <thread>
 
 #include <fmt/format.h>
@@ -8,6 +10,7 @@
 #include "campaign/progress.hpp"
 #include "campaign/results.hpp"
 #include "cli/verbs.hpp"
+#include "contact/matching.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -34,6 +37,38 @@ std::int64_t file_bytes(CampaignInput const& input, CampaignSpec const& spec, Pl
     return bytes;
 }
 
+std::string base_text(BasePlan const& base) {
+    switch (base.shape) {
+        case BaseShape::round:
+            return fmt::format("round base, {} points on its rim", base.points);
+        case BaseShape::polygon:
+            return fmt::format("polygon of {} corners", base.corners_m.size());
+        case BaseShape::square:
+            break;
+    }
+    return base.corner_share == 1 ? std::string("square base on its corners")
+           : base.corner_share ? fmt::format("square base, {:.4g} of its stiffness on the corners", *base.corner_share)
+                               : fmt::format("square base, flat on {} points", base.points);
+}
+
+// What base and pad make of the body's restitution.
+std::string footing_text(BodySpec const& body, CampaignSpec const& spec) {
+    auto const& [base, pad, across, vertical, stated] = body.footing;
+    auto text = fmt::format("{}, {:g} Hz, {}", base_text(base), pad.vertical_frequency_hz,
+                            pad.strength_pa ? fmt::format("{:g} MPa", *pad.strength_pa / 1e6) : "elastic");
+    if (base.shape == BaseShape::polygon) {
+        return text;
+    }
+    auto const match = match_restitution(body.body, base, pad, spec.accuracy.contact);
+    constexpr double close = 1e-3;
+    return text
+           + fmt::format("; rocks with e {:.4f}{}", match.restitution,
+                         !pad.match_restitution ? ", its own"
+                         : std::abs(match.restitution - body.body.restitution()) > close
+                             ? fmt::format(", as near to {:.4f} as it can", body.body.restitution())
+                             : "");
+}
+
 int plan_campaign(std::string const& path, std::vector<std::string> const& settings) {
     auto const input = load_campaign(path, settings);
     auto const spec = parse_campaign(input);
@@ -47,6 +82,9 @@ int plan_campaign(std::string const& path, std::vector<std::string> const& setti
             body.name, body.body.mass_kg(), body.body.alpha_rad() * 180 / pi, body.body.p_radps(),
             body.body.restitution(), body.body.housner_restitution(), body.body.uplift_acceleration_mps2(),
             body.body.limit_velocity_mps());
+        if (body.footing.stated) {
+            fmt::print("stands    {}: {}\n", body.name, footing_text(body, spec));
+        }
     }
     for (auto const& level : spec.levels.levels) {
         fmt::print("level     {} {:.6g} {}{}\n", spec.levels.measure_name(), level.value, spec.levels.units(),
