@@ -61,7 +61,7 @@ void RareProblem::respond(std::span<double const> normals, std::span<double cons
                           std::span<rare::Answer> answers) const {
     auto const wave = waves_->make(normals);
     double const peak = rare::peak_of_wave(wave.horizontal_mps2);
-    Scene const scene{body_.body, body_.friction};
+    Scene const scene{body_.body, body_.friction, body_.footing, body_.axes};
     for (std::size_t f = 0; f < factors.size(); ++f) {
         auto const response = ladder_.respond(
             {.scene = scene, .motion = wave, .scale = factors[f], .peak_mps2 = peak, .chunks = nullptr});
@@ -86,7 +86,7 @@ std::optional<rare::PulseFrame> RareProblem::frame() const {
 
 rare::Moment RareProblem::moment(std::span<double const> normals, double factor) const {
     auto const wave = waves_->make(normals);
-    Scene const scene{body_.body, body_.friction};
+    Scene const scene{body_.body, body_.friction, body_.footing, body_.axes};
     SceneTrial const trial{.scene = scene, .motion = wave, .scale = factor};
     auto const response = ladder_.respond(trial);
     LastDeparture departure(body_.body.alpha_rad());
