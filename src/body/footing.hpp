@@ -35,9 +35,18 @@ struct Pad {
     bool match_restitution = true;
 };
 
+/// A base and points that rock as their body states, as nearly as any do.
+struct MatchedFooting {
+    BasePlan base;           ///< with the corner share that was found
+    Pad pad;                 ///< with the points' restitution that was found
+    double restitution = 0;  ///< that they give; not the wanted one where no base or points can give that
+};
+
 struct Footing {
     BasePlan base = {};
     Pad pad = {};
+    /// Where it is known beforehand: what base and pad become for the body as it stands under every wave.
+    std::optional<MatchedFooting> matched = {};
     /// About the horizontal axis in the rocking plane (tilting across it), and about the vertical one. Empty: as in the
     /// rocking plane, and the uniform solid of the base [kg m2]
     std::optional<double> inertia_across_kgm2 = {}, inertia_vertical_kgm2 = {};

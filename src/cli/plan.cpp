@@ -52,14 +52,15 @@ std::string base_text(BasePlan const& base) {
 }
 
 // What base and pad make of the body's restitution.
-std::string footing_text(BodySpec const& body, CampaignSpec const& spec) {
-    auto const& [base, pad, across, vertical, stated] = body.footing;
+std::string footing_text(BodySpec const& body) {
+    auto const& base = body.footing.base;
+    auto const& pad = body.footing.pad;
     auto text = fmt::format("{}, {:g} Hz, {}", base_text(base), pad.vertical_frequency_hz,
                             pad.strength_pa ? fmt::format("{:g} MPa", *pad.strength_pa / 1e6) : "elastic");
     if (base.shape == BaseShape::polygon) {
         return text;
     }
-    auto const match = match_restitution(body.body, base, pad, spec.accuracy.contact);
+    auto const match = matched_footing(body.body, body.footing);
     constexpr double close = 1e-3;
     return text
            + fmt::format("; rocks with e {:.4f}{}", match.restitution,
@@ -83,7 +84,7 @@ int plan_campaign(std::string const& path, std::vector<std::string> const& setti
             body.body.restitution(), body.body.housner_restitution(), body.body.uplift_acceleration_mps2(),
             body.body.limit_velocity_mps());
         if (body.footing.stated) {
-            fmt::print("stands    {}: {}\n", body.name, footing_text(body, spec));
+            fmt::print("stands    {}: {}\n", body.name, footing_text(body));
         }
     }
     for (auto const& level : spec.levels.levels) {

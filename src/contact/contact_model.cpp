@@ -108,14 +108,14 @@ class ContactModel : public Model {
                 auto const& match = blocks.back().match;
                 blocks.push_back({contact_block(*trial.body, match.base, match.pad, friction), match});
             } else {
-                blocks.push_back(matched_block(*trial.body, *trial.footing, friction, accuracy_));
+                blocks.push_back(matched_block(*trial.body, *trial.footing, friction));
             }
             before = &trial;
         }
         return blocks;
     }
 
-    static void tell_match(ContactMatch const& match, ContactQuantities& own) {
+    static void tell_match(MatchedFooting const& match, ContactQuantities& own) {
         own.restitution = match.restitution;
         if (match.base.shape == BaseShape::square) {
             own.corner_share = match.base.corner_share.value_or(flat_share(match.base.points));
@@ -163,9 +163,8 @@ std::unique_ptr<Model> make_contact_model(ContactAccuracy const& accuracy) {
     return std::make_unique<ContactModel>(accuracy);
 }
 
-MatchedBlock matched_block(RigidBody const& body, Footing const& footing, std::optional<Friction> const& friction,
-                           ContactAccuracy const& accuracy) {
-    auto const match = match_restitution(body, footing.base, footing.pad, accuracy);
+MatchedBlock matched_block(RigidBody const& body, Footing const& footing, std::optional<Friction> const& friction) {
+    auto const match = matched_footing(body, footing);
     return {contact_block(body, match.base, match.pad, friction), match};
 }
 

@@ -21,10 +21,10 @@ namespace overturn {
 /// The body on its points, as the model has it: friction is its own, where the trial simulates sliding.
 struct MatchedBlock {
     ContactBlock block;
-    ContactMatch match;
+    MatchedFooting match;
 };
 /// \throws InputError as contact_block
 [[nodiscard]] MatchedBlock matched_block(RigidBody const& body, Footing const& footing,
-                                         std::optional<Friction> const& friction, ContactAccuracy const& accuracy);
+                                         std::optional<Friction> const& friction);
 
 }  // namespace overturn

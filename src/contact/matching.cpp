@@ -47,7 +47,7 @@ class Search {
     Search(RigidBody const& body, BasePlan const& base, Pad const& pad, ContactAccuracy const& accuracy)
         : body_(body), accuracy_(accuracy), stated_(pad.normal_restitution), match_{base, pad, 0} {}
 
-    ContactMatch run() {
+    MatchedFooting run() {
         auto& base = match_.base;
         double const stated = gives();
         if (!match_.pad.match_restitution || std::abs(stated - wanted_) <= close_enough) {
@@ -102,7 +102,7 @@ class Search {
     ContactAccuracy accuracy_;
     double stated_;  // of the points
     double wanted_ = body_.restitution();
-    ContactMatch match_;
+    MatchedFooting match_;
 };
 
 }  // namespace
@@ -125,8 +125,16 @@ double emergent_restitution(RigidBody const& body, BasePlan const& base, Pad con
     return std::sqrt(lifted(std::max(0.0, -out.trough_rad)) / lifted(start_share * alpha));
 }
 
-ContactMatch match_restitution(RigidBody const& body, BasePlan const& base, Pad const& pad,
-                               ContactAccuracy const& accuracy) {
+MatchedFooting matched_footing(RigidBody const& body, Footing const& footing) {
+    if (footing.matched) {
+        return *footing.matched;
+    }
+    return footing.base.shape == BaseShape::polygon ? MatchedFooting{footing.base, footing.pad, never}
+                                                    : match_restitution(body, footing.base, footing.pad);
+}
+
+MatchedFooting match_restitution(RigidBody const& body, BasePlan const& base, Pad const& pad,
+                                 ContactAccuracy const& accuracy) {
     return Search(body, base, pad, accuracy).run();
 }
 

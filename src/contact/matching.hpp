@@ -10,18 +10,16 @@ namespace overturn {
 [[nodiscard]] double emergent_restitution(RigidBody const& body, BasePlan const& base, Pad const& pad,
                                           ContactAccuracy const& accuracy = {});
 
-struct ContactMatch {
-    BasePlan base;           ///< with the corner share that was found
-    Pad pad;                 ///< with the points' restitution that was found
-    double restitution = 0;  ///< that they give; not the wanted one where no base or points can give that
-};
-
 /// Finds a base that gives the body's restitution. A square base that stands on its corners: the corner share, between
 /// corners alone and a flat bed; where corners alone give back too much, softer points on corners; where a flat bed
 /// gives back too little, harder points on a flat bed. Any other base is what it is: softer or harder points on it.
 /// Where none gives it, the nearest: Housner's value, which is that of corners that give nothing back, may lie below
 /// what points of 0.05 do. A pad that is not to be matched is taken as it is.
-[[nodiscard]] ContactMatch match_restitution(RigidBody const& body, BasePlan const& base, Pad const& pad,
-                                             ContactAccuracy const& accuracy = {});
+[[nodiscard]] MatchedFooting match_restitution(RigidBody const& body, BasePlan const& base, Pad const& pad,
+                                               ContactAccuracy const& accuracy = {});
+
+/// What the body stands on in the end: as it is known beforehand, or matched at the usual step; a polygon as it is
+/// stated, of a restitution that is not known.
+[[nodiscard]] MatchedFooting matched_footing(RigidBody const& body, Footing const& footing);
 
 }  // namespace overturn

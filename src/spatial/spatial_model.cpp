@@ -150,7 +150,7 @@ class SpatialModel : public Model {
 
     struct Matched {
         SpatialBlock block;
-        ContactMatch match;
+        MatchedFooting match;
     };
 
     // One each: friction may differ. Neighbours of the same body and footing share its match.
@@ -158,10 +158,10 @@ class SpatialModel : public Model {
         std::vector<Matched> blocks;
         blocks.reserve(trials.size());
         Trial const* before = nullptr;
-        ContactMatch match;
+        MatchedFooting match;
         for (auto const& trial : trials) {
             if (before == nullptr || before->body != trial.body || before->footing != trial.footing) {
-                match = match_of(*trial.body, *trial.footing);
+                match = matched_footing(*trial.body, *trial.footing);
             }
             auto footing = *trial.footing;
             footing.base = match.base;
@@ -173,12 +173,7 @@ class SpatialModel : public Model {
         return blocks;
     }
 
-    [[nodiscard]] ContactMatch match_of(RigidBody const& body, Footing const& footing) const {
-        return footing.base.shape == BaseShape::polygon ? ContactMatch{footing.base, footing.pad, never}
-                                                        : match_restitution(body, footing.base, footing.pad, accuracy_);
-    }
-
-    static void tell_match(ContactMatch const& match, SpatialQuantities& own) {
+    static void tell_match(MatchedFooting const& match, SpatialQuantities& own) {
         own.restitution = match.restitution;
         own.normal_restitution = match.pad.normal_restitution;
         if (match.base.shape == BaseShape::square) {

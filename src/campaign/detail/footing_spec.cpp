@@ -92,13 +92,13 @@ Footing scaled(Footing footing, std::optional<Scaling> const& scaling) {
 void validate_match(Table const& table, BodySpec const& spec) {
     constexpr double near_enough = 0.02;  // what the amplitude makes of a base's restitution
     double const wanted = spec.body.restitution();
-    auto const match = match_restitution(spec.body, spec.footing.base, spec.footing.pad);
-    if (std::abs(match.restitution - wanted) > near_enough) {
+    double const found = spec.footing.matched->restitution;
+    if (std::abs(found - wanted) > near_enough) {
         table.fail(
             "restitution",
             fmt::format("{:.4f} (the nearest that this base and pad give is {:.4f}). State that, another bedding, "
                         "or pad.match_restitution = false",
-                        wanted, match.restitution));
+                        wanted, found));
     }
 }
 
@@ -148,8 +148,14 @@ void settle_footing(Table const& table, BodySpec& spec) {
         return;
     }
     table.located("base", [&] { return contact_block(spec.body, base, footing.pad, {}); });
-    bool const scatters = spec.scatter.restitution && spec.scatter.restitution->scatters();
-    if (footing.pad.match_restitution && states_restitution && !scatters) {
+    auto const& scatter = spec.scatter;
+    for (auto const* const drawn : {&scatter.mass, &scatter.centre_height, &scatter.restitution}) {
+        if (*drawn && (*drawn)->scatters()) {
+            return;  // every draw has a match of its own
+        }
+    }
+    footing.matched = matched_footing(spec.body, footing);
+    if (footing.pad.match_restitution && states_restitution) {
         validate_match(table, spec);
     }
 }
