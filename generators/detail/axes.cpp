@@ -16,7 +16,7 @@ AxesRequest read_axes(config::Table const& table) {
         && table.text("axes").find("rad") == std::string::npos) {
         return {table.choice<Axes>("axes", names), 0};
     }
-    return {Axes::turned, table.number("axes", Dimension::angle, config::Range::any())};
+    return {Axes::turned, table.number("axes", Dimension::angle, config::Range::between(-2 * pi, 2 * pi))};
 }
 
 double principal_angle(GroundMotion const& motion) {

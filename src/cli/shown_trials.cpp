@@ -42,13 +42,14 @@ class Kept : public Observer {
     std::vector<std::vector<double>> columns;
 };
 
-// Every so many instants, of each channel the one that is farthest from zero, so that no peak is lost.
-Json thinned(std::vector<double> const& values, bool is_time) {
+// Every so many instants: of what is drawn over time the value that is farthest from zero, so that no peak is lost; of
+// a pose its parts at one instant.
+Json thinned(std::vector<double> const& values, bool of_a_pose) {
     auto const each = (values.size() + most_instants - 1) / most_instants;
     auto kept = Json::array();
     for (std::size_t begin = 0; begin < values.size(); begin += each) {
         double farthest = values[begin];
-        for (std::size_t i = begin; !is_time && i < std::min(begin + each, values.size()); ++i) {
+        for (std::size_t i = begin; !of_a_pose && i < std::min(begin + each, values.size()); ++i) {
             farthest = std::abs(values[i]) > std::abs(farthest) ? values[i] : farthest;
         }
         kept.push_back(farthest);
@@ -117,7 +118,9 @@ Json shown_trials(CampaignSpec const& spec, Plan const& plan, store::ResultsRead
         auto const& row = trial.rows.front();
         auto channels = Json::object();
         for (std::size_t i = 0; i < kept.keys.size(); ++i) {
-            channels[kept.keys[i]] = thinned(kept.columns[i], i == 0);
+            auto const& key = kept.keys[i];
+            bool const of_a_pose = key == "time_s" || key == "x_m" || key == "y_m" || key == "yaw_rad";
+            channels[key] = thinned(kept.columns[i], of_a_pose);
         }
         shown.push_back(
             {{"body", spec.bodies[b].name},

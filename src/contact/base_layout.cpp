@@ -85,6 +85,19 @@ ContactBlock contact_block(RigidBody const& body, BasePlan const& base, Pad cons
                        .yield_depth_m = std::numeric_limits<double>::infinity(),
                        .pad = pad,
                        .points = layout(base, body.half_width_m())};
+    double bed = 0;  // against turning, over the stiffness
+    for (auto const& point : block.points) {
+        bed += point.stiffness_share * point.offset_m * point.offset_m;
+    }
+    double const w = block.vertical_radps();
+    validate(
+        w * w * bed > 1.2 * block.gravity_mps2 * block.centre_height_m,
+        "the pad's vertical frequency is {} Hz (so soft a bed hardly holds the body upright) state the measured one",
+        pad.vertical_frequency_hz);
+    double const weight = body.mass_kg() * block.gravity_mps2;
+    validate(!pad.strength_pa || *pad.strength_pa * area(base, body.half_width_m()) > 2 * weight,
+             "the pad's strength is {} Pa (a corner could not bear the body's weight) state it with its unit: 30 MPa",
+             pad.strength_pa.value_or(0));
     if (pad.strength_pa) {
         block.yield_depth_m = *pad.strength_pa * area(base, body.half_width_m())
                               / (body.mass_kg() * block.vertical_radps() * block.vertical_radps());

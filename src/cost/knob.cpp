@@ -88,10 +88,14 @@ Setting effects_setting(EffectRequest const& request) {
 struct Scenes {
     bool vertical = false, transverse = false;  ///< components of the waves
     bool friction = true;                       ///< of every body
+    bool some_friction = false;                 ///< of some body
     bool footing = false;                       ///< some base or pad is stated
+    bool polygon = false;                       ///< some base has no plane
 
     /// Models beyond the rigid one may matter.
     [[nodiscard]] bool yields() const { return footing || transverse; }
+    /// All that can be simulated can be forced on every body alike.
+    [[nodiscard]] bool alike() const { return friction || !some_friction; }
     /// All that can act in the plane, on points, and in space.
     [[nodiscard]] EffectMask rigid() const {
         return (vertical ? mask_of(Effect::vertical) : 0) | (friction ? mask_of(Effect::sliding) : 0);
@@ -112,6 +116,8 @@ Scenes scenes_of(CampaignSpec const& spec) {
     }
     for (auto const& body : spec.bodies) {
         scenes.friction = scenes.friction && body.friction.has_value();
+        scenes.some_friction = scenes.some_friction || body.friction.has_value();
+        scenes.polygon = scenes.polygon || body.footing.base.shape == BaseShape::polygon;
         scenes.footing = scenes.footing || body.footing.stated;
         scenes.transverse = scenes.transverse || body.footing.base.shape == BaseShape::polygon;
     }
@@ -121,7 +127,8 @@ Scenes scenes_of(CampaignSpec const& spec) {
 Knob effects_knob(CampaignSpec const& spec) {
     auto const scenes = scenes_of(spec);
     Knob knob{"effects",
-              scenes.yields() ? "effects, rung by rung, against all that can be simulated" : "effects, rung by rung",
+              scenes.yields() && scenes.alike() ? "effects, rung by rung, against all that can be simulated"
+                                                : "effects, rung by rung",
               peak_error,
               "trial",
               Acts::trials,
@@ -137,10 +144,10 @@ Knob effects_knob(CampaignSpec const& spec) {
     if (scenes.vertical && scenes.friction) {
         forced.push_back(scenes.rigid());
     }
-    if (scenes.yields()) {
+    if (scenes.yields() && scenes.alike() && !scenes.polygon) {
         forced.push_back(scenes.on_points());
     }
-    if (scenes.transverse) {
+    if (scenes.transverse && scenes.alike()) {
         forced.push_back(scenes.in_space());
     }
     std::vector<EffectRequest> requests{{EffectMode::none, 0}};
@@ -252,7 +259,8 @@ std::vector<std::string> contact_reference_settings() {
 std::vector<std::string> effects_reference_settings(CampaignSpec const& spec) {
     auto settings = reference_settings();
     auto const scenes = scenes_of(spec);
-    EffectRequest const all{scenes.yields() ? EffectMode::forced : EffectMode::automatic, scenes.all()};
+    EffectRequest const all{scenes.yields() && scenes.alike() ? EffectMode::forced : EffectMode::automatic,
+                            scenes.all()};
     settings.push_back(effects_setting(all).settings.front());
     return settings;
 }

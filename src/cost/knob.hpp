@@ -46,7 +46,8 @@ inline constexpr char const* contact_step = "contact_step";
 [[nodiscard]] std::vector<std::string> contact_reference_settings();
 
 /// The reference with every effect that the scene calls for; where some body's base or pad is stated or waves have a
-/// transverse component, with all that can be simulated, so that what auto leaves out shows.
+/// transverse component, with all that can be simulated, so that what auto leaves out shows (not where some bodies have
+/// friction and others none: sliding cannot be forced on all).
 [[nodiscard]] std::vector<std::string> effects_reference_settings(CampaignSpec const& spec);
 
 /// What a user writes for auto.

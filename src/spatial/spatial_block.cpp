@@ -19,6 +19,9 @@ BasePlan across(BasePlan base) {
     constexpr int most_across = 16;
     static_assert(most_across * most_across <= most_spatial_points);
     base.points = std::min(base.points, most_across);
+    if (base.corner_share && *base.corner_share > 0) {
+        base.corner_share = std::max(*base.corner_share, flat_share(base.points));
+    }
     return base;
 }
 

@@ -86,8 +86,9 @@ bool acts_on_square(Trial const& trial) {
     if (!trial.friction) {
         return false;
     }
-    double const grip = trial.friction->static_coefficient * most.weight;
-    return most.together > grip && most.along <= grip;
+    constexpr double noticeable = 0.1;  // of the grip: what slips slips in both directions
+    double const grip = trial.friction->kinetic_coefficient * most.weight;
+    return most.together > grip && most.across > noticeable * grip;
 }
 
 class SpatialModel : public Model {

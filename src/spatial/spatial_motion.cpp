@@ -22,7 +22,7 @@ template <> Fields const& fields_of<SpatialQuantities>() {
         field<&Q::peak_rise_m>("peak_rise", "m", "highest rise of the centre of gravity"),
         field<&Q::yaw_rad>("yaw", "rad", "turn about the body's axis that is left"),
         field<&Q::peak_yaw_rad>("peak_yaw", "rad", "largest turn about the body's axis"),
-        field<&Q::slip_path_m>("slip_path", "m", "way that the base has slipped"),
+        field<&Q::slip_path_m>("slip_path", "m", "way that the base has gone, slipping, rolling or walking"),
         field<&Q::restitution>("restitution", "1", "omega after over before an impact, as base and pad give it"),
         field<&Q::corner_share>("corner_share", "1", "of the stiffness, on the corners; NaN: no square base"),
         field<&Q::normal_restitution>("normal_restitution", "1", "of one point of the base in a flat drop")};

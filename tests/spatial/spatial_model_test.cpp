@@ -164,11 +164,12 @@ TEST(SpatialModel, IsCalledForWhereNoPlaneHolds) {
     EXPECT_TRUE(called(square_base(), 0, 0.31 * uplift, 0.25 * g0));  // half of the weight is lifted off
     EXPECT_FALSE(called(square_base(), 0, 0.31 * uplift, -0.25 * g0));
 
-    Friction const friction{0.3, 0.2};
+    Friction const friction{0.4, 0.3};
     double const grip = 0.3 * g0 / 2;
     EXPECT_FALSE(called(square_base(), 0.9 * grip, 0.4 * grip, 0, friction));
     EXPECT_TRUE(called(square_base(), 0.9 * grip, 0.45 * grip, 0, friction));
-    EXPECT_FALSE(called(square_base(), 1.1 * grip, 0.45 * grip, 0, friction));
+    EXPECT_TRUE(called(square_base(), 1.1 * grip, 0.45 * grip, 0, friction));
+    EXPECT_FALSE(called(square_base(), 1.1 * grip, 0.09 * grip, 0, friction));
     EXPECT_FALSE(called(square_base(), 0.9 * grip, 0.45 * grip));
 }
 

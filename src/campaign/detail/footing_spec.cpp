@@ -57,10 +57,11 @@ Pad read_pad(Table const& given) {
     Pad pad;
     pad.vertical_frequency_hz =
         given.number("vertical_frequency", Dimension::frequency, Range::positive(), pad.vertical_frequency_hz);
-    pad.normal_restitution = given.number("normal_restitution", Dimension::none,
-                                          {.low = 0, .high = 1, .low_open = true}, pad.normal_restitution);
+    pad.normal_restitution =
+        given.number("normal_restitution", Dimension::none, {.low = 0.05, .high = 1}, pad.normal_restitution);
     pad.strength_pa = given.maybe_number("strength", Dimension::pressure, Range::positive());
-    pad.tangential_ratio = given.number("tangential_ratio", Dimension::none, Range::positive(), pad.tangential_ratio);
+    pad.tangential_ratio =
+        given.number("tangential_ratio", Dimension::none, {.low = 0.01, .high = 100}, pad.tangential_ratio);
     pad.tangential_damping =
         given.number("tangential_damping", Dimension::none, Range::not_negative(), pad.tangential_damping);
     pad.match_restitution = given.boolean("match_restitution", pad.match_restitution);
@@ -139,11 +140,16 @@ void settle_footing(Table const& table, BodySpec& spec) {
     if (base.shape == BaseShape::square && base.corner_share != 1 && !states_restitution) {
         footing.pad.match_restitution = false;  // a bed of its own has a restitution of its own
     }
-    if (!footing.stated) {
+    if (!footing.stated && !footing.inertia_across_kgm2 && !footing.inertia_vertical_kgm2) {
         return;
     }
     auto const block = table.located("base", [&] { return spatial_block(spec.body, footing, {}); });
     if (base.shape == BaseShape::polygon) {
+        if (states_restitution) {
+            table.fail("restitution",
+                       "stated for a polygon (its restitution is that of its corners and points). Leave "
+                       "it out, and state pad.normal_restitution");
+        }
         validate_width(table, spec.body, block);
         return;
     }
