@@ -97,6 +97,11 @@ TEST(Footing, WhatCannotStandIsRefusedAtItsKey) {
         "body.toml:2:", "base_width", "0.7 m");
     refused("pad={strength='0 MPa'}\n", "strength");
     refused("pad={strength='30 kg'}\n", "MPa");
+    refused("pad={strength=30}\n", "weight", "30 MPa");
+    refused("pad={vertical_frequency='1 Hz'}\n", "upright");
+    refused("pad={vertical_frequency='1.2 Hz'}\n", "pad", "upright");
+    refused("restitution=0.5\nbase={shape='polygon', corners=[[0.68,0.68],[-0.68,0.68],[-0.68,-0.68],[0.68,-0.68]]}\n",
+            "polygon", "normal_restitution");
     refused("pad={normal_restitution=0}\n", "normal_restitution");
     refused("restitution=0.3\npad={strength='30 MPa'}\n", "restitution", "0.5687");
     EXPECT_NO_THROW((void)read("restitution=0.3\n")) << "nobody asked for a pad";

@@ -1,5 +1,6 @@
 #include "campaign/detail/footing_spec.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -143,7 +144,8 @@ void settle_footing(Table const& table, BodySpec& spec) {
     if (!footing.stated && !footing.inertia_across_kgm2 && !footing.inertia_vertical_kgm2) {
         return;
     }
-    auto const block = table.located("base", [&] { return spatial_block(spec.body, footing, {}); });
+    char const* const key = table.has("base") || !table.has("pad") ? "base" : "pad";
+    auto const block = table.located(key, [&] { return spatial_block(spec.body, footing, {}); });
     if (base.shape == BaseShape::polygon) {
         if (states_restitution) {
             table.fail("restitution",
@@ -153,7 +155,13 @@ void settle_footing(Table const& table, BodySpec& spec) {
         validate_width(table, spec.body, block);
         return;
     }
-    table.located("base", [&] { return contact_block(spec.body, base, footing.pad, {}); });
+    table.located(key, [&] { return contact_block(spec.body, base, footing.pad, {}); });
+    if (base.shape == BaseShape::square && footing.pad.match_restitution) {
+        auto flattest = base;  // what a match may end with: the softest bed against turning
+        flattest.points = std::max(base.points, BasePlan::points_across);
+        flattest.corner_share.reset();
+        table.located("pad", [&] { return contact_block(spec.body, flattest, footing.pad, {}); });
+    }
     auto const& scatter = spec.scatter;
     for (auto const* const drawn : {&scatter.mass, &scatter.centre_height, &scatter.restitution}) {
         if (*drawn && (*drawn)->scatters()) {
