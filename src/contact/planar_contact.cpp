@@ -4,9 +4,10 @@
 #include <cmath>
 #include <vector>
 
-#include "contact/detail/contact_lanes.hpp"
 #include "contact/detail/contact_run.hpp"
 #include "core/error.hpp"
+#include "simd/lane_scheduler.hpp"
+#include "simd/run_batch.hpp"
 
 namespace overturn {
 
@@ -49,8 +50,8 @@ void simulate_contact(std::span<ContactTrial const> trials, ContactAccuracy cons
     }
     for (auto const& queue : by_points) {
         if (!queue.empty()) {
-            contact::ContactLanes lanes(trials, queue, accuracy, outcomes);
-            simd::LaneScheduler(lanes).run();
+            simd::RunBatch<contact::ContactRun> batch(trials, queue, accuracy, outcomes);
+            simd::LaneScheduler(batch).run();
         }
     }
 }

@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "spatial/detail/spatial_batch.hpp"
+#include "simd/lane_scheduler.hpp"
+#include "simd/run_batch.hpp"
 #include "spatial/detail/spatial_run.hpp"
 
 namespace overturn {
@@ -76,9 +77,9 @@ void simulate_spatial(std::span<SpatialTrial const> trials, ContactAccuracy cons
         by_kind[spatial::kind_of(trials[i].block->points)].push_back(i);
     }
     for (auto const& [kind, queue] : by_kind) {
-        spatial::SpatialBatch batch(trials, queue, accuracy, outcomes);
+        simd::RunBatch<spatial::SpatialRun> batch(trials, queue, accuracy, outcomes);
         // Too large for the stack.
-        auto const scheduler = std::make_unique<simd::LaneScheduler<spatial::SpatialBatch>>(batch);
+        auto const scheduler = std::make_unique<simd::LaneScheduler<simd::RunBatch<spatial::SpatialRun>>>(batch);
         scheduler->run();
     }
 }

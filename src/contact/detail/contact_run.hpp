@@ -12,6 +12,14 @@ namespace overturn::contact {
 
 class ContactRun {
   public:
+    using Trial = ContactTrial;
+    using Accuracy = ContactAccuracy;
+    using Outcome = ContactOutcome;
+    using Lanes = PressLanes<simd::most_lanes>;
+
+    [[nodiscard]] static int width() { return press_width(); }
+    [[nodiscard]] static std::uint32_t step(Lanes& lanes, int used) { return press_on(lanes, used); }
+
     /// \param block and what the shaking shows outlive this
     ContactRun(ContactBlock const& block, Excitation const& shaking, ContactAccuracy const& accuracy,
                std::optional<ContactStart> const& start);

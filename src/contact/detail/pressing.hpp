@@ -2,11 +2,9 @@
 /// needs care. One arithmetic serves one lane and many: whatever the machine's vectors, the bits are the same.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 
-#include "simd/lane_fields.hpp"
+#include "simd/point_lanes.hpp"
 
 namespace overturn::contact {
 
@@ -92,27 +90,7 @@ enum class PressWave : int { horizontal, vertical, count };
 /// Points of a base at most.
 inline constexpr int most_points = 41;
 
-template <int Lanes> struct PressLanes {
-    static constexpr std::size_t spots = static_cast<std::size_t>(Spot::count);
-
-    simd::LaneFields<Pressing, PressWave, Lanes> body;
-    alignas(64) std::array<double, most_points * spots * Lanes> bed{};  ///< point by point
-    int points = 0;                                                     ///< the same in all lanes
-
-    [[nodiscard]] static std::size_t place(Spot spot, int point, int lane) {
-        return (static_cast<std::size_t>(point) * spots + static_cast<std::size_t>(spot)) * Lanes
-               + static_cast<std::size_t>(lane);
-    }
-    [[nodiscard]] double& at(Spot spot, int point, int lane) { return bed[place(spot, point, lane)]; }
-    [[nodiscard]] double at(Spot spot, int point, int lane) const { return bed[place(spot, point, lane)]; }
-
-    void copy_lane(int from, int to) {
-        body.copy_lane(from, to);
-        for (std::size_t row = 0; row < static_cast<std::size_t>(points) * spots; ++row) {
-            bed[row * Lanes + static_cast<std::size_t>(to)] = bed[row * Lanes + static_cast<std::size_t>(from)];
-        }
-    }
-};
+template <int Lanes> using PressLanes = simd::PointLanes<Pressing, PressWave, Spot, most_points, Lanes>;
 
 /// Steps the first `used` lanes, all or half of press_width(), until at least one needs care: its wave has ended, it
 /// may rest, or |theta| has reached pi/2. \return one bit per such lane

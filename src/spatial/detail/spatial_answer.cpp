@@ -65,7 +65,7 @@ SpatialInstant SpatialRun::instant() const {
 double SpatialRun::mechanical_energy() const {
     auto const [centre_x, centre_y] = base_centre();
     double springs = 0;
-    for (int i = 0; i < lane_.kind.points; ++i) {
+    for (int i = 0; i < lane_.points; ++i) {
         auto const point = placed(i);
         if (point.depth > 0) {
             double const x = centre_x + point.x - lane_.at(Spot::anchor_x, i, 0);
@@ -96,7 +96,7 @@ bool SpatialRun::slipped() const {
 
 double SpatialRun::deepest_crush() const {
     double deepest = 0;
-    for (int i = 0; i < lane_.kind.points; ++i) {
+    for (int i = 0; i < lane_.points; ++i) {
         deepest = std::max(deepest, lane_.at(Spot::crush, i, 0));
     }
     return deepest;

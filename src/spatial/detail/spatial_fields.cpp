@@ -108,7 +108,7 @@ void SpatialRun::fill_law() {
 
 void SpatialRun::fill_points() {
     double const w = planar_.vertical_radps();
-    for (int i = 0; i < lane_.kind.points; ++i) {
+    for (int i = 0; i < lane_.points; ++i) {
         auto const& point = block_.points[static_cast<std::size_t>(i)];
         lane_.at(Spot::x, i, 0) = lane_.at(Spot::anchor_x, i, 0) = point.x_m;
         lane_.at(Spot::y, i, 0) = lane_.at(Spot::anchor_y, i, 0) = point.y_m;

@@ -39,8 +39,8 @@ template <class V, int Stride> class SpatialForce {
         : body_(lanes.body.values.data()),
           bed_(lanes.bed.data()),
           samples_(lanes.body.samples.data()),
-          points_(lanes.kind.points),
-          opposite_(lanes.kind.opposite) {
+          points_(lanes.points),
+          opposite_(lanes.opposite) {
         remembered_.set();  // whoever was looked at from outside was completed before
     }
 

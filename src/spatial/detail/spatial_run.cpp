@@ -21,7 +21,9 @@ SpatialRun::SpatialRun(SpatialBlock const& block, Excitation const& shaking, Con
     last_ = samples < 2 || !(shaking_.time_step_s > 0) ? 0 : samples - 1;
     OVERTURN_EXPECT(block_.points.size() >= 4 && block_.points.size() <= most_spatial_points);
     OVERTURN_EXPECT(block_.points.size() % 2 == 0);
-    lane_.kind = kind_of(block_.points);
+    auto const kind = kind_of(block_.points);
+    lane_.points = kind.points;
+    lane_.opposite = kind.opposite;
     fill_trial(accuracy);
     fill_points();
     place(start.value_or(SpatialStart{}));
@@ -107,7 +109,7 @@ SpatialRun::BedMoments SpatialRun::bed_moments() const {
             k, k * point.x, k * point.y, k * point.x * point.x, k * point.x * point.y, k * point.y * point.y};
     };
     BedMoments sum{};
-    for (int i = 0; i < lane_.kind.points; i += 2) {
+    for (int i = 0; i < lane_.points; i += 2) {
         auto const one = of(i);
         auto const other = of(i + 1);
         sum = {sum.k + (one.k + other.k),    sum.x + (one.x + other.x),    sum.y + (one.y + other.y),

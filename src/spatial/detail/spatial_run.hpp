@@ -12,6 +12,14 @@ namespace overturn::spatial {
 
 class SpatialRun {
   public:
+    using Trial = SpatialTrial;
+    using Accuracy = ContactAccuracy;
+    using Outcome = SpatialOutcome;
+    using Lanes = SpatialLanes<simd::most_lanes>;
+
+    [[nodiscard]] static int width() { return step_width(); }
+    [[nodiscard]] static std::uint32_t step(Lanes& lanes, int used) { return step_on(lanes, used); }
+
     /// \param block and what the shaking shows outlive this
     SpatialRun(SpatialBlock const& block, Excitation const& shaking, ContactAccuracy const& accuracy,
                std::optional<SpatialStart> const& start);

@@ -2,13 +2,11 @@
 /// needs care. One arithmetic serves one lane and many: whatever the machine's vectors, the bits are the same.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
-#include "simd/lane_fields.hpp"
+#include "simd/point_lanes.hpp"
 #include "spatial/spatial_block.hpp"
 
 namespace overturn::spatial {
@@ -123,25 +121,12 @@ struct BaseKind {
 };
 [[nodiscard]] BaseKind kind_of(std::vector<SpatialPoint> const& points);
 
-template <int Lanes> struct SpatialLanes {
-    static constexpr std::size_t spots = static_cast<std::size_t>(Spot::count);
+template <int Lanes> struct SpatialLanes : simd::PointLanes<State, Wave, Spot, most_spatial_points, Lanes> {
+    bool opposite = true;  ///< BaseKind::opposite of all lanes
 
-    simd::LaneFields<State, Wave, Lanes> body;
-    alignas(64) std::array<double, most_spatial_points * spots * Lanes> bed{};  ///< point by point
-    BaseKind kind;                                                              ///< the same in all lanes
-
-    [[nodiscard]] static std::size_t place(Spot spot, int point, int lane) {
-        return (static_cast<std::size_t>(point) * spots + static_cast<std::size_t>(spot)) * Lanes
-               + static_cast<std::size_t>(lane);
-    }
-    [[nodiscard]] double& at(Spot spot, int point, int lane) { return bed[place(spot, point, lane)]; }
-    [[nodiscard]] double at(Spot spot, int point, int lane) const { return bed[place(spot, point, lane)]; }
-
-    void copy_lane(int from, int to) {
-        body.copy_lane(from, to);
-        for (std::size_t row = 0; row < static_cast<std::size_t>(kind.points) * spots; ++row) {
-            bed[row * Lanes + static_cast<std::size_t>(to)] = bed[row * Lanes + static_cast<std::size_t>(from)];
-        }
+    template <int From> void take_lane(SpatialLanes<From> const& from, int from_lane, int to_lane) {
+        simd::PointLanes<State, Wave, Spot, most_spatial_points, Lanes>::take_lane(from, from_lane, to_lane);
+        opposite = from.opposite;
     }
 };
 
