@@ -7,49 +7,32 @@
 namespace overturn::contact {
 
 void ContactRun::fill_trial(ContactAccuracy const& accuracy) {
-    fill_steps(accuracy);
+    fill_steps(accuracy, 1);
     fill_law();
-    double const b = block_.half_width_m;
-    double const h = block_.centre_height_m;
-    double const w = block_.vertical_radps();
-    double const inertia = block_.inertia_over_mass_m2;
+    fill_waves();
+    double const b = planar_.half_width_m;
+    double const h = planar_.centre_height_m;
+    double const inertia = planar_.inertia_over_mass_m2;
     double const alpha = std::atan2(b, h);
     double const radius = std::hypot(b, h);
-    put(Pressing::gravity, block_.gravity_mps2);
-    put(Pressing::height, h);
     put(Pressing::half_width, b);
     put(Pressing::inertia, inertia);
     put(Pressing::mass_over_inertia, 1 / inertia);
-    put(Pressing::inverse_p, std::sqrt((inertia + radius * radius) / (block_.gravity_mps2 * radius)));
+    put(Pressing::inverse_p, std::sqrt((inertia + radius * radius) / (planar_.gravity_mps2 * radius)));
     put(Pressing::sine_alpha, std::sin(alpha));
     put(Pressing::cosine_alpha, std::cos(alpha));
-    put(Pressing::impact_spin, block_.approach_floor_mps() / b);
+    put(Pressing::impact_spin, planar_.approach_floor_mps() / b);
     put(Pressing::quiet_energy, accuracy.rest_gate ? quiet_energy() : -1);
-    put(Pressing::flexibility, 1 / (block_.pad.tangential_ratio * w * w));
     // Corners part at b / h, a flat bed at a third of it.
     double const parting = lane_.points == 2 ? 0.9 : 0.25;
-    put(Pressing::rest_ratio, std::min(parting * b / h, 0.5 * block_.friction));
-    put(Pressing::force, block_.gravity_mps2);
+    put(Pressing::rest_ratio, std::min(parting * b / h, 0.5 * planar_.friction));
+    put(Pressing::force, planar_.gravity_mps2);
     put(Pressing::least_force, std::numeric_limits<double>::infinity());
     put(Pressing::uplift_time, -1);
     put(Pressing::loss_time, -1);
 }
 
-// A whole number of steps per sample, and the samples.
-void ContactRun::fill_steps(ContactAccuracy const& accuracy) {
-    double const y = normal_damping(block_.pad.normal_restitution);
-    static double const usual_damping = normal_damping(Pad{}.normal_restitution);
-    longest_step_s_ =
-        accuracy.step_ratio / block_.vertical_radps() * std::min(1.0, usual_damping / std::max(y, usual_damping));
-    run_out_s_ = accuracy.longest_after_s;
-    double const dt = shaking_.time_step_s > 0 ? shaking_.time_step_s : longest_step_s_;
-    constexpr double slack = 1e-9;  // a step that divides the sample is taken as it is
-    double const substeps = std::max(1.0, std::ceil(dt / longest_step_s_ - slack));
-    put(Pressing::step, dt / substeps);
-    put(Pressing::substeps, substeps);
-    put(Pressing::inverse_substeps, 1 / substeps);
-    put(Pressing::time_step, dt);
-    put(Pressing::last, static_cast<double>(last_));
+void ContactRun::fill_waves() {
     bool const lifted = !shaking_.vertical_mps2.empty();
     put(Pressing::horizontal_scale, shaking_.scale);
     put(Pressing::vertical_scale, lifted ? shaking_.scale : 0);
@@ -57,29 +40,16 @@ void ContactRun::fill_steps(ContactAccuracy const& accuracy) {
     lane_.body.at(PressWave::vertical, 0) = (lifted ? shaking_.vertical_mps2 : shaking_.horizontal_mps2).data();
 }
 
-void ContactRun::fill_law() {
-    double const w = block_.vertical_radps();
-    double const y = normal_damping(block_.pad.normal_restitution);
-    auto const& pad = block_.pad;
-    put(Pressing::friction, block_.friction);
-    put(Pressing::hold, block_.friction / pad.tangential_ratio);
-    put(Pressing::tangential_ratio, pad.tangential_ratio);
-    put(Pressing::tangential_damping, 2 * pad.tangential_damping * std::sqrt(pad.tangential_ratio) / w);
-    put(Pressing::damping, y);
-    put(Pressing::most_damping, y / w);
-    put(Pressing::least_approach, block_.approach_floor_mps());
-}
-
 void ContactRun::fill_points() {
-    double const w = block_.vertical_radps();
+    double const w = planar_.vertical_radps();
     for (int i = 0; i < lane_.points; ++i) {
-        auto const& point = block_.points[static_cast<std::size_t>(i)];
+        auto const& point = planar_.points[static_cast<std::size_t>(i)];
         double const stiffness = point.stiffness_share * w * w;
         lane_.at(Spot::offset, i, 0) = point.offset_m;
         lane_.at(Spot::stiffness, i, 0) = stiffness;
         lane_.at(Spot::lever, i, 0) = stiffness * point.offset_m;
-        lane_.at(Spot::yield, i, 0) = block_.yield_depth_m;
-        lane_.at(Spot::gain, i, 0) = get(Pressing::damping) / block_.approach_floor_mps();
+        lane_.at(Spot::yield, i, 0) = planar_.yield_depth_m;
+        lane_.at(Spot::gain, i, 0) = get(Pressing::damping) / planar_.approach_floor_mps();
         lane_.at(Spot::anchor, i, 0) = point.offset_m;
     }
 }
@@ -93,7 +63,7 @@ void ContactRun::turn_to(double rotation_rad) {
 void ContactRun::place(ContactStart const& start) {
     turn_to(start.rotation_rad);
     put(Pressing::sway, start.sway_m);
-    put(Pressing::rise, start.rise_m - block_.settlement_m());
+    put(Pressing::rise, start.rise_m - planar_.settlement_m());
     put(Pressing::sway_speed, start.sway_mps);
     put(Pressing::rise_speed, start.rise_mps);
     put(Pressing::spin, start.velocity_radps);
@@ -104,22 +74,21 @@ void ContactRun::place(ContactStart const& start) {
 }
 
 ContactInstant ContactRun::instant() const {
-    return {get(Pressing::origin) + get(Pressing::index) * get(Pressing::time_step)
-                + get(Pressing::substep) * get(Pressing::step),
+    return {time_s(),
             get(Pressing::rotation),
             get(Pressing::spin),
             get(Pressing::sway),
             get(Pressing::sway_speed),
             get(Pressing::rise),
             get(Pressing::rise_speed),
-            get(Pressing::force) / block_.gravity_mps2,
+            get(Pressing::force) / planar_.gravity_mps2,
             deepest_crush()};
 }
 
 // Kinetic, of position and of springs, over the mass; none in settled rest.
 double ContactRun::mechanical_energy() const {
-    double const base = get(Pressing::rise) + block_.centre_height_m * (1 - get(Pressing::cosine));
-    double const middle = get(Pressing::sway) - block_.centre_height_m * get(Pressing::sine);
+    double const base = get(Pressing::rise) + planar_.centre_height_m * (1 - get(Pressing::cosine));
+    double const middle = get(Pressing::sway) - planar_.centre_height_m * get(Pressing::sine);
     double springs = 0;
     for (int i = 0; i < lane_.points; ++i) {
         double const x = lane_.at(Spot::offset, i, 0);
@@ -127,38 +96,21 @@ double ContactRun::mechanical_energy() const {
         if (depth > 0) {
             double const shift = middle + get(Pressing::cosine) * x - lane_.at(Spot::anchor, i, 0);
             springs +=
-                0.5 * lane_.at(Spot::stiffness, i, 0) * (depth * depth + block_.pad.tangential_ratio * shift * shift);
+                0.5 * lane_.at(Spot::stiffness, i, 0) * (depth * depth + planar_.pad.tangential_ratio * shift * shift);
         }
     }
     double const moving = get(Pressing::sway_speed) * get(Pressing::sway_speed)
                           + get(Pressing::rise_speed) * get(Pressing::rise_speed)
-                          + block_.inertia_over_mass_m2 * get(Pressing::spin) * get(Pressing::spin);
-    return 0.5 * moving + springs + block_.gravity_mps2 * (get(Pressing::rise) + 0.5 * block_.settlement_m());
-}
-
-double ContactRun::quiet_energy() const {
-    constexpr double share = 1e-9;
-    return share * block_.gravity_mps2 * block_.centre_height_m;
+                          + planar_.inertia_over_mass_m2 * get(Pressing::spin) * get(Pressing::spin);
+    return 0.5 * moving + springs + planar_.gravity_mps2 * (get(Pressing::rise) + 0.5 * planar_.settlement_m());
 }
 
 // Farther than springs that hold give way.
-bool ContactRun::slipped() const {
-    double const most = std::max(get(Pressing::most_force), block_.gravity_mps2);
-    double const w = block_.vertical_radps();
-    return get(Pressing::most_slip) > get(Pressing::hold) * most / (w * w);
-}
-
-double ContactRun::deepest_crush() const {
-    double deepest = 0;
-    for (int i = 0; i < lane_.points; ++i) {
-        deepest = std::max(deepest, lane_.at(Spot::crush, i, 0));
-    }
-    return deepest;
-}
+bool ContactRun::slipped() const { return get(Pressing::most_slip) > elastic_way(); }
 
 // Of the sums that lanes keep, what needs no thought.
 void ContactRun::tell_peaks(ContactOutcome& out) const {
-    double const g = block_.gravity_mps2;
+    double const g = planar_.gravity_mps2;
     out.crest_rad = get(Pressing::crest);
     out.trough_rad = get(Pressing::trough);
     out.impacts = static_cast<std::int64_t>(get(Pressing::impacts));
@@ -167,20 +119,20 @@ void ContactRun::tell_peaks(ContactOutcome& out) const {
     out.min_contact_force_ratio = out.steps > 0 ? get(Pressing::least_force) / g : 1;
     out.peak_slip_m = get(Pressing::most_slip);
     double const sine = get(Pressing::sine);  // the cosine's last digits drift
-    double const lifted = block_.half_width_m * sine * sine / (1 + std::abs(get(Pressing::cosine)));
-    out.residual_slip_m = get(Pressing::sway) - block_.centre_height_m * get(Pressing::sine)
+    double const lifted = planar_.half_width_m * sine * sine / (1 + std::abs(get(Pressing::cosine)));
+    out.residual_slip_m = get(Pressing::sway) - planar_.centre_height_m * get(Pressing::sine)
                           - std::copysign(lifted, get(Pressing::rotation));
     out.end_sway_mps = get(Pressing::sway_speed);
     out.own.peak_crush_m = deepest_crush();
     out.own.peak_contact_force_ratio = std::max(1.0, get(Pressing::most_force) / g);
-    out.own.peak_rise_m = get(Pressing::most_rise) + block_.settlement_m();
+    out.own.peak_rise_m = get(Pressing::most_rise) + planar_.settlement_m();
 }
 
 ContactOutcome ContactRun::finish() const {
     ContactOutcome out;
     tell_peaks(out);
-    double const alpha = std::atan2(block_.half_width_m, block_.centre_height_m);
-    double const radius = std::hypot(block_.half_width_m, block_.centre_height_m);
+    double const alpha = std::atan2(planar_.half_width_m, planar_.centre_height_m);
+    double const radius = std::hypot(planar_.half_width_m, planar_.centre_height_m);
     double const rotation = get(Pressing::rotation);
     bool const fell = std::abs(rotation) >= pi / 2;
     bool const forward = out.crest_rad >= -out.trough_rad;
@@ -197,7 +149,7 @@ ContactOutcome ContactRun::finish() const {
     out.peak_energy_ratio = get(Pressing::most_energy) / (1 - std::cos(alpha));
     double const turned = std::min(alpha, out.peak_rotation_rad) / 2;
     out.response_velocity_mps =
-        2 * std::sqrt(block_.gravity_mps2 * radius * std::sin(alpha - turned) * std::sin(turned));
+        2 * std::sqrt(planar_.gravity_mps2 * radius * std::sin(alpha - turned) * std::sin(turned));
     out.verdict = fell                              ? Verdict::overturned
                   : !std::isnan(out.first_uplift_s) ? Verdict::rocked
                   : slipped()                       ? Verdict::slid

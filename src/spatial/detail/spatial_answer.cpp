@@ -48,8 +48,7 @@ SpatialInstant SpatialRun::instant() const {
     auto const [x, y] = base_centre();
     double const w = get(State::qw);
     double const yaw = 2 * std::atan(get(State::qz) / w) + 2 * pi * get(State::turns);
-    return {.time_s =
-                get(State::origin) + get(State::index) * get(State::time_step) + get(State::substep) * get(State::step),
+    return {.time_s = time_s(),
             .x_m = x,
             .y_m = y,
             .rise_m = get(State::rise),
@@ -81,25 +80,9 @@ double SpatialRun::mechanical_energy() const {
     return 0.5 * moving + springs + planar_.gravity_mps2 * (get(State::rise) + 0.5 * planar_.settlement_m());
 }
 
-double SpatialRun::quiet_energy() const {
-    constexpr double share = 1e-9;
-    return share * planar_.gravity_mps2 * planar_.centre_height_m;
-}
-
 // Farther than springs that hold give way, the base's centre or, by yaw, its farthest point.
 bool SpatialRun::slipped() const {
-    double const most = std::max(get(State::most_force), planar_.gravity_mps2);
-    double const w = planar_.vertical_radps();
-    double const way = std::sqrt(get(State::most_slip)) + block_.reach_m * yaw_of(get(State::most_yaw));
-    return way > get(State::hold) * most / (w * w);
-}
-
-double SpatialRun::deepest_crush() const {
-    double deepest = 0;
-    for (int i = 0; i < lane_.points; ++i) {
-        deepest = std::max(deepest, lane_.at(Spot::crush, i, 0));
-    }
-    return deepest;
+    return std::sqrt(get(State::most_slip)) + block_.reach_m * yaw_of(get(State::most_yaw)) > elastic_way();
 }
 
 bool SpatialRun::sound() const {

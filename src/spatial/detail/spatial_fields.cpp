@@ -17,15 +17,14 @@ BaseKind kind_of(std::vector<SpatialPoint> const& points) {
 }
 
 void SpatialRun::fill_trial(ContactAccuracy const& accuracy) {
-    fill_steps(accuracy);
+    constexpr double uniform_solid = 3;  // bodies that shiver quicker than these: their damping grows as the stiffness
+    fill_steps(accuracy, std::min(1.0, uniform_solid / block_.rotation_stiffness));
     fill_law();
+    fill_waves();
     double const h = planar_.centre_height_m;
-    double const w = planar_.vertical_radps();
     double const radius = std::hypot(planar_.half_width_m, h);
     double const lowest_sine = block_.edge_m / std::hypot(block_.edge_m, h);
     auto const& inertia = block_.inertia_over_mass_m2;
-    put(State::gravity, planar_.gravity_mps2);
-    put(State::height, h);
     put(State::edge, block_.edge_m);
     put(State::inertia_x, inertia[0]);
     put(State::inertia_y, inertia[1]);
@@ -39,7 +38,6 @@ void SpatialRun::fill_trial(ContactAccuracy const& accuracy) {
     put(State::least_lean, planar_.settlement_m() / block_.reach_m);
     put(State::upright, 0.01 * lowest_sine * lowest_sine);
     put(State::quiet_energy, accuracy.rest_gate ? quiet_energy() : -1);
-    put(State::flexibility, 1 / (planar_.pad.tangential_ratio * w * w));
     constexpr double margin = 0.75;  // for what swings beyond its static place
     put(State::rest_ratio, std::min(margin * parting_ratio(), 0.5 * planar_.friction));
     put(State::least_force, std::numeric_limits<double>::infinity());
@@ -66,23 +64,7 @@ double SpatialRun::parting_ratio() const {
     return determinant / (steepest * planar_.centre_height_m);
 }
 
-// A whole number of steps per sample, and the samples.
-void SpatialRun::fill_steps(ContactAccuracy const& accuracy) {
-    double const y = normal_damping(planar_.pad.normal_restitution);
-    static double const usual_damping = normal_damping(Pad{}.normal_restitution);
-    longest_step_s_ =
-        accuracy.step_ratio / planar_.vertical_radps() * std::min(1.0, usual_damping / std::max(y, usual_damping));
-    constexpr double uniform_solid = 3;  // bodies that shiver quicker than these: their damping grows as the stiffness
-    longest_step_s_ *= std::min(1.0, uniform_solid / block_.rotation_stiffness);
-    run_out_s_ = accuracy.longest_after_s;
-    double const dt = shaking_.time_step_s > 0 ? shaking_.time_step_s : longest_step_s_;
-    constexpr double slack = 1e-9;  // a step that divides the sample is taken as it is
-    double const substeps = std::max(1.0, std::ceil(dt / longest_step_s_ - slack));
-    put(State::step, dt / substeps);
-    put(State::substeps, substeps);
-    put(State::inverse_substeps, 1 / substeps);
-    put(State::time_step, dt);
-    put(State::last, static_cast<double>(last_));
+void SpatialRun::fill_waves() {
     auto const show = [&](Wave wave, State scale, std::span<double const> samples) {
         bool const there = !samples.empty();
         put(scale, there ? shaking_.scale : 0);
@@ -91,19 +73,6 @@ void SpatialRun::fill_steps(ContactAccuracy const& accuracy) {
     show(Wave::x, State::x_scale, shaking_.horizontal_mps2);
     show(Wave::y, State::y_scale, shaking_.transverse_mps2);
     show(Wave::z, State::z_scale, shaking_.vertical_mps2);
-}
-
-void SpatialRun::fill_law() {
-    double const w = planar_.vertical_radps();
-    double const y = normal_damping(planar_.pad.normal_restitution);
-    auto const& pad = planar_.pad;
-    put(State::friction, planar_.friction);
-    put(State::hold, planar_.friction / pad.tangential_ratio);
-    put(State::tangential_ratio, pad.tangential_ratio);
-    put(State::tangential_damping, 2 * pad.tangential_damping * std::sqrt(pad.tangential_ratio) / w);
-    put(State::damping, y);
-    put(State::most_damping, y / w);
-    put(State::least_approach, planar_.approach_floor_mps());
 }
 
 void SpatialRun::fill_points() {

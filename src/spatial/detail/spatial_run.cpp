@@ -6,19 +6,9 @@
 #include "core/error.hpp"
 
 namespace overturn::spatial {
-namespace {
-
-// After the wave: nothing shakes, and energy is looked at every so many samples.
-constexpr std::size_t still_samples = 8;
-constexpr std::array<double, still_samples + 1> stillness{};
-
-}  // namespace
-
 SpatialRun::SpatialRun(SpatialBlock const& block, Excitation const& shaking, ContactAccuracy const& accuracy,
                        std::optional<SpatialStart> const& start)
-    : block_(block), planar_(block.planar), shaking_(shaking) {
-    auto const samples = shaking_.horizontal_mps2.size();
-    last_ = samples < 2 || !(shaking_.time_step_s > 0) ? 0 : samples - 1;
+    : Base(block.planar, shaking), block_(block) {
     OVERTURN_EXPECT(block_.points.size() >= 4 && block_.points.size() <= most_spatial_points);
     OVERTURN_EXPECT(block_.points.size() % 2 == 0);
     auto const kind = kind_of(block_.points);
@@ -28,53 +18,12 @@ SpatialRun::SpatialRun(SpatialBlock const& block, Excitation const& shaking, Con
     fill_points();
     place(start.value_or(SpatialStart{}));
     if (!accuracy.rest_gate || start) {
-        phase_ = Phase::shaken;
-        if (last_ > 0) {
-            show_sample();
-        }
+        begin_shaken();
     }
-}
-
-bool SpatialRun::advance() {
-    if (!(half_tilt_sine2() < 0.5)) {
-        return false;
-    }
-    auto index = static_cast<std::size_t>(get(State::index));
-    if (phase_ == Phase::running_out) {
-        bool const stopped = index < still_samples;  // lanes stopped before the end: it is quiet
-        double const reached = get(State::origin) + still_samples * get(State::time_step);
-        double const after = reached - static_cast<double>(last_) * shaking_.time_step_s;
-        if (stopped || decided() || after > run_out_s_) {
-            return false;
-        }
-        put(State::origin, reached);
-        put(State::index, 0);
-        return true;
-    }
-    if (phase_ == Phase::shaken && index < last_ && get(State::steps) > 0) {
-        phase_ = Phase::resting;  // lanes found it quiet
-        held_ = shaking_at(index);
-    }
-    if (phase_ == Phase::resting) {
-        while (index < last_ && calm(index) && calm(index + 1)) {
-            ++index;
-        }
-        put(State::index, static_cast<double>(index));
-        if (index >= last_) {
-            return false;
-        }
-        wake();
-        return true;
-    }
-    if (index >= last_) {
-        begin_run_out();
-        return run_out_s_ > 0;
-    }
-    return true;
 }
 
 // Too weak for the base to part or to leave its place. Between two such samples all are: the bound is convex.
-bool SpatialRun::calm(std::size_t sample) const {
+bool SpatialRun::weak(std::size_t sample) const {
     auto const a = shaking_at(sample);
     if (!std::isfinite(a.x + a.y + a.z)) {
         return false;  // nothing holds against it
@@ -139,11 +88,6 @@ SpatialRun::Yielding SpatialRun::yielding(BedMoments const& bed, Acceleration co
 
 // The shaking grew while the body was held: it stands where springs that still touch have let it sink, sway and lean.
 void SpatialRun::wake() {
-    phase_ = Phase::shaken;
-    show_sample();
-    if (get(State::index) == 0) {
-        return;  // whatever the first sample holds comes suddenly
-    }
     auto const bed = bed_moments();
     auto const stiff = lean_stiffness(bed);
     if (!(bed.k > 0) || !(stiff.xx > 0) || !(stiff.xx * stiff.yy > stiff.xy * stiff.xy)) {
@@ -166,47 +110,11 @@ void SpatialRun::wake() {
     put(State::vz, speed.rise);
 }
 
-void SpatialRun::begin_run_out() {
-    phase_ = Phase::running_out;
-    if (last_ == 0) {  // no wave: free motion
-        double const length = 0.01;
-        double const substeps = std::ceil(length / longest_step_s_);
-        put(State::time_step, length);
-        put(State::step, length / substeps);
-        put(State::substeps, substeps);
-        put(State::inverse_substeps, 1 / substeps);
-    }
-    put(State::origin, static_cast<double>(last_) * shaking_.time_step_s);
-    put(State::index, 0);
-    put(State::last, still_samples);
-    for (auto const wave : {Wave::x, Wave::y, Wave::z}) {
-        lane_.body.at(wave, 0) = stillness.data();
-    }
-    for (auto const field :
-         {State::ax, State::ax_change, State::ay, State::ay_change, State::az, State::az_change, State::substep}) {
-        put(field, 0);
-    }
-    put(State::quiet_energy, quiet_energy());
-}
-
-// A body that can neither fall nor swing higher than it did. One that has slipped may slip on: it is followed until
-// it rests.
+// One that has slipped may slip on: it is followed until it rests.
 bool SpatialRun::decided() const {
-    if (slipped()) {
-        return false;
-    }
-    double const b = block_.edge_m;
-    double const h = planar_.centre_height_m;
-    double const radius = std::hypot(b, h);
-    double const alpha = std::atan2(b, h);
-    double const tilt = 2 * std::asin(std::sqrt(half_tilt_sine2()));
-    constexpr double safe = 0.99;  // soft corners lower the top by a few settlements; crushed ones by what is gone
-    double const energy = mechanical_energy() / (planar_.gravity_mps2 * radius) + deepest_crush() / radius;
-    if (energy > safe * (1 - std::cos(alpha)) || tilt >= alpha) {
-        return false;
-    }
-    double const turning = alpha - std::acos(std::min(1.0, energy + std::cos(alpha)));
-    return turning <= 2 * std::asin(std::sqrt(get(State::most_tilt)));
+    auto const angle = [](double half_sine2) { return 2 * std::asin(std::sqrt(half_sine2)); };
+    return !slipped()
+           && stays(mechanical_energy(), block_.edge_m, angle(half_tilt_sine2()), angle(get(State::most_tilt)));
 }
 
 }  // namespace overturn::spatial

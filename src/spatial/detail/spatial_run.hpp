@@ -2,15 +2,17 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
+#include "contact/point_run.hpp"
 #include "spatial/detail/spatial_state.hpp"
 #include "spatial/spatial_motion.hpp"
 
 namespace overturn::spatial {
 
-class SpatialRun {
+class SpatialRun : public contact::PointRun<SpatialRun, State, Spot, SpatialLanes<1>> {
   public:
     using Trial = SpatialTrial;
     using Accuracy = ContactAccuracy;
@@ -24,17 +26,16 @@ class SpatialRun {
     SpatialRun(SpatialBlock const& block, Excitation const& shaking, ContactAccuracy const& accuracy,
                std::optional<SpatialStart> const& start);
 
-    /// On to where lanes can step. \return false once the trial is over
-    [[nodiscard]] bool advance();
     [[nodiscard]] SpatialOutcome finish() const;
 
-    /// The lane that holds the trial.
-    [[nodiscard]] SpatialLanes<1>& lane() { return lane_; }
-    [[nodiscard]] SpatialLanes<1> const& lane() const { return lane_; }
     [[nodiscard]] SpatialInstant instant() const;
 
   private:
-    enum class Phase : std::uint8_t { resting, shaken, running_out };
+    using Base = contact::PointRun<SpatialRun, State, Spot, SpatialLanes<1>>;
+    friend Base;
+    static constexpr std::array shaken_by{State::ax,        State::ax_change, State::ay,
+                                          State::ay_change, State::az,        State::az_change};
+
     struct Acceleration {
         double x, y, z;
     };
@@ -58,25 +59,23 @@ class SpatialRun {
     };
 
     void fill_trial(ContactAccuracy const& accuracy);
-    void fill_steps(ContactAccuracy const& accuracy);
-    void fill_law();
+    void fill_waves();
     void fill_points();
     void place(SpatialStart const& start);
     void turn_by(std::array<double, 3> const& rotation_rad);
     void show_sample();
+    void hold(std::size_t sample) { held_ = shaking_at(sample); }
     void wake();
-    void begin_run_out();
     void tell_peaks(SpatialOutcome& out) const;
     void tell_verdict(SpatialOutcome& out) const;
-    [[nodiscard]] bool calm(std::size_t sample) const;
+    [[nodiscard]] bool fallen() const { return !(half_tilt_sine2() < 0.5); }
+    [[nodiscard]] bool weak(std::size_t sample) const;
+    [[nodiscard]] bool calm(std::size_t sample) const { return weak(sample) && weak(sample + 1); }
     [[nodiscard]] bool decided() const;
     [[nodiscard]] bool slipped() const;
     [[nodiscard]] bool sound() const;
     [[nodiscard]] double half_tilt_sine2() const;
-    [[nodiscard]] double deepest_crush() const;
     [[nodiscard]] double mechanical_energy() const;
-    /// Of motion and unbalance, over the mass: below it a body may be held at rest.
-    [[nodiscard]] double quiet_energy() const;
     /// |a| / g_v at which the first point of the resting base parts, whatever the direction.
     [[nodiscard]] double parting_ratio() const;
     [[nodiscard]] Acceleration shaking_at(std::size_t sample) const;
@@ -86,18 +85,9 @@ class SpatialRun {
     [[nodiscard]] BedMoments bed_moments() const;
     [[nodiscard]] LeanStiffness lean_stiffness(BedMoments const& bed) const;
     [[nodiscard]] Yielding yielding(BedMoments const& bed, Acceleration const& by) const;
-    [[nodiscard]] double get(State field) const { return lane_.body.at(field, 0); }
-    void put(State field, double value) { lane_.body.at(field, 0) = value; }
 
     SpatialBlock const& block_;
-    ContactBlock const& planar_;
-    Excitation shaking_;
-    std::size_t last_ = 0;  // sample
-    double longest_step_s_ = 0;
-    double run_out_s_ = 0;  // at most
-    Phase phase_ = Phase::resting;
     Acceleration held_{};  // shaking under which the body came to rest
-    SpatialLanes<1> lane_;
 };
 
 }  // namespace overturn::spatial
