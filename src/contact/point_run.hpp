@@ -65,10 +65,10 @@ template <class Derived, class Field, class Spot, class Lane> class PointRun {
     [[nodiscard]] double get(Field field) const { return lane_.body.at(field, 0); }
     void put(Field field, double value) { lane_.body.at(field, 0) = value; }
 
+    Lane lane_;
     ContactBlock const& planar_;
     Excitation shaking_;
     std::size_t last_ = 0;  ///< sample
-    Lane lane_;
 
   private:
     enum class Phase : std::uint8_t { resting, shaken, running_out };
