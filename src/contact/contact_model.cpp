@@ -6,6 +6,7 @@
 #include <cstring>
 #include <vector>
 
+#include "contact/matching.hpp"
 #include "core/error.hpp"
 
 namespace overturn {
@@ -122,14 +123,6 @@ class ContactModel : public Model {
             before = &trial;
         }
         return blocks;
-    }
-
-    static void tell_match(MatchedFooting const& match, ContactQuantities& own) {
-        own.restitution = match.restitution;
-        if (match.base.shape == BaseShape::square) {
-            own.corner_share = match.base.corner_share.value_or(flat_share(match.base.points));
-        }
-        own.normal_restitution = match.pad.normal_restitution;
     }
 
     // The fastest impact that the energy allows, through corner and effective mass: v sqrt(k m_e).

@@ -1,6 +1,7 @@
 /// A base that rocks with the restitution that its body states: compliance may not bring one of its own unasked.
 #pragma once
 
+#include "contact/base_layout.hpp"
 #include "contact/planar_contact.hpp"
 
 namespace overturn {
@@ -21,5 +22,14 @@ namespace overturn {
 /// What the body stands on in the end: as it is known beforehand, or matched at the usual step; a polygon as it is
 /// stated, of a restitution that is not known.
 [[nodiscard]] MatchedFooting matched_footing(RigidBody const& body, Footing const& footing);
+
+/// What a trial says of the base that it stood on.
+template <class Quantities> void tell_match(MatchedFooting const& match, Quantities& own) {
+    own.restitution = match.restitution;
+    own.normal_restitution = match.pad.normal_restitution;
+    if (match.base.shape == BaseShape::square) {
+        own.corner_share = match.base.corner_share.value_or(flat_share(match.base.points));
+    }
+}
 
 }  // namespace overturn

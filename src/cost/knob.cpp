@@ -124,8 +124,7 @@ Scenes scenes_of(CampaignSpec const& spec) {
     return scenes;
 }
 
-Knob effects_knob(CampaignSpec const& spec) {
-    auto const scenes = scenes_of(spec);
+Knob effects_knob(CampaignSpec const& spec, Scenes const& scenes) {
     Knob knob{"effects",
               scenes.yields() && scenes.alike() ? "effects, rung by rung, against all that can be simulated"
                                                 : "effects, rung by rung",
@@ -217,6 +216,7 @@ Knob periods_knob() {
 }  // namespace
 
 std::vector<Knob> knobs_of(CampaignInput const& input, CampaignSpec const& spec) {
+    auto const scenes = scenes_of(spec);
     std::vector<Knob> knobs;
     knobs.push_back(step_knob(spec.accuracy.rocking));
     knobs.push_back(real_knob("step_tolerance", "last series term, over alpha, at which a step is shortened",
@@ -224,12 +224,12 @@ std::vector<Knob> knobs_of(CampaignInput const& input, CampaignSpec const& spec)
                               spec.accuracy.rocking.step_tolerance));
     knobs.push_back(real_knob("settle", "bouncing speed, over p, below which a body settles", "accuracy.settle",
                               {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7}, spec.accuracy.rocking.settle));
-    if (scenes_of(spec).yields()) {
+    if (scenes.yields()) {
         knobs.push_back(real_knob(contact_step, "step on compliant points, times the vertical mode's frequency",
                                   "accuracy.contact_step", {1.0, 0.6, 0.3, 0.15, 0.075},
                                   spec.accuracy.contact.step_ratio));
     }
-    knobs.push_back(effects_knob(spec));
+    knobs.push_back(effects_knob(spec, scenes));
     knobs.push_back(
         panel_knob("ou_v_e", "phase per panel of 16 nodes, ouV_E alone", Acts::ou_v_e, spec.measures.panel_phase_rad));
     knobs.push_back(panel_knob("v_wes", "phase per panel of 16 nodes, V_WES and ouV_E", Acts::v_wes,

@@ -121,32 +121,33 @@ def slips(results, body, path):
     return True
 
 
+def shares(axes, results, body, title, parts):
+    """Bars of the shares of each level's trials, stacked: (label, which trials, colour) a part."""
+    level, count = body.trials("level"), len(body.stripes["amplitude"])
+    amplitude, unit = results.in_units(body.stripes["amplitude"])
+    trials = np.maximum(np.bincount(level, minlength=count), 1)
+    places, below = np.arange(count), np.zeros(count)
+    for label, which, colour in parts:
+        share = np.bincount(level[which], minlength=count) / trials
+        if share.any():
+            axes.bar(places, share, bottom=below, width=0.82, color=colour, label=label)
+        below += share
+    every = max(1, -(-count // 7))
+    axes.set_xticks(places[::every], [f"{value:.4g}" for value in amplitude[::every]])
+    measure = MEASURES[results.measure][0]
+    axes.set(title=f"{style.literal(body.name)}: {title}", ylim=(0, 1), xlabel=f"{measure} [{unit}]" if unit else measure)
+    axes.grid(axis="x", visible=False)
+
+
 def ends(results, body, path):
     """How the trials of each level ended, and the rung of the ladder they needed."""
     style.use()
     figure, (left, right) = plt.subplots(1, 2, figsize=(6.8, 2.6), sharey=True, layout="constrained")
-    level, count = body.trials("level"), len(body.stripes["amplitude"])
-    amplitude, unit = results.in_units(body.stripes["amplitude"])
-    trials = np.maximum(np.bincount(level, minlength=count), 1)
-    places = np.arange(count)
-
-    def stack(axes, parts):
-        below = np.zeros(count)
-        for label, which, colour in parts:
-            share = np.bincount(level[which], minlength=count) / trials
-            if share.any():
-                axes.bar(places, share, bottom=below, width=0.82, color=colour, label=label)
-            below += share
-
-    stack(left, [(name, which, ENDS.get(name, GREEN)) for name, which in body.kinds("verdict")])
-    stack(right, [(name, which, RUNG_COLOURS[n % len(RUNG_COLOURS)]) for n, (name, which) in
-                  enumerate(body.kinds("rung"))])
-    every = max(1, -(-count // 7))
-    for axes, title in ((left, "verdicts"), (right, "simulated up to")):
-        axes.set_xticks(places[::every], [f"{value:.4g}" for value in amplitude[::every]])
-        axes.set(title=f"{style.literal(body.name)}: {title}", ylim=(0, 1), xlabel=f"{MEASURES[results.measure][0]} [{unit}]" if unit
-                 else MEASURES[results.measure][0])
-        axes.grid(axis="x", visible=False)
+    shares(left, results, body, "verdicts",
+           [(name, which, ENDS.get(name, GREEN)) for name, which in body.kinds("verdict")])
+    shares(right, results, body, "simulated up to",
+           [(name, which, RUNG_COLOURS[n % len(RUNG_COLOURS)]) for n, (name, which) in enumerate(body.kinds("rung"))])
+    for axes in (left, right):
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.24), ncols=3)
     left.set_ylabel("share of trials")
     style.save(figure, path)
@@ -246,19 +247,10 @@ def reasons(results, body, path):
     if not kinds:
         return False
     style.use()
-    level, count = body.trials("level"), len(body.stripes["amplitude"])
-    amplitude, unit = results.in_units(body.stripes["amplitude"])
-    trials = np.maximum(np.bincount(level, minlength=count), 1)
     figure, axes = plt.subplots(figsize=(4.6, 2.2), layout="constrained")
-    below = np.zeros(count)
-    for n, (name, which) in enumerate(kinds):
-        share = np.bincount(level[which], minlength=count) / trials
-        axes.bar(np.arange(count), share, bottom=below, width=0.82, color=style.SERIES[n % len(style.SERIES)], label=name)
-        below += share
-    every = max(1, -(-count // 7))
-    axes.set_xticks(np.arange(count)[::every], [f"{value:.4g}" for value in amplitude[::every]])
-    axes.set(title=f"{style.literal(body.name)}: what called for a dearer model", ylim=(0, 1), ylabel="share of trials",
-             xlabel=f"{MEASURES[results.measure][0]} [{unit}]" if unit else MEASURES[results.measure][0])
+    shares(axes, results, body, "what called for a dearer model",
+           [(name, which, style.SERIES[n % len(style.SERIES)]) for n, (name, which) in enumerate(kinds)])
+    axes.set_ylabel("share of trials")
     axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))
     style.save(figure, path)
     return True

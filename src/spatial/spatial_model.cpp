@@ -174,14 +174,6 @@ class SpatialModel : public Model {
         return blocks;
     }
 
-    static void tell_match(MatchedFooting const& match, SpatialQuantities& own) {
-        own.restitution = match.restitution;
-        own.normal_restitution = match.pad.normal_restitution;
-        if (match.base.shape == BaseShape::square) {
-            own.corner_share = match.base.corner_share.value_or(flat_share(match.base.points));
-        }
-    }
-
     ContactAccuracy accuracy_;
 };
 
