@@ -100,26 +100,10 @@ class SpectrumCompatible : public WaveSource {
     }
 
     [[nodiscard]] GeneratedWave make(std::uint64_t seed, std::uint64_t wave) const override {
-        GeneratedWave made;
-        made.motion.time_step_s = time_step_s_;
-        made.rule = rule_;
-        made.label = seeds_.empty() ? fmt::format("random wave {}", wave) : "";
-        if (!seeds_.empty()) {
-            validate_wave(wave, seeds_.size());
-            made.label = "match of " + seed_labels_[wave];
-        }
-        for (auto const& part : parts_) {
-            auto component = seeds_.empty() ? drawn(part, made.motion, seed, wave)
-                                            : part.matcher.match_motion(seeds_[wave].*(part.kind.place));
-            add_clauses(part, component.match, made.clauses);
-            made.motion.*(part.kind.place) = std::move(component.acceleration_mps2);
-            made.*(part.kind.match) = component.match;
-            if (part.kind.place == horizontal_kind.place) {
-                made.judged_periods_s = part.matcher.periods_s();
-                made.ratios = std::move(component.ratios);
-            }
-        }
-        return made;
+        return make(seed, wave, Judging::whole);
+    }
+    [[nodiscard]] GeneratedWave make_unjudged(std::uint64_t seed, std::uint64_t wave) const override {
+        return make(seed, wave, Judging::least);
     }
 
     [[nodiscard]] std::unique_ptr<NormalWaves> from_normals() const override {
@@ -145,6 +129,31 @@ class SpectrumCompatible : public WaveSource {
     }
 
   private:
+    using Judging = SpectrumMatcher::Judging;
+
+    [[nodiscard]] GeneratedWave make(std::uint64_t seed, std::uint64_t wave, Judging judging) const {
+        GeneratedWave made;
+        made.motion.time_step_s = time_step_s_;
+        made.rule = rule_;
+        made.label = seeds_.empty() ? fmt::format("random wave {}", wave) : "";
+        if (!seeds_.empty()) {
+            validate_wave(wave, seeds_.size());
+            made.label = "match of " + seed_labels_[wave];
+        }
+        for (auto const& part : parts_) {
+            auto component = seeds_.empty() ? drawn(part, made.motion, seed, wave, judging)
+                                            : part.matcher.match_motion(seeds_[wave].*(part.kind.place));
+            add_clauses(part, component.match, made.clauses);
+            made.motion.*(part.kind.place) = std::move(component.acceleration_mps2);
+            made.*(part.kind.match) = component.match;
+            if (part.kind.place == horizontal_kind.place && !component.ratios.empty()) {
+                made.judged_periods_s = part.matcher.periods_s();
+                made.ratios = std::move(component.ratios);
+            }
+        }
+        return made;
+    }
+
     void add(ComponentKind const& kind, SpectrumMatcherInput const& input, std::optional<double> correlation,
              double of_horizontal) {
         constexpr double asked_to_s = 10;  // 0.1 Hz
@@ -154,7 +163,7 @@ class SpectrumCompatible : public WaveSource {
 
     // Chance alone correlates one pair in twenty too much for the rules; the first draw that does not stays.
     static SpectrumMatcher::Component drawn(Part const& part, GroundMotion const& before, std::uint64_t seed,
-                                            std::uint64_t wave) {
+                                            std::uint64_t wave, Judging judging) {
         constexpr std::uint64_t streams_per_attempt = 16;
         constexpr std::uint64_t attempts = 8;
         constexpr double largest_correlation = 0.16;
@@ -162,7 +171,7 @@ class SpectrumCompatible : public WaveSource {
             return mixed(part, before.horizontal_mps2, seed, wave);
         }
         for (std::uint64_t attempt = 0;; ++attempt) {
-            auto component = part.matcher.make(seed, wave, part.kind.stream + attempt * streams_per_attempt);
+            auto component = part.matcher.make(seed, wave, part.kind.stream + attempt * streams_per_attempt, judging);
             bool const apart = std::all_of(further_kinds.begin(), further_kinds.end(), [&](ComponentKind const& kind) {
                 return independent(component.acceleration_mps2, before.*(kind.place), largest_correlation);
             });

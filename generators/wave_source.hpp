@@ -56,6 +56,11 @@ class WaveSource {
 
     /// \throws InputError if `wave` is not below available().
     [[nodiscard]] virtual GeneratedWave make(std::uint64_t seed, std::uint64_t wave) const = 0;
+    /// The motion that make gives, with no more said of it than costs no time: of waves that are not iterated no match,
+    /// of iterated ones what iteration knows anyway.
+    [[nodiscard]] virtual GeneratedWave make_unjudged(std::uint64_t seed, std::uint64_t wave) const {
+        return make(seed, wave);
+    }
     /// Its waves as a map of normals; null where they are not random. \pre the source outlives it
     [[nodiscard]] virtual std::unique_ptr<NormalWaves> from_normals() const { return nullptr; }
     /// How many different waves there are; nothing if as many as one likes.

@@ -239,12 +239,18 @@ SpectrumMatcher::Component SpectrumMatcher::matched(Lines lines, Steps const& st
     }
 }
 
-SpectrumMatcher::Component SpectrumMatcher::make(std::uint64_t seed, std::uint64_t wave,
-                                                 std::uint64_t component) const {
+SpectrumMatcher::Component SpectrumMatcher::make(std::uint64_t seed, std::uint64_t wave, std::uint64_t component,
+                                                 Judging judging) const {
     RandomStream phases(seed, wave, Purpose::wave_phase, component);
     RandomStream amplitudes(seed, wave, Purpose::wave_amplitude, component);
     auto lines = noise_.draw(phases, amplitudes);
+    if (judging == Judging::least && !iterates()) {
+        return {.acceleration_mps2 = noise_.synthesise(lines, noise_.envelope()), .match = {}, .ratios = {}};
+    }
     auto made = matched(std::move(lines), {0, EnvelopeStep::sharpen_once});
+    if (judging == Judging::least) {
+        return made;
+    }
     std::tie(made.match.psd_lowest_ratio, made.match.psd_lowest_hz) = noise_.lowest_power(made.acceleration_mps2);
     return made;
 }

@@ -45,8 +45,11 @@ class SpectrumMatcher {
 
     explicit SpectrumMatcher(SpectrumMatcherInput input);
 
+    enum class Judging { whole, least };  ///< least: the match of an iterated wave only, without its power spectrum
+
     /// \param component which stream of the wave: 0 horizontal, 1 vertical, 2 transverse
-    [[nodiscard]] Component make(std::uint64_t seed, std::uint64_t wave, std::uint64_t component) const;
+    [[nodiscard]] Component make(std::uint64_t seed, std::uint64_t wave, std::uint64_t component,
+                                 Judging judging = Judging::whole) const;
 
     /// The acceleration alone, of lines that pairs of normals give, matched as make does.
     [[nodiscard]] std::vector<double> of_normals(std::span<double const> normals) const;

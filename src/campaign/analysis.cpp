@@ -26,7 +26,9 @@ std::vector<FragilityMeasure> measures_of(CampaignSpec const& spec) {
         default:
             measures = {level, pga, pgv};
     }
-    measures.insert(measures.end(), {v_wes, ou_v_e, v_wes_ratio});
+    if (spec.measures.energy) {
+        measures.insert(measures.end(), {v_wes, ou_v_e, v_wes_ratio});
+    }
     if (spec.measures.both_radius_units) {
         measures.insert(measures.end(), {v_wes_other_unit, ou_v_e_other_unit});
     }
@@ -35,6 +37,9 @@ std::vector<FragilityMeasure> measures_of(CampaignSpec const& spec) {
 
 std::vector<FragilityMeasure> criteria_of(CampaignSpec const& spec) {
     using enum FragilityMeasure;
+    if (!spec.measures.energy) {
+        return {};
+    }
     if (spec.measures.both_radius_units) {
         return {v_wes, ou_v_e, v_wes_other_unit, ou_v_e_other_unit};
     }
@@ -109,8 +114,10 @@ class Analyst {
                  study_criterion(statistics_.measured().criterion_trials(static_cast<std::int64_t>(b), measure),
                                  options_.confidence)});
         }
-        body.response = response_bins(statistics_.measured().responses(static_cast<std::int64_t>(b)));
-        body.verdict = verdict_on(body, options_.confidence);
+        if (spec_.measures.energy) {
+            body.response = response_bins(statistics_.measured().responses(static_cast<std::int64_t>(b)));
+            body.verdict = verdict_on(body, options_.confidence);
+        }
         return body;
     }
 

@@ -38,7 +38,14 @@ MeasureSpec read_measures(Table const& table) {
         config::Entry<WindowReading>{"running", "energy that running oscillators gain over the window",
                                      WindowReading::running}};
     m.radius_unit = table.choice<RadiusUnit>("radius_unit", units, m.radius_unit);
+    m.energy = table.boolean("energy", m.energy);
+    m.wave_quality = table.boolean("wave_quality", m.wave_quality);
     m.both_radius_units = table.boolean("both_radius_units", m.both_radius_units);
+    for (auto const* key : {"both_radius_units", "window"}) {
+        if (!m.energy && table.has(key)) {
+            table.fail(key, "beside energy = false (it says how energies are measured). Leave it out");
+        }
+    }
     m.window = table.choice<WindowReading>("window", readings, m.window);
     table.finish();
     return m;
@@ -147,6 +154,12 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
     spec.accuracy = read_accuracy(accuracy);
     constexpr double largest_phase = 40;
     spec.measures = read_measures(root.child_or_empty("measures"));
+    if (!spec.measures.wave_quality && spec.source->acceptance() != "none") {
+        root.child("measures")
+            .fail("wave_quality",
+                  "false beside waves.acceptance (a rule judges the quality of every "
+                  "wave). Leave one of them out");
+    }
     waves.located("acceptance", [&] { validate_bands(*spec.source, spec.bodies, spec.measures.radius_unit); });
     spec.measures.panel_phase_rad = accuracy.number("panel_phase", Dimension::angle, {.low = 1, .high = largest_phase},
                                                     spec.measures.panel_phase_rad);

@@ -22,6 +22,8 @@ namespace overturn {
 /// How the energy measures are read; an option because the original's unit of R is not printed.
 struct MeasureSpec {
     RadiusUnit radius_unit = RadiusUnit::centimetre;
+    bool energy = true;              ///< V_WES and ouV_E of every wave and body
+    bool wave_quality = true;        ///< match, durations, residuals and correlation of every wave
     bool both_radius_units = false;  ///< measure with the other unit too, to compare
     WindowReading window = WindowReading::restarted;
     double panel_phase_rad = WindowOptions{}.panel_phase_rad;

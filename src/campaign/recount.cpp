@@ -95,7 +95,7 @@ Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec) {
     auto const measures = stored_measures(file, spec, done);
     auto const bodies = spec.bodies.size();
     std::size_t wave = 0;
-    each_row<WaveRow>(file, wave_table(), done, [&](WaveRow const& row) {
+    each_row<WaveRow>(file, wave_table(spec), done, [&](WaveRow const& row) {
         statistics.add(row, std::span(measures).subspan(bodies * wave++, bodies));
     });
     auto const levels = static_cast<std::int64_t>(spec.levels.levels.size());

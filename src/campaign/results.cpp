@@ -231,10 +231,12 @@ std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, Campa
                                         Statistics& statistics, std::span<RareBody const> rare) {
     store::ResultsWriter file(path);
     write_provenance(file, input, spec);
-    auto const waves = file.table(wave_table(), plan.waves());
+    auto const waves = file.table(wave_table(spec), plan.waves());
     std::vector<std::size_t> measures;
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
-        measures.push_back(file.table(measure_table(spec, b), plan.waves()));
+        if (auto table = measure_table(spec, b); !table.columns.empty()) {
+            measures.push_back(file.table(std::move(table), plan.waves()));
+        }
     }
     auto const trials = file.table(trial_table(spec), plan.trials());
     std::vector<std::size_t> own;
@@ -262,7 +264,9 @@ std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, Campa
         write_body(file, spec.bodies[b], spec.measures.radius_unit);
         write_stripes(file, spec, statistics.bodies()[b]);
         write_fragility(file, analysis[b], spec.confidence);
-        write_criterion(file, spec, statistics.bodies()[b]);
+        if (spec.measures.energy) {
+            write_criterion(file, spec, statistics.bodies()[b]);
+        }
     }
     write_rare(file, spec, rare);
     file.attribute("complete", std::int64_t{1});

@@ -38,7 +38,7 @@ struct WaveRow {
 
 /// The energy measures of one wave for one body, before any scaling, and its match where that body rocks.
 struct MeasureRow {
-    double ou_v_e_mps = 0, v_wes_max_mps = 0, v_wes_time_s = 0;
+    double ou_v_e_mps = never, v_wes_max_mps = never, v_wes_time_s = never;
     double band_mean_misfit = 0, band_max_misfit = 0, band_mean_ratio = 0, band_ratio_cov = 0;
     double other_unit_ou_v_e_mps = never, other_unit_v_wes_max_mps = never;
 };

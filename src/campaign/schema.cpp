@@ -1,6 +1,8 @@
 #include "campaign/schema.hpp"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "response/registry.hpp"
 
@@ -18,6 +20,17 @@ std::string verdicts_that(bool VerdictEntry::*holds) {
     return names;
 }
 
+bool is_energy(std::string_view column) { return column.starts_with("v_wes") || column.starts_with("ou_v_e"); }
+
+// Of a wave's match, but whether and how fast it was matched: iteration knows that anyway.
+bool is_quality(std::string_view column) {
+    constexpr std::array kept{"matched", "match_iterations"};
+    constexpr std::array told{"match_",      "si_ratio",  "psd_",        "transverse_match", "vertical_match",
+                              "duration_5_", "residual_", "correlation", "accept",           "band_"};
+    auto const begins = [&](char const* name) { return column.starts_with(name); };
+    return std::ranges::find(kept, column) == kept.end() && std::ranges::any_of(told, begins);
+}
+
 }  // namespace
 
 std::string column_of(VerdictEntry const& verdict) {
@@ -33,6 +46,9 @@ store::TableSpec trial_table(CampaignSpec const& spec) {
                            {{"verdict", "moved", verdicts_that(&VerdictEntry::moved)},
                             {"verdict", "decided", verdicts_that(&VerdictEntry::decided)},
                             {"verdict", "fell", verdicts_that(&VerdictEntry::fell)}}};
+    if (!spec.measures.energy) {
+        std::erase_if(table.columns, [](Field const& column) { return is_energy(column.name); });
+    }
     for (auto& column : table.columns) {
         if (column.name == "amplitude") {
             column.units = spec.levels.units();
@@ -46,7 +62,13 @@ store::TableSpec trial_table(CampaignSpec const& spec) {
     return table;
 }
 
-store::TableSpec wave_table() { return {"waves", sizeof(WaveRow), fields_of<WaveRow>()}; }
+store::TableSpec wave_table(CampaignSpec const& spec) {
+    store::TableSpec table{"waves", sizeof(WaveRow), fields_of<WaveRow>()};
+    if (!spec.measures.wave_quality) {
+        std::erase_if(table.columns, [](Field const& column) { return is_quality(column.name); });
+    }
+    return table;
+}
 
 store::TableSpec measure_table(CampaignSpec const& spec, std::size_t body) {
     store::TableSpec table{"waves/" + spec.bodies.at(body).name, spec.bodies.size() * sizeof(MeasureRow),
@@ -54,6 +76,10 @@ store::TableSpec measure_table(CampaignSpec const& spec, std::size_t body) {
     if (!spec.measures.both_radius_units) {
         std::erase_if(table.columns, [](Field const& column) { return column.name.ends_with("_other_unit"); });
     }
+    std::erase_if(table.columns, [&](Field const& column) {
+        return (!spec.measures.energy && is_energy(column.name))
+               || (!spec.measures.wave_quality && is_quality(column.name));
+    });
     for (auto& column : table.columns) {
         column.offset += body * sizeof(MeasureRow);
     }

@@ -11,7 +11,7 @@ namespace overturn {
 
 /// /trials: amplitudes in the unit of the levels' measure, bodies by name.
 [[nodiscard]] store::TableSpec trial_table(CampaignSpec const& spec);
-[[nodiscard]] store::TableSpec wave_table();
+[[nodiscard]] store::TableSpec wave_table(CampaignSpec const& spec);
 /// /waves/<body>: the energy measures for the body of that number; those with R in the other unit where asked for.
 [[nodiscard]] store::TableSpec measure_table(CampaignSpec const& spec, std::size_t body);
 /// The column of /stripes/<body> that counts a verdict: "contact_lost".

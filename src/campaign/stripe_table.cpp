@@ -64,8 +64,8 @@ void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& bo
     for (auto const v : shown) {
         text += fmt::format(" {:>{}}", verdicts()[v].name, width_of(v));
     }
-    text += fmt::format("  {:>8}  {:>20}  {:>16}\n", "P", fmt::format("{:g} % interval", 100 * spec.confidence),
-                        "V_WES safe/wrong");
+    text += fmt::format("  {:>8}  {:>20}{}\n", "P", fmt::format("{:g} % interval", 100 * spec.confidence),
+                        spec.measures.energy ? "  V_WES safe/wrong" : "");
     for (std::size_t l = 0; l < s.stripes.size(); ++l) {
         auto const& stripe = s.stripes[l];
         auto const interval = stripe.interval(spec.confidence);
@@ -74,9 +74,11 @@ void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& bo
         for (auto const v : shown) {
             text += fmt::format(" {:>{}}", s.ends[v][l], width_of(v));
         }
-        text += fmt::format("  {:>8}  [{:.6f}, {:.6f}]  {:>9} / {:<5}{}\n", probability_text(stripe), interval.lower,
-                            interval.upper, s.v_wes[l].true_safe + s.v_wes[l].false_safe, s.v_wes[l].false_safe,
-                            purpose == LevelClass::ordinary ? std::string() : fmt::format(" {}", name_of(purpose)));
+        text += fmt::format("  {:>8}  [{:.6f}, {:.6f}]", probability_text(stripe), interval.lower, interval.upper);
+        if (spec.measures.energy) {
+            text += fmt::format("  {:>9} / {:<5}", s.v_wes[l].true_safe + s.v_wes[l].false_safe, s.v_wes[l].false_safe);
+        }
+        text += purpose == LevelClass::ordinary ? "\n" : fmt::format(" {}\n", name_of(purpose));
     }
     text += "rungs:";
     for (std::size_t r = 0; r < s.rungs.size(); ++r) {

@@ -121,9 +121,12 @@ PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64
     }
     try {
         Stopwatch const watch(seconds.waves);
-        auto generated = spec.source->make(spec.seed, id);
+        bool const judged = spec.measures.wave_quality;
+        auto generated = judged ? spec.source->make(spec.seed, id) : spec.source->make_unjudged(spec.seed, id);
         validate_motion(generated.motion);
-        describe_check(prepared, check_wave(generated, spec.bodies, spec.measures.radius_unit));
+        if (judged) {
+            describe_check(prepared, check_wave(generated, spec.bodies, spec.measures.radius_unit));
+        }
         describe_match(prepared.row, generated);
         prepared.row.turned_rad = generated.turned_rad;
         prepared.motion = std::move(generated.motion);
@@ -135,7 +138,7 @@ PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64
     prepared.chunks = ChunkExtremes(prepared.motion.horizontal_mps2, prepared.motion.vertical_mps2);
     prepared.intensity = intensity_of(prepared.motion);
     describe_motion(prepared.row, prepared.motion, prepared.intensity);
-    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+    for (std::size_t b = 0; spec.measures.energy && b < spec.bodies.size(); ++b) {
         measure_energy(spec.measures, prepared.motion, prepared.bodies[b].body.radius_m(), prepared.measures[b]);
     }
     return prepared;
@@ -185,6 +188,9 @@ Scene scene_of(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t 
 void close_row(TrialRow& row, PreparedWave const& wave, Response const& response) {
     static_cast<Response&>(row) = response;
     auto const& measures = wave.measures.at(static_cast<std::size_t>(row.body));
+    if (std::isnan(measures.v_wes_max_mps)) {
+        return;
+    }
     row.v_wes_mps = row.scale * measures.v_wes_max_mps;
     row.ou_v_e_mps = row.scale * measures.ou_v_e_mps;
     row.v_wes_safe = row.v_wes_mps < row.v_ereq_mps ? 1 : 0;

@@ -24,7 +24,7 @@ std::int64_t file_bytes(CampaignInput const& input, CampaignSpec const& spec, Pl
         return bytes;
     };
     constexpr std::int64_t overhead = 400'000;  // groups, attributes and statistics of a small campaign
-    auto bytes = overhead + plan.trials() * width(trial_table(spec)) + plan.waves() * width(wave_table());
+    auto bytes = overhead + plan.trials() * width(trial_table(spec)) + plan.waves() * width(wave_table(spec));
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
         bytes += plan.waves() * width(measure_table(spec, b));
     }

@@ -30,7 +30,8 @@ int status_of_file(std::string const& path) {
     auto const reasons = file.integers("trials/failure");
     FailedTrials failed(spec);
     auto const ids = file.integers("waves/id");
-    auto const clauses = file.integers("waves/acceptance_failures");
+    bool const judged = spec.measures.wave_quality;
+    auto const clauses = judged ? file.integers("waves/acceptance_failures") : std::vector<std::int64_t>(ids.size());
     for (std::size_t i = 0; i < ids.size(); ++i) {
         WaveRow row;
         row.id = ids[i];

@@ -230,10 +230,11 @@ std::vector<Knob> knobs_of(CampaignInput const& input, CampaignSpec const& spec)
                                   spec.accuracy.contact.step_ratio));
     }
     knobs.push_back(effects_knob(spec, scenes));
-    knobs.push_back(
-        panel_knob("ou_v_e", "phase per panel of 16 nodes, ouV_E alone", Acts::ou_v_e, spec.measures.panel_phase_rad));
-    knobs.push_back(panel_knob("v_wes", "phase per panel of 16 nodes, V_WES and ouV_E", Acts::v_wes,
-                               spec.measures.panel_phase_rad));
+    if (spec.measures.energy) {
+        auto const own = spec.measures.panel_phase_rad;
+        knobs.push_back(panel_knob("ou_v_e", "phase per panel of 16 nodes, ouV_E alone", Acts::ou_v_e, own));
+        knobs.push_back(panel_knob("v_wes", "phase per panel of 16 nodes, V_WES and ouV_E", Acts::v_wes, own));
+    }
     add_match_knobs(knobs, input);
     knobs.push_back(periods_knob());
     return knobs;

@@ -195,6 +195,8 @@ class Report:
             f"<details{' open' if len(rows) <= MOST_OPEN_ROWS else ''}><summary>all stripes</summary>{table(head, rows)}</details>")
 
     def criterion(self):
+        if not self.fit["criterion"]:
+            return
         rows, parts = [], []
         for c in self.fit["criterion"]:
             rows.append([c["body"], MEASURES[c["measure"]][0].split(",")[0], c["radius_unit"], c["false_safe"],

@@ -20,8 +20,8 @@ class Body:
         self.numbers = {key: float(data[0]) for key, data in file["bodies"][name].items()}
         self.stripes = {key: data[()] for key, data in file["stripes"][name].items()}
         self.criteria = {measure: {key: data[()] for key, data in group.items()}
-                         for measure, group in file["criterion"][name].items()}
-        self.measures = {key: data[()] for key, data in file["waves"][name].items()}
+                         for measure, group in file.get(f"criterion/{name}", {}).items()}
+        self.measures = {key: data[()] for key, data in file.get(f"waves/{name}", {}).items()}
         self._mine = np.flatnonzero(file["trials/body"][()] == index)
 
     def trials(self, column):
@@ -57,6 +57,11 @@ class Results:
     @property
     def title(self):
         return self.about.get("title") or self.about["campaign_name"]
+
+    @property
+    def measured_energy(self):
+        """Whether V_WES and ouV_E were wanted."""
+        return "v_wes" in self.file["trials"]
 
     @property
     def measure(self):

@@ -156,6 +156,8 @@ def ends(results, body, path):
 def wave_quality(results, path):
     """How well the waves meet their target and how far they end from rest; False for waves without a target."""
     waves = results.waves
+    if "match_mean_ratio" not in waves:
+        return False
     matched = waves["match_mean_ratio"] > 0
     if not matched.any():
         return False
@@ -215,11 +217,12 @@ def plan(axes, channels, outline):
 
 
 def axes_compared(results, path):
-    """V_resp over V_WES, in units of V_Ereq, for bodies under one, two and three components; False if all are alike."""
+    """V_resp over V_WES, in units of V_Ereq, for bodies under one, two and three components; False if all are alike, or nothing was
+    measured."""
     shaken = {}
     for body in results.bodies:
         shaken.setdefault(int(body.numbers["axes"]), []).append(body)
-    if len(shaken) < 2:
+    if len(shaken) < 2 or not results.measured_energy:
         return False
     style.use()
     names = {1: "one axis", 2: "two axes", 3: "three axes"}

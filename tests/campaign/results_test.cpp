@@ -36,6 +36,44 @@ TEST(Columns, CoverEveryFieldOnce) {
     EXPECT_EQ(measure_table(one, 0).columns.size() + 2, measure_table(both, 0).columns.size());
 }
 
+/// What a campaign does not want measured leaves no column behind, and nothing else is missing.
+TEST(Columns, WhatIsNotWantedIsNotThere) {
+    auto const spec_with = [](std::string const& keys) {
+        return testing::campaign_from(testing::quick_waves + testing::type_a + testing::levels("values=[3,6]\n")
+                                      + "[measures]\n" + keys);
+    };
+    auto const names_of = [](CampaignSpec const& spec) {
+        std::set<std::string> names;
+        for (auto const& table : {wave_table(spec), measure_table(spec, 0), trial_table(spec)}) {
+            for (auto const& column : table.columns) {
+                names.insert(table.group + "/" + std::string(column.name));
+            }
+        }
+        return names;
+    };
+    auto const missing = [&](std::string const& keys) {
+        auto all = names_of(spec_with(""));
+        for (auto const& name : names_of(spec_with(keys))) {
+            all.erase(name);
+        }
+        return all;
+    };
+    EXPECT_EQ(missing("energy=false\n"),
+              (std::set<std::string>{"waves/type-a/ou_v_e", "waves/type-a/v_wes", "waves/type-a/v_wes_time",
+                                     "trials/v_wes", "trials/ou_v_e", "trials/v_wes_safe", "trials/ou_v_e_safe"}));
+    auto const quality = missing("wave_quality=false\n");
+    for (auto const* name : {"waves/match_mean_misfit", "waves/psd_lowest_ratio", "waves/vertical_match_mean_misfit",
+                             "waves/duration_5_95", "waves/residual_velocity", "waves/correlation", "waves/accepted",
+                             "waves/acceptance_failures", "waves/type-a/band_mean_misfit"}) {
+        EXPECT_TRUE(quality.contains(name)) << name;
+    }
+    for (auto const* name : {"waves/matched", "waves/match_iterations", "waves/pga", "waves/pgd", "waves/arias",
+                             "waves/turned", "waves/type-a/v_wes"}) {
+        EXPECT_FALSE(quality.contains(name)) << name;
+    }
+    EXPECT_TRUE(measure_table(spec_with("energy=false\nwave_quality=false\n"), 0).columns.empty());
+}
+
 TEST(Columns, MeasuresOfSeveralBodiesLieSideBySide) {
     auto const spec = testing::campaign_from(testing::quick_waves + testing::type_a + testing::type_b
                                              + testing::levels("values=[3,6]\n"));

@@ -67,6 +67,32 @@ TEST(TrialMeasures, BothUnitsOfRStandSideBySide) {
     EXPECT_LT(metres.v_wes_max_mps, centimetres.v_wes_max_mps) << "a window ten times shorter offers less";
 }
 
+/// What is not measured changes no wave and no response: matched waves and unmatched ones.
+TEST(TrialMeasures, WhatIsNotWantedChangesNothingElse) {
+    for (std::string const match : {"none", "each"}) {
+        auto text = small_campaign;
+        text.replace(text.find("match='none'"), 12, "match='" + match + "'");
+        auto const all = campaign_from(text);
+        auto const least = campaign_from(text + "[measures]\nenergy=false\nwave_quality=false\n");
+        auto const whole = prepared(all, 1);
+        auto const bare = prepared(least, 1);
+        EXPECT_EQ(bare.motion.horizontal_mps2, whole.motion.horizontal_mps2);
+        EXPECT_EQ(bare.row.pgv_mps, whole.row.pgv_mps);
+        EXPECT_EQ(bare.row.matched, whole.row.matched);
+        EXPECT_EQ(bare.row.match_iterations, whole.row.match_iterations);
+        EXPECT_EQ(whole.row.matched, match == "each" ? 1 : 0);
+        EXPECT_EQ(bare.row.duration_5_75_s, 0) << "not judged";
+        EXPECT_TRUE(std::isnan(bare.measures[0].v_wes_max_mps)) << "not measured";
+        for (std::int64_t level = 0; level < 2; ++level) {
+            auto const said = run(all, whole, 0, level);
+            auto const row = run(least, bare, 0, level);
+            EXPECT_TRUE(bit_equal<Response>(row, said));
+            EXPECT_TRUE(std::isnan(row.v_wes_mps));
+            EXPECT_GT(said.v_wes_mps, 0);
+        }
+    }
+}
+
 TEST(TrialPurity, AloneAndInACrowd) {
     auto const spec = campaign_from(small_campaign);
     Plan const plan(spec);

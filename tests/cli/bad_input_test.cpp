@@ -43,6 +43,16 @@ TEST_F(BadInput, MisspeltKey) {
     refuse("seed  = 2013", "", "seed: missing (there is no default). Add this key");
 }
 
+// Requirement: what is not measured can neither be asked for nor judged.
+TEST_F(BadInput, WhatIsNotMeasuredIsNotAskedFor) {
+    refuse("seed  = 2013", "seed  = 2013\nmeasures={energy=false,both_radius_units=true}",
+           "measures.both_radius_units: beside energy = false");
+    folder.write("c.toml", small_campaign());
+    expect_refused(overturn(folder, {"plan", "c.toml", "--set", "measures.wave_quality=false", "--set",
+                                     "waves.match='each'", "--set", "waves.acceptance='srp-3.7.1'"}),
+                   "measures.wave_quality: false beside waves.acceptance");
+}
+
 // Requirement: a value outside its range or of another dimension is refused where it stands.
 TEST_F(BadInput, ImpossibleValues) {
     refuse("'20.48 s'", "'20.48 m'", "c.toml:6:10: waves.duration: ");

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include <nlohmann/json.hpp>
+
 #include "cli/campaign_files.hpp"
 #include "support/command.hpp"
 
@@ -61,6 +63,34 @@ TEST_F(Report, IsTheSameForTheSameFileButForItsCost) {
     ASSERT_EQ(overturn(*folder, {"report", "c.h5", "-o", "a.html"}).code, 0);
     ASSERT_EQ(overturn(*folder, {"report", "c.h5", "-o", "b.html"}).code, 0);
     EXPECT_EQ(folder->read("a.html"), folder->read("b.html"));
+}
+
+// Requirement: what was not wanted is missing from every answer, and breaks none.
+TEST_F(Report, DoesWithoutWhatWasNotMeasured) {
+    auto const ran = overturn(*folder, {"run", "c.toml", "-o", "bare.h5", "--set", "measures.energy=false", "--set",
+                                        "measures.wave_quality=false"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    EXPECT_EQ(ran.out.find("V_WES"), std::string::npos) << ran.out;
+    EXPECT_EQ(ran.out.find("criterion"), std::string::npos) << ran.out;
+    for (std::vector<std::string> const& command :
+         {std::vector<std::string>{"status", "bare.h5"}, {"fit", "bare.h5"}, {"replay", "bare.h5", "--trial", "3"}}) {
+        auto const ended = overturn(*folder, command);
+        EXPECT_EQ(ended.code, 0) << command.front() << ended.out << ended.err;
+    }
+    auto const fitted = nlohmann::json::parse(overturn(*folder, {"fit", "bare.h5", "--json"}).out);
+    EXPECT_TRUE(fitted.at("criterion").empty());
+    EXPECT_FALSE(fitted.at("stripes").empty());
+    if (drawable) {
+        auto const ended = overturn(*folder, {"report", "bare.h5", "-o", "bare.html"});
+        ASSERT_EQ(ended.code, 0) << ended.err;
+        auto const page = folder->read("bare.html");
+        EXPECT_EQ(page.find("<section id=\"criterion"), std::string::npos);
+        EXPECT_NE(page.find("<section id=\"fragility"), std::string::npos);
+    }
+    EXPECT_EQ(overturn(*folder, {"cost", "c.toml", "--waves", "2", "--set", "measures.energy=false", "--set",
+                                 "measures.wave_quality=false"})
+                  .code,
+              0);
 }
 
 TEST_F(Report, WritesFiguresAndTablesBesideIt) {

@@ -99,8 +99,10 @@ void Runner::run_references() {
     bool const on_points =
         std::ranges::any_of(study_.knobs, [](KnobResult const& result) { return result.knob.name == contact_step; });
     contact_reference_ = on_points ? exact(contact_reference_settings()).rows : reference_;
-    exact_ou_v_e_ = run_energy(few_, reference_panel_phase_rad, Acts::ou_v_e).values;
-    exact_v_wes_ = run_energy(few_, reference_panel_phase_rad, Acts::v_wes).values;
+    if (spec_.measures.energy) {
+        exact_ou_v_e_ = run_energy(few_, reference_panel_phase_rad, Acts::ou_v_e).values;
+        exact_v_wes_ = run_energy(few_, reference_panel_phase_rad, Acts::v_wes).values;
+    }
     exact_spectra_ = run_spectra(few_, reference_periods_per_decade, Depth::whole).values;
     study_.rounding = compare(exact(second_reference_settings()).rows, reference_);
     auto const own = run_trials(spec_, plan_, waves_.waves).rows;
