@@ -1,7 +1,10 @@
 #include "campaign/body_spec.hpp"
 
+#include <algorithm>
 #include <array>
 #include <variant>
+
+#include <gsl/gsl_cdf.h>
 
 #include "body/parts.hpp"
 #include "campaign/detail/footing_spec.hpp"
@@ -195,6 +198,27 @@ double drawn(std::optional<Distribution> const& quantity, DrawnFor const& wave, 
     return quantity->scatters() ? quantity->quantile(uniform_for(wave, purpose, index)) : quantity->centre();
 }
 
+using Values = std::array<std::optional<double>, quantities.size()>;  // in their order; empty: as stated
+
+DrawnBody with(BodySpec const& spec, Values const& values) {
+    auto const& [mass, centre_height, restitution, static_friction] = values;
+    DrawnBody one{spec.body, spec.friction};
+    auto input = spec.stated;
+    if (mass) {
+        set_mass(input, *mass);
+    }
+    input.centre_height_m = centre_height.value_or(input.centre_height_m);
+    if (restitution) {
+        input.restitution = restitution;
+    }
+    one.body = scaled(input, spec.scaling);
+    if (scatters(spec.scatter.friction)) {
+        double const ratio = spec.friction->kinetic_coefficient / spec.friction->static_coefficient;
+        one.friction = Friction{*static_friction, *static_friction * ratio};
+    }
+    return one;
+}
+
 }  // namespace
 
 BodySpec read_body(Table const& table, InputFiles& files) {
@@ -238,23 +262,30 @@ std::vector<double> BodySpec::scores(DrawnBody const& drawn) const {
 }
 
 DrawnBody BodySpec::for_wave(DrawnFor const& wave, std::uint64_t index) const {
-    DrawnBody one{body, friction};
-    auto input = stated;
-    if (scatter.mass) {
-        set_mass(input, drawn(scatter.mass, wave, Purpose::body_scatter, 2 * index));
+    std::array const streams{
+        std::pair{Purpose::body_scatter, 2 * index}, std::pair{Purpose::body_scatter, 2 * index + 1},
+        std::pair{Purpose::restitution_scatter, index}, std::pair{Purpose::friction_scatter, index}};
+    Values values;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        if (auto const& quantity = scatter.*quantities[k].second) {
+            values[k] = drawn(quantity, wave, streams[k].first, streams[k].second);
+        }
     }
-    if (scatter.centre_height) {
-        input.centre_height_m = drawn(scatter.centre_height, wave, Purpose::body_scatter, 2 * index + 1);
+    return with(*this, values);
+}
+
+DrawnBody BodySpec::at_scores(std::span<double const> scores) const {
+    constexpr double least = 0x1p-53;
+    Values values;
+    std::size_t taken = 0;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        if (auto const& quantity = scatter.*quantities[k].second) {
+            values[k] = scatters(quantity)
+                            ? quantity->quantile(std::clamp(gsl_cdf_ugaussian_P(scores[taken++]), least, 1 - least))
+                            : quantity->centre();
+        }
     }
-    if (scatter.restitution) {
-        input.restitution = drawn(scatter.restitution, wave, Purpose::restitution_scatter, index);
-    }
-    one.body = scaled(input, scaling);
-    if (scatters(scatter.friction)) {
-        double const mu = drawn(scatter.friction, wave, Purpose::friction_scatter, index);
-        one.friction = Friction{mu, mu * (friction->kinetic_coefficient / friction->static_coefficient)};
-    }
-    return one;
+    return with(*this, values);
 }
 
 }  // namespace overturn

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,8 @@ struct BodySpec {
     /// The body as it is under a given wave: its own draw of whatever scatters. A drawn mass keeps the radius of
     /// gyration, a drawn centre height the inertia about the centre. Pure. \param index of the body in its campaign
     [[nodiscard]] DrawnBody for_wave(DrawnFor const& wave, std::uint64_t index) const;
+    /// The draw that has these standard normal scores: the inverse of `scores`. \pre one for each of scattering()
+    [[nodiscard]] DrawnBody at_scores(std::span<double const> scores) const;
 };
 
 /// Keys: name, file, mass, base_width, centre_height, inertia (number or "uniform-block"), parts, restitution,

@@ -164,7 +164,7 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
     spec.measures.panel_phase_rad = accuracy.number("panel_phase", Dimension::angle, {.low = 1, .high = largest_phase},
                                                     spec.measures.panel_phase_rad);
     accuracy.finish();
-    spec.rare = read_rare(root, spec.levels, *spec.source, spec.bodies);
+    spec.rare = read_rare(root, spec.levels, *spec.source);
     auto const statistics = root.child_or_empty("statistics");
     spec.confidence = statistics.number("confidence", Dimension::none,
                                         {.low = 0, .high = 1, .low_open = true, .high_open = true}, spec.confidence);

@@ -41,7 +41,10 @@ class LastDeparture : public Observer {
 }  // namespace
 
 RareProblem::RareProblem(CampaignSpec const& spec, std::size_t body)
-    : body_(spec.bodies.at(body)), waves_(spec.source->from_normals()), ladder_(spec.effects, spec.accuracy) {}
+    : body_(spec.bodies.at(body)),
+      waves_(spec.source->from_normals()),
+      ladder_(spec.effects, spec.accuracy),
+      scatter_(body_.scattering().size()) {}
 
 rare::Answer RareProblem::answer_of(Response const& response, double demand) const {
     auto const& end = entry_of(response.verdict);
@@ -59,13 +62,14 @@ rare::Answer RareProblem::answer_of(Response const& response, double demand) con
 
 void RareProblem::respond(std::span<double const> normals, std::span<double const> factors,
                           std::span<rare::Answer> answers) const {
-    auto const wave = waves_->make(normals);
+    auto const wave = motion(normals);
+    auto const drawn = body_of(normals);
     double const peak = rare::peak_of_wave(wave.horizontal_mps2);
-    Scene const scene{body_.body, body_.friction, body_.footing, body_.axes};
+    Scene const scene{drawn.body, drawn.friction, body_.footing, body_.axes};
     for (std::size_t f = 0; f < factors.size(); ++f) {
         auto const response = ladder_.respond(
             {.scene = scene, .motion = wave, .scale = factors[f], .peak_mps2 = peak, .chunks = nullptr});
-        answers[f] = answer_of(response, factors[f] * peak / body_.body.uplift_acceleration_mps2());
+        answers[f] = answer_of(response, factors[f] * peak / drawn.body.uplift_acceleration_mps2());
     }
 }
 
@@ -85,11 +89,12 @@ std::optional<rare::PulseFrame> RareProblem::frame() const {
 }
 
 rare::Moment RareProblem::moment(std::span<double const> normals, double factor) const {
-    auto const wave = waves_->make(normals);
-    Scene const scene{body_.body, body_.friction, body_.footing, body_.axes};
+    auto const wave = motion(normals);
+    auto const drawn = body_of(normals);
+    Scene const scene{drawn.body, drawn.friction, body_.footing, body_.axes};
     SceneTrial const trial{.scene = scene, .motion = wave, .scale = factor};
     auto const response = ladder_.respond(trial);
-    LastDeparture departure(body_.body.alpha_rad());
+    LastDeparture departure(drawn.body.alpha_rad());
     ladder_.show(trial, response, departure);
     return departure.last();
 }

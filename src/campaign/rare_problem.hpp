@@ -12,27 +12,35 @@
 
 namespace overturn {
 
-/// A trial measures nothing but how near to overturning it came.
+/// A trial measures nothing but how near to overturning it came. Its normals: the wave's, then one for each quantity of
+/// the body that scatters.
 class RareProblem : public rare::Problem {
   public:
     /// \param spec must outlive it
     RareProblem(CampaignSpec const& spec, std::size_t body);
 
-    [[nodiscard]] std::size_t normals() const override { return waves_->normals(); }
+    [[nodiscard]] std::size_t normals() const override { return waves_->normals() + scatter_; }
     void respond(std::span<double const> normals, std::span<double const> factors,
                  std::span<rare::Answer> answers) const override;
     [[nodiscard]] std::optional<rare::PulseFrame> frame() const override;
     /// When the tilt last passed the critical angle outwards.
     [[nodiscard]] rare::Moment moment(std::span<double const> normals, double factor) const override;
 
-    [[nodiscard]] GroundMotion motion(std::span<double const> normals) const { return waves_->make(normals); }
+    [[nodiscard]] GroundMotion motion(std::span<double const> normals) const {
+        return waves_->make(normals.first(waves_->normals()));
+    }
 
   private:
+    /// Drawn by the normals behind the wave's.
+    [[nodiscard]] DrawnBody body_of(std::span<double const> normals) const {
+        return body_.at_scores(normals.subspan(waves_->normals()));
+    }
     [[nodiscard]] rare::Answer answer_of(Response const& response, double demand) const;
 
     BodySpec const& body_;
     std::unique_ptr<NormalWaves> waves_;
     Ladder ladder_;
+    std::size_t scatter_;  ///< quantities of the body that scatter, a normal each
 };
 
 }  // namespace overturn

@@ -47,22 +47,9 @@ void check_waves(config::Table const& root, WaveSource const& source, Wish const
     }
 }
 
-void check_bodies(config::Table const& root, std::vector<BodySpec> const& bodies) {
-    for (auto const& body : bodies) {
-        if (auto const keys = body.scattering(); !keys.empty()) {
-            root.child("rare").fail(
-                {},
-                fmt::format("beside the scatter of {}.{} (rare events are estimated for bodies as they are stated). "
-                            "State a number, or one campaign for each",
-                            body.name, keys.front()));
-        }
-    }
-}
-
 }  // namespace
 
-std::optional<RareSpec> read_rare(config::Table const& root, LevelSpec const& levels, WaveSource const& source,
-                                  std::vector<BodySpec> const& bodies) {
+std::optional<RareSpec> read_rare(config::Table const& root, LevelSpec const& levels, WaveSource const& source) {
     if (!root.has("rare")) {
         return std::nullopt;
     }
@@ -79,7 +66,6 @@ std::optional<RareSpec> read_rare(config::Table const& root, LevelSpec const& le
     table.finish();
     check_levels(root, levels);
     check_waves(root, source, spec.method);
-    check_bodies(root, bodies);
     return spec;
 }
 

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <optional>
 
-#include "campaign/body_spec.hpp"
 #include "campaign/level_spec.hpp"
 #include "config/table.hpp"
 #include "generators/wave_source.hpp"
@@ -20,9 +19,9 @@ struct RareSpec {
 };
 
 /// Reads [rare]: method (auto | pulse-mixture | subset | crude), target_cov (0.1), replicates (8), max_runs (1e6).
-/// Nothing where there is no such table. \throws InputError where the campaign's levels, waves or bodies are not for
-/// these estimators, with the reason and what to do
+/// Nothing where there is no such table. \throws InputError where the campaign's levels or waves are not for these
+/// estimators, with the reason and what to do
 [[nodiscard]] std::optional<RareSpec> read_rare(config::Table const& root, LevelSpec const& levels,
-                                                WaveSource const& source, std::vector<BodySpec> const& bodies);
+                                                WaveSource const& source);
 
 }  // namespace overturn

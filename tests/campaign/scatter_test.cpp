@@ -176,6 +176,10 @@ TEST(BodyScatter, ScoresAreStandardNormal) {
     for (std::uint64_t wave = 0; wave < count; ++wave) {
         auto const scores = spec.scores(spec.for_wave({.seed = 9, .wave = wave}, 0));
         ASSERT_EQ(scores.size(), 3U);
+        auto const again = spec.scores(spec.at_scores(scores));
+        for (std::size_t k = 0; k < scores.size(); ++k) {
+            EXPECT_NEAR(again[k], scores[k], 1e-9) << "the draw of these scores has other ones";
+        }
         for (std::size_t k = 0; k < 3; ++k) {
             sum.at(k) += scores[k] / count;
             squares.at(k) += scores[k] * scores[k] / count;

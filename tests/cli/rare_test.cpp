@@ -113,6 +113,42 @@ TEST_F(Rare, AnswersHaveTheirKeys) {
     EXPECT_TRUE(rare[1].at("reason").is_null());
 }
 
+// Requirement: what scatters about a body is drawn with each wave, by plain trials and by subset simulation alike, as a
+// campaign's own trials draw it; and rows of it replay.
+TEST_F(Rare, WhatScattersRidesAlong) {
+    auto const scattering = [&](std::string const& rare) {
+        auto text = campaign(rare, "measure='factor'\nvalues=[1.3]");
+        return text.replace(text.find("centre_height='1.045 m'"), 23,
+                            "centre_height={distribution='normal',mean='1.045 m',deviation='0.15 m'}");
+    };
+    folder.write("crude.toml", scattering("method='crude'\nmax_runs=20000\ntarget_cov=0.01"));
+    folder.write("subset.toml", scattering("method='subset'"));
+    for (auto const* name : {"crude", "subset"}) {
+        auto const ran = overturn(folder, {"run", std::string(name) + ".toml", "--set", "waves.count=4000", "--set",
+                                           "measures.energy=false"});
+        ASSERT_EQ(ran.code, 0) << ran.err;
+    }
+    auto const crude = answers("crude.h5")[0];
+    auto const subset = answers("subset.h5")[0];
+    auto const plain = nlohmann::json::parse(overturn(folder, {"fit", "crude.h5", "--json"}).out).at("stripes")[0];
+
+    EXPECT_EQ(crude.at("state"), "trusted");
+    EXPECT_EQ(subset.at("state"), "trusted");
+    double const p = crude.at("probability");
+    EXPECT_LT(plain.at("lower"), crude.at("interval_95")[1]);
+    EXPECT_GT(plain.at("upper"), crude.at("interval_95")[0]);
+    EXPECT_LT(subset.at("interval_95")[0], crude.at("interval_95")[1]);
+    EXPECT_GT(subset.at("interval_95")[1], crude.at("interval_95")[0]);
+    folder.write("exact.toml",
+                 campaign("method='crude'\nmax_runs=20000\ntarget_cov=0.01", "measure='factor'\nvalues=[1.3]"));
+    ASSERT_EQ(overturn(folder, {"run", "exact.toml"}).code, 0);
+    double const exact_upper = answers("exact.h5")[0].at("interval_95")[1];
+    EXPECT_GT(p, exact_upper) << "scatter of the height does not show";
+    for (auto const* row : {"5", "2400"}) {
+        EXPECT_EQ(overturn(folder, {"replay", "subset.h5", "--rare", "block", "--trial", row}).code, 0);
+    }
+}
+
 // Requirement: a campaign whose levels, waves or bodies these estimators are not for is refused at the line concerned,
 // with the reason and what to do.
 TEST_F(Rare, RefusesWhatItIsNotFor) {
