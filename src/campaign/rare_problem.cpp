@@ -88,14 +88,17 @@ std::optional<rare::PulseFrame> RareProblem::frame() const {
                             .body_period_s = body_period};
 }
 
-rare::Moment RareProblem::moment(std::span<double const> normals, double factor) const {
+void RareProblem::show(std::span<double const> normals, double factor, Observer& observer) const {
     auto const wave = motion(normals);
     auto const drawn = body_of(normals);
     Scene const scene{drawn.body, drawn.friction, body_.footing, body_.axes};
     SceneTrial const trial{.scene = scene, .motion = wave, .scale = factor};
-    auto const response = ladder_.respond(trial);
-    LastDeparture departure(drawn.body.alpha_rad());
-    ladder_.show(trial, response, departure);
+    ladder_.show(trial, ladder_.respond(trial), observer);
+}
+
+rare::Moment RareProblem::moment(std::span<double const> normals, double factor) const {
+    LastDeparture departure(body_of(normals).body.alpha_rad());
+    show(normals, factor, departure);
     return departure.last();
 }
 

@@ -30,6 +30,9 @@ class RareProblem : public rare::Problem {
         return waves_->make(normals.first(waves_->normals()));
     }
 
+    /// The history of a trial.
+    void show(std::span<double const> normals, double factor, Observer& observer) const;
+
   private:
     /// Drawn by the normals behind the wave's.
     [[nodiscard]] DrawnBody body_of(std::span<double const> normals) const {

@@ -23,13 +23,38 @@ template <class Value, class Get> std::vector<Value> column(std::span<Estimate c
     return values;
 }
 
-std::string health_text(Estimate const& estimate) {
-    std::vector<std::string> checks;
-    for (auto const& check : estimate.health) {
-        checks.push_back(fmt::format("{}: {:.4g} ({} {:.4g})", check.name, check.value,
-                                     check.passed ? "limit" : "FAILED", check.limit));
+/// A look at an estimator's health, as a row of /rare/<body>/health; the names are lines of that group's attribute.
+struct HealthRow {
+    std::int64_t level = 0;
+    double value = 0, limit = 0;
+    std::int64_t passed = 0;
+};
+
+Fields const& health_fields() {
+    using H = HealthRow;
+    static Fields const fields{field<&H::level>("level", "1", "number of the level that was looked at"),
+                               field<&H::value>("value", "1", "what was found"),
+                               field<&H::limit>("limit", "1", "what it was held against"),
+                               field<&H::passed>("passed", "1", "1: on the trusted side of the limit")};
+    return fields;
+}
+
+store::TableSpec health_table(std::string const& group) {
+    return {group + "/health", sizeof(HealthRow), health_fields()};
+}
+
+void write_health(store::ResultsWriter& file, std::string const& group, std::span<Estimate const> estimates) {
+    std::vector<HealthRow> rows;
+    std::vector<std::string> names;
+    for (std::size_t l = 0; l < estimates.size(); ++l) {
+        for (auto const& check : estimates[l].health) {
+            rows.push_back({static_cast<std::int64_t>(l), check.value, check.limit, check.passed ? 1 : 0});
+            names.push_back(check.name);
+        }
     }
-    return fmt::format("{}", fmt::join(checks, "; "));
+    auto const table = file.table(health_table(group), static_cast<std::int64_t>(rows.size()));
+    file.append(table, std::as_bytes(std::span(rows)));
+    file.attribute(group, "health_checks", fmt::format("{}", fmt::join(names, "\n")));
 }
 
 void write_estimates(store::ResultsWriter& file, std::string const& group, std::span<Estimate const> estimates) {
@@ -54,19 +79,17 @@ void write_estimates(store::ResultsWriter& file, std::string const& group, std::
     std::vector<double> replicates;
     std::vector<std::int64_t> counts;
     std::vector<std::string> reasons;
-    std::vector<std::string> health;
     for (auto const& estimate : estimates) {
         replicates.insert(replicates.end(), estimate.replicates.begin(), estimate.replicates.end());
         counts.push_back(static_cast<std::int64_t>(estimate.replicates.size()));
         reasons.push_back(estimate.reason);
-        health.push_back(health_text(estimate));
     }
     file.array(group,
                {"replicates", "1", "estimates of the replicates, level by level; not to be used where not trusted"},
                replicates);
     file.array(group, {"replicate_count", "1", "replicates of each level"}, counts);
     file.attribute(group, "reasons", fmt::format("{}", fmt::join(reasons, "\n")));
-    file.attribute(group, "health", fmt::format("{}", fmt::join(health, "\n")));
+    write_health(file, group, estimates);
 }
 
 void write_mixture(store::ResultsWriter& file, std::string const& group, rare::PulseResult const& result) {
@@ -123,6 +146,18 @@ std::vector<std::string> lines_of(std::string const& text) {
     return lines;
 }
 
+// The looks of all levels, each to its own.
+void read_health(store::ResultsReader const& file, std::string const& group, std::vector<Estimate>& estimates) {
+    auto const names = lines_of(file.note(group, "health_checks"));
+    auto const count = file.integers(group + "/health/level").size();
+    std::vector<HealthRow> rows(count);
+    file.rows(health_table(group), static_cast<std::int64_t>(count), 0, std::as_writable_bytes(std::span(rows)));
+    for (std::size_t i = 0; i < count; ++i) {
+        estimates.at(static_cast<std::size_t>(rows[i].level))
+            .health.push_back({names.at(i), rows[i].value, rows[i].limit, rows[i].passed != 0});
+    }
+}
+
 }  // namespace
 
 void write_rare(store::ResultsWriter& file, CampaignSpec const& spec, std::span<RareBody const> bodies) {
@@ -164,6 +199,7 @@ std::vector<RareBody> read_rare_estimates(store::ResultsReader const& file, Camp
             taken += count;
             made.estimates.push_back(std::move(estimate));
         }
+        read_health(file, group, made.estimates);
         bodies.push_back(std::move(made));
     }
     return bodies;

@@ -8,10 +8,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "campaign/rare_results.hpp"
 #include "campaign/results.hpp"
 #include "campaign/runtime_file.hpp"
 #include "cli/figures.hpp"
 #include "cli/fit_json.hpp"
+#include "cli/rare_json.hpp"
 #include "cli/shown_trials.hpp"
 #include "cli/verbs.hpp"
 #include "core/note.hpp"
@@ -145,6 +147,13 @@ int write_report(Options const& options) {
     auto const analysis =
         analyse(spec, statistics, {.confidence = confidence, .beta_u = options.beta_u, .band_points = 61});
     data["fit"] = fit_json(statistics, analysis, confidence);
+    data["rare"] = Json::object();
+    if (spec.rare) {
+        data["fit"]["rare"] = rare_json(spec, read_rare_estimates(file, spec));
+        for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+            data["rare"][spec.bodies[b].name] = rare_waves_json(rare_waves(file, spec, b));
+        }
+    }
     data["facts"] = facts_of(spec, plan);
     data["facts"].push_back({"confidence", fmt::format("{:g} %", 100 * confidence)});
     if (options.beta_u > 0) {

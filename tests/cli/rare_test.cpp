@@ -75,6 +75,34 @@ TEST_F(Rare, PulsesAreTheSameOnAnyRanksAndAfterKills) {
     }
 }
 
+// Requirement: the page shows the tail, the health of the estimators, the pulses and a wave that overturns the body.
+TEST_F(Rare, IsReported) {
+    if (execute(folder, {OVERTURN_PYTHON, "-c", "import matplotlib, h5py"}).code != 0) {
+        GTEST_SKIP() << "nothing to draw with (install python3-matplotlib python3-h5py)";
+    }
+    folder.write("p.toml", campaign("method='pulse-mixture'\ntarget_cov=1"));
+    folder.write("s.toml", campaign("method='subset'"));
+    for (std::string const name : {"p", "s"}) {
+        ASSERT_EQ(overturn(folder, {"run", name + ".toml"}).code, 0);
+        auto const ended = overturn(folder, {"report", name + ".h5", "-o", name + ".html", "--figures", name});
+        ASSERT_EQ(ended.code, 0) << ended.err;
+        EXPECT_NE(folder.read(name + ".html").find("<section id=\"rare\""), std::string::npos);
+        EXPECT_NE(folder.read(name + ".html").find("health of the estimators"), std::string::npos);
+        EXPECT_TRUE(folder.has(name + "/tail-block.svg"));
+        EXPECT_TRUE(folder.has(name + "/rare.csv"));
+    }
+    EXPECT_TRUE(folder.has("p/pulses-block.svg"));
+    EXPECT_TRUE(folder.has("s/failing-block.svg"));
+    auto const subset = answers("s.h5")[0];
+    EXPECT_EQ(subset.at("replicates").size(), 4U);
+    ASSERT_FALSE(subset.at("health").empty());
+    for (auto const& check : subset.at("health")) {
+        EXPECT_TRUE(check.at("check").is_string());
+        EXPECT_TRUE(check.at("passed").get<bool>()) << check.dump();
+    }
+    EXPECT_GT(subset.at("cov"), 0);
+}
+
 // Requirement: rows of chains replay bit-equal too, through all they descend from.
 TEST_F(Rare, ChainsReplay) {
     folder.write("c.toml", campaign("method='subset'"));
