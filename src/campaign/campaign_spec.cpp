@@ -103,6 +103,25 @@ std::vector<BodySpec> read_bodies(Table const& root, InputFiles& files) {
     return bodies;
 }
 
+// PGV and PGD of a record whose baseline drifts are not the ground's.
+void check_drift(Table const& levels, LevelSpec const& spec, WaveSource const& source, std::int64_t waves) {
+    if (spec.measure != LevelMeasure::pgv && spec.measure != LevelMeasure::pgd) {
+        return;
+    }
+    for (std::int64_t wave = 0; wave < waves; ++wave) {
+        auto const drift = source.drift(static_cast<std::uint64_t>(wave));
+        if (!drift) {
+            return;
+        }
+        if (drift->excessive()) {
+            levels.fail("measure", fmt::format("{} of wave {} (which {}: that is its baseline's, not the ground's). "
+                                               "State a baseline in [waves], for example baseline = {{high_pass = "
+                                               "\"0.05 Hz\"}}, or scale by pga",
+                                               spec.measure_name(), wave, drift->text()));
+        }
+    }
+}
+
 }  // namespace
 
 CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
@@ -126,6 +145,9 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
         root.child("levels").fail("waves", "independent (this source has the same waves for every level). Use shared");
     }
     waves.finish();
+    if (available) {
+        check_drift(root.child("levels"), spec.levels, *spec.source, spec.wave_count);
+    }
     auto const effects = root.child_or_empty("effects");
     spec.effects = read_effects(effects);
     effects.finish();

@@ -10,6 +10,7 @@
 
 #include "campaign/results.hpp"
 #include "campaign/runtime_file.hpp"
+#include "campaign/warnings.hpp"
 #include "cli/figures.hpp"
 #include "cli/fit_json.hpp"
 #include "cli/shown_trials.hpp"
@@ -154,6 +155,12 @@ int write_report(Options const& options) {
     data["wave_notes"] = Json::array();
     if (auto const said = statistics.waves().text(spec.source->acceptance()); !said.empty()) {
         data["wave_notes"].push_back(said);
+    }
+    for (auto const& line : ends_of_records(spec)) {
+        data["wave_notes"].push_back("Record " + line + ".");
+    }
+    for (auto const& line : warnings_of(spec)) {
+        data["wave_notes"].push_back("Warning: " + line + ".");
     }
     data["histories"] = shown_trials(spec, plan, file);
     data["cost"] = cost_of(options.file);

@@ -7,6 +7,7 @@
 #include "cli/scene_files.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
+#include "motion/drift.hpp"
 #include "motion/intensity.hpp"
 #include "report/figure.hpp"
 #include "spectra/input_energy.hpp"
@@ -25,6 +26,7 @@ struct Options {
 
 struct Measures {
     Intensity intensity;
+    Drift drift;
     ResponseSpectrum response;
     std::vector<double> v_e_mps, v_e0_mps;
 };
@@ -42,7 +44,7 @@ Measures measure(GroundMotion const& motion, double damping) {
     auto const periods = log_periods(shortest_s, longest_s, count);
     auto const& a = motion.horizontal_mps2;
     double const dt = motion.time_step_s;
-    return {intensity_of(a, dt), response_spectrum(a, dt, periods, damping),
+    return {intensity_of(a, dt), drift_of(motion), response_spectrum(a, dt, periods, damping),
             input_energy_velocities(a, dt, periods, damping), undamped_energy_velocities(a, dt, periods)};
 }
 
@@ -58,7 +60,10 @@ void print_json(Measures const& m, double damping, std::optional<BodyEnergy> con
                                 {"pgv", m.intensity.pgv_mps},
                                 {"pgd", m.intensity.pgd_m},
                                 {"arias", m.intensity.arias_mps},
-                                {"units", {{"pga", "m/s2"}, {"pgv", "m/s"}, {"pgd", "m"}, {"arias", "m/s"}}},
+                                {"residual_velocity", m.drift.end_velocity_mps},
+                                {"residual_displacement", m.drift.end_displacement_m},
+                                {"residual_velocity_over_pgv", m.drift.share()},
+                                {"units", {{"pga", "m/s2"}, {"pgv", "m/s"}, {"pgd", "m"}, {"arias", "m/s"}, {"residual_velocity", "m/s"}, {"residual_displacement", "m"}, {"residual_velocity_over_pgv", "1"}}},
                                 {"damping", damping},
                                 {"period_s", m.response.period_s},
                                 {"sa_mps2", m.response.sa_mps2},
@@ -86,6 +91,7 @@ void print_json(Measures const& m, double damping, std::optional<BodyEnergy> con
 void print_text(Measures const& m, double damping, std::optional<BodyEnergy> const& energy) {
     fmt::print("PGA {:.6g} m/s2 = {:.2f} gal, PGV {:.5g} m/s, PGD {:.5g} m, Arias {:.5g} m/s\n", m.intensity.pga_mps2,
                100 * m.intensity.pga_mps2, m.intensity.pgv_mps, m.intensity.pgd_m, m.intensity.arias_mps);
+    fmt::print("{}{}\n", m.drift.text(), m.drift.excessive() ? ": its baseline drifts, correct it with --baseline" : "");
     if (energy) {
         auto const verdict = [&](double v) { return v < energy->v_ereq_mps ? "does not overturn" : "may overturn"; };
         fmt::print("T0 {:.4f} s, T1 {:.4f} s, V_Ereq {:.4f} m/s\n", energy->band.t0_s, energy->band.t1_s,

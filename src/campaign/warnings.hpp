@@ -1,0 +1,17 @@
+/// What a campaign may state and hardly means: said in one line each before any work, by plan, run, wave and report.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "campaign/campaign_spec.hpp"
+
+namespace overturn {
+
+/// One line each, without "warning: ". Nothing here is an error: a study may want it.
+[[nodiscard]] std::vector<std::string> warnings_of(CampaignSpec const& spec);
+
+/// How the first measured waves end, a line each: what of PGV and PGD is their baseline's. Empty without records.
+[[nodiscard]] std::vector<std::string> ends_of_records(CampaignSpec const& spec);
+
+}  // namespace overturn
