@@ -62,7 +62,7 @@ void add_own_json(nlohmann::ordered_json& json, Ladder const& ladder, std::span<
     }
 }
 
-void print_json(BodySpec const& spec, Drift const& drift, Response const& response, Ladder const& ladder,
+void print_json(BodySpec const& spec, PlacedRecord const& record, Drift const& drift, Response const& response, Ladder const& ladder,
                 std::span<std::byte const> own) {
     nlohmann::ordered_json json;
     for (auto const& field : fields_of<Response>()) {
@@ -74,6 +74,7 @@ void print_json(BodySpec const& spec, Drift const& drift, Response const& respon
     json["response_velocity_mps"] = json["v_resp_mps"];
     json["limit_velocity_mps"] = spec.body.limit_velocity_mps();
     json["restitution"] = spec.body.restitution();
+    json["record"] = record_json(record);
     json["residual_velocity_mps"] = drift.end_velocity_mps;
     json["residual_displacement_m"] = drift.end_displacement_m;
     add_own_json(json, ladder, own);
@@ -86,12 +87,13 @@ std::string_view summary_of_reason(std::int64_t number) {
 
 std::string time_text(double time_s) { return std::isnan(time_s) ? "never" : fmt::format("at {:.3f} s", time_s); }
 
-void print_text(BodySpec const& spec, Drift const& drift, Response const& r, Ladder const& ladder,
+void print_text(BodySpec const& spec, PlacedRecord const& record, Drift const& drift, Response const& r, Ladder const& ladder,
                 std::span<std::byte const> own) {
     auto const& b = spec.body;
     fmt::print("{}: alpha {:.2f} deg, p {:.4f} rad/s, e {:.4f}, uplift at {:.4g} m/s2, V_Ereq {:.4f} m/s\n", spec.name,
                b.alpha_rad() * 180 / pi, b.p_radps(), b.restitution(), b.uplift_acceleration_mps2(),
                b.limit_velocity_mps());
+    fmt::print("read as          {}\n", record.read_as());
     fmt::print("wave             {}{}\n", drift.text(),
                drift.excessive() ? ": its baseline drifts, correct it with --baseline" : "");
     fmt::print("verdict          {}\n", entry_of(r.verdict).name);
@@ -137,7 +139,7 @@ int rock(Options const& options) {
         history.emplace(options.history);
         ladder.show(trial, response, *history);
     }
-    (options.json ? print_json : print_text)(spec, drift_of(motion), response, ladder, own);
+    (options.json ? print_json : print_text)(spec, record, drift_of(motion), response, ladder, own);
     if (response.verdict == Verdict::failed) {
         throw SystemError(fmt::format("no verdict ({}). Check unit and scale", entry_of(response.failure).summary));
     }

@@ -6,6 +6,7 @@
 #include "core/note.hpp"
 #include "core/units.hpp"
 #include "generators/record_baseline.hpp"
+#include "motion/column_unit.hpp"
 #include "motion/station.hpp"
 
 namespace overturn::cli {
@@ -41,6 +42,16 @@ PlacedRecord load_motion(RecordOptions const& options) {
         note("wave: {}\n", placed.says);
     }
     return placed;
+}
+
+nlohmann::ordered_json record_json(PlacedRecord const& record) {
+    return {{"format", record.format},
+            {"components", record.components},
+            {"unit", name_of_acceleration_unit(record.unit_mps2)},
+            {"time_step_s", record.motion.time_step_s},
+            {"samples", record.motion.samples()},
+            {"duration_s", record.motion.duration_s()},
+            {"used", record.says}};
 }
 
 BodySpec load_body(std::string const& path) {

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include <nlohmann/json.hpp>
+
 #include "campaign/body_spec.hpp"
 #include "cli/command_line.hpp"
 #include "motion/recording.hpp"
@@ -25,6 +27,10 @@ void add_record_options(Verb& verb, RecordOptions& options);
 
 /// Says on stderr what was used if that is more than the file named. \throws InputError
 [[nodiscard]] PlacedRecord load_motion(RecordOptions const& options);
+
+/// What was read, for `record` of a JSON answer: format, components, unit, time step, samples, duration, what was done
+/// to it. A reader can be checked by it.
+[[nodiscard]] nlohmann::ordered_json record_json(PlacedRecord const& record);
 
 [[nodiscard]] BodySpec load_body(std::string const& path);
 

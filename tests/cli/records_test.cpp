@@ -80,6 +80,33 @@ TEST_F(RecordsOnTheLine, DriftIsSaidWhereLevelsDoNotNeedIt) {
     EXPECT_EQ(overturn(folder, {"spectrum", "--wave", "rests.csv"}).out.find("drifts"), std::string::npos);
 }
 
+// Requirement: what was read is said, so that a reader can be checked: format, components, unit, step, count, duration.
+TEST_F(RecordsOnTheLine, WhatWasReadIsSaid) {
+    char const* const line = "columns, acc (gal), gal, 0.01 s, 4001 samples, 40 s\n";
+    EXPECT_TRUE(overturn(folder, {"spectrum", "--wave", "rests.csv"}).out.starts_with(std::string("read as ") + line));
+    EXPECT_NE(overturn(folder, {"rock", "--body", "body.toml", "--wave", "rests.csv"})
+                  .out.find(std::string("read as          ") + line),
+              std::string::npos);
+    auto const record = json::parse(overturn(folder, {"spectrum", "--wave", "rests.csv", "--json"}).out)["record"];
+    EXPECT_EQ(record["format"], "columns");
+    EXPECT_EQ(record["components"], json::array({"acc (gal)"}));
+    EXPECT_EQ(record["unit"], "gal");
+    EXPECT_NEAR(record["time_step_s"].get<double>(), 0.01, 1e-12);
+    EXPECT_EQ(record["samples"], 4001);
+    EXPECT_NEAR(record["duration_s"].get<double>(), 40, 1e-9);
+}
+
+// Requirement: the program reads what it wrote, without a word on units.
+TEST_F(RecordsOnTheLine, WaveOfACampaignIsReadBack) {
+    folder.write("c.toml", campaign("files=['rests.csv']\n", "pga", "'300 gal'"));
+    ASSERT_EQ(overturn(folder, {"wave", "c.toml", "--wave", "0", "-o", "w.csv"}).code, 0);
+    auto const read = [&](char const* file) {
+        return json::parse(overturn(folder, {"spectrum", "--wave", file, "--json"}).out);
+    };
+    EXPECT_EQ(read("w.csv")["pga"], read("rests.csv")["pga"]);
+    EXPECT_EQ(read("w.csv")["record"]["unit"], "m/s2");
+}
+
 // The classic long-period records as they are found: sane amplitudes by PGV once their baseline is corrected.
 TEST_F(RecordsOnTheLine, ClassicRecordsAtFiftyKine) {
     std::string const folder_of_records = std::getenv("OVERTURN_RECORDS") != nullptr
