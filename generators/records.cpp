@@ -82,8 +82,7 @@ Request read_request(config::Table const& table) {
     request.record.time_step_s = table.maybe_number("time_step", Dimension::time, config::Range::positive());
     request.record.may_be_resampled = true;
     request.record.unit_key = R"(unit = "gal", "g" or "m/s2")";
-    request.record.unit_conflict =
-        "Leave it out; where other files need it, give each a [[waves.records]] of its own";
+    request.record.unit_conflict = "Leave it out; where other files need it, give each a [[waves.records]] of its own";
     request.record.component = table.text("component", "");
     request.record.components = table.choice<ComponentChoice>("components", component_choices(), ComponentChoice::file);
     request.coarsening = table.choice<Coarsening>("resample", coarsenings, Coarsening::refused);
@@ -147,8 +146,8 @@ Record read_motion(config::Table const& table, std::string_view key, std::string
             return Record{std::move(placed.motion), std::move(placed.says), placed.direction, 0, {}};
         }
         auto resampled = resample(placed.motion, *step, request.coarsening);
-        return Record{std::move(resampled.motion), fmt::format("{}, {}", placed.says, resampled.says),
-                      placed.direction, 0, {}};
+        return Record{
+            std::move(resampled.motion), fmt::format("{}, {}", placed.says, resampled.says), placed.direction, 0, {}};
     });
 }
 

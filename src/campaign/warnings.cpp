@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "campaign/plan.hpp"
+#include "core/units.hpp"
+
 namespace overturn {
 namespace {
 
@@ -37,11 +40,48 @@ void add_drifts(CampaignSpec const& spec, Lines& lines) {
     }
 }
 
+void add_targets(CampaignSpec const& spec, Lines& lines) {
+    auto const judged_to = spec.source->judged_to_s();
+    for (auto const& body : spec.bodies) {
+        auto const band = rocking_period_band(body.body.radius_m(), spec.measures.radius_unit);
+        if (judged_to && ends_inside(*judged_to, band)) {
+            lines.push_back(
+                fmt::format("waves are compared with their target to {:.3g} s only, and {} rocks at {:.2f} "
+                            "s to {:.2f} s: nothing says how they shake it beyond. State the target to "
+                            "{:.3g} s, and waves.target.longest no shorter",
+                            *judged_to, body.name, band.t0_s, band.t1_s, band.t1_s));
+        }
+    }
+}
+
+void add_first_wave(CampaignSpec const& spec, Lines& lines) {
+    constexpr double absurd_mps2 = 10 * g0;
+    try {
+        Plan const plan(spec);
+        auto const wave = spec.source->make(spec.seed, plan.wave_id(0));
+        if (double const peak = peak_of(wave.motion.horizontal_mps2); peak > absurd_mps2) {
+            lines.push_back(
+                fmt::format("wave 0 peaks at {:.4g} g before any scaling (no ground has shaken so). Check the "
+                            "unit of its target or amplitude",
+                            peak / g0));
+        }
+    } catch (InputError const&) {
+        return;  // its trials will say why
+    }
+}
+
 }  // namespace
+
+bool ends_inside(double judged_to_s, PeriodBand const& band) {
+    constexpr double rounding = 1e-9;
+    return judged_to_s < band.t1_s * (1 - rounding);
+}
 
 std::vector<std::string> warnings_of(CampaignSpec const& spec) {
     Lines lines;
     add_drifts(spec, lines);
+    add_targets(spec, lines);
+    add_first_wave(spec, lines);
     return lines;
 }
 

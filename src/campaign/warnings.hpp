@@ -11,6 +11,9 @@ namespace overturn {
 /// One line each, without "warning: ". Nothing here is an error: a study may want it.
 [[nodiscard]] std::vector<std::string> warnings_of(CampaignSpec const& spec);
 
+/// True if a target that is compared to `judged_to_s` leaves some of a body's band without a word.
+[[nodiscard]] bool ends_inside(double judged_to_s, PeriodBand const& band);
+
 /// How the first measured waves end, a line each: what of PGV and PGD is their baseline's. Empty without records.
 [[nodiscard]] std::vector<std::string> ends_of_records(CampaignSpec const& spec);
 

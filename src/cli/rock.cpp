@@ -62,8 +62,8 @@ void add_own_json(nlohmann::ordered_json& json, Ladder const& ladder, std::span<
     }
 }
 
-void print_json(BodySpec const& spec, PlacedRecord const& record, Drift const& drift, Response const& response, Ladder const& ladder,
-                std::span<std::byte const> own) {
+void print_json(BodySpec const& spec, PlacedRecord const& record, Drift const& drift, Response const& response,
+                Ladder const& ladder, std::span<std::byte const> own) {
     nlohmann::ordered_json json;
     for (auto const& field : fields_of<Response>()) {
         json[field.key()] = value_json(bytes_of(response), field);
@@ -87,8 +87,8 @@ std::string_view summary_of_reason(std::int64_t number) {
 
 std::string time_text(double time_s) { return std::isnan(time_s) ? "never" : fmt::format("at {:.3f} s", time_s); }
 
-void print_text(BodySpec const& spec, PlacedRecord const& record, Drift const& drift, Response const& r, Ladder const& ladder,
-                std::span<std::byte const> own) {
+void print_text(BodySpec const& spec, PlacedRecord const& record, Drift const& drift, Response const& r,
+                Ladder const& ladder, std::span<std::byte const> own) {
     auto const& b = spec.body;
     fmt::print("{}: alpha {:.2f} deg, p {:.4f} rad/s, e {:.4f}, uplift at {:.4g} m/s2, V_Ereq {:.4f} m/s\n", spec.name,
                b.alpha_rad() * 180 / pi, b.p_radps(), b.restitution(), b.uplift_acceleration_mps2(),

@@ -55,7 +55,8 @@ BodyEnergy energy_for(BodySpec const& spec, GroundMotion const& motion) {
             spec.body.limit_velocity_mps()};
 }
 
-void print_json(PlacedRecord const& record, Measures const& m, double damping, std::optional<BodyEnergy> const& energy) {
+void print_json(PlacedRecord const& record, Measures const& m, double damping,
+                std::optional<BodyEnergy> const& energy) {
     nlohmann::ordered_json json{{"record", record_json(record)},
                                 {"pga", m.intensity.pga_mps2},
                                 {"pgv", m.intensity.pgv_mps},
@@ -64,7 +65,14 @@ void print_json(PlacedRecord const& record, Measures const& m, double damping, s
                                 {"residual_velocity", m.drift.end_velocity_mps},
                                 {"residual_displacement", m.drift.end_displacement_m},
                                 {"residual_velocity_over_pgv", m.drift.share()},
-                                {"units", {{"pga", "m/s2"}, {"pgv", "m/s"}, {"pgd", "m"}, {"arias", "m/s"}, {"residual_velocity", "m/s"}, {"residual_displacement", "m"}, {"residual_velocity_over_pgv", "1"}}},
+                                {"units",
+                                 {{"pga", "m/s2"},
+                                  {"pgv", "m/s"},
+                                  {"pgd", "m"},
+                                  {"arias", "m/s"},
+                                  {"residual_velocity", "m/s"},
+                                  {"residual_displacement", "m"},
+                                  {"residual_velocity_over_pgv", "1"}}},
                                 {"damping", damping},
                                 {"period_s", m.response.period_s},
                                 {"sa_mps2", m.response.sa_mps2},
@@ -89,11 +97,13 @@ void print_json(PlacedRecord const& record, Measures const& m, double damping, s
     fmt::print("{}\n", json.dump(2));
 }
 
-void print_text(PlacedRecord const& record, Measures const& m, double damping, std::optional<BodyEnergy> const& energy) {
+void print_text(PlacedRecord const& record, Measures const& m, double damping,
+                std::optional<BodyEnergy> const& energy) {
     fmt::print("read as {}\n", record.read_as());
     fmt::print("PGA {:.6g} m/s2 = {:.2f} gal, PGV {:.5g} m/s, PGD {:.5g} m, Arias {:.5g} m/s\n", m.intensity.pga_mps2,
                100 * m.intensity.pga_mps2, m.intensity.pgv_mps, m.intensity.pgd_m, m.intensity.arias_mps);
-    fmt::print("{}{}\n", m.drift.text(), m.drift.excessive() ? ": its baseline drifts, correct it with --baseline" : "");
+    fmt::print("{}{}\n", m.drift.text(),
+               m.drift.excessive() ? ": its baseline drifts, correct it with --baseline" : "");
     if (energy) {
         auto const verdict = [&](double v) { return v < energy->v_ereq_mps ? "does not overturn" : "may overturn"; };
         fmt::print("T0 {:.4f} s, T1 {:.4f} s, V_Ereq {:.4f} m/s\n", energy->band.t0_s, energy->band.t1_s,

@@ -37,8 +37,8 @@ std::vector<RecordComponent> components_of(Rows& rows, std::size_t first, Locati
     bool const named = rows.named();
     for (std::size_t i = 0; i < count; ++i) {
         auto const said = named ? direction_in_name(rows.names[first + i]) : Direction::unknown;
-        bool const second = i == 1 && (said == Direction::horizontal
-                                       || (first == 0 && count == 2 && said == Direction::unknown));
+        bool const second =
+            i == 1 && (said == Direction::horizontal || (first == 0 && count == 2 && said == Direction::unknown));
         bool const vertical = i > 0 && i + 1 == count && !second;
         auto const taken = vertical ? Direction::up : Direction::horizontal;
         bool const contradicts = said != Direction::unknown && (said == Direction::horizontal) == vertical;
@@ -170,7 +170,8 @@ bool recognises_components(std::string_view content) {
         double value = 0;
         auto const first = split_fields(next.value_or(""));
         return names.size() > 1 && names.size() == first.count && parse_number(first.text[0], value)
-               && std::all_of(names.begin(), names.end(), [](std::string const& name) { return direction_in_name(name) != Direction::unknown; })
+               && std::all_of(names.begin(), names.end(),
+                              [](std::string const& name) { return direction_in_name(name) != Direction::unknown; })
                && lowered(names.front()) != "t";
     }
     return false;

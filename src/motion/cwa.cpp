@@ -52,7 +52,7 @@ class Header {
         }
         return found->second;
     }
-    [[nodiscard]] bool has(std::string const& key) const { return entries_.count(key) > 0; }
+    [[nodiscard]] bool has(std::string const& key) const { return entries_.contains(key); }
     [[nodiscard]] Location where(std::string const& key) const { return {file_, at(key).line}; }
 
     [[nodiscard]] double positive(std::string const& key) const {

@@ -76,7 +76,8 @@ void take(std::string_view line, Location const& where, Header& header) {
     if (holds(key, "sampling") && (holds(key, "rate") || holds(key, "freq"))) {
         auto const rate = number_in(line, hertz, where);
         header.time_step_s = rate ? std::optional(1 / *rate) : std::nullopt;
-    } else if ((holds(key, "sampling") && !holds(key, "number")) || holds(key, "time step") || holds(key, "time increment")) {
+    } else if ((holds(key, "sampling") && !holds(key, "number")) || holds(key, "time step")
+               || holds(key, "time increment")) {
         header.time_step_s = number_in(line, seconds, where);
     } else if (holds(key, "number") || holds(key, "samples") || holds(key, "points")) {
         header.count = number_in(line, {}, where);

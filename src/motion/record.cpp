@@ -43,10 +43,11 @@ constexpr std::array formats{
                                 {&recognises_unread, &refuse_unread}},
     config::Entry<RecordFormat>{
         "list", "values only, several to a line, with a stated unit and time step", {&recognises_list, &read_list}},
-    config::Entry<RecordFormat>{"components",
-                                "columns without a time: a_horizontal [, a_transverse] [, a_vertical], with a stated unit "
-                                "and time step; only where their names say so or the format is stated",
-                                {&recognises_components, &read_components}},
+    config::Entry<RecordFormat>{
+        "components",
+        "columns without a time: a_horizontal [, a_transverse] [, a_vertical], with a stated unit "
+        "and time step; only where their names say so or the format is stated",
+        {&recognises_components, &read_components}},
     config::Entry<RecordFormat>{"columns",
                                 "columns [time,] a_horizontal [, a_transverse] [, a_vertical] parted by commas, "
                                 "semicolons, blanks or tabs, with a stated unit",

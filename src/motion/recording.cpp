@@ -148,10 +148,10 @@ std::span<config::Entry<ComponentChoice> const> component_choices() {
 }
 
 std::string PlacedRecord::read_as() const {
-    auto const named = std::any_of(components.begin(), components.end(), [](auto const& name) { return !name.empty(); });
+    auto const named =
+        std::any_of(components.begin(), components.end(), [](auto const& name) { return !name.empty(); });
     return fmt::format("{}, {}{}, {:.6g} s, {} samples, {:.6g} s", format, named ? list_of(components) + ", " : "",
-                       name_of_acceleration_unit(unit_mps2), motion.time_step_s, motion.samples(),
-                       motion.duration_s());
+                       name_of_acceleration_unit(unit_mps2), motion.time_step_s, motion.samples(), motion.duration_s());
 }
 
 void turn(std::vector<double>& acceleration_mps2) {

@@ -107,7 +107,7 @@ std::size_t count_of(Header const& header, std::string const& file) {
 }
 
 void skip_comments(TextLines& lines, double count, std::string const& file) {
-    for (double i = 0; i < count; ++i) {
+    for (int i = 0; i < static_cast<int>(count); ++i) {
         auto const line = lines.next().value_or("");
         if (!line.starts_with('|')) {
             throw InputError({file, lines.number()}, fmt::format("{} ({} comment lines beginning with | belong here). "

@@ -107,6 +107,43 @@ TEST_F(RecordsOnTheLine, WaveOfACampaignIsReadBack) {
     EXPECT_EQ(read("w.csv")["record"]["unit"], "m/s2");
 }
 
+// Requirement: a target that ends where a body rocks, and a wave that nobody has felt, are said before any work.
+TEST_F(RecordsOnTheLine, TargetsThatSayTooLittleOrTooMuch) {
+    auto const campaign_of = [](std::string const& target) {
+        return "seed=1\n[waves]\nsource='spectrum-compatible'\ncount=1\nduration='40.96 s'\ntime_step='0.02 s'\n"
+               "match='each'\nmatch_iterations=3\n[waves.target]\n"
+               + target
+               + "\n[waves.envelope]\nshape='jennings'\nrise='4 s'\nlevel_end='20 s'\nend='38 s'\n"
+                 "[[bodies]]\nname='b'\n"
+               + body + "[levels]\nmeasure='pga'\nvalues=['300 gal']\n";
+    };
+    auto const everywhere = [&](std::string const& target) {
+        folder.write("t.toml", campaign_of(target));
+        std::filesystem::remove(folder / "t.h5");
+        return std::vector{overturn(folder, {"plan", "t.toml"}).out, overturn(folder, {"run", "t.toml"}).err,
+                           overturn(folder, {"wave", "t.toml", "--wave", "0", "-o", "w.csv"}).err};
+    };
+    auto const short_one = everywhere("kind='acceleration'\npoints=[[0.05,3],[0.3,5],[2,5]]");
+    for (auto const& said : short_one) {
+        EXPECT_NE(said.find("compared with their target to 2 s only, and b rocks at 0.53 s to 5.33 s"),
+                  std::string::npos)
+            << said;
+    }
+    EXPECT_NE(short_one[2].find("SI ratio not covered"), std::string::npos) << short_one[2];
+    EXPECT_NE(short_one[2].find("(compared to 2.00 s only)"), std::string::npos) << short_one[2];
+    folder.write("gal.csv", "period [s],Sa [gal]\n0.02,300\n0.1,700\n1,500\n10,80\n");
+    folder.write("none.csv", "0.02,300\n0.1,700\n1,500\n10,80\n");
+    for (auto const& said : everywhere("kind='acceleration'\nfile='gal.csv'")) {
+        EXPECT_EQ(said.find("warning"), std::string::npos) << said;
+    }
+    for (auto const& said : everywhere("kind='acceleration'\nfile='none.csv'")) {
+        EXPECT_NE(said.find(" g before any scaling"), std::string::npos) << said;
+    }
+    for (auto const& said : everywhere("kind='acceleration'\nunit='gal'\nfile='none.csv'")) {
+        EXPECT_EQ(said.find("warning"), std::string::npos) << said;
+    }
+}
+
 // The classic long-period records as they are found: sane amplitudes by PGV once their baseline is corrected.
 TEST_F(RecordsOnTheLine, ClassicRecordsAtFiftyKine) {
     std::string const folder_of_records = std::getenv("OVERTURN_RECORDS") != nullptr

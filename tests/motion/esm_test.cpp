@@ -78,7 +78,8 @@ TEST(ItacaAcc, PackedValuesInMetres) {
 TEST(ItacaAcc, ProseMayEndTheHeader) {
     std::string const wild =
         "Event Date & Time             : 2009-04-06 01:32:39\nStation Code / Name           : 3620 / Somewhere\n"
-        "Network                       : DPC\nOrientation                   : NS\nProcessing Info               : none\n"
+        "Network                       : DPC\nOrientation                   : NS\nProcessing Info               : "
+        "none\n"
         "Filter Cut-off Frequency (Hz) : 0.050 - 65.000\nTime Increment (s)            : 0.005\n"
         "Number of Data                : 6\nPGA (m/s/s)                   : 5.0000000E-01\n"
         "Accelaration time series in m/s/s\n"
@@ -91,7 +92,8 @@ TEST(ItacaAcc, ProseMayEndTheHeader) {
     EXPECT_EQ(recording.components[0].acceleration_mps2[4], -0.5);
     auto other = wild;
     other.replace(other.find("5.0000000E-01"), 13, "6.0000000E-01");
-    expect_input_error([&] { (void)read_recording(other, {.name = "a.acc"}); }, "a.acc:9: ", "where the header says 60");
+    expect_input_error([&] { (void)read_recording(other, {.name = "a.acc"}); },
+                       "a.acc:9: ", "where the header says 60");
     expect_input_error([&] { (void)read_recording(wild, {.name = "a.acc", .unit_mps2 = 0.01}); },
                        "unit m/s2 in the file, gal stated");
     expect_input_error([&] { (void)read_recording(wild, {.name = "a.acc", .time_step_s = 0.02}); }, "contradict");
