@@ -126,6 +126,8 @@ void check_drift(Table const& levels, LevelSpec const& spec, WaveSource const& s
 
 CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
     auto const root = Table::parse(input.text, input.name, input.settings);
+    root.may_have({"title", "seed", "waves", "bodies", "scatter", "levels", "effects", "measures", "accuracy", "rare",
+                   "statistics", "limits"});
     CampaignSpec spec;
     spec.title = root.text("title", "");
     spec.seed = static_cast<std::uint64_t>(root.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));

@@ -135,6 +135,7 @@ std::optional<double> LevelSpec::scale(Level const& level, Intensity const& wave
 }
 
 LevelSpec read_levels(config::Table const& table) {
+    table.may_have({"measure", "values", "waves", "design_basis", "beyond_design"});
     LevelSpec spec;
     auto const chosen = table.choice<Measure>("measure", measures);
     spec.measure = chosen.measure;

@@ -1,6 +1,8 @@
 #include "campaign/warnings.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -70,7 +72,86 @@ void add_first_wave(CampaignSpec const& spec, Lines& lines) {
     }
 }
 
+// Beyond anything felt, by a factor of some two: a unit was left out.
+void add_levels(LevelSpec const& levels, Lines& lines) {
+    struct Bound {
+        LevelMeasure measure;
+        double most;
+        std::string_view unit;  ///< that users of this measure mean
+        double unit_si;
+        std::string_view known;
+    };
+    static constexpr std::array bounds{
+        Bound{LevelMeasure::pga, 10 * g0, "gal", 0.01, "the strongest records stay below 5 g"},
+        Bound{LevelMeasure::vector_pga, 10 * g0, "gal", 0.01, "the strongest records stay below 5 g"},
+        Bound{LevelMeasure::pgv, 10, "kine", 0.01, "the strongest records stay below 4 m/s"},
+        Bound{LevelMeasure::pgd, 30, "cm", 0.01, "the strongest records stay below 10 m"}};
+    auto const bound = std::ranges::find(bounds, levels.measure, &Bound::measure);
+    double const highest = levels.levels.back().value;
+    if (bound != bounds.end() && highest > bound->most) {
+        lines.push_back(
+            fmt::format("levels up to {} {:g} {} = {:g} {} ({}; a bare number is SI). Write \"{:g} {}\" if "
+                        "that was meant",
+                        levels.measure_name(), highest, levels.units(), highest / bound->unit_si, bound->unit,
+                        bound->known, highest, bound->unit));
+    }
+}
+
+void add_motions(CampaignSpec const& spec, Lines& lines) {
+    constexpr std::uint64_t most = 1000;
+    if (!spec.source->available() || !spec.source->drift(0)) {
+        return;
+    }
+    auto const count = std::min(most, static_cast<std::uint64_t>(spec.wave_count));
+    for (std::uint64_t wave = 0; wave < count; ++wave) {
+        for (auto const& line : warnings_of(spec.source->make(spec.seed, wave).motion)) {
+            lines.push_back(fmt::format("record {}: {}", wave, line));
+            return;  // the first tells enough
+        }
+    }
+}
+
 }  // namespace
+
+std::vector<std::string> warnings_of(BodySpec const& body) {
+    Lines lines;
+    auto const& b = body.body;
+    double const gyration_m = std::sqrt(b.inertia_kgm2() / b.mass_kg());
+    double const share = gyration_m / b.radius_m();
+    constexpr double slightest = 0.2, largest = 1.2;  // 0.58 for a uniform block
+    if (share < slightest || share > largest) {
+        lines.push_back(
+            fmt::format("{}: inertia {:.4g} kg m2 is a radius of gyration of {:.3g} m, {:.2g} of R = {:.3g} m "
+                        "(0.58 for a uniform block). Check its unit, or write \"uniform-block\"",
+                        body.name, b.inertia_kgm2(), gyration_m, share, b.radius_m()));
+    }
+    double const box_m3 = 8 * b.half_width_m() * b.half_width_m() * b.centre_height_m();
+    double const density = b.mass_kg() / box_m3;
+    constexpr double lightest = 20, heaviest = 23000;  // foam, and beyond the heaviest metals
+    if (density < lightest || density > heaviest) {
+        lines.push_back(
+            fmt::format("{}: mass {:.4g} kg in a box of {:.3g} m3 is {:.3g} kg/m3 (concrete 2400, steel "
+                        "7850). Check its unit: \"{:g} t\"?",
+                        body.name, b.mass_kg(), box_m3, density, b.mass_kg()));
+    }
+    return lines;
+}
+
+std::vector<std::string> warnings_of(GroundMotion const& motion) {
+    Lines lines;
+    constexpr double longest_s = 0.1;
+    constexpr std::size_t fewest = 50;
+    if (motion.time_step_s > longest_s) {
+        lines.push_back(
+            fmt::format("time step of {:g} s (nothing above {:.3g} Hz is in it). Check the step and its unit",
+                        motion.time_step_s, 0.5 / motion.time_step_s));
+    }
+    if (motion.samples() < fewest) {
+        lines.push_back(fmt::format("{} samples only, {:g} s (hardly an earthquake). Check what was read",
+                                    motion.samples(), motion.duration_s()));
+    }
+    return lines;
+}
 
 bool ends_inside(double judged_to_s, PeriodBand const& band) {
     constexpr double rounding = 1e-9;
@@ -82,6 +163,12 @@ std::vector<std::string> warnings_of(CampaignSpec const& spec) {
     add_drifts(spec, lines);
     add_targets(spec, lines);
     add_first_wave(spec, lines);
+    add_levels(spec.levels, lines);
+    add_motions(spec, lines);
+    for (auto const& body : spec.bodies) {
+        auto const more = warnings_of(body);
+        lines.insert(lines.end(), more.begin(), more.end());
+    }
     return lines;
 }
 

@@ -11,6 +11,12 @@ namespace overturn {
 /// One line each, without "warning: ". Nothing here is an error: a study may want it.
 [[nodiscard]] std::vector<std::string> warnings_of(CampaignSpec const& spec);
 
+/// Of one body: sizes, mass and inertia that hardly belong together.
+[[nodiscard]] std::vector<std::string> warnings_of(BodySpec const& body);
+
+/// Of one motion: too few samples, too long a step.
+[[nodiscard]] std::vector<std::string> warnings_of(GroundMotion const& motion);
+
 /// True if a target that is compared to `judged_to_s` leaves some of a body's band without a word.
 [[nodiscard]] bool ends_inside(double judged_to_s, PeriodBand const& band);
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/body_spec.hpp"
+#include "campaign/warnings.hpp"
 #include "cli/history.hpp"
 #include "cli/scene_files.hpp"
 #include "cli/verbs.hpp"
@@ -129,6 +130,8 @@ int rock(Options const& options) {
     auto const record = load_motion(options.record);
     validate_rocking_plane(record.direction, {options.record.wave});
     auto const& motion = record.motion;
+    note_warnings(warnings_of(spec));
+    note_warnings(warnings_of(motion));
     Scene const scene{spec.body, spec.friction, spec.footing, spec.axes};
     Ladder const ladder(parse_effects(options.effects));
     std::vector<std::byte> own(ladder.own_bytes());

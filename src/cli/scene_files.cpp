@@ -54,6 +54,12 @@ nlohmann::ordered_json record_json(PlacedRecord const& record) {
             {"used", record.says}};
 }
 
+void note_warnings(std::vector<std::string> const& lines) {
+    for (auto const& line : lines) {
+        note("warning: {}\n", line);
+    }
+}
+
 BodySpec load_body(std::string const& path) {
     InputFiles files(".");
     auto const table = config::Table::parse(files.read(path), path);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -31,6 +32,9 @@ void add_record_options(Verb& verb, RecordOptions& options);
 /// What was read, for `record` of a JSON answer: format, components, unit, time step, samples, duration, what was done
 /// to it. A reader can be checked by it.
 [[nodiscard]] nlohmann::ordered_json record_json(PlacedRecord const& record);
+
+/// Each as "warning: ..." on stderr.
+void note_warnings(std::vector<std::string> const& lines);
 
 [[nodiscard]] BodySpec load_body(std::string const& path);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "campaign/warnings.hpp"
 #include "cli/figures.hpp"
 #include "cli/scene_files.hpp"
 #include "cli/verbs.hpp"
@@ -124,20 +125,22 @@ void print_text(PlacedRecord const& record, Measures const& m, double damping,
 }
 
 int spectrum(Options const& options) {
-    constexpr double most = 100;
-    validate(options.damping >= 0 && options.damping <= most,
-             "--damping {} (must be 0 to {}). Give a ratio such as 0.05", options.damping, most);
+    validate(options.damping >= 0 && options.damping < 1,
+             "--damping {} (a ratio, 0 to below 1: {} would be {:g} %). Write 0.05 for 5 %", options.damping,
+             options.damping, 100 * options.damping);
     if (!options.plot.empty()) {
         report::check_figure_name(options.plot);
     }
     auto const record = load_motion(options.record);
     auto const& motion = record.motion;
+    note_warnings(warnings_of(motion));
     auto const measures = measure(motion, options.damping);
     std::optional<BodySpec> body;
     std::optional<BodyEnergy> energy;
     if (!options.body.empty()) {
         validate_rocking_plane(record.direction, {options.record.wave});
         body = load_body(options.body);
+        note_warnings(warnings_of(*body));
         energy = energy_for(*body, motion);
     }
     if (!options.plot.empty()) {

@@ -17,6 +17,7 @@ struct Table::Node {
     std::string file;
     std::string path;  // "waves.target", "bodies[1]"; empty at the root
     std::set<std::string, std::less<>> used;
+    bool complete = false;                     // `asked` holds every key there may be
     std::set<std::string, std::less<>> asked;  // also optional keys that are absent: what a misspelt key may have meant
 
     [[nodiscard]] toml::node const* find(std::string_view key) {
@@ -115,17 +116,30 @@ void Table::fail(std::string_view key, std::string_view message) const {
     throw InputError(where(key), name.empty() ? std::string(message) : fmt::format("{}: {}", name, message));
 }
 
-void Table::fail_missing(std::string_view key) const {
+void Table::may_have(std::initializer_list<std::string_view> keys) const {
+    node_->complete = true;
+    for (auto const key : keys) {
+        node_->asked.emplace(key);
+    }
+}
+
+void Table::fail_missing(std::string_view key, std::string_view advice) const {
     std::vector<std::string> unread;
+    std::string unknown;
     for (auto const& [there, node] : *node_->table) {
-        if (!node_->used.contains(there.str())) {
+        bool const known = node_->complete && node_->asked.contains(there.str());
+        if (!node_->used.contains(there.str()) && !known) {
             unread.emplace_back(there.str());
+            unknown += fmt::format("{}'{}'", unknown.empty() ? "" : ", ", there.str());
         }
     }
     if (auto const near = nearest_name(key, unread); !near.empty()) {
         fail(near, fmt::format("unknown key (nothing reads it, and '{0}' is missing). Did you mean '{0}'?", key));
     }
-    fail(key, "missing (there is no default). Add this key");
+    if (node_->complete && !unknown.empty()) {
+        fail(key, fmt::format("missing (there is no default; {} is no key here). {}", unknown, advice));
+    }
+    fail(key, fmt::format("missing (there is no default). {}", advice));
 }
 
 namespace {
@@ -195,7 +209,8 @@ std::vector<std::pair<double, double>> Table::pairs(std::string_view key, Dimens
 std::int64_t Table::integer(std::string_view key, std::int64_t low, std::int64_t high) const {
     return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
         auto const value = node.value_exact<std::int64_t>();
-        validate(value.has_value(), "{} (must be a whole number). Write it without a point", kind_name(node));
+        validate(value.has_value(), "{} (must be a whole number). Write it without {}", kind_name(node),
+                 node.is_string() ? "quotes" : "a point");
         validate(*value >= low && *value <= high, "{} (must be {} to {}). Mend the value", *value, low, high);
         return *value;
     });
@@ -281,6 +296,11 @@ void Table::finish() const {
     for (auto const& [key, node] : *node_->table) {
         if (node_->used.contains(key.str())) {
             continue;
+        }
+        if (node_->complete && node_->asked.contains(key.str())) {
+            throw InputError(node_->locate(&node), fmt::format("key '{}' (other keys here leave it no meaning). Remove "
+                                                               "it, or what outranks it",
+                                                               node_->full(key.str())));
         }
         std::vector<std::string> const known(node_->asked.begin(), node_->asked.end());
         auto const near = nearest_name(key.str(), known);

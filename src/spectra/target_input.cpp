@@ -38,6 +38,8 @@ TargetSpectrum read_tabulated(config::Table const& table, InputFiles& files, dou
 }  // namespace
 
 TargetSpectrum read_target(config::Table const& table, InputFiles& files) {
+    table.may_have({"spectrum", "pga", "kind", "points", "file", "unit", "damping", "stated_damping", "damping_rule",
+                    "scale", "time_scale", "longest", "ratio", "correlation"});
     constexpr config::Range fraction{.low = 0, .high = 1, .low_open = true, .high_open = true};
     auto const damping = table.number("damping", Dimension::none, fraction, 0.05);
     int const ways = (table.has("spectrum") ? 1 : 0) + (table.has("points") ? 1 : 0) + (table.has("file") ? 1 : 0);
