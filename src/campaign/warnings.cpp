@@ -86,7 +86,7 @@ void add_levels(LevelSpec const& levels, Lines& lines) {
         Bound{LevelMeasure::vector_pga, 10 * g0, "gal", 0.01, "the strongest records stay below 5 g"},
         Bound{LevelMeasure::pgv, 10, "kine", 0.01, "the strongest records stay below 4 m/s"},
         Bound{LevelMeasure::pgd, 30, "cm", 0.01, "the strongest records stay below 10 m"}};
-    auto const bound = std::ranges::find(bounds, levels.measure, &Bound::measure);
+    auto const* const bound = std::ranges::find(bounds, levels.measure, &Bound::measure);
     double const highest = levels.levels.back().value;
     if (bound != bounds.end() && highest > bound->most) {
         lines.push_back(

@@ -92,7 +92,7 @@ int plan_campaign(std::string const& path, std::vector<std::string> const& setti
         }
     }
     for (auto const& level : spec.levels.levels) {
-        fmt::print("level     {} {:.6g} {}{}\n", spec.levels.measure_name(), level.value, spec.levels.units(),
+        fmt::print("level     {} {}{}\n", spec.levels.measure_name(), spec.levels.text(level.value),
                    level.purpose == LevelClass::ordinary ? "" : "  " + name_of(level.purpose));
     }
     for (auto const& line : warnings_of(spec)) {

@@ -39,8 +39,8 @@ Json facts_of(CampaignSpec const& spec, Plan const& plan) {
     auto const& levels = spec.levels.levels;
     add("waves", fmt::format("{} ({})", plan.waves(), spec.source->describe()));
     add("acceptance of waves", spec.source->acceptance());
-    add("levels", fmt::format("{} of {}, {:.6g} to {:.6g} {}{}", levels.size(), spec.levels.measure_name(),
-                              levels.front().value, levels.back().value, spec.levels.units(),
+    add("levels", fmt::format("{} of {}, {:.6g} to {}{}", levels.size(), spec.levels.measure_name(),
+                              spec.levels.shown(levels.front().value), spec.levels.text(levels.back().value),
                               spec.levels.independent_waves ? ", each with waves of its own"
                                                             : ", the same waves scaled to each"));
     add("trials", fmt::format("{}", plan.trials()));

@@ -206,6 +206,37 @@ std::vector<std::pair<double, double>> Table::pairs(std::string_view key, Dimens
     });
 }
 
+namespace {
+
+// Depth first, in the order of the text.
+std::string first_unit(toml::node const& node) {
+    if (auto const text = node.value_exact<std::string>()) {
+        auto const quantity = trimmed(*text);
+        auto const blank = quantity.find_first_of(" \t");
+        double value = 0;
+        bool const is_one = blank != std::string_view::npos && parse_number(quantity.substr(0, blank), value);
+        return is_one ? std::string(trimmed(quantity.substr(blank))) : std::string();
+    }
+    std::string unit;
+    if (auto const* list = node.as_array()) {
+        for (auto const& element : *list) {
+            unit = unit.empty() ? first_unit(element) : unit;
+        }
+    } else if (auto const* table = node.as_table()) {
+        for (auto const& [key, element] : *table) {
+            unit = unit.empty() ? first_unit(element) : unit;
+        }
+    }
+    return unit;
+}
+
+}  // namespace
+
+std::string Table::unit_at(std::string_view key) const {
+    auto const* node = node_->table->get(key);
+    return node == nullptr ? std::string() : first_unit(*node);
+}
+
 std::int64_t Table::integer(std::string_view key, std::int64_t low, std::int64_t high) const {
     return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
         auto const value = node.value_exact<std::int64_t>();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "cli/campaign_files.hpp"
 #include "support/command.hpp"
@@ -131,6 +132,20 @@ TEST_F(Warnings, TwoSamples) {
 TEST_F(Warnings, DampingOfFiveIsFiveHundredPercent) {
     expect_refused({"spectrum", "--wave", "r.csv", "--damping", "5"}, {"--damping 5", "500 %", "0.05 for 5 %"});
     EXPECT_EQ(overturn(folder, {"spectrum", "--wave", "r.csv", "--damping", "0.3"}).code, 0);
+}
+
+// Requirement: levels are printed in the unit that they were written in, and JSON has both.
+TEST_F(Warnings, LevelsAreEchoedInTheUsersUnit) {
+    folder.write("c.toml", records_campaign("pgv", "'20 kine', '50 kine'"));
+    EXPECT_NE(overturn(folder, {"plan", "c.toml"}).out.find("level     pgv 50 kine\n"), std::string::npos);
+    auto const run = overturn(folder, {"run", "c.toml"}).out;
+    EXPECT_NE(run.find("  pgv kine  trials"), std::string::npos) << run;
+    EXPECT_NE(run.find("\n        50       1"), std::string::npos) << run;
+    auto const fit = nlohmann::json::parse(overturn(folder, {"fit", "c.h5", "--json"}).out);
+    EXPECT_EQ(fit["stripes"][1]["amplitude"], 0.5);
+    EXPECT_EQ(fit["levels"]["stated_unit"], "kine");
+    EXPECT_EQ(fit["levels"]["stated"], nlohmann::json::array({20, 50}));
+    EXPECT_NE(overturn(folder, {"replay", "c.h5", "--trial", "1"}).out.find("pgv 50 kine"), std::string::npos);
 }
 
 // Requirement: an error names what else is wrong on the way: unknown keys beside the missing one, the choices there
