@@ -28,10 +28,22 @@ template <class Visit> void each_drift(CampaignSpec const& spec, Visit&& visit) 
 
 void add_drifts(CampaignSpec const& spec, Lines& lines) {
     std::int64_t count = 0;
+    bool told = false;
     std::string first;
     each_drift(spec, [&](std::int64_t wave, Drift const& drift) {
         if (drift.excessive() && count++ == 0) {
             first = fmt::format("record {} {}", wave, drift.text());
+        }
+    });
+    constexpr double mostly = 0.5;
+    each_drift(spec, [&](std::int64_t wave, Drift const& drift) {
+        bool const away = std::abs(drift.end_displacement_m) > mostly * drift.pgd_m;
+        if (spec.levels.measure == LevelMeasure::pgd && away && !told) {
+            told = true;
+            lines.push_back(
+                fmt::format("record {} {}: levels by pgd scale by what it is left at, fling or drift. State "
+                            "waves.baseline if it is drift",
+                            wave, drift.text()));
         }
     });
     if (count > 0) {

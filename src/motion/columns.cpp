@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -82,6 +83,18 @@ double unit_of(Rows const& rows, std::size_t first, RecordRequest const& request
     return *request.unit_mps2;
 }
 
+/// As times do, whatever their column is called: "x,y" of a digitiser.
+bool rises_evenly(std::vector<double> const& values) {
+    constexpr std::size_t fewest = 3;
+    bool even = values.size() >= fewest && values[1] > values[0];
+    for (std::size_t i = 2; even && i < values.size(); ++i) {
+        constexpr double printed = 0.1;  // of a step
+        double const step = values[1] - values[0];
+        even = std::abs(values[i] - values[i - 1] - step) <= printed * step;
+    }
+    return even;
+}
+
 }  // namespace
 
 bool recognises_columns(std::string_view content) {
@@ -157,24 +170,35 @@ Recording read_columns(std::string_view content, RecordRequest const& request) {
 }
 
 bool recognises_components(std::string_view content) {
+    constexpr std::size_t rows_looked_at = 8;
     TextLines lines(content);
-    while (auto const line = lines.next()) {
+    std::vector<std::string> names;
+    std::vector<double> first;
+    while (first.size() < rows_looked_at) {
+        auto const line = lines.next();
+        if (!line) {
+            break;
+        }
         if (is_skipped(*line)) {
             continue;
         }
-        if (!is_names(split_fields(*line))) {
+        auto const fields = split_fields(*line);
+        if (names.empty()) {
+            if (!is_names(fields)) {
+                return false;
+            }
+            names = names_on(*line);
+            continue;
+        }
+        double value = 0;
+        if (fields.count != names.size() || !parse_number(fields.text[0], value)) {
             return false;
         }
-        auto const names = names_on(*line);
-        auto const next = lines.next();
-        double value = 0;
-        auto const first = split_fields(next.value_or(""));
-        return names.size() > 1 && names.size() == first.count && parse_number(first.text[0], value)
-               && std::all_of(names.begin(), names.end(),
-                              [](std::string const& name) { return direction_in_name(name) != Direction::unknown; })
-               && lowered(names.front()) != "t";
+        first.push_back(value);
     }
-    return false;
+    return names.size() > 1 && !first.empty() && !rises_evenly(first) && lowered(names.front()) != "t"
+           && std::all_of(names.begin(), names.end(),
+                          [](std::string const& name) { return direction_in_name(name) != Direction::unknown; });
 }
 
 Recording read_components(std::string_view content, RecordRequest const& request) {

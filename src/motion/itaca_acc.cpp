@@ -28,6 +28,17 @@ bool is_numeric(std::string_view line) {
     return !line.empty() && line.find_first_not_of("0123456789.+-eEdD \t") == std::string_view::npos;
 }
 
+bool is_packed(std::string_view line) {
+    constexpr std::size_t values_on_a_line = 5;
+    std::vector<double> values;
+    try {
+        append_numbers(line, "", 0, values);
+    } catch (InputError const&) {
+        return false;
+    }
+    return values.size() >= values_on_a_line;
+}
+
 bool holds(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
 using Units = std::span<std::string_view const>;
@@ -97,7 +108,8 @@ bool recognises_itaca_acc(std::string_view content) {
     while (lines.number() < header_lines_at_most) {
         auto const text = trimmed(lines.next().value_or(""));
         if (is_numeric(text)) {
-            return keyed >= header_lines_at_least && lines.number() <= keyed + 2;  // one line of prose may follow them
+            // One line of prose may follow the keys; the values are packed, where columns would have their time first.
+            return keyed >= header_lines_at_least && lines.number() <= keyed + 2 && is_packed(text);
         }
         bool const lettered = !text.empty() && (lowered(text)[0] >= 'a' && lowered(text)[0] <= 'z');
         if (!lettered) {

@@ -35,6 +35,12 @@ bool is_marked(Text line, std::size_t at, std::size_t length) {
     return bracketed || word == "in" || word == "of" || word == "unit" || word == "units";
 }
 
+/// "9.81 m/s2", "300 gal": a quantity, which says nothing of the file's numbers.
+bool is_quantity(Text line, std::size_t at) {
+    auto const end = line.find_last_not_of(" \t", at == 0 ? 0 : at - 1);
+    return at > 0 && end != Text::npos && ((line[end] >= '0' && line[end] <= '9') || line[end] == '.');
+}
+
 /// Units of acceleration anywhere in a line of lower case.
 template <class Take> void each_unit(Text line, Take&& take) {
     constexpr Text ends = " \t()[]{},;:=\"|";
@@ -46,7 +52,7 @@ template <class Take> void each_unit(Text line, Take&& take) {
             word.remove_suffix(1);
         }
         auto const unit = word.empty() ? std::nullopt : unit_spelled(word, Dimension::acceleration);
-        if (unit && (word.size() > 1 || is_marked(line, at, word.size()))) {
+        if (unit && !is_quantity(line, at) && (word.size() > 1 || is_marked(line, at, word.size()))) {
             take(*unit);
         }
         at = end;

@@ -13,7 +13,7 @@ namespace overturn {
 class Prose {
   public:
     /// Looks for "in m/s/s", "(gal)", "units: g", and for "dt = 0.005", "Time Increment (s): 0.005", "sampling rate 100
-    /// Hz", "points at 0.02 sec". What is said twice, differently, is not said.
+    /// Hz", "points at 0.02 sec". "9.81 m/s2" says nothing. What is said twice, differently, is not said.
     void take(std::string_view line, int number);
 
     /// Of the accelerations [m/s2].

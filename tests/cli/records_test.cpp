@@ -61,6 +61,18 @@ TEST_F(RecordsOnTheLine, DriftingPgvIsNoLevel) {
     EXPECT_EQ(plan.out.find("warning"), std::string::npos) << plan.out;
 }
 
+// A record that ends at rest and far away: no level by pgd without a word.
+TEST_F(RecordsOnTheLine, PgdOfAFlingIsSaid) {
+    std::string text = "time_s,acc (gal)\n";
+    for (int i = 0; i <= 2000; ++i) {
+        text += fmt::format("{:.2f},{:.6f}\n", 0.01 * i, 20 * std::sin(pi * i / 1000.0));
+    }
+    folder.write("fling.csv", text);
+    folder.write("c.toml", campaign("files=['fling.csv']\n", "pgd", "'1 m'"));
+    auto const plan = overturn(folder, {"plan", "c.toml"});
+    EXPECT_NE(plan.out.find("levels by pgd scale by what it is left at"), std::string::npos) << plan.out << plan.err;
+}
+
 TEST_F(RecordsOnTheLine, DriftIsSaidWhereLevelsDoNotNeedIt) {
     folder.write("c.toml", campaign("files=['drifts.csv']\n", "pga", "'300 gal'"));
     char const* const warning = "record 0 ends at 1.76 m/s (";

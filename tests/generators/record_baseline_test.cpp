@@ -148,6 +148,12 @@ TEST(RecordBaseline, IsStatedInTheTable) {
     EXPECT_EQ(label("'high-pass 0.05 Hz'"), "a.csv, high-passed at 0.05 Hz (Butterworth, order 4, zero phase)");
     EXPECT_EQ(label("{high_pass='0.1 Hz', order=2, phase='causal'}"),
               "a.csv, high-passed at 0.1 Hz (Butterworth, order 2, causal)");
+    auto const own = source_of(
+        "source='records'\n[[records]]\nhorizontal='a.csv'\nunit='gal'\nbaseline='mean'\n"
+        "[[records]]\nhorizontal='a.csv'\nunit='gal'\n",
+        files);
+    EXPECT_EQ(own->make(1, 0).label, "a.csv, mean taken off");
+    EXPECT_EQ(own->make(1, 1).label, "a.csv");
     auto const refuse = [&](std::string const& baseline, char const* part) {
         expect_input_error([&] { (void)label(baseline); }, "c.toml:4:", part);
     };

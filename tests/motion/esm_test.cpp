@@ -90,6 +90,9 @@ TEST(ItacaAcc, ProseMayEndTheHeader) {
     EXPECT_EQ(recording.components[0].name, "NS");
     EXPECT_EQ(recording.components[0].direction, Direction::horizontal);
     EXPECT_EQ(recording.components[0].acceleration_mps2[4], -0.5);
+    auto columns = wild.substr(0, wild.find(" 1.2456"));
+    columns += "0 1\n0.005 2\n0.01 3\n0.015 4\n0.02 5\n";
+    expect_input_error([&] { (void)read_recording(columns, {.name = "a.acc"}); }, "a.acc");
     auto other = wild;
     other.replace(other.find("5.0000000E-01"), 13, "6.0000000E-01");
     expect_input_error([&] { (void)read_recording(other, {.name = "a.acc"}); },

@@ -84,6 +84,8 @@ TEST(Components, AreReadWithoutATime) {
     EXPECT_EQ(read_placed("NS,EW,UD\n1,2,3\n4,5,6\n", by_content).says, "NS, transverse EW, vertical UD");
     by_content.time_step_s.reset();
     expect_input_error([&] { (void)read_record("NS,UD\n0.1,0.2\n-0.3,0.4\n", by_content); }, "time step missing");
+    // A digitiser's "x,y" is a time and a value.
+    EXPECT_EQ(read_record("x,y\n0,1\n0.1,2\n0.2,3\n0.3,4\n", {.unit_mps2 = 1}).time_step_s, 0.3 / 3);
     expect_input_error([&] { (void)read_record("0 1 2 3\n1 1 2 3\n", stated); }, "components are three at most");
 }
 

@@ -39,7 +39,8 @@ TEST(Prose, UnitsAreHeardInEverySpelling) {
         ASSERT_TRUE(heard(line).unit()) << line;
         EXPECT_EQ(*heard(line).unit(), si) << line;
     }
-    for (char const* line : {"station G, block g", "Gallipoli 1992", "velocity in cm/s", "0.3 g", "g", "in m"}) {
+    for (char const* line : {"station G, block g", "Gallipoli 1992", "velocity in cm/s", "0.3 g", "g", "in m",
+                             "g = 9.81 m/s2", "PGA = 300. gal", "Max .028 g , at 32.570 sec"}) {
         EXPECT_FALSE(heard(line).unit()) << line;
     }
 }
