@@ -184,6 +184,9 @@ void correct_record(GroundMotion& motion, RecordBaseline const& baseline) {
     }
     bool const filtered = baseline.method == BaselineMethod::high_pass;
     check_order(baseline.order);
+    constexpr double lowest_hz = 0.001;  // its pads are 6000 s long; no instrument holds a baseline longer
+    validate(!filtered || baseline.corner_hz >= lowest_hz, "high-pass at {} Hz (must be at least {} Hz). Raise it",
+             baseline.corner_hz, lowest_hz);
     validate(!filtered || 4 * baseline.corner_hz * motion.time_step_s < 1,
              "high-pass at {} Hz on a time step of {} s (must be below a quarter of the sampling frequency). Lower it",
              baseline.corner_hz, motion.time_step_s);

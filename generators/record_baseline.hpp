@@ -45,7 +45,7 @@ struct RecordBaseline {
 /// - high_pass: after the mean, Butterworth. Zero phase has the response 1 / (1 + (corner / f)^(2 order)), forwards and
 ///   backwards, in zero pads of 1.5 order / corner seconds at either end (Boore 2005); causal has the filter's own. As
 ///   the motion is cut out of its pads, the polynomial is taken off after it (Boore et al. 2012).
-/// \throws InputError if the corner is not below a quarter of the sampling frequency
+/// \throws InputError if the corner is below 0.001 Hz, or not below a quarter of the sampling frequency
 void correct_record(GroundMotion& motion, RecordBaseline const& baseline);
 
 }  // namespace overturn

@@ -2,41 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include <toml++/toml.h>
 
 #include "config/detail/settings.hpp"
+#include "config/detail/table_node.hpp"
 
 namespace overturn::config {
-
-// A view of one toml table. The root node owns the document; children keep their parent, hence the document, alive.
-struct Table::Node {
-    std::shared_ptr<toml::table> document;
-    toml::table const* table = nullptr;
-    std::string file;
-    std::string path;  // "waves.target", "bodies[1]"; empty at the root
-    std::set<std::string, std::less<>> used;
-    bool complete = false;                     // `asked` holds every key there may be
-    std::set<std::string, std::less<>> asked;  // also optional keys that are absent: what a misspelt key may have meant
-
-    [[nodiscard]] toml::node const* find(std::string_view key) {
-        asked.emplace(key);
-        auto const* found = table->get(key);
-        if (found != nullptr) {
-            used.emplace(key);
-        }
-        return found;
-    }
-    [[nodiscard]] Location locate(toml::node const* at) const {
-        auto const begin = (at != nullptr ? at : static_cast<toml::node const*>(table))->source().begin;
-        return {file, static_cast<int>(begin.line), static_cast<int>(begin.column)};
-    }
-    [[nodiscard]] std::string full(std::string_view key) const {
-        return path.empty() || key.empty() ? fmt::format("{}{}", path, key) : fmt::format("{}.{}", path, key);
-    }
-};
-
 namespace {
 
 std::string_view kind_name(toml::node const& node) {
@@ -103,45 +75,6 @@ Kind Table::kind(std::string_view key) const {
     return found->is_array() ? Kind::list : Kind::table;
 }
 
-Location Table::where(std::string_view key) const {
-    return node_->locate(key.empty() ? nullptr : node_->table->get(key));
-}
-
-void Table::fail(std::string_view key, std::string_view message) const {
-    auto const name = node_->full(key);
-    // A message that already names its file came from deeper down and says it better.
-    if (message.starts_with(node_->file + ":")) {
-        throw InputError(std::string(message));
-    }
-    throw InputError(where(key), name.empty() ? std::string(message) : fmt::format("{}: {}", name, message));
-}
-
-void Table::may_have(std::initializer_list<std::string_view> keys) const {
-    node_->complete = true;
-    for (auto const key : keys) {
-        node_->asked.emplace(key);
-    }
-}
-
-void Table::fail_missing(std::string_view key, std::string_view advice) const {
-    std::vector<std::string> unread;
-    std::string unknown;
-    for (auto const& [there, node] : *node_->table) {
-        bool const known = node_->complete && node_->asked.contains(there.str());
-        if (!node_->used.contains(there.str()) && !known) {
-            unread.emplace_back(there.str());
-            unknown += fmt::format("{}'{}'", unknown.empty() ? "" : ", ", there.str());
-        }
-    }
-    if (auto const near = nearest_name(key, unread); !near.empty()) {
-        fail(near, fmt::format("unknown key (nothing reads it, and '{0}' is missing). Did you mean '{0}'?", key));
-    }
-    if (node_->complete && !unknown.empty()) {
-        fail(key, fmt::format("missing (there is no default; {} is no key here). {}", unknown, advice));
-    }
-    fail(key, fmt::format("missing (there is no default). {}", advice));
-}
-
 namespace {
 
 template <class Read> auto read_key(Table const& table, std::string_view key, toml::node const* node, Read&& read) {
@@ -204,37 +137,6 @@ std::vector<std::pair<double, double>> Table::pairs(std::string_view key, Dimens
         }
         return values;
     });
-}
-
-namespace {
-
-// Depth first, in the order of the text.
-std::string first_unit(toml::node const& node) {
-    if (auto const text = node.value_exact<std::string>()) {
-        auto const quantity = trimmed(*text);
-        auto const blank = quantity.find_first_of(" \t");
-        double value = 0;
-        bool const is_one = blank != std::string_view::npos && parse_number(quantity.substr(0, blank), value);
-        return is_one ? std::string(trimmed(quantity.substr(blank))) : std::string();
-    }
-    std::string unit;
-    if (auto const* list = node.as_array()) {
-        for (auto const& element : *list) {
-            unit = unit.empty() ? first_unit(element) : unit;
-        }
-    } else if (auto const* table = node.as_table()) {
-        for (auto const& [key, element] : *table) {
-            unit = unit.empty() ? first_unit(element) : unit;
-        }
-    }
-    return unit;
-}
-
-}  // namespace
-
-std::string Table::unit_at(std::string_view key) const {
-    auto const* node = node_->table->get(key);
-    return node == nullptr ? std::string() : first_unit(*node);
 }
 
 std::int64_t Table::integer(std::string_view key, std::int64_t low, std::int64_t high) const {
@@ -321,25 +223,6 @@ std::vector<Table> Table::children(std::string_view key) const {
         }
         return tables;
     });
-}
-
-void Table::finish() const {
-    for (auto const& [key, node] : *node_->table) {
-        if (node_->used.contains(key.str())) {
-            continue;
-        }
-        if (node_->complete && node_->asked.contains(key.str())) {
-            throw InputError(node_->locate(&node), fmt::format("key '{}' (other keys here leave it no meaning). Remove "
-                                                               "it, or what outranks it",
-                                                               node_->full(key.str())));
-        }
-        std::vector<std::string> const known(node_->asked.begin(), node_->asked.end());
-        auto const near = nearest_name(key.str(), known);
-        throw InputError(node_->locate(&node), fmt::format("unknown key '{}' (nothing reads it{}). {}",
-                                                           node_->full(key.str()), near.empty() ? " here" : "",
-                                                           near.empty() ? std::string("Remove it or check its spelling")
-                                                                        : fmt::format("Did you mean '{}'?", near)));
-    }
 }
 
 }  // namespace overturn::config

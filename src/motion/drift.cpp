@@ -13,7 +13,7 @@ double Drift::share() const { return pgv_mps > 0 ? std::abs(end_velocity_mps) / 
 bool Drift::excessive() const {
     constexpr double most = 0.05;
     constexpr double farthest_m = 15;  // no instrument has gone further: a mean taken off brings any drift to rest
-    return share() > most || pgd_m > farthest_m;
+    return share() > most || pgd_m > farthest_m * factor;
 }
 
 std::string Drift::text() const {

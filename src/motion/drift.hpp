@@ -8,17 +8,18 @@
 
 namespace overturn {
 
-/// Of the horizontal component, from rest, without any scaling.
+/// Of the horizontal component, from rest.
 struct Drift {
     double pgv_mps = 0;             ///< [m/s]
     double pgd_m = 0;               ///< [m]
     double end_velocity_mps = 0;    ///< [m/s]
     double end_displacement_m = 0;  ///< [m]
+    double factor = 1;              ///< by which the record was multiplied
 
     /// |end velocity| over PGV; 0 where nothing moves.
     [[nodiscard]] double share() const;
-    /// True if more than 5 % of PGV is left, or PGD is beyond 15 m: PGV and PGD are then the baseline's as much as the
-    /// ground's.
+    /// True if more than 5 % of PGV is left, or PGD, unscaled, is beyond 15 m: PGV and PGD are then the baseline's as
+    /// much as the ground's.
     [[nodiscard]] bool excessive() const;
     /// "ends at 0.012 m/s (3.1 % of its PGV), 0.32 m from where it began"
     [[nodiscard]] std::string text() const;

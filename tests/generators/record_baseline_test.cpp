@@ -159,6 +159,7 @@ TEST(RecordBaseline, IsStatedInTheTable) {
     };
     refuse("'men'", "Did you mean 'mean'?");
     refuse("'high-pass 0 Hz'", "must be above 0");
+    refuse("'high-pass 1e-9 Hz'", "at least 0.001 Hz");
     refuse("'high-pass 50 Hz'", "a quarter of the sampling frequency");
     refuse("{order=2}", "high_pass");
     refuse("{high_pass='0.1 Hz', order=40}", "1 to 10");
@@ -172,6 +173,10 @@ TEST(RecordBaseline, WaveKnowsHowItEnds) {
     auto const mean = source_of("source='records'\nfiles=['a.csv']\nunit='gal'\nbaseline='mean'\n", files);
     EXPECT_NEAR(raw->drift(0)->end_velocity_mps, 0.003, 1e-15);
     EXPECT_EQ(raw->drift(0)->share(), 1);
+    // Ten times a record is no drift of its own: what is beyond belief is judged before scaling.
+    Drift const large{.pgv_mps = 10, .pgd_m = 20, .end_velocity_mps = 0, .end_displacement_m = 0, .factor = 10};
+    EXPECT_FALSE(large.excessive());
+    EXPECT_EQ(source_of("source='records'\nfiles=['a.csv']\nunit='gal'\nscale=10\n", files)->drift(0)->factor, 10);
     EXPECT_LT(std::abs(mean->drift(0)->end_velocity_mps), 0.002);
 }
 

@@ -53,6 +53,7 @@ namespace {
 /// How finely the first column is printed: 8.117 has three decimals and four figures, 1.667E-02 five and four.
 void note_digits(std::string_view text, Rows& rows) {
     auto const exponent_at = std::min(text.find_first_of("eEdD"), text.size());
+    constexpr double beyond_doubles = 400;
     double exponent = 0;
     (void)parse_number(text.substr(std::min(exponent_at + 1, text.size())), exponent);
     auto const mantissa = text.substr(0, exponent_at);
@@ -64,7 +65,8 @@ void note_digits(std::string_view text, Rows& rows) {
         leading = leading && !(c >= '1' && c <= '9');
         figures += !leading && c >= '0' && c <= '9' ? 1 : 0;
     }
-    rows.decimals = std::max(rows.decimals, decimals - static_cast<int>(exponent));
+    rows.decimals =
+        std::max(rows.decimals, decimals - static_cast<int>(std::clamp(exponent, -beyond_doubles, beyond_doubles)));
     rows.figures = std::max(rows.figures, figures);
 }
 
