@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "generators/detail/axes.hpp"
+#include "generators/record_baseline.hpp"
 #include "motion/resample.hpp"
 #include "motion/station.hpp"
 
@@ -17,6 +18,7 @@ struct Record {
     std::string label;
     Direction direction = Direction::unknown;
     double turned_rad = 0;
+    Drift drift;
 };
 
 // Equal up to what printing or a quotient such as 1/100 costs.
@@ -40,6 +42,11 @@ class Records : public WaveSource {
 
     [[nodiscard]] std::optional<std::uint64_t> available() const override { return records_.size(); }
 
+    [[nodiscard]] std::optional<Drift> drift(std::uint64_t wave) const override {
+        validate_wave(wave, records_.size());
+        return records_[wave].drift;
+    }
+
     [[nodiscard]] std::string describe() const override {
         constexpr std::size_t most = 20;
         auto text = fmt::format("{} record{}", records_.size(), records_.size() == 1 ? "" : "s");
@@ -57,6 +64,7 @@ class Records : public WaveSource {
 struct Request {
     RecordRequest record;
     Coarsening coarsening = Coarsening::refused;
+    RecordBaseline baseline;
     double scale = 1;
     AxesRequest axes;
 };
@@ -74,9 +82,11 @@ Request read_request(config::Table const& table) {
     request.record.time_step_s = table.maybe_number("time_step", Dimension::time, config::Range::positive());
     request.record.may_be_resampled = true;
     request.record.unit_key = R"(unit = "gal", "g" or "m/s2")";
+    request.record.unit_conflict = "Leave it out; where other files need it, give each a [[waves.records]] of its own";
     request.record.component = table.text("component", "");
     request.record.components = table.choice<ComponentChoice>("components", component_choices(), ComponentChoice::file);
     request.coarsening = table.choice<Coarsening>("resample", coarsenings, Coarsening::refused);
+    request.baseline = read_baseline(table);
     request.axes = read_axes(table);
     request.scale = table.number("scale", Dimension::none, {.low = 0, .high = 1000, .low_open = true}, request.scale);
     return request;
@@ -96,6 +106,14 @@ void scale(Record& record, double factor) {
     record.label += fmt::format(", times {:g}", factor);
 }
 
+// Before components are mixed or scaled, and after they have their common length: what is cut off would drift again.
+void correct(config::Table const& table, Record& record, RecordBaseline const& baseline) {
+    if (baseline.method != BaselineMethod::none) {
+        table.located("baseline", [&] { correct_record(record.motion, baseline); });
+        record.label += ", " + baseline.says();
+    }
+}
+
 void turn_to_axes(config::Table const& table, Record& record, AxesRequest const& request) {
     if (request.axes == Axes::recorded) {
         return;
@@ -112,17 +130,25 @@ void turn_to_axes(config::Table const& table, Record& record, AxesRequest const&
                                 principal ? " to its principal axes" : "");
 }
 
+void finish_record(config::Table const& table, Request const& request, Record& record) {
+    correct(table, record, request.baseline);
+    turn_to_axes(table, record, request.axes);
+    scale(record, request.scale);
+    record.drift = drift_of(record.motion);
+    record.drift.factor = request.scale;
+}
+
 Record read_motion(config::Table const& table, std::string_view key, std::string const& name, Request const& request,
                    StationFiles& files) {
     return table.located(key, [&] {
         auto placed = files.read(name, request.record);
         auto const step = request.record.time_step_s;
         if (!step || same_step(*step, placed.motion.time_step_s)) {
-            return Record{std::move(placed.motion), std::move(placed.says), placed.direction};
+            return Record{std::move(placed.motion), std::move(placed.says), placed.direction, 0, {}};
         }
         auto resampled = resample(placed.motion, *step, request.coarsening);
-        return Record{std::move(resampled.motion), fmt::format("{}, {}", placed.says, resampled.says),
-                      placed.direction};
+        return Record{
+            std::move(resampled.motion), fmt::format("{}, {}", placed.says, resampled.says), placed.direction, 0, {}};
     });
 }
 
@@ -188,8 +214,7 @@ Record read_table(config::Table const& table, StationFiles& files) {
     if (cut_to_shortest(record.motion)) {
         record.label += fmt::format(" (components cut to {} samples)", record.motion.samples());
     }
-    turn_to_axes(table, record, request.axes);
-    scale(record, request.scale);
+    finish_record(table, request, record);
     table.finish();
     return record;
 }
@@ -206,8 +231,7 @@ std::unique_ptr<WaveSource> make_records(config::Table const& waves, InputFiles&
         auto const request = read_request(waves);
         for (auto const& name : waves.texts("files")) {
             records.push_back(read_horizontal(waves, "files", name, request, station_files));
-            turn_to_axes(waves, records.back(), request.axes);
-            scale(records.back(), request.scale);
+            finish_record(waves, request, records.back());
         }
     } else {
         for (auto const& table : waves.children("records")) {

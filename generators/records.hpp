@@ -17,9 +17,10 @@ namespace overturn {
 ///   those of the same station in the files beside it, see StationFiles).
 /// - `time_step`: for files that state none; a record with another step is resampled to it by resample(), to a longer
 ///   one only with `resample` = "coarser".
+/// - `baseline`: how its baseline is corrected (read_baseline; default: not at all), before axes and scale.
 /// - `scale`: a factor on all components (default 1).
 /// Components from several files need one time step and are cut to the shortest of them. The wave's label says which
-/// files were used and what was cut, resampled or scaled. Nothing is filtered, shifted or corrected. All files are read
+/// files were used and what was cut, resampled, corrected or scaled. All files are read
 /// at once, here.
 [[nodiscard]] std::unique_ptr<WaveSource> make_records(config::Table const& waves, InputFiles& files);
 

@@ -12,6 +12,7 @@
 #include "core/input_files.hpp"
 #include "generators/acceptance.hpp"
 #include "generators/normal_waves.hpp"
+#include "motion/drift.hpp"
 #include "motion/ground_motion.hpp"
 
 namespace overturn {
@@ -69,6 +70,8 @@ class WaveSource {
     [[nodiscard]] virtual std::string acceptance() const { return "none"; }
     /// The longest period its waves are compared with a target at; nothing if there is none [s].
     [[nodiscard]] virtual std::optional<double> judged_to_s() const { return std::nullopt; }
+    /// How a measured wave ends; nothing of waves that were not measured. \throws InputError as make
+    [[nodiscard]] virtual std::optional<Drift> drift(std::uint64_t /*wave*/) const { return std::nullopt; }
     /// One line on what it makes.
     [[nodiscard]] virtual std::string describe() const = 0;
 };

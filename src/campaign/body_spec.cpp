@@ -44,7 +44,11 @@ std::vector<Part> read_parts(Table const& table) {
     return parts;
 }
 
+constexpr std::string_view uniform_block = "uniform-block";
+
 BodyInput read_shape(Table const& table) {
+    table.may_have({"name", "file", "mass", "base_width", "centre_height", "inertia", "parts", "restitution",
+                    "friction", "gravity", "similarity", "axes", "base", "pad", "inertia_y", "inertia_z"});
     double const width = table.number("base_width", Dimension::length, Range::positive());
     if (table.has("parts")) {
         return table.located("parts", [&] { return assemble(read_parts(table), width); });
@@ -53,11 +57,22 @@ BodyInput read_shape(Table const& table) {
     input.half_width_m = 0.5 * width;
     input.mass_kg = read_distribution(table, "mass", Dimension::mass, Range::positive()).centre();
     input.centre_height_m = read_distribution(table, "centre_height", Dimension::length, Range::positive()).centre();
-    if (table.kind("inertia") == Kind::text && table.text("inertia") == "uniform-block") {
+    auto const spelled = table.kind("inertia") == Kind::text ? table.text("inertia") : std::string();
+    bool const word = !spelled.empty() && spelled.find_first_of("0123456789") == std::string::npos;
+    if (word && spelled != uniform_block) {
+        table.fail("inertia", fmt::format("'{}' (neither a quantity nor '{}'). Write for example \"150 t m2\", or "
+                                          "\"{}\" for m (b^2 + h^2) / 3",
+                                          spelled, uniform_block, uniform_block));
+    }
+    if (word) {
         double const b = input.half_width_m;
         double const h = input.centre_height_m;
         input.inertia_kgm2 = input.mass_kg * (b * b + h * h) / 3;
     } else {
+        if (!table.has("inertia")) {
+            table.fail_missing("inertia",
+                               fmt::format("State a quantity, or \"{}\" for m (b^2 + h^2) / 3", uniform_block));
+        }
         input.inertia_kgm2 = table.number("inertia", Dimension::inertia, Range::positive());
     }
     return input;

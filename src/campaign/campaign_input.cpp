@@ -111,6 +111,9 @@ CampaignInput load_campaign(std::filesystem::path const& path, std::span<std::st
              "{}: cannot be read (no such file, or no right to). Check the name", path.string());
     CampaignInput input{
         path.string(), std::string(std::istreambuf_iterator<char>(file), {}), {settings.begin(), settings.end()}, {}};
+    validate(!input.text.starts_with("\x89HDF"),
+             "{}: a results file (a campaign is a TOML file). Name the campaign, or ask fit, report, status or replay",
+             path.string());
     for (auto const& setting : input.settings) {
         validate(setting.find('\n') == std::string::npos,
                  "--set {} (spans lines, which a results file cannot carry). State it in the campaign", setting);

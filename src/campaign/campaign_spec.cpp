@@ -110,10 +110,31 @@ std::vector<BodySpec> read_bodies(Table const& root, InputFiles& files) {
     return bodies;
 }
 
+// PGV and PGD of a record whose baseline drifts are not the ground's.
+void check_drift(Table const& levels, LevelSpec const& spec, WaveSource const& source, std::int64_t waves) {
+    if (spec.measure != LevelMeasure::pgv && spec.measure != LevelMeasure::pgd) {
+        return;
+    }
+    for (std::int64_t wave = 0; wave < waves; ++wave) {
+        auto const drift = source.drift(static_cast<std::uint64_t>(wave));
+        if (!drift) {
+            return;
+        }
+        if (drift->excessive()) {
+            levels.fail("measure", fmt::format("{} of wave {} (which {}: that is its baseline's, not the ground's). "
+                                               "State a baseline in [waves], for example baseline = {{high_pass = "
+                                               "\"0.05 Hz\"}}, or scale by pga",
+                                               spec.measure_name(), wave, drift->text()));
+        }
+    }
+}
+
 }  // namespace
 
 CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
     auto const root = Table::parse(input.text, input.name, input.settings);
+    root.may_have({"title", "seed", "waves", "bodies", "scatter", "levels", "effects", "measures", "accuracy", "rare",
+                   "statistics", "limits"});
     CampaignSpec spec;
     spec.title = root.text("title", "");
     spec.seed = static_cast<std::uint64_t>(root.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
@@ -133,6 +154,9 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
         root.child("levels").fail("waves", "independent (this source has the same waves for every level). Use shared");
     }
     waves.finish();
+    if (available) {
+        check_drift(root.child("levels"), spec.levels, *spec.source, spec.wave_count);
+    }
     auto const effects = root.child_or_empty("effects");
     spec.effects = read_effects(effects);
     effects.finish();

@@ -113,6 +113,11 @@ std::string LevelSpec::units() const {
     return "";
 }
 
+std::string LevelSpec::text(double value) const {
+    auto const unit = shown_units();
+    return unit == "1" ? fmt::format("{:.6g}", shown(value)) : fmt::format("{:.6g} {}", shown(value), unit);
+}
+
 std::optional<double> LevelSpec::scale(Level const& level, Intensity const& wave) const {
     double base = 1;
     switch (measure) {
@@ -135,6 +140,7 @@ std::optional<double> LevelSpec::scale(Level const& level, Intensity const& wave
 }
 
 LevelSpec read_levels(config::Table const& table) {
+    table.may_have({"measure", "values", "waves", "design_basis", "beyond_design"});
     LevelSpec spec;
     auto const chosen = table.choice<Measure>("measure", measures);
     spec.measure = chosen.measure;
@@ -155,6 +161,12 @@ LevelSpec read_levels(config::Table const& table) {
                 table.fail("beyond_design", fmt::format("{} (not above design_basis {}). Raise it", value, *basis));
             }
             name_level(spec.levels, value, LevelClass::beyond_design);
+        }
+    }
+    for (auto const* key : {"values", "design_basis", "beyond_design"}) {
+        if (auto const unit = table.unit_at(key); spec.stated_unit.empty() && !unit.empty()) {
+            spec.stated_unit = unit;
+            spec.stated_unit_si = unit_factor(unit, chosen.dimension);
         }
     }
     table.finish();

@@ -36,9 +36,15 @@ struct LevelSpec {
     LevelMeasure measure = LevelMeasure::pga;
     std::vector<Level> levels;       ///< rising
     bool independent_waves = false;  ///< every level has waves of its own
+    std::string stated_unit = {};    ///< in which the values are written; empty: as bare numbers, or pure ones
+    double stated_unit_si = 1;       ///< SI value of one of it
 
     [[nodiscard]] std::string measure_name() const;
     [[nodiscard]] std::string units() const;
+    /// As the user wrote values: the unit, a value in it, and both.
+    [[nodiscard]] std::string shown_units() const { return stated_unit.empty() ? units() : stated_unit; }
+    [[nodiscard]] double shown(double value) const { return value / stated_unit_si; }
+    [[nodiscard]] std::string text(double value) const;
     /// The factor that brings a wave of this intensity to `level`; empty if the wave's measure is zero.
     [[nodiscard]] std::optional<double> scale(Level const& level, Intensity const& wave) const;
 };

@@ -12,6 +12,7 @@
 #include "campaign/progress.hpp"
 #include "campaign/rare_run.hpp"
 #include "campaign/runtime_file.hpp"
+#include "campaign/warnings.hpp"
 #include "core/note.hpp"
 
 namespace overturn {
@@ -93,6 +94,9 @@ class Run {
         auto const committed = found.at("committed").get<std::vector<std::int64_t>>();
         if (comm_.is_root()) {
             note("waves: {}\n", spec_.source->describe());
+            for (auto const& line : warnings_of(spec_)) {
+                note("warning: {}\n", line);
+            }
         }
         // Up to each stopping point, where all ranks wait for the answer; a part cannot know it and does all its
         // blocks.

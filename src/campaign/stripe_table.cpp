@@ -59,8 +59,8 @@ void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& bo
                                       : std::string("no slip, "),
                         body.body.limit_velocity_mps());
     auto const shown = shown_ends(s);
-    text +=
-        fmt::format("{:>10} {:>7}", fmt::format("{} {}", spec.levels.measure_name(), spec.levels.units()), "trials");
+    text += fmt::format("{:>10} {:>7}", fmt::format("{} {}", spec.levels.measure_name(), spec.levels.shown_units()),
+                        "trials");
     for (auto const v : shown) {
         text += fmt::format(" {:>{}}", verdicts()[v].name, width_of(v));
     }
@@ -70,7 +70,7 @@ void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& bo
         auto const& stripe = s.stripes[l];
         auto const interval = stripe.interval(spec.confidence);
         auto const purpose = spec.levels.levels[l].purpose;
-        text += fmt::format("{:>10.4g} {:>7}", stripe.amplitude, stripe.trials);
+        text += fmt::format("{:>10.4g} {:>7}", spec.levels.shown(stripe.amplitude), stripe.trials);
         for (auto const v : shown) {
             text += fmt::format(" {:>{}}", s.ends[v][l], width_of(v));
         }

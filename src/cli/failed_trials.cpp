@@ -51,9 +51,9 @@ void FailedTrials::add(std::int64_t number, TrialRow const& row) {
     auto const reason = static_cast<std::int64_t>(row.failure);
     ++reasons_[reason];
     if (lists_more()) {
-        first_.push_back(fmt::format("  trial {}: wave {}, {}, {} {:.6g} {}: {}\n", number, row.wave,
+        first_.push_back(fmt::format("  trial {}: wave {}, {}, {} {}: {}\n", number, row.wave,
                                      spec_.bodies.at(static_cast<std::size_t>(row.body)).name,
-                                     spec_.levels.measure_name(), row.amplitude, spec_.levels.units(),
+                                     spec_.levels.measure_name(), spec_.levels.text(row.amplitude),
                                      reason_name(reason)));
         if (auto const found = clauses_.find(row.wave); found != clauses_.end()) {
             first_.back().pop_back();

@@ -48,6 +48,14 @@ int fit_file(Options const& options) {
     auto const rare = read_rare_estimates(file, spec);
     if (options.json) {
         auto json = fit_json(statistics, analysis, confidence);
+        json["levels"] = {{"measure", spec.levels.measure_name()},
+                          {"units", spec.levels.units()},
+                          {"stated_unit", spec.levels.shown_units()},
+                          {"stated_unit_si", spec.levels.stated_unit_si},
+                          {"stated", Json::array()}};
+        for (auto const& level : spec.levels.levels) {
+            json["levels"]["stated"].push_back(spec.levels.shown(level.value));
+        }
         if (spec.rare) {
             json["rare"] = rare_json(spec, rare);
         }

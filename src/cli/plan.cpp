@@ -9,6 +9,7 @@
 
 #include "campaign/progress.hpp"
 #include "campaign/results.hpp"
+#include "campaign/warnings.hpp"
 #include "cli/verbs.hpp"
 #include "contact/matching.hpp"
 
@@ -76,6 +77,9 @@ int plan_campaign(std::string const& path, std::vector<std::string> const& setti
     Plan const plan(spec);
     fmt::print("{}\n", spec.title.empty() ? path : spec.title);
     fmt::print("waves     {} ({})\n", plan.waves(), spec.source->describe());
+    for (auto const& line : ends_of_records(spec)) {
+        fmt::print("record    {}\n", line);
+    }
     for (auto const& body : spec.bodies) {
         fmt::print(
             "body      {}: {:.4g} kg, alpha {:.2f} deg, p {:.4f} rad/s, e {:.4f} (Housner {:.4f}), uplift {:.4g} m/s2, "
@@ -88,8 +92,11 @@ int plan_campaign(std::string const& path, std::vector<std::string> const& setti
         }
     }
     for (auto const& level : spec.levels.levels) {
-        fmt::print("level     {} {:.6g} {}{}\n", spec.levels.measure_name(), level.value, spec.levels.units(),
+        fmt::print("level     {} {}{}\n", spec.levels.measure_name(), spec.levels.text(level.value),
                    level.purpose == LevelClass::ordinary ? "" : "  " + name_of(level.purpose));
+    }
+    for (auto const& line : warnings_of(spec)) {
+        fmt::print("warning   {}\n", line);
     }
     fmt::print("trials    {} in {} blocks of {} waves\n", plan.trials(), plan.blocks(), plan.block_size());
 

@@ -59,9 +59,9 @@ int replay(Options const& options) {
     }
     auto const trial = run_trial(spec, prepared, body, level, history ? &*history : nullptr);
     auto const& row = trial.rows.front();
-    fmt::print("trial {}: wave number {} (id {}), body {}, {} {:.6g} {}\n", options.trial, wave, row.wave,
-               spec.bodies[static_cast<std::size_t>(body)].name, spec.levels.measure_name(), row.amplitude,
-               spec.levels.units());
+    fmt::print("trial {}: wave number {} (id {}), body {}, {} {}\n", options.trial, wave, row.wave,
+               spec.bodies[static_cast<std::size_t>(body)].name, spec.levels.measure_name(),
+               spec.levels.text(row.amplitude));
     bool const known = !std::isnan(row.peak_rotation_rad);
     auto const when = std::isnan(row.time_of_peak_s) ? std::string() : fmt::format(" at {:.3f} s", row.time_of_peak_s);
     if (known) {

@@ -11,6 +11,7 @@
 #include "campaign/rare_results.hpp"
 #include "campaign/results.hpp"
 #include "campaign/runtime_file.hpp"
+#include "campaign/warnings.hpp"
 #include "cli/figures.hpp"
 #include "cli/fit_json.hpp"
 #include "cli/rare_json.hpp"
@@ -40,8 +41,8 @@ Json facts_of(CampaignSpec const& spec, Plan const& plan) {
     auto const& levels = spec.levels.levels;
     add("waves", fmt::format("{} ({})", plan.waves(), spec.source->describe()));
     add("acceptance of waves", spec.source->acceptance());
-    add("levels", fmt::format("{} of {}, {:.6g} to {:.6g} {}{}", levels.size(), spec.levels.measure_name(),
-                              levels.front().value, levels.back().value, spec.levels.units(),
+    add("levels", fmt::format("{} of {}, {:.6g} to {}{}", levels.size(), spec.levels.measure_name(),
+                              spec.levels.shown(levels.front().value), spec.levels.text(levels.back().value),
                               spec.levels.independent_waves ? ", each with waves of its own"
                                                             : ", the same waves scaled to each"));
     add("trials", fmt::format("{}", plan.trials()));
@@ -163,6 +164,12 @@ int write_report(Options const& options) {
     data["wave_notes"] = Json::array();
     if (auto const said = statistics.waves().text(spec.source->acceptance()); !said.empty()) {
         data["wave_notes"].push_back(said);
+    }
+    for (auto const& line : ends_of_records(spec)) {
+        data["wave_notes"].push_back("Record " + line + ".");
+    }
+    for (auto const& line : warnings_of(spec)) {
+        data["wave_notes"].push_back("Warning: " + line + ".");
     }
     data["histories"] = shown_trials(spec, plan, file);
     data["cost"] = cost_of(options.file);

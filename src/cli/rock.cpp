@@ -8,10 +8,12 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/body_spec.hpp"
+#include "campaign/warnings.hpp"
 #include "cli/history.hpp"
 #include "cli/scene_files.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
+#include "motion/drift.hpp"
 #include "response/ladder.hpp"
 #include "response/registry.hpp"
 
@@ -61,7 +63,8 @@ void add_own_json(nlohmann::ordered_json& json, Ladder const& ladder, std::span<
     }
 }
 
-void print_json(BodySpec const& spec, Response const& response, Ladder const& ladder, std::span<std::byte const> own) {
+void print_json(BodySpec const& spec, PlacedRecord const& record, Drift const& drift, Response const& response,
+                Ladder const& ladder, std::span<std::byte const> own) {
     nlohmann::ordered_json json;
     for (auto const& field : fields_of<Response>()) {
         json[field.key()] = value_json(bytes_of(response), field);
@@ -72,6 +75,9 @@ void print_json(BodySpec const& spec, Response const& response, Ladder const& la
     json["response_velocity_mps"] = json["v_resp_mps"];
     json["limit_velocity_mps"] = spec.body.limit_velocity_mps();
     json["restitution"] = spec.body.restitution();
+    json["record"] = record_json(record);
+    json["residual_velocity_mps"] = drift.end_velocity_mps;
+    json["residual_displacement_m"] = drift.end_displacement_m;
     add_own_json(json, ladder, own);
     fmt::print("{}\n", json.dump(2));
 }
@@ -82,11 +88,15 @@ std::string_view summary_of_reason(std::int64_t number) {
 
 std::string time_text(double time_s) { return std::isnan(time_s) ? "never" : fmt::format("at {:.3f} s", time_s); }
 
-void print_text(BodySpec const& spec, Response const& r, Ladder const& ladder, std::span<std::byte const> own) {
+void print_text(BodySpec const& spec, PlacedRecord const& record, Drift const& drift, Response const& r,
+                Ladder const& ladder, std::span<std::byte const> own) {
     auto const& b = spec.body;
     fmt::print("{}: alpha {:.2f} deg, p {:.4f} rad/s, e {:.4f}, uplift at {:.4g} m/s2, V_Ereq {:.4f} m/s\n", spec.name,
                b.alpha_rad() * 180 / pi, b.p_radps(), b.restitution(), b.uplift_acceleration_mps2(),
                b.limit_velocity_mps());
+    fmt::print("read as          {}\n", record.read_as());
+    fmt::print("wave             {}{}\n", drift.text(),
+               drift.excessive() ? ": its baseline drifts, correct it with --baseline" : "");
     fmt::print("verdict          {}\n", entry_of(r.verdict).name);
     if (std::isnan(r.peak_rotation_rad)) {
         return;  // no model ran it: the error says why
@@ -120,6 +130,8 @@ int rock(Options const& options) {
     auto const record = load_motion(options.record);
     validate_rocking_plane(record.direction, {options.record.wave});
     auto const& motion = record.motion;
+    note_warnings(warnings_of(spec));
+    note_warnings(warnings_of(motion));
     Scene const scene{spec.body, spec.friction, spec.footing, spec.axes};
     Ladder const ladder(parse_effects(options.effects));
     std::vector<std::byte> own(ladder.own_bytes());
@@ -130,7 +142,7 @@ int rock(Options const& options) {
         history.emplace(options.history);
         ladder.show(trial, response, *history);
     }
-    (options.json ? print_json : print_text)(spec, response, ladder, own);
+    (options.json ? print_json : print_text)(spec, record, drift_of(motion), response, ladder, own);
     if (response.verdict == Verdict::failed) {
         throw SystemError(fmt::format("no verdict ({}). Check unit and scale", entry_of(response.failure).summary));
     }

@@ -9,8 +9,8 @@
 #include "campaign/stop.hpp"
 #include "cli/say.hpp"
 #include "cli/verbs.hpp"
+#include "cli/walltime.hpp"
 #include "core/error.hpp"
-#include "core/units.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -26,9 +26,7 @@ struct Options {
 
 double read_walltime(std::string const& text) {
     try {
-        double const seconds = parse_quantity(text, Dimension::time);
-        validate(seconds > 0, "{} s (must be above 0). State the time this run may take", seconds);
-        return seconds;
+        return parse_walltime(text);
     } catch (InputError const& error) {
         throw InputError(fmt::format("--max-walltime: {}", error.what()));
     }
@@ -101,7 +99,7 @@ void add_run(CommandLine& line) {
     verb.takes("-o,--output", options->output, "results file; default: the campaign's name with .h5, here");
     verb.takes("--resume", options->resume, "go on with what an earlier run left behind");
     verb.takes("--set", options->settings, "override a key: waves.count=50, bodies.0.friction=0.4");
-    verb.takes("--max-walltime", options->max_walltime, "stop in time to be resumed, e.g. \"50 min\"");
+    verb.takes("--max-walltime", options->max_walltime, "stop in time to be resumed, \"50 min\", 01:00:00, 1-00:00:00");
     verb.takes("--part", options->part, "I/N: only the I-th of N parts, for array jobs; merge puts them together");
     verb.does([options] { return run(*options); });
 }

@@ -5,6 +5,8 @@
 #include "core/input_files.hpp"
 #include "core/note.hpp"
 #include "core/units.hpp"
+#include "generators/record_baseline.hpp"
+#include "motion/column_unit.hpp"
 #include "motion/station.hpp"
 
 namespace overturn::cli {
@@ -15,6 +17,7 @@ void add_record_options(Verb& verb, RecordOptions& options) {
     verb.takes("--format", options.format, "record format, see overturn list; default: by the content");
     verb.takes("--component", options.component, "what goes into the rocking plane, e.g. EW");
     verb.takes("--components", options.components, "file, horizontal, or station: also the files beside it");
+    verb.takes("--baseline", options.baseline, "none, mean, polynomial, or \"high-pass 0.05 Hz\"");
 }
 
 PlacedRecord load_motion(RecordOptions const& options) {
@@ -29,11 +32,32 @@ PlacedRecord load_motion(RecordOptions const& options) {
     request.format = options.format.empty() ? "auto" : options.format;
     request.component = options.component;
     request.components = config::find_entry(component_choices(), options.components, "--components").value;
+    auto const baseline = parse_baseline(options.baseline);
     auto placed = StationFiles(files).read(options.wave, request);
+    if (baseline.method != BaselineMethod::none) {
+        correct_record(placed.motion, baseline);
+        placed.says += ", " + baseline.says();
+    }
     if (placed.says != options.wave) {
         note("wave: {}\n", placed.says);
     }
     return placed;
+}
+
+nlohmann::ordered_json record_json(PlacedRecord const& record) {
+    return {{"format", record.format},
+            {"components", record.components},
+            {"unit", name_of_acceleration_unit(record.unit_mps2)},
+            {"time_step_s", record.motion.time_step_s},
+            {"samples", record.motion.samples()},
+            {"duration_s", record.motion.duration_s()},
+            {"used", record.says}};
+}
+
+void note_warnings(std::vector<std::string> const& lines) {
+    for (auto const& line : lines) {
+        note("warning: {}\n", line);
+    }
 }
 
 BodySpec load_body(std::string const& path) {

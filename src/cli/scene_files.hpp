@@ -2,6 +2,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include "campaign/body_spec.hpp"
 #include "cli/command_line.hpp"
@@ -17,13 +20,21 @@ struct RecordOptions {
     std::string format;               ///< a name of record_formats()
     std::string component;            ///< which one goes into the rocking plane
     std::string components = "file";  ///< which others are used, by a name of component_choices()
+    std::string baseline = "none";    ///< as parse_baseline takes it
 };
 
-/// Declares --unit, --time-step, --format, --component, --components.
+/// Declares --unit, --time-step, --format, --component, --components, --baseline.
 void add_record_options(Verb& verb, RecordOptions& options);
 
 /// Says on stderr what was used if that is more than the file named. \throws InputError
 [[nodiscard]] PlacedRecord load_motion(RecordOptions const& options);
+
+/// What was read, for `record` of a JSON answer: format, components, unit, time step, samples, duration, what was done
+/// to it. A reader can be checked by it.
+[[nodiscard]] nlohmann::ordered_json record_json(PlacedRecord const& record);
+
+/// Each as "warning: ..." on stderr.
+void note_warnings(std::vector<std::string> const& lines);
 
 [[nodiscard]] BodySpec load_body(std::string const& path);
 

@@ -122,13 +122,12 @@ Json shown_trials(CampaignSpec const& spec, Plan const& plan, store::ResultsRead
             bool const of_a_pose = key == "time_s" || key == "x_m" || key == "y_m" || key == "yaw_rad";
             channels[key] = thinned(kept.columns[i], of_a_pose);
         }
-        shown.push_back(
-            {{"body", spec.bodies[b].name},
-             {"title", fmt::format("{}, trial {}: wave {} at {:.4g} {}, {}", spec.bodies[b].name, *nearest[b], wave,
-                                   row.amplitude, spec.levels.units(), entry_of(row.verdict).name)},
-             {"alpha", spec.bodies[b].body.alpha_rad()},
-             {"outline", outline_of(spec.bodies[b])},
-             {"channels", std::move(channels)}});
+        shown.push_back({{"body", spec.bodies[b].name},
+                         {"title", fmt::format("{}, trial {}: wave {} at {}, {}", spec.bodies[b].name, *nearest[b],
+                                               wave, spec.levels.text(row.amplitude), entry_of(row.verdict).name)},
+                         {"alpha", spec.bodies[b].body.alpha_rad()},
+                         {"outline", outline_of(spec.bodies[b])},
+                         {"channels", std::move(channels)}});
     }
     return shown;
 }

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "campaign/warnings.hpp"
 #include "cli/figures.hpp"
 #include "cli/scene_files.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
+#include "motion/drift.hpp"
 #include "motion/intensity.hpp"
 #include "report/figure.hpp"
 #include "spectra/input_energy.hpp"
@@ -25,6 +27,7 @@ struct Options {
 
 struct Measures {
     Intensity intensity;
+    Drift drift;
     ResponseSpectrum response;
     std::vector<double> v_e_mps, v_e0_mps;
 };
@@ -42,7 +45,7 @@ Measures measure(GroundMotion const& motion, double damping) {
     auto const periods = log_periods(shortest_s, longest_s, count);
     auto const& a = motion.horizontal_mps2;
     double const dt = motion.time_step_s;
-    return {intensity_of(a, dt), response_spectrum(a, dt, periods, damping),
+    return {intensity_of(a, dt), drift_of(motion), response_spectrum(a, dt, periods, damping),
             input_energy_velocities(a, dt, periods, damping), undamped_energy_velocities(a, dt, periods)};
 }
 
@@ -53,12 +56,24 @@ BodyEnergy energy_for(BodySpec const& spec, GroundMotion const& motion) {
             spec.body.limit_velocity_mps()};
 }
 
-void print_json(Measures const& m, double damping, std::optional<BodyEnergy> const& energy) {
-    nlohmann::ordered_json json{{"pga", m.intensity.pga_mps2},
+void print_json(PlacedRecord const& record, Measures const& m, double damping,
+                std::optional<BodyEnergy> const& energy) {
+    nlohmann::ordered_json json{{"record", record_json(record)},
+                                {"pga", m.intensity.pga_mps2},
                                 {"pgv", m.intensity.pgv_mps},
                                 {"pgd", m.intensity.pgd_m},
                                 {"arias", m.intensity.arias_mps},
-                                {"units", {{"pga", "m/s2"}, {"pgv", "m/s"}, {"pgd", "m"}, {"arias", "m/s"}}},
+                                {"residual_velocity", m.drift.end_velocity_mps},
+                                {"residual_displacement", m.drift.end_displacement_m},
+                                {"residual_velocity_over_pgv", m.drift.share()},
+                                {"units",
+                                 {{"pga", "m/s2"},
+                                  {"pgv", "m/s"},
+                                  {"pgd", "m"},
+                                  {"arias", "m/s"},
+                                  {"residual_velocity", "m/s"},
+                                  {"residual_displacement", "m"},
+                                  {"residual_velocity_over_pgv", "1"}}},
                                 {"damping", damping},
                                 {"period_s", m.response.period_s},
                                 {"sa_mps2", m.response.sa_mps2},
@@ -83,9 +98,13 @@ void print_json(Measures const& m, double damping, std::optional<BodyEnergy> con
     fmt::print("{}\n", json.dump(2));
 }
 
-void print_text(Measures const& m, double damping, std::optional<BodyEnergy> const& energy) {
+void print_text(PlacedRecord const& record, Measures const& m, double damping,
+                std::optional<BodyEnergy> const& energy) {
+    fmt::print("read as {}\n", record.read_as());
     fmt::print("PGA {:.6g} m/s2 = {:.2f} gal, PGV {:.5g} m/s, PGD {:.5g} m, Arias {:.5g} m/s\n", m.intensity.pga_mps2,
                100 * m.intensity.pga_mps2, m.intensity.pgv_mps, m.intensity.pgd_m, m.intensity.arias_mps);
+    fmt::print("{}{}\n", m.drift.text(),
+               m.drift.excessive() ? ": its baseline drifts, correct it with --baseline" : "");
     if (energy) {
         auto const verdict = [&](double v) { return v < energy->v_ereq_mps ? "does not overturn" : "may overturn"; };
         fmt::print("T0 {:.4f} s, T1 {:.4f} s, V_Ereq {:.4f} m/s\n", energy->band.t0_s, energy->band.t1_s,
@@ -106,26 +125,28 @@ void print_text(Measures const& m, double damping, std::optional<BodyEnergy> con
 }
 
 int spectrum(Options const& options) {
-    constexpr double most = 100;
-    validate(options.damping >= 0 && options.damping <= most,
-             "--damping {} (must be 0 to {}). Give a ratio such as 0.05", options.damping, most);
+    validate(options.damping >= 0 && options.damping < 1,
+             "--damping {} (a ratio, 0 to below 1: {} would be {:g} %). Write 0.05 for 5 %", options.damping,
+             options.damping, 100 * options.damping);
     if (!options.plot.empty()) {
         report::check_figure_name(options.plot);
     }
     auto const record = load_motion(options.record);
     auto const& motion = record.motion;
+    note_warnings(warnings_of(motion));
     auto const measures = measure(motion, options.damping);
     std::optional<BodySpec> body;
     std::optional<BodyEnergy> energy;
     if (!options.body.empty()) {
         validate_rocking_plane(record.direction, {options.record.wave});
         body = load_body(options.body);
+        note_warnings(warnings_of(*body));
         energy = energy_for(*body, motion);
     }
     if (!options.plot.empty()) {
         draw_record(options.record.wave, record, options.damping, body, options.plot);
     }
-    options.json ? print_json(measures, options.damping, energy) : print_text(measures, options.damping, energy);
+    (options.json ? print_json : print_text)(record, measures, options.damping, energy);
     return done;
 }
 

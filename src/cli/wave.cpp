@@ -7,6 +7,7 @@
 #include <fmt/os.h>
 
 #include "campaign/plan.hpp"
+#include "campaign/warnings.hpp"
 #include "cli/figures.hpp"
 #include "cli/verbs.hpp"
 #include "cli/wave_report.hpp"
@@ -103,6 +104,9 @@ int show_wave(Options const& options) {
         note("{}: {}\n", options.plot, made.label);
     }
     note("{}", wave_report(spec, made, check));
+    for (auto const& line : warnings_of(spec)) {
+        note("warning: {}\n", line);
+    }
     return done;
 }
 

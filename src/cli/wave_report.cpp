@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "campaign/warnings.hpp"
 #include "motion/ground_motion.hpp"
 #include "motion/intensity.hpp"
 
@@ -17,10 +18,18 @@ std::string match_text(char const* name, MatchReport const& match) {
         return "";
     }
     return fmt::format(
-        "{}: mean misfit {:.2f} %, largest {:.2f} % at {:.3f} s, worst decade {:.2f} %, SI ratio {:.3f}, {} "
+        "{}: mean misfit {:.2f} %, largest {:.2f} % at {:.3f} s, worst decade {:.2f} %, SI ratio {}, {} "
         "iterations\n",
         name, 100 * match.all.mean_misfit, 100 * match.all.max_misfit, match.all.max_misfit_period_s,
-        100 * match.worst_decade, match.intensity_ratio, match.iterations);
+        100 * match.worst_decade,
+        match.intensity_ratio > 0 ? fmt::format("{:.3f}", match.intensity_ratio) : "not covered (0.1 s to 2.5 s)",
+        match.iterations);
+}
+
+// What of a body's band no target says anything about.
+std::string uncovered_text(CampaignSpec const& spec, PeriodBand const& band) {
+    auto const judged_to = spec.source->judged_to_s();
+    return judged_to && ends_inside(*judged_to, band) ? fmt::format(" (compared to {:.2f} s only)", *judged_to) : "";
 }
 
 Json figures_json(MatchFigures const& f) {
@@ -39,7 +48,7 @@ Json match_json(MatchReport const& match) {
     json["matched"] = match.matched;
     json["iterations"] = match.iterations;
     json["worst_decade"] = match.worst_decade;
-    json["si_ratio"] = match.intensity_ratio;
+    json["si_ratio"] = match.intensity_ratio > 0 ? Json(match.intensity_ratio) : Json();  // null: not covered
     json["psd_lowest_ratio"] = match.psd_lowest_ratio;
     json["psd_lowest_hz"] = match.psd_lowest_hz;
     return json;
@@ -52,10 +61,10 @@ std::string wave_report(CampaignSpec const& spec, GeneratedWave const& wave, Wav
                 + match_text("vertical match", wave.vertical_match);
     for (std::size_t b = 0; b < spec.bodies.size() && !wave.ratios.empty(); ++b) {
         auto const band = rocking_period_band(spec.bodies[b].body.radius_m(), spec.measures.radius_unit);
-        text +=
-            fmt::format("{} rocks at {:.2f} s to {:.2f} s: mean misfit {:.2f} %, largest {:.2f} %, mean ratio {:.3f}\n",
-                        spec.bodies[b].name, band.t0_s, band.t1_s, 100 * check.bands[b].mean_misfit,
-                        100 * check.bands[b].max_misfit, check.bands[b].mean_ratio);
+        text += fmt::format(
+            "{} rocks at {:.2f} s to {:.2f} s: mean misfit {:.2f} %, largest {:.2f} %, mean ratio {:.3f}{}\n",
+            spec.bodies[b].name, band.t0_s, band.t1_s, 100 * check.bands[b].mean_misfit,
+            100 * check.bands[b].max_misfit, check.bands[b].mean_ratio, uncovered_text(spec, band));
     }
     text += fmt::format("strong motion: {:.1f} s (5 to 75 %), {:.1f} s (5 to 95 %)\n", check.quality.duration_5_75_s,
                         check.quality.duration_5_95_s);

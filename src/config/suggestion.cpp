@@ -42,6 +42,14 @@ std::string nearest_name(std::string_view wrong, std::span<std::string const> kn
     return best;
 }
 
+std::string joined(std::span<std::string const> names) {
+    std::string list;
+    for (auto const& name : names) {
+        list += list.empty() ? name : ", " + name;
+    }
+    return list;
+}
+
 std::string suggestion(std::string_view wrong, std::span<std::string const> known) {
     auto const near = nearest_name(wrong, known);
     auto const list = fmt::format("Known: {}", fmt::join(known, ", "));

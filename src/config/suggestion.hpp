@@ -13,4 +13,7 @@ namespace overturn::config {
 /// " Did you mean 'x'? Known: a, b, x" or just " Known: ..." where nothing is near.
 [[nodiscard]] std::string suggestion(std::string_view wrong, std::span<std::string const> known);
 
+/// "a, b, c"
+[[nodiscard]] std::string joined(std::span<std::string const> names);
+
 }  // namespace overturn::config

@@ -2,40 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include <toml++/toml.h>
 
 #include "config/detail/settings.hpp"
+#include "config/detail/table_node.hpp"
 
 namespace overturn::config {
-
-// A view of one toml table. The root node owns the document; children keep their parent, hence the document, alive.
-struct Table::Node {
-    std::shared_ptr<toml::table> document;
-    toml::table const* table = nullptr;
-    std::string file;
-    std::string path;  // "waves.target", "bodies[1]"; empty at the root
-    std::set<std::string, std::less<>> used;
-    std::set<std::string, std::less<>> asked;  // also optional keys that are absent: what a misspelt key may have meant
-
-    [[nodiscard]] toml::node const* find(std::string_view key) {
-        asked.emplace(key);
-        auto const* found = table->get(key);
-        if (found != nullptr) {
-            used.emplace(key);
-        }
-        return found;
-    }
-    [[nodiscard]] Location locate(toml::node const* at) const {
-        auto const begin = (at != nullptr ? at : static_cast<toml::node const*>(table))->source().begin;
-        return {file, static_cast<int>(begin.line), static_cast<int>(begin.column)};
-    }
-    [[nodiscard]] std::string full(std::string_view key) const {
-        return path.empty() || key.empty() ? fmt::format("{}{}", path, key) : fmt::format("{}.{}", path, key);
-    }
-};
-
 namespace {
 
 std::string_view kind_name(toml::node const& node) {
@@ -100,32 +73,6 @@ Kind Table::kind(std::string_view key) const {
         return Kind::boolean;
     }
     return found->is_array() ? Kind::list : Kind::table;
-}
-
-Location Table::where(std::string_view key) const {
-    return node_->locate(key.empty() ? nullptr : node_->table->get(key));
-}
-
-void Table::fail(std::string_view key, std::string_view message) const {
-    auto const name = node_->full(key);
-    // A message that already names its file came from deeper down and says it better.
-    if (message.starts_with(node_->file + ":")) {
-        throw InputError(std::string(message));
-    }
-    throw InputError(where(key), name.empty() ? std::string(message) : fmt::format("{}: {}", name, message));
-}
-
-void Table::fail_missing(std::string_view key) const {
-    std::vector<std::string> unread;
-    for (auto const& [there, node] : *node_->table) {
-        if (!node_->used.contains(there.str())) {
-            unread.emplace_back(there.str());
-        }
-    }
-    if (auto const near = nearest_name(key, unread); !near.empty()) {
-        fail(near, fmt::format("unknown key (nothing reads it, and '{0}' is missing). Did you mean '{0}'?", key));
-    }
-    fail(key, "missing (there is no default). Add this key");
 }
 
 namespace {
@@ -195,7 +142,8 @@ std::vector<std::pair<double, double>> Table::pairs(std::string_view key, Dimens
 std::int64_t Table::integer(std::string_view key, std::int64_t low, std::int64_t high) const {
     return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
         auto const value = node.value_exact<std::int64_t>();
-        validate(value.has_value(), "{} (must be a whole number). Write it without a point", kind_name(node));
+        validate(value.has_value(), "{} (must be a whole number). Write it without {}", kind_name(node),
+                 node.is_string() ? "quotes" : "a point");
         validate(*value >= low && *value <= high, "{} (must be {} to {}). Mend the value", *value, low, high);
         return *value;
     });
@@ -275,20 +223,6 @@ std::vector<Table> Table::children(std::string_view key) const {
         }
         return tables;
     });
-}
-
-void Table::finish() const {
-    for (auto const& [key, node] : *node_->table) {
-        if (node_->used.contains(key.str())) {
-            continue;
-        }
-        std::vector<std::string> const known(node_->asked.begin(), node_->asked.end());
-        auto const near = nearest_name(key.str(), known);
-        throw InputError(node_->locate(&node), fmt::format("unknown key '{}' (nothing reads it{}). {}",
-                                                           node_->full(key.str()), near.empty() ? " here" : "",
-                                                           near.empty() ? std::string("Remove it or check its spelling")
-                                                                        : fmt::format("Did you mean '{}'?", near)));
-    }
 }
 
 }  // namespace overturn::config

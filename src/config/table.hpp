@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <initializer_list>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -42,6 +43,9 @@ class Table {
     [[nodiscard]] std::vector<std::pair<double, double>> pairs(std::string_view key, Dimension first,
                                                                Dimension second) const;
 
+    /// The unit that is written at `key`, in its list or its table first; "" if none is, or the key is absent.
+    [[nodiscard]] std::string unit_at(std::string_view key) const;
+
     [[nodiscard]] std::int64_t integer(std::string_view key, std::int64_t low, std::int64_t high) const;
     [[nodiscard]] std::int64_t integer(std::string_view key, std::int64_t low, std::int64_t high,
                                        std::int64_t otherwise) const;
@@ -53,6 +57,9 @@ class Table {
     /// The value registered under the text at `key`; an unknown name is refused with a suggestion.
     template <class Value>
     [[nodiscard]] Value choice(std::string_view key, std::span<Entry<Value> const> entries) const {
+        if (!has(key)) {
+            fail_missing(key, "State one of: " + joined(names_of(entries)));
+        }
         auto const name = text(key);
         try {
             return find_entry(entries, name, key).value;
@@ -75,7 +82,12 @@ class Table {
     /// Throws InputError at `key`; the message is `key: <message>`.
     [[noreturn]] void fail(std::string_view key, std::string_view message) const;
     /// Throws InputError for a key that must be there and is not, at the key that may have been meant for it.
-    [[noreturn]] void fail_missing(std::string_view key) const;
+    /// \param advice what to do, without a full stop
+    [[noreturn]] void fail_missing(std::string_view key, std::string_view advice = "Add this key") const;
+
+    /// Says which keys this table may have, before any is read: a missing one is then told together with those that
+    /// are not among them.
+    void may_have(std::initializer_list<std::string_view> keys) const;
 
     /// Runs `build`, putting the place of `key` in front of any InputError it throws that names no file itself.
     template <class Build> auto located(std::string_view key, Build&& build) const {

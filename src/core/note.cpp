@@ -8,6 +8,7 @@
 namespace overturn {
 
 void put_note(std::string const& text) noexcept {
+    (void)std::fflush(stdout);  // lines keep their order where both go into one file
     (void)std::fwrite(text.data(), 1, text.size(), stderr);
     (void)std::fflush(stderr);
     std::clearerr(stderr);

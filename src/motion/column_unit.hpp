@@ -1,13 +1,31 @@
-/// The unit that the name of a column states.
+/// Units as files write them: in the names of columns and in prose.
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
+
+#include "core/units.hpp"
 
 namespace overturn {
 
-/// SI value of one unit of a column of accelerations: "ax_mps2", "acceleration (g)", "Acc(gal)", "NS [cm/s2]". Nothing
-/// if the name says none; a bare suffix "_g" says none either: it is as often the ground [m/s2].
-[[nodiscard]] std::optional<double> unit_in_name(std::string_view name);
+/// SI value of one unit in any of its usual spellings ("cm/sec/sec", "gals", "g's", "m/s**2"); nothing if it is none of
+/// the dimension's: acceleration, velocity, length, time. Capitals do not count.
+[[nodiscard]] std::optional<double> unit_spelled(std::string_view text, Dimension dimension);
+
+/// What stands in the brackets of a column's name, "acceleration (g)", or behind its last blank or underscore,
+/// "ax_mps2"; empty without either.
+struct UnitText {
+    std::string_view text;
+    bool bracketed = false;
+};
+[[nodiscard]] UnitText unit_text_in_name(std::string_view name);
+
+/// SI value of one unit of a column: "ax_mps2", "acceleration (g)", "Acc(gal)", "NS [cm/s2]", "Sv [kine]". Nothing if
+/// the name says none; a bare suffix "_g" or "_s" says none either: it is as often the ground or a spectrum.
+[[nodiscard]] std::optional<double> unit_in_name(std::string_view name, Dimension dimension = Dimension::acceleration);
+
+/// "gal", "g", "m/s2", or the SI value where it is another one.
+[[nodiscard]] std::string name_of_acceleration_unit(double si);
 
 }  // namespace overturn

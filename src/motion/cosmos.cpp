@@ -226,6 +226,7 @@ void read_channel(std::string_view announcement, TextLines& lines, RecordRequest
         check_stated_peak(peak_of(values), stated, printed_share * std::abs(stated), data.where);
     }
     recording.time_step_s = step;
+    recording.unit_mps2 = data.unit_mps2;
     auto const name = orientation_name(integers.at(orientation));
     recording.components.push_back({name, direction_of(name), std::move(values)});
 }

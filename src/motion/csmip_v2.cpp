@@ -70,7 +70,7 @@ void skip_block(std::string_view line, TextLines& lines, std::string const& file
                                             in_quotes(trimmed(line)), channel.count));
     }
     std::vector<double> values;
-    append_fixed(lines, data_format, channel.count, file, values);
+    append_fixed(lines, fixed_format_in(line).value_or(data_format), channel.count, file, values);
     ++channel.blocks;
 }
 
@@ -117,7 +117,7 @@ void read_channel(std::string_view line, TextLines& lines, Channel& channel, Rec
                                             step, recording.time_step_s));
     }
     std::vector<double> values;
-    append_fixed(lines, data_format, count, request.name, values);
+    append_fixed(lines, fixed_format_in(line).value_or(data_format), count, request.name, values);
     for (double& value : values) {
         value *= gal_mps2;
     }
@@ -129,6 +129,7 @@ void read_channel(std::string_view line, TextLines& lines, Channel& channel, Rec
     channel.count = count;
     ++channel.blocks;
     recording.time_step_s = step;
+    recording.unit_mps2 = gal_mps2;
     bool const taken = std::any_of(recording.components.begin(), recording.components.end(),
                                    [&](RecordComponent const& c) { return c.name == channel.name; });
     auto const name = taken ? fmt::format("{} (channel {})", channel.name, channel.number) : channel.name;

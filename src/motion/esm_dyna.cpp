@@ -150,7 +150,7 @@ Recording read_esm_dyna(std::string_view content, RecordRequest const& request) 
     }
     check_peak(header, peak_of(values));
     auto const stream = header.text("STREAM").value;
-    return {step, {{stream, direction_of_stream(stream), std::move(values)}}};
+    return {step, {{stream, direction_of_stream(stream), std::move(values)}}, unit};
 }
 
 }  // namespace overturn

@@ -14,12 +14,30 @@
 namespace overturn {
 namespace {
 
-constexpr int header_lines = 10;
+constexpr int header_lines_at_least = 8;  // of the form key: value; editions add others
+constexpr int header_lines_at_most = 15;
 
 struct Header {
-    std::optional<double> unit_mps2, time_step_s, count;
+    std::optional<double> unit_mps2, time_step_s, count, peak;
+    Location peak_line;
     std::string component;
 };
+
+bool is_numeric(std::string_view line) {
+    line = trimmed(line);
+    return !line.empty() && line.find_first_not_of("0123456789.+-eEdD \t") == std::string_view::npos;
+}
+
+bool is_packed(std::string_view line) {
+    constexpr std::size_t values_on_a_line = 5;
+    std::vector<double> values;
+    try {
+        append_numbers(line, "", 0, values);
+    } catch (InputError const&) {
+        return false;
+    }
+    return values.size() >= values_on_a_line;
+}
 
 bool holds(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
@@ -69,11 +87,15 @@ void take(std::string_view line, Location const& where, Header& header) {
     if (holds(key, "sampling") && (holds(key, "rate") || holds(key, "freq"))) {
         auto const rate = number_in(line, hertz, where);
         header.time_step_s = rate ? std::optional(1 / *rate) : std::nullopt;
-    } else if ((holds(key, "sampling") && !holds(key, "number")) || holds(key, "time step")) {
+    } else if ((holds(key, "sampling") && !holds(key, "number")) || holds(key, "time step")
+               || holds(key, "time increment")) {
         header.time_step_s = number_in(line, seconds, where);
     } else if (holds(key, "number") || holds(key, "samples") || holds(key, "points")) {
         header.count = number_in(line, {}, where);
-    } else if (holds(key, "component") || holds(key, "channel")) {
+    } else if (key.starts_with("pga") && header.unit_mps2) {
+        header.peak = number_in(line.substr(colon), {}, where);
+        header.peak_line = where;
+    } else if (holds(key, "component") || holds(key, "channel") || key == "orientation") {
         header.component = value;
     }
 }
@@ -82,24 +104,32 @@ void take(std::string_view line, Location const& where, Header& header) {
 
 bool recognises_itaca_acc(std::string_view content) {
     TextLines lines(content);
-    for (int i = 0; i < header_lines; ++i) {
-        auto const line = lines.next();
-        auto const text = trimmed(line.value_or(""));
+    int keyed = 0;
+    while (lines.number() < header_lines_at_most) {
+        auto const text = trimmed(lines.next().value_or(""));
+        if (is_numeric(text)) {
+            // One line of prose may follow the keys; the values are packed, where columns would have their time first.
+            return keyed >= header_lines_at_least && lines.number() <= keyed + 2 && is_packed(text);
+        }
         bool const lettered = !text.empty() && (lowered(text)[0] >= 'a' && lowered(text)[0] <= 'z');
-        if (!lettered || text.find(':') == std::string_view::npos) {
+        if (!lettered) {
             return false;
         }
+        keyed += text.find(':') == std::string_view::npos ? 0 : 1;
     }
-    auto const line = lines.next();
-    return line && trimmed(*line).find_first_not_of("0123456789.+-eEdD \t") == std::string_view::npos;
+    return false;
 }
 
 Recording read_itaca_acc(std::string_view content, RecordRequest const& request) {
     TextLines lines(content);
     Header header;
-    for (int i = 0; i < header_lines; ++i) {
-        auto const line = lines.next().value_or(":");
-        take(line, {request.name, lines.number()}, header);
+    auto rest = lines;
+    while (auto const line = rest.next()) {
+        if (is_numeric(*line)) {
+            break;
+        }
+        (void)lines.next();
+        take(*line, {request.name, lines.number()}, header);
     }
     Location const where{request.name, lines.number()};
     if (header.unit_mps2) {
@@ -128,7 +158,12 @@ Recording read_itaca_acc(std::string_view content, RecordRequest const& request)
     for (double& value : values) {
         value *= *unit;
     }
-    return {*step, {{header.component, direction_of(header.component), std::move(values)}}};
+    if (header.peak) {
+        constexpr double printed_share = 1e-5;
+        check_stated_peak(peak_of(values), *header.peak * *unit, printed_share * std::abs(*header.peak * *unit),
+                          header.peak_line);
+    }
+    return {*step, {{header.component, direction_of(header.component), std::move(values)}}, *unit};
 }
 
 }  // namespace overturn

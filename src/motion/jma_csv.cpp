@@ -84,6 +84,7 @@ Recording read_jma_csv(std::string_view content, RecordRequest const& request) {
     TextLines lines(content);
     auto const place_of = [&] { return Location{request.name, lines.number()}; };
     Recording recording;
+    recording.unit_mps2 = gal_mps2;
     (void)value_of(lines, "SITE CODE", request.name);
     (void)value_of(lines, "LAT.", request.name);
     (void)value_of(lines, "LON.", request.name);

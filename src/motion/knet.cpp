@@ -187,7 +187,7 @@ Recording read_knet(std::string_view content, RecordRequest const& request) {
     }
     check_peak(header, peak_of(values));
     auto const name = direction_name(header.value(13));
-    return {1 / frequency_hz, {{name, direction_of(name), std::move(values)}}};
+    return {1 / frequency_hz, {{name, direction_of(name), std::move(values)}}, gal_mps2};
 }
 
 }  // namespace overturn

@@ -6,6 +6,7 @@
 
 #include "core/units.hpp"
 #include "motion/detail/record_readers.hpp"
+#include "motion/prose.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn {
@@ -34,6 +35,7 @@ struct Values {
     std::vector<double> all;
     std::vector<std::size_t> begin;  ///< of each line
     std::vector<int> line;
+    Prose prose;  ///< of what stands above them
 };
 
 Values read_values(std::string_view content, std::string const& file) {
@@ -46,6 +48,9 @@ Values read_values(std::string_view content, std::string const& file) {
         }
         bool const prose = values.line.empty() && lines.number() <= prose_lines_at_most && numbers_on(*line) == 0;
         if (is_comment(*line) || prose) {
+            if (values.line.empty()) {
+                values.prose.take(*line, lines.number());
+            }
             continue;
         }
         values.begin.push_back(values.all.size());
@@ -114,17 +119,19 @@ Recording read_list(std::string_view content, RecordRequest const& request) {
     auto values = read_values(content, request.name);
     Location const start{request.name, values.line[0]};
     if (!request.unit_mps2) {
-        refuse_without_unit(start, "a list of numbers does not say its own", request);
+        refuse_without_unit(start, "a list of numbers does not say its own" + values.prose.unit_hint(), request);
     }
     if (!request.time_step_s) {
-        throw InputError(start, "time step missing (a list of numbers holds none). State the time step");
+        throw InputError(start, fmt::format("time step missing (a list of numbers holds none{}). State the time step",
+                                            values.prose.time_step_hint()));
     }
+    values.prose.check(request);
     check_lines(values, request.name);
     check_no_time_column(values, request.name);
     for (double& value : values.all) {
         value *= *request.unit_mps2;
     }
-    return {*request.time_step_s, {{"", Direction::unknown, std::move(values.all)}}};
+    return {*request.time_step_s, {{"", Direction::unknown, std::move(values.all)}}, *request.unit_mps2};
 }
 
 }  // namespace overturn

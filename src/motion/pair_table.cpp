@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "motion/column_unit.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn {
@@ -25,31 +26,83 @@ bool is_names(std::string_view row) {
     return lettered && first != "nan" && first != "inf" && first != "infinity";
 }
 
+/// Names are parted by a comma or semicolon, else by blanks; what follows a bracket's opening belongs to its name.
+void take_names(std::string_view row, int line, PairTable& table) {
+    auto const first_end = [&] {
+        if (auto const comma = row.find_first_of(",;\t"); comma != std::string_view::npos) {
+            return comma;
+        }
+        auto end = row.find(' ');
+        auto const next = row.find_first_not_of(' ', end);
+        if (next != std::string_view::npos && (row[next] == '(' || row[next] == '[')) {
+            end = row.find_first_of(")]", next);
+            end = end == std::string_view::npos ? end : end + 1;
+        }
+        return end;
+    }();
+    if (first_end == std::string_view::npos || first_end >= row.size()) {
+        return;
+    }
+    auto const second = row.substr(row.find_first_not_of(" \t,;", first_end) == std::string_view::npos
+                                       ? row.size()
+                                       : row.find_first_not_of(" \t,;", first_end));
+    table.first_name = trimmed(row.substr(0, first_end));
+    table.second_name = trimmed(second);
+    table.names_line = line;
+}
+
+/// A comment names the columns if it ends in a unit, "T [s], Sa [gal]" or "Sa in gal", and not in a quantity, "300
+/// gal".
+void take_comment(std::string_view comment, int line, PairTable& table) {
+    PairTable named;
+    take_names(comment, line, named);
+    auto const [unit, bracketed] = unit_text_in_name(named.second_name);
+    bool const known = unit_spelled(unit, Dimension::acceleration) || unit_spelled(unit, Dimension::velocity)
+                       || (bracketed && unit_spelled(unit, Dimension::length));
+    bool const quantity = named.second_name.find_first_of("0123456789")
+                          < named.second_name.size() - (bracketed ? unit.size() + 1 : unit.size());
+    if (named.names_line > 0 && known && (bracketed || (unit.size() > 1 && !quantity))) {
+        table.first_name = named.first_name;
+        table.second_name = named.second_name;
+        table.names_line = line;
+    }
+}
+
 }  // namespace
 
-std::vector<Pair> read_pairs(std::string_view content, std::string const& name, std::string_view meaning,
-                             std::function<void(Pair const&, Pair const*)> const& check) {
-    std::vector<Pair> points;
+PairTable read_pair_table(std::string_view content, std::string const& name, std::string_view meaning,
+                          std::function<void(Pair const&, Pair const*)> const& check) {
+    PairTable table;
     TextLines lines(content);
     bool names_seen = false;
     while (auto const line = lines.next()) {
         auto const row = trimmed(line->substr(0, line->find_first_of("#!")));
         if (row.empty()) {
+            auto const comment = trimmed(*line);
+            if (table.points.empty() && !names_seen && comment.size() > 1) {
+                take_comment(trimmed(comment.substr(1)), lines.number(), table);
+            }
             continue;
         }
-        if (points.empty() && !names_seen && is_names(row)) {
+        if (table.points.empty() && !names_seen && is_names(row)) {
             names_seen = true;
+            take_names(row, lines.number(), table);
             continue;
         }
         try {
             auto const point = parse_row(row, meaning);
-            check(point, points.empty() ? nullptr : &points.back());
-            points.push_back(point);
+            check(point, table.points.empty() ? nullptr : &table.points.back());
+            table.points.push_back(point);
         } catch (InputError const& error) {
             throw InputError({name, lines.number()}, error.what());
         }
     }
-    return points;
+    return table;
+}
+
+std::vector<Pair> read_pairs(std::string_view content, std::string const& name, std::string_view meaning,
+                             std::function<void(Pair const&, Pair const*)> const& check) {
+    return read_pair_table(content, name, meaning, check).points;
 }
 
 }  // namespace overturn

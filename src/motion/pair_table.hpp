@@ -15,6 +15,15 @@ using Pair = std::pair<double, double>;
 /// first. \param name of the file \param meaning of the columns, for messages: "period and value" \param check looks at
 /// each row and the one before it (null: none) and throws InputError if it may not be
 /// \throws InputError with file and line
+struct PairTable {
+    std::vector<Pair> points;
+    std::string first_name, second_name;  ///< of the columns, from the line of names or a comment above the numbers
+    int names_line = 0;                   ///< 0: no names
+};
+[[nodiscard]] PairTable read_pair_table(std::string_view content, std::string const& name, std::string_view meaning,
+                                        std::function<void(Pair const&, Pair const*)> const& check);
+
+/// Its points alone.
 [[nodiscard]] std::vector<Pair> read_pairs(std::string_view content, std::string const& name, std::string_view meaning,
                                            std::function<void(Pair const&, Pair const*)> const& check);
 

@@ -190,7 +190,7 @@ Recording read_peer_at2(std::string_view content, RecordRequest const& request) 
         value *= unit;
     }
     check_believable_peak(values, header_end);
-    return {header.time_step_s, {{header.component, direction_of(header.component), std::move(values)}}};
+    return {header.time_step_s, {{header.component, direction_of(header.component), std::move(values)}}, unit};
 }
 
 }  // namespace overturn

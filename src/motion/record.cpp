@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "core/units.hpp"
+#include "motion/column_unit.hpp"
+#include "motion/detail/packed_files.hpp"
 #include "motion/detail/record_readers.hpp"
 
 namespace overturn {
@@ -31,11 +33,21 @@ constexpr std::array formats{
                                 {&recognises_esm_dyna, &read_esm_dyna, &station_of_esm_dyna}},
     config::Entry<RecordFormat>{
         "itaca-acc", "ITACA .acc: 10 lines Key : value, then packed values", {&recognises_itaca_acc, &read_itaca_acc}},
+    config::Entry<RecordFormat>{"smc",
+                                "SMC (USGS): integer and real headers, then values in cm/s2",
+                                {&recognises_smc, &read_smc, &station_of_smc}},
+    config::Entry<RecordFormat>{
+        "cwa", "CWA (Taiwan): lines #Key: value, then time and three components in gal", {&recognises_cwa, &read_cwa}},
     config::Entry<RecordFormat>{"refused",
-                                "CSMIP V1, GeoNet, BHRC V1, CWA: known, refused with what to do instead",
+                                "CSMIP V1, GeoNet, BHRC V1: known, refused with what to do instead",
                                 {&recognises_unread, &refuse_unread}},
     config::Entry<RecordFormat>{
         "list", "values only, several to a line, with a stated unit and time step", {&recognises_list, &read_list}},
+    config::Entry<RecordFormat>{
+        "components",
+        "columns without a time: a_horizontal [, a_transverse] [, a_vertical], with a stated unit "
+        "and time step; only where their names say so or the format is stated",
+        {&recognises_components, &read_components}},
     config::Entry<RecordFormat>{"columns",
                                 "columns [time,] a_horizontal [, a_transverse] [, a_vertical] parted by commas, "
                                 "semicolons, blanks or tabs, with a stated unit",
@@ -72,6 +84,9 @@ Recording read_recording(std::string_view content, RecordRequest const& request)
     if (trimmed(content).empty()) {
         throw InputError(file, "empty (no record in it). Fetch the file anew");
     }
+    if (auto const packed = packed_file(content); !packed.name.empty()) {
+        throw InputError(file, fmt::format("{} (records are read as text). {}", packed.name, packed.advice));
+    }
     if (content.find('\0') != std::string_view::npos) {
         throw InputError(file, "zero bytes in it (a binary or UTF-16 file). Save it as plain text");
     }
@@ -81,7 +96,9 @@ Recording read_recording(std::string_view content, RecordRequest const& request)
                                            *request.time_step_s));
     }
     OVERTURN_EXPECT(!request.unit_mps2 || *request.unit_mps2 > 0);
-    auto recording = format_of(content, request).value.read(content, request);
+    auto const& format = format_of(content, request);
+    auto recording = format.value.read(content, request);
+    recording.format = format.name;
     for (auto const& component : recording.components) {
         check_believable_peak(component.acceleration_mps2, file);
     }
@@ -120,9 +137,9 @@ void refuse_without_unit(Location const& where, std::string_view why, RecordRequ
 void check_stated_unit(RecordRequest const& request, double file_unit_mps2, Location const& where) {
     constexpr double same = 1e-9;
     if (request.unit_mps2 && std::abs(*request.unit_mps2 - file_unit_mps2) > same * file_unit_mps2) {
-        throw InputError(where, fmt::format("unit of {} m/s2 in the file, {} m/s2 stated (they contradict each "
-                                            "other). Leave the stated unit out",
-                                            file_unit_mps2, *request.unit_mps2));
+        throw InputError(where, fmt::format("unit {} in the file, {} stated (they contradict each other). {}",
+                                            name_of_acceleration_unit(file_unit_mps2),
+                                            name_of_acceleration_unit(*request.unit_mps2), request.unit_conflict));
     }
 }
 

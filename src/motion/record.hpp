@@ -21,6 +21,7 @@ struct RecordRequest {
     ComponentChoice components = ComponentChoice::file;
     bool may_be_resampled = false;               ///< a stated step other than the file's own is no contradiction
     std::string unit_key = "--unit gal|g|m/s2";  ///< how its user states the unit, for messages
+    std::string unit_conflict = "Leave the stated unit out";  ///< what to do where the file says another
 };
 
 /// Everything in the file's `content` (all its bytes).

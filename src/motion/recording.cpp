@@ -6,6 +6,7 @@
 
 #include "config/suggestion.hpp"
 #include "core/units.hpp"
+#include "motion/column_unit.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn {
@@ -146,6 +147,13 @@ std::span<config::Entry<ComponentChoice> const> component_choices() {
     return entries;
 }
 
+std::string PlacedRecord::read_as() const {
+    auto const named =
+        std::any_of(components.begin(), components.end(), [](auto const& name) { return !name.empty(); });
+    return fmt::format("{}, {}{}, {:.6g} s, {} samples, {:.6g} s", format, named ? list_of(components) + ", " : "",
+                       name_of_acceleration_unit(unit_mps2), motion.time_step_s, motion.samples(), motion.duration_s());
+}
+
 void turn(std::vector<double>& acceleration_mps2) {
     for (double& value : acceleration_mps2) {
         value = 0 - value;  // not -0 where the ground rests
@@ -155,10 +163,13 @@ void turn(std::vector<double>& acceleration_mps2) {
 PlacedRecord place(Recording recording, std::string_view first, ComponentChoice choice, Location const& where) {
     PlacedRecord placed;
     placed.motion.time_step_s = recording.time_step_s;
+    placed.format = recording.format;
+    placed.unit_mps2 = recording.unit_mps2;
     bool const single = recording.components.size() == 1;
     auto const names = names_of(recording);
     auto horizontal = first_horizontal(recording, first, where);
     placed.says = horizontal.name;
+    placed.components = {horizontal.name};
     placed.direction = horizontal.direction;
     placed.motion.horizontal_mps2 = std::move(horizontal.acceleration_mps2);
     if (single || choice == ComponentChoice::horizontal) {
@@ -180,12 +191,14 @@ PlacedRecord place(Recording recording, std::string_view first, ComponentChoice 
     }
     if (!transverse.acceleration_mps2.empty()) {
         placed.says += fmt::format(", transverse {}", transverse.name);
+        placed.components.push_back(transverse.name);
         placed.motion.transverse_mps2 = std::move(transverse.acceleration_mps2);
     }
     if (!vertical.acceleration_mps2.empty()) {
         if (vertical.direction == Direction::down) {
             turn(vertical.acceleration_mps2);
         }
+        placed.components.push_back(vertical.name);
         placed.says += fmt::format(", vertical {}{}", vertical.name,
                                    vertical.direction == Direction::down ? " with its sign turned" : "");
         placed.motion.vertical_mps2 = std::move(vertical.acceleration_mps2);

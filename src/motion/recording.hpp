@@ -28,6 +28,8 @@ struct RecordComponent {
 struct Recording {
     double time_step_s = 0;  ///< [s]
     std::vector<RecordComponent> components;
+    double unit_mps2 = 0;     ///< what one unit of the file's numbers was taken for [m/s2]
+    std::string format = {};  ///< as which it was read: a name of record_formats()
 };
 
 /// Which components of a file become part of the motion.
@@ -45,6 +47,12 @@ struct PlacedRecord {
     GroundMotion motion;
     std::string says;
     Direction direction = Direction::unknown;  ///< of what lies in the rocking plane
+    std::vector<std::string> components = {};  ///< their names: horizontal, transverse, vertical, as far as present
+    std::string format = {};                   ///< as which the file was read
+    double unit_mps2 = 0;                      ///< what one unit of its numbers was taken for [m/s2]
+
+    /// "knet, NS, gal, 0.01 s, 6000 samples, 59.99 s": what a reader can be checked by.
+    [[nodiscard]] std::string read_as() const;
 };
 
 /// The other sign, for what is recorded downwards.

@@ -20,12 +20,9 @@ constexpr std::array unread{
                  "Take the corrected V2 file of the same record"},
     UnreadFormat{"corrected accelerogram", "corrected accelerogram of another layout than CSMIP V2's (GeoNet V2A",
                  "Convert one component to columns and state the unit"},
-    UnreadFormat{"1 uncorrected accelerogram", "SMC (USGS", "Convert one component to columns and state the unit"},
-    UnreadFormat{"2 corrected accelerogram", "SMC (USGS",
-                 "Take the COSMOS file of the same record, or convert it to columns"},
     UnreadFormat{"* vol1ds file", "BHRC V1 (uncorrected pairs in G/10",
                  "Take corrected data, or convert one component to columns and state the unit"},
-    UnreadFormat{"#data:", "CWA columns (time, U, N, E",
+    UnreadFormat{"#data:", "columns of CWA's layout without its rate (time, U, N, E",
                  "Bring the columns into the order time,a_horizontal,a_transverse,a_vertical without this line"},
 };
 

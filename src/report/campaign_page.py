@@ -121,7 +121,8 @@ class Report:
             if fit and fit["identifiable"]:
                 parts.append(f"half overturn at {self.amplitude(fit['median'], 3)} "
                              f"({self.amplitudes(fit['median_interval'], 3)}), beta {plain(fit['beta'], 2)}, "
-                             f"HCLPF {self.amplitude(fit['hclpf'], 3)}")
+                             f"HCLPF {self.amplitude(fit['hclpf'], 3)}"
+                             + (f" ({', '.join(fit['flags'])}: see below)" if fit["flags"] else ""))
             elif fit:
                 parts.append("no curve: " + "; ".join(fit["warnings"][:1] or [fit["state"]]))
             lines.append(f"{body.name}: " + "; ".join(parts) + ".")

@@ -1,5 +1,7 @@
 #include "spectra/target_input.hpp"
 
+#include <optional>
+
 #include "spectra/named_targets.hpp"
 
 namespace overturn {
@@ -14,14 +16,21 @@ TargetSpectrum read_named(config::Table const& table, double damping) {
 
 TargetSpectrum read_tabulated(config::Table const& table, InputFiles& files, double damping) {
     auto const kind = table.choice("kind", target_kinds());
+    auto const ordinate = dimension_of(kind);
+    std::optional<double> unit;
+    if (table.has("unit")) {
+        auto const symbol = table.text("unit");
+        unit = table.located("unit", [&] { return unit_factor(symbol, ordinate); });
+    }
     if (table.has("file")) {
         auto const name = table.text("file");
-        return table.located("file", [&] { return parse_target_table(files.read(name), name, kind, damping); });
+        return table.located("file", [&] { return parse_target_table(files.read(name), name, kind, damping, unit); });
     }
-    auto const ordinate = kind == TargetKind::acceleration   ? Dimension::acceleration
-                          : kind == TargetKind::displacement ? Dimension::length
-                                                             : Dimension::velocity;
-    auto const points = table.pairs("points", Dimension::time, ordinate);
+    // With a unit stated for all of them, points are numbers alone.
+    auto points = table.pairs("points", Dimension::time, unit ? Dimension::none : ordinate);
+    for (auto& point : points) {
+        point.second *= unit.value_or(1);
+    }
     return table.located("points",
                          [&] { return TargetSpectrum::from_points("campaign points", damping, kind, points); });
 }
@@ -29,6 +38,8 @@ TargetSpectrum read_tabulated(config::Table const& table, InputFiles& files, dou
 }  // namespace
 
 TargetSpectrum read_target(config::Table const& table, InputFiles& files) {
+    table.may_have({"spectrum", "pga", "kind", "points", "file", "unit", "damping", "stated_damping", "damping_rule",
+                    "scale", "time_scale", "longest", "ratio", "correlation"});
     constexpr config::Range fraction{.low = 0, .high = 1, .low_open = true, .high_open = true};
     auto const damping = table.number("damping", Dimension::none, fraction, 0.05);
     int const ways = (table.has("spectrum") ? 1 : 0) + (table.has("points") ? 1 : 0) + (table.has("file") ? 1 : 0);

@@ -6,7 +6,9 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "motion/column_unit.hpp"
 #include "motion/pair_table.hpp"
+#include "motion/text_lines.hpp"
 
 namespace overturn {
 namespace {
@@ -118,8 +120,71 @@ TargetSpectrum TargetSpectrum::at_damping(double damping, DampingRule rule) cons
     return copy;
 }
 
-TargetSpectrum parse_target_table(std::string_view content, std::string const& name, TargetKind kind, double damping) {
-    return TargetSpectrum::from_points(name, damping, kind, read_pairs(content, name, "period and value", check_point));
+Dimension dimension_of(TargetKind kind) {
+    return kind == TargetKind::acceleration   ? Dimension::acceleration
+           : kind == TargetKind::displacement ? Dimension::length
+                                              : Dimension::velocity;
+}
+
+namespace {
+
+/// "Sa_g": beside "gal" and "m/s2" a letter of its own is the unit here, where no ground can be meant.
+std::optional<double> unit_of_values(std::string_view name, Dimension dimension) {
+    auto const [text, bracketed] = unit_text_in_name(name);
+    bool const in_g = dimension == Dimension::acceleration && text == "g";
+    return in_g ? std::optional(g0) : unit_in_name(name, dimension);
+}
+
+double period_unit(PairTable const& table, Location const& where) {
+    auto const [text, bracketed] = unit_text_in_name(table.first_name);
+    auto const lower = lowered(table.first_name);
+    if (lower.starts_with("freq") || unit_spelled(text, Dimension::frequency)) {
+        throw InputError(where, fmt::format("'{}' as first column (a target's are periods in s). Turn frequencies into "
+                                            "periods, the shortest first",
+                                            table.first_name));
+    }
+    auto const unit = unit_in_name(table.first_name, Dimension::time);
+    if (bracketed && !unit) {
+        throw InputError(where, fmt::format("unit '{}' of the periods (it is not known: one of {}). Mend the header",
+                                            text, accepted_units(Dimension::time)));
+    }
+    return unit.value_or(1);
+}
+
+double value_unit(PairTable const& table, TargetKind kind, std::optional<double> stated, Location const& where) {
+    auto const dimension = dimension_of(kind);
+    auto const unit = unit_of_values(table.second_name, dimension);
+    auto const [text, bracketed] = unit_text_in_name(table.second_name);
+    constexpr double same = 1e-9;
+    if (unit && stated && std::abs(*unit - *stated) > same * *unit) {
+        throw InputError(where, fmt::format("unit '{}' in the header, another one stated in the campaign (they "
+                                            "contradict each other). Leave the stated one out",
+                                            text));
+    }
+    bool const another = unit_spelled(text, Dimension::acceleration) || unit_spelled(text, Dimension::velocity)
+                         || (bracketed && unit_spelled(text, Dimension::length));
+    if (!unit && (another || (bracketed && !stated))) {
+        throw InputError(where, fmt::format("unit '{}' in the header (not a unit of {}, which kind says the values "
+                                            "are: one of {}). Mend the kind, or the header",
+                                            text, name_of(dimension), accepted_units(dimension)));
+    }
+    return unit.value_or(stated.value_or(1));
+}
+
+}  // namespace
+
+TargetSpectrum parse_target_table(std::string_view content, std::string const& name, TargetKind kind, double damping,
+                                  std::optional<double> unit_si) {
+    auto table = read_pair_table(content, name, "period and value", check_point);
+    Location const where{name, table.names_line};
+    bool const named = table.names_line > 0;
+    double const period = named ? period_unit(table, where) : 1;
+    double const value = value_unit(table, kind, unit_si, where);
+    for (auto& point : table.points) {
+        point.first *= period;
+        point.second *= value;
+    }
+    return TargetSpectrum::from_points(name, damping, kind, table.points);
 }
 
 }  // namespace overturn

@@ -1,6 +1,7 @@
 /// Target spectra: what artificial waves are matched to, from a table or a formula, at model scale if wanted.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "config/registry.hpp"
+#include "core/units.hpp"
 #include "spectra/damping_rule.hpp"
 
 namespace overturn {
@@ -69,8 +71,14 @@ class TargetSpectrum {
 
 /// Two columns, period [s] and value, parted by blanks or a comma; `#` and `!` begin a comment; one line of names may
 /// stand above them.
-/// \throws InputError with `name:line` at what is not two finite numbers, a period that does not rise, a value <= 0.
+/// Units are those that the names state, "T [s], Sa [gal]" (a comment above the numbers may name the columns too), or
+/// `unit_si`, the SI value of one unit of the values; SI where neither does.
+/// \throws InputError with `name:line` at what is not two finite numbers, a period that does not rise, a value <= 0, a
+/// unit in the names that is none of the kind's or contradicts the stated one, a first column of frequencies.
 [[nodiscard]] TargetSpectrum parse_target_table(std::string_view content, std::string const& name, TargetKind kind,
-                                                double damping);
+                                                double damping, std::optional<double> unit_si = {});
+
+/// What the ordinates of a kind measure.
+[[nodiscard]] Dimension dimension_of(TargetKind kind);
 
 }  // namespace overturn

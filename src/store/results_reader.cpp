@@ -123,6 +123,11 @@ void require_readable(std::filesystem::path const& path) {
 }  // namespace
 
 ResultsReader::ResultsReader(std::filesystem::path const& path, std::string_view format) : path_(path) {
+    auto const parts = path.string() + ".parts";
+    validate(std::filesystem::exists(path) || !std::filesystem::is_directory(parts),
+             "{}: not there yet (its run is unfinished, {} holds what is done). Ask overturn status {}, and go on with "
+             "overturn run --resume",
+             path.string(), parts, path.string());
     validate(std::filesystem::exists(path), "{}: no such file (nothing to read). Check the name", path.string());
     require_readable(path);
     PropertyList const access(checked(H5Pcreate(H5P_FILE_ACCESS), "make file properties"));

@@ -33,6 +33,19 @@ TEST(Levels, AListInAnyOrderAndUnit) {
     EXPECT_EQ(levels_of("measure='factor'\nvalues=[1]\nwaves='independent'\n").units(), "1");
 }
 
+// Requirement: what people read is in the unit that they wrote.
+TEST(Levels, AreShownAsTheyWereWritten) {
+    auto const text_of = [](std::string const& keys) {
+        auto const spec = levels_of(keys);
+        return spec.text(spec.levels.back().value);
+    };
+    EXPECT_EQ(text_of("measure='pga'\nvalues=['200 gal', '600 gal']\n"), "600 gal");
+    EXPECT_EQ(text_of("measure='pga'\nvalues={from='0.1 g', to='0.5 g', count=3}\n"), "0.5 g");
+    EXPECT_EQ(text_of("measure='pgv'\nvalues=[1]\ndesign_basis='50 kine'\n"), "100 kine");
+    EXPECT_EQ(text_of("measure='pga'\nvalues=[2, 6]\n"), "6 m/s2");
+    EXPECT_EQ(text_of("measure='factor'\nvalues=[2]\n"), "2");
+}
+
 TEST(Levels, MayBeThatOfBothComponentsTogether) {
     auto const spec = levels_of("measure='vector-pga'\nvalues=['300 gal']\n");
     EXPECT_EQ(spec.scale(spec.levels[0], {.pga_mps2 = 1, .vector_pga_mps2 = 1.5}), 2);

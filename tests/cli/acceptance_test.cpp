@@ -84,7 +84,7 @@ TEST_F(Acceptance, RunPlanAndStatusCountRefusedWaves) {
     EXPECT_EQ(status.code, 0);
     EXPECT_NE(status.out.find("4 not accepted by japan"), std::string::npos) << status.out;
     EXPECT_NE(status.out.find("failed trials: 24 (wave-not-accepted 24)"), std::string::npos) << status.out;
-    EXPECT_NE(status.out.find("  trial 4: wave 0, type-b, pga 6 m/s2: wave-not-accepted ("), std::string::npos);
+    EXPECT_NE(status.out.find("  trial 4: wave 0, type-b, pga 600 gal: wave-not-accepted ("), std::string::npos);
     EXPECT_NE(status.out.find("  not met by 4 waves: judged to\n"), std::string::npos) << status.out;
     EXPECT_EQ(run.out.find("rungs: 24 at-rest"), std::string::npos) << "what failed was on no rung";
     EXPECT_NE(status.out.find("  and 4 more"), std::string::npos) << status.out;

@@ -142,7 +142,7 @@ TEST(CsmipV2, FileCutWithinAnyBlockIsRefused) {
 
 TEST(RefusedFormats, SayWhatToDo) {
     expect_input_error([] { (void)read("UNCORRECTED ACCELEROGRAM DATA   RAW\n 1 2 3\n"); }, "a.V2:1: ", "V2 file");
-    expect_input_error([] { (void)read("2 CORRECTED ACCELEROGRAM   1979\n 1 2\n"); }, "a.V2:1: ", "SMC");
+    expect_input_error([] { (void)read("2 CORRECTED ACCELEROGRAM   1979\n 1 2\n"); }, "a.V2:2: ", "header promises 48");
     expect_input_error([] { (void)read("#StationCode: A\n#Data: 4F10.3\n 0 1 2 3\n 1 1 2 3\n", {.unit_mps2 = 0.01}); },
                        "a.V2:2: ", "CWA", "time,a_horizontal");
     expect_input_error([] { (void)read("* VOL1DS FILE:\nCOMP L1\n"); }, "BHRC");

@@ -74,6 +74,34 @@ TEST(ItacaAcc, PackedValuesInMetres) {
     EXPECT_EQ(read(itaca("Sampling rate (Hz) : 200", "Sampling interval : 0.01 s")).time_step_s, 0.01);
 }
 
+// Requirement: the archive's files as they are in the wild, whose tenth line is prose and whose words are others.
+TEST(ItacaAcc, ProseMayEndTheHeader) {
+    std::string const wild =
+        "Event Date & Time             : 2009-04-06 01:32:39\nStation Code / Name           : 3620 / Somewhere\n"
+        "Network                       : DPC\nOrientation                   : NS\nProcessing Info               : "
+        "none\n"
+        "Filter Cut-off Frequency (Hz) : 0.050 - 65.000\nTime Increment (s)            : 0.005\n"
+        "Number of Data                : 6\nPGA (m/s/s)                   : 5.0000000E-01\n"
+        "Accelaration time series in m/s/s\n"
+        " 1.2456000E-06-5.9452000E-06 3.0000000E-01 0.0000000E+00-5.0000000E-01\n 4.0000000E-01\n";
+    auto const recording = read_recording(wild, {.name = "a.acc"});
+    EXPECT_EQ(recording.format, "itaca-acc");
+    EXPECT_EQ(recording.time_step_s, 0.005);
+    EXPECT_EQ(recording.components[0].name, "NS");
+    EXPECT_EQ(recording.components[0].direction, Direction::horizontal);
+    EXPECT_EQ(recording.components[0].acceleration_mps2[4], -0.5);
+    auto columns = wild.substr(0, wild.find(" 1.2456"));
+    columns += "0 1\n0.005 2\n0.01 3\n0.015 4\n0.02 5\n";
+    expect_input_error([&] { (void)read_recording(columns, {.name = "a.acc"}); }, "a.acc");
+    auto other = wild;
+    other.replace(other.find("5.0000000E-01"), 13, "6.0000000E-01");
+    expect_input_error([&] { (void)read_recording(other, {.name = "a.acc"}); },
+                       "a.acc:9: ", "where the header says 60");
+    expect_input_error([&] { (void)read_recording(wild, {.name = "a.acc", .unit_mps2 = 0.01}); },
+                       "unit m/s2 in the file, gal stated");
+    expect_input_error([&] { (void)read_recording(wild, {.name = "a.acc", .time_step_s = 0.02}); }, "contradict");
+}
+
 // Requirement: what stands behind a number or in its key's brackets is its unit, and never passed over.
 TEST(ItacaAcc, AnotherUnitOfTheStepIsRefused) {
     std::string const rate = "Sampling rate (Hz) : 200";

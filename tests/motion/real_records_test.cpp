@@ -124,14 +124,27 @@ TEST_F(RealRecords, CsmipChannelsHaveTheirPrintedPeaks) {
     EXPECT_NEAR(peak_of(parkfield.motion.vertical_mps2) / gal, 94.805, 1e-9);
 }
 
+TEST_F(RealRecords, OthersHaveTheirPrintedPeaks) {
+    EXPECT_EQ(placed("itaca_acc/LAquila2009_16839_H1.cor.acc").read_as(),
+              "itaca-acc, NS, m/s2, 0.005 s, 23709 samples, 118.54 s");
+    EXPECT_NEAR(peak_gal(read("itaca_acc/LAquila2009_16839_H1.cor.acc")), 67.694, 1e-6);
+    auto const shafter = placed("smc/LomaPrieta1989_SF1295Shafter_270.smc");
+    EXPECT_EQ(shafter.read_as(), "smc, 270, gal, 0.005 s, 6004 samples, 30.015 s");
+    EXPECT_NEAR(peak_gal(shafter.motion), 70.437, 1e-3);
+    auto const guangfu = placed("cwa_dat/Hualien2018_EGF.dat");
+    EXPECT_EQ(guangfu.says, "N, transverse E, vertical U");
+    EXPECT_NEAR(peak_of(guangfu.motion.vertical_mps2) / gal, 7.118, 1e-9);
+    auto const concord = placed("csmip_v2/CE58667_newer_layout.V2");
+    EXPECT_EQ(concord.says, "H1, transverse H2, vertical Up");
+    EXPECT_NEAR(peak_gal(concord.motion), 27.114, 1e-3);
+    expect_input_error([] { (void)read("itaca_acc/LAquila2009_16839_H1.cor.acc", {.unit_mps2 = gal}); },
+                       "unit m/s2 in the file, gal stated");
+}
+
 // Every file of the folder is read, or refused for the reason that is known of it.
 TEST_F(RealRecords, NoFileIsLeftUndecided) {
     std::map<std::string, std::string> const refused{{"Kobe1995_KJMA_NS_wrongheader.AT2", "2567 values where NPTS"},
-                                                     {"Kobe1995_KJMA_000.VT2", "a velocity series"},
-                                                     {"LomaPrieta1989_SF1295Shafter_270.smc", "no reader for it"},
-                                                     {"Hualien2018_EGF.dat", "no reader for it"},
-                                                     {"LAquila2009_16839_H1.cor.acc", "unit missing"},
-                                                     {"LAquila2009_Bibbiena_NS.acc", "unit missing"}};
+                                                     {"Kobe1995_KJMA_000.VT2", "a velocity series"}};
     int seen = 0;
     for (auto const& entry : std::filesystem::recursive_directory_iterator(*records_folder())) {
         if (!entry.is_regular_file() || entry.path().extension() == ".md") {

@@ -141,6 +141,42 @@ TEST(TargetSpectrum, OneLineOfNamesMayStandAboveATable) {
     expect_input_error([&] { parse("0.1,\n1 1\n"); }, "t.csv:1: ", "two numbers");
 }
 
+// Requirement: the units of a target's table are those of its header or those stated, never SI whatever they say.
+TEST(TargetSpectrum, UnitsOfTheHeaderAreRead) {
+    std::string const rows = "0.02,300\n0.1,700\n1,500\n10,80\n";
+    auto const peak = [&](std::string const& header, TargetKind kind = TargetKind::acceleration,
+                          std::optional<double> unit = {}) {
+        auto const target = parse_target_table(header + rows, "t.csv", kind, 0.05, unit);
+        return kind == TargetKind::acceleration ? target.psa_mps2(0.1) : target.psv_mps(0.1);
+    };
+    for (char const* header : {"period [s],Sa [gal]\n", "# period_s,sa_cmps2\n", "T (s) Sa (cm/s2)\n", "T;Sa_gal\n",
+                               "# T  Sa [Gal]\n", "T [s]\tSa [cm/sec/sec]\n", "# Sa in gal\n"}) {
+        EXPECT_TRUE(near(peak(header), 7, exact_formula)) << header;
+    }
+    EXPECT_TRUE(near(peak("T,Sa [g]\n"), 700 * g0, exact_formula));
+    EXPECT_TRUE(near(peak("T,Sa_g\n"), 700 * g0, exact_formula));
+    EXPECT_TRUE(near(peak("T,Sv [kine]\n", TargetKind::pseudo_velocity), 7, exact_formula));
+    for (char const* header : {"", "T,Sa\n", "# a table of 300 gal\n", "# after (Smith 1990), 5 % (see text)\n",
+                               "T [s],Sa [m/s2]\n", "# period_s,sa_mps2\n"}) {
+        EXPECT_TRUE(near(peak(header), 700, exact_formula)) << header;
+    }
+    EXPECT_TRUE(near(peak("T,Sa\n", TargetKind::acceleration, 0.01), 7, exact_formula));
+    EXPECT_TRUE(near(peak("T,Sa [gal]\n", TargetKind::acceleration, 0.01), 7, exact_formula));
+    auto const refuse = [&](std::string const& header, TargetKind kind, std::optional<double> unit, char const* part) {
+        expect_input_error([&] { (void)peak(header, kind, unit); }, "t.csv:1: ", part);
+    };
+    refuse("T,Sa [gal]\n", TargetKind::acceleration, g0, "contradict");
+    refuse("T,Sa [gal]\n", TargetKind::pseudo_velocity, {}, "not a unit of velocity");
+    refuse("T,Sa [gal]\n", TargetKind::pseudo_velocity, 0.01, "not a unit of velocity");
+    refuse("T,Sa [ft/s2]\n", TargetKind::acceleration, {}, "'ft/s2'");
+    EXPECT_TRUE(near(peak("T,Sa [ft/s2]\n", TargetKind::acceleration, 0.3048), 700 * 0.3048, exact_formula));
+    refuse("f [Hz],Sa [gal]\n", TargetKind::acceleration, {}, "Turn frequencies into periods");
+    refuse("T [days],Sa [gal]\n", TargetKind::acceleration, {}, "of the periods");
+    EXPECT_TRUE(near(
+        parse_target_table("T [ms],Sa [gal]\n100,300\n1000,700\n", "t", TargetKind::acceleration, 0.05).psa_mps2(0.1),
+        3, exact_formula));
+}
+
 TEST(TargetSpectrum, BadTablesNameTheLine) {
     auto const parse = [](char const* text) {
         (void)parse_target_table(text, "t.csv", TargetKind::acceleration, 0.05);
@@ -162,6 +198,13 @@ TEST(TargetSpectrum, CampaignStatesItInThreeWays) {
     EXPECT_TRUE(near(read("kind='pseudo-velocity'\npoints=[[0.1,'20 kine'],[1,0.2]]\nscale=2").psv_mps(0.5), 0.4,
                      exact_formula));
     EXPECT_TRUE(near(read("kind='acceleration'\nfile='sv.csv'\ntime_scale=0.5").last_period_s(), 0.5, exact_formula));
+    EXPECT_TRUE(
+        near(read("kind='pseudo-velocity'\nunit='kine'\npoints=[[0.1,20],[1,20]]").psv_mps(0.5), 0.2, exact_formula));
+    EXPECT_TRUE(near(read("kind='acceleration'\nunit='gal'\nfile='sv.csv'").psa_mps2(0.5), 0.01, exact_formula));
+    expect_input_error([&] { (void)read("kind='acceleration'\nunit='kine'\nfile='sv.csv'"); },
+                       "c.toml:2:", "not a unit of acceleration");
+    expect_input_error([&] { (void)read("kind='acceleration'\nunit='gal'\npoints=[[0.1,'1 g'],[1,2]]"); },
+                       "c.toml:3:", "pure number");
     expect_input_error([&] { (void)read("damping=0.05"); }, "c.toml:", "exactly one of");
     expect_input_error([&] { (void)read("kind='acceleration'\nfile='no.csv'"); }, "c.toml:2:", "no.csv");
     expect_input_error([&] { (void)read("kind='acceleration'\npoints=[[0.1,1],[1,-1]]"); }, "c.toml:2:", "ordinate -1");

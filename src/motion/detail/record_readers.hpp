@@ -56,6 +56,20 @@ namespace overturn {
 [[nodiscard]] bool recognises_columns(std::string_view content);
 [[nodiscard]] Recording read_columns(std::string_view content, RecordRequest const& request);
 
+/// The same columns without a time: recognised only by names that are all directions (NS,EW,UD); else by their format's
+/// name. The time step must be stated.
+[[nodiscard]] bool recognises_components(std::string_view content);
+[[nodiscard]] Recording read_components(std::string_view content, RecordRequest const& request);
+
+/// SMC (USGS, Converse and Brady 1992): text, integer and real headers, comments, then accelerations in cm/s2.
+[[nodiscard]] bool recognises_smc(std::string_view content);
+[[nodiscard]] Recording read_smc(std::string_view content, RecordRequest const& request);
+[[nodiscard]] std::string station_of_smc(std::string_view head);
+
+/// CWA (Taiwan): lines `#Key: value`, then columns of time and components in gal in the order that the header states.
+[[nodiscard]] bool recognises_cwa(std::string_view content);
+[[nodiscard]] Recording read_cwa(std::string_view content, RecordRequest const& request);
+
 /// Never returns. \throws InputError that asks for the unit under the name that its user writes.
 [[noreturn]] void refuse_without_unit(Location const& where, std::string_view why, RecordRequest const& request);
 

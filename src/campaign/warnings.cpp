@@ -1,0 +1,199 @@
+#include "campaign/warnings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "campaign/plan.hpp"
+#include "core/units.hpp"
+
+namespace overturn {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+// Of each wave that was measured.
+template <class Visit> void each_drift(CampaignSpec const& spec, Visit&& visit) {
+    auto const count = spec.source->available() ? spec.wave_count : 0;
+    for (std::int64_t wave = 0; wave < count; ++wave) {
+        auto const drift = spec.source->drift(static_cast<std::uint64_t>(wave));
+        if (!drift) {
+            return;
+        }
+        visit(wave, *drift);
+    }
+}
+
+void add_drifts(CampaignSpec const& spec, Lines& lines) {
+    std::int64_t count = 0;
+    bool told = false;
+    std::string first;
+    each_drift(spec, [&](std::int64_t wave, Drift const& drift) {
+        if (drift.excessive() && count++ == 0) {
+            first = fmt::format("record {} {}", wave, drift.text());
+        }
+    });
+    constexpr double mostly = 0.5;
+    each_drift(spec, [&](std::int64_t wave, Drift const& drift) {
+        bool const away = std::abs(drift.end_displacement_m) > mostly * drift.pgd_m;
+        if (spec.levels.measure == LevelMeasure::pgd && away && !told) {
+            told = true;
+            lines.push_back(
+                fmt::format("record {} {}: levels by pgd scale by what it is left at, fling or drift. State "
+                            "waves.baseline if it is drift",
+                            wave, drift.text()));
+        }
+    });
+    if (count > 0) {
+        lines.push_back(
+            fmt::format("{}{}: the baseline drifts, and PGV, PGD and long-period energy with it. State "
+                        "waves.baseline, for example {{high_pass = \"0.05 Hz\"}}",
+                        first, count > 1 ? fmt::format(", and {} more", count - 1) : ""));
+    }
+}
+
+void add_targets(CampaignSpec const& spec, Lines& lines) {
+    auto const judged_to = spec.source->judged_to_s();
+    for (auto const& body : spec.bodies) {
+        auto const band = rocking_period_band(body.body.radius_m(), spec.measures.radius_unit);
+        if (judged_to && ends_inside(*judged_to, band)) {
+            lines.push_back(
+                fmt::format("waves are compared with their target to {:.3g} s only, and {} rocks at {:.2f} "
+                            "s to {:.2f} s: nothing says how they shake it beyond. State the target to "
+                            "{:.3g} s, and waves.target.longest no shorter",
+                            *judged_to, body.name, band.t0_s, band.t1_s, band.t1_s));
+        }
+    }
+}
+
+void add_first_wave(CampaignSpec const& spec, Lines& lines) {
+    constexpr double absurd_mps2 = 10 * g0;
+    try {
+        Plan const plan(spec);
+        auto const wave = spec.source->make(spec.seed, plan.wave_id(0));
+        if (double const peak = peak_of(wave.motion.horizontal_mps2); peak > absurd_mps2) {
+            lines.push_back(
+                fmt::format("wave 0 peaks at {:.4g} g before any scaling (no ground has shaken so). Check the "
+                            "unit of its target or amplitude",
+                            peak / g0));
+        }
+    } catch (InputError const&) {
+        return;  // its trials will say why
+    }
+}
+
+// Beyond anything felt, by a factor of some two: a unit was left out.
+void add_levels(LevelSpec const& levels, Lines& lines) {
+    struct Bound {
+        LevelMeasure measure;
+        double most;
+        std::string_view unit;  ///< that users of this measure mean
+        double unit_si;
+        std::string_view known;
+    };
+    static constexpr std::array bounds{
+        Bound{LevelMeasure::pga, 10 * g0, "gal", 0.01, "the strongest records stay below 5 g"},
+        Bound{LevelMeasure::vector_pga, 10 * g0, "gal", 0.01, "the strongest records stay below 5 g"},
+        Bound{LevelMeasure::pgv, 10, "kine", 0.01, "the strongest records stay below 4 m/s"},
+        Bound{LevelMeasure::pgd, 30, "cm", 0.01, "the strongest records stay below 10 m"}};
+    auto const* const bound = std::ranges::find(bounds, levels.measure, &Bound::measure);
+    double const highest = levels.levels.back().value;
+    if (bound != bounds.end() && highest > bound->most) {
+        lines.push_back(
+            fmt::format("levels up to {} {:g} {} = {:g} {} ({}; a bare number is SI). Write \"{:g} {}\" if "
+                        "that was meant",
+                        levels.measure_name(), highest, levels.units(), highest / bound->unit_si, bound->unit,
+                        bound->known, highest, bound->unit));
+    }
+}
+
+void add_motions(CampaignSpec const& spec, Lines& lines) {
+    constexpr std::uint64_t most = 1000;
+    if (!spec.source->available() || !spec.source->drift(0)) {
+        return;
+    }
+    auto const count = std::min(most, static_cast<std::uint64_t>(spec.wave_count));
+    for (std::uint64_t wave = 0; wave < count; ++wave) {
+        for (auto const& line : warnings_of(spec.source->make(spec.seed, wave).motion)) {
+            lines.push_back(fmt::format("record {}: {}", wave, line));
+            return;  // the first tells enough
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> warnings_of(BodySpec const& body) {
+    Lines lines;
+    auto const& b = body.body;
+    double const gyration_m = std::sqrt(b.inertia_kgm2() / b.mass_kg());
+    double const share = gyration_m / b.radius_m();
+    constexpr double slightest = 0.2, largest = 1.2;  // 0.58 for a uniform block
+    if (share < slightest || share > largest) {
+        lines.push_back(
+            fmt::format("{}: inertia {:.4g} kg m2 is a radius of gyration of {:.3g} m, {:.2g} of R = {:.3g} m "
+                        "(0.58 for a uniform block). Check its unit, or write \"uniform-block\"",
+                        body.name, b.inertia_kgm2(), gyration_m, share, b.radius_m()));
+    }
+    double const box_m3 = 8 * b.half_width_m() * b.half_width_m() * b.centre_height_m();
+    double const density = b.mass_kg() / box_m3;
+    constexpr double lightest = 20, heaviest = 23000;  // foam, and beyond the heaviest metals
+    if (density < lightest || density > heaviest) {
+        lines.push_back(
+            fmt::format("{}: mass {:.4g} kg in a box of {:.3g} m3 is {:.3g} kg/m3 (concrete 2400, steel "
+                        "7850). Check its unit: \"{:g} t\"?",
+                        body.name, b.mass_kg(), box_m3, density, b.mass_kg()));
+    }
+    return lines;
+}
+
+std::vector<std::string> warnings_of(GroundMotion const& motion) {
+    Lines lines;
+    constexpr double longest_s = 0.1;
+    constexpr std::size_t fewest = 50;
+    if (motion.time_step_s > longest_s) {
+        lines.push_back(
+            fmt::format("time step of {:g} s (nothing above {:.3g} Hz is in it). Check the step and its unit",
+                        motion.time_step_s, 0.5 / motion.time_step_s));
+    }
+    if (motion.samples() < fewest) {
+        lines.push_back(fmt::format("{} samples only, {:g} s (hardly an earthquake). Check what was read",
+                                    motion.samples(), motion.duration_s()));
+    }
+    return lines;
+}
+
+bool ends_inside(double judged_to_s, PeriodBand const& band) {
+    constexpr double rounding = 1e-9;
+    return judged_to_s < band.t1_s * (1 - rounding);
+}
+
+std::vector<std::string> warnings_of(CampaignSpec const& spec) {
+    Lines lines;
+    add_drifts(spec, lines);
+    add_targets(spec, lines);
+    add_first_wave(spec, lines);
+    add_levels(spec.levels, lines);
+    add_motions(spec, lines);
+    for (auto const& body : spec.bodies) {
+        auto const more = warnings_of(body);
+        lines.insert(lines.end(), more.begin(), more.end());
+    }
+    return lines;
+}
+
+std::vector<std::string> ends_of_records(CampaignSpec const& spec) {
+    constexpr std::int64_t most = 20;
+    Lines lines;
+    each_drift(spec, [&](std::int64_t wave, Drift const& drift) {
+        if (wave < most) {
+            lines.push_back(
+                fmt::format("{}: PGV {:.4g} m/s, PGD {:.4g} m, {}", wave, drift.pgv_mps, drift.pgd_m, drift.text()));
+        }
+    });
+    return lines;
+}
+
+}  // namespace overturn

@@ -1,0 +1,26 @@
+/// What a campaign may state and hardly means: said in one line each before any work, by plan, run, wave and report.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "campaign/campaign_spec.hpp"
+
+namespace overturn {
+
+/// One line each, without "warning: ". Nothing here is an error: a study may want it.
+[[nodiscard]] std::vector<std::string> warnings_of(CampaignSpec const& spec);
+
+/// Of one body: sizes, mass and inertia that hardly belong together.
+[[nodiscard]] std::vector<std::string> warnings_of(BodySpec const& body);
+
+/// Of one motion: too few samples, too long a step.
+[[nodiscard]] std::vector<std::string> warnings_of(GroundMotion const& motion);
+
+/// True if a target that is compared to `judged_to_s` leaves some of a body's band without a word.
+[[nodiscard]] bool ends_inside(double judged_to_s, PeriodBand const& band);
+
+/// How the first measured waves end, a line each: what of PGV and PGD is their baseline's. Empty without records.
+[[nodiscard]] std::vector<std::string> ends_of_records(CampaignSpec const& spec);
+
+}  // namespace overturn

@@ -1,0 +1,71 @@
+#include "cli/walltime.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/units.hpp"
+
+namespace overturn::cli {
+namespace {
+
+constexpr double minute_s = 60, hour_s = 3600, day_s = 86400;
+
+double whole(std::string_view text, std::string const& all) {
+    double value = 0;
+    bool const digits = !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+    validate(digits && parse_number(text, value), "'{}' (is no time). Write \"50 min\", HH:MM:SS or D-HH:MM:SS", all);
+    return value;
+}
+
+std::vector<double> numbers_between_colons(std::string_view text, std::string const& all) {
+    std::vector<double> numbers;
+    for (auto rest = text;;) {
+        auto const colon = rest.find(':');
+        numbers.push_back(whole(rest.substr(0, colon), all));
+        if (colon == std::string_view::npos) {
+            return numbers;
+        }
+        rest.remove_prefix(colon + 1);
+    }
+}
+
+double slurm_time(std::string const& text) {
+    std::string_view rest = text;
+    auto const dash = rest.find('-');
+    bool const has_days = dash != std::string_view::npos;
+    double const days = has_days ? whole(rest.substr(0, dash), text) : 0;
+    auto const parts = numbers_between_colons(has_days ? rest.substr(dash + 1) : rest, text);
+    constexpr std::size_t most = 3;
+    validate(parts.size() <= most, "'{}' (more than hours, minutes and seconds). Write HH:MM:SS", text);
+    // Behind days hours come first, else the last are seconds.
+    double unit = has_days ? hour_s : parts.size() == most ? hour_s : minute_s;
+    double seconds = days * day_s;
+    for (double const part : parts) {
+        seconds += part * unit;
+        unit /= minute_s;
+    }
+    return seconds;
+}
+
+// "1h": a blank before the first letter.
+std::string with_blank(std::string text) {
+    auto const letter = std::find_if(text.begin(), text.end(), [](char c) { return c >= 'a' && c <= 'z'; });
+    if (letter != text.begin() && letter != text.end() && *(letter - 1) >= '0' && *(letter - 1) <= '9') {
+        text.insert(letter, ' ');
+    }
+    return text;
+}
+
+}  // namespace
+
+double parse_walltime(std::string const& text) {
+    bool const slurm =
+        text.find(':') != std::string::npos || (text.find('-') != std::string::npos && text.front() != '-');
+    double const seconds = slurm ? slurm_time(text) : parse_quantity(with_blank(text), Dimension::time);
+    validate(seconds > 0, "{} s (must be above 0). State the time this run may take", seconds);
+    return seconds;
+}
+
+}  // namespace overturn::cli

@@ -1,0 +1,35 @@
+#include "motion/drift.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "motion/intensity.hpp"
+
+namespace overturn {
+
+double Drift::share() const { return pgv_mps > 0 ? std::abs(end_velocity_mps) / pgv_mps : 0; }
+
+bool Drift::excessive() const {
+    constexpr double most = 0.05;
+    constexpr double farthest_m = 15;  // no instrument has gone further: a mean taken off brings any drift to rest
+    return share() > most || pgd_m > farthest_m * factor;
+}
+
+std::string Drift::text() const {
+    return fmt::format("ends at {:.3g} m/s ({:.3g} % of its PGV), {:.3g} m from where it began", end_velocity_mps,
+                       100 * share(), end_displacement_m);
+}
+
+Drift drift_of(GroundMotion const& motion) {
+    auto const& a = motion.horizontal_mps2;
+    auto const intensity = intensity_of(a, motion.time_step_s);
+    Drift drift{.pgv_mps = intensity.pgv_mps, .pgd_m = intensity.pgd_m};
+    if (!a.empty()) {
+        drift.end_velocity_mps = velocity_of(a, motion.time_step_s).back();
+        drift.end_displacement_m = displacement_of(a, motion.time_step_s).back();
+    }
+    return drift;
+}
+
+}  // namespace overturn

@@ -1,0 +1,30 @@
+/// What is left of a recorded motion's velocity and displacement when it ends: the ground has come to rest by then, so
+/// it is the record's baseline that drifts, and PGV and PGD drift with it.
+#pragma once
+
+#include <string>
+
+#include "motion/ground_motion.hpp"
+
+namespace overturn {
+
+/// Of the horizontal component, from rest.
+struct Drift {
+    double pgv_mps = 0;             ///< [m/s]
+    double pgd_m = 0;               ///< [m]
+    double end_velocity_mps = 0;    ///< [m/s]
+    double end_displacement_m = 0;  ///< [m]
+    double factor = 1;              ///< by which the record was multiplied
+
+    /// |end velocity| over PGV; 0 where nothing moves.
+    [[nodiscard]] double share() const;
+    /// True if more than 5 % of PGV is left, or PGD, unscaled, is beyond 15 m: PGV and PGD are then the baseline's as
+    /// much as the ground's.
+    [[nodiscard]] bool excessive() const;
+    /// "ends at 0.012 m/s (3.1 % of its PGV), 0.32 m from where it began"
+    [[nodiscard]] std::string text() const;
+};
+
+[[nodiscard]] Drift drift_of(GroundMotion const& motion);
+
+}  // namespace overturn

@@ -1,0 +1,188 @@
+// Requirement: records mean what they say: a baseline that drifts is corrected, or its PGV and PGD are no levels.
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
+
+#include "core/units.hpp"
+#include "support/command.hpp"
+
+namespace overturn::testing {
+namespace {
+
+using nlohmann::json;
+
+std::string const body = "mass='12.6 t'\nbase_width='0.9 m'\ncentre_height='1.045 m'\ninertia='uniform-block'\n";
+
+// Two seconds of period, 40 s, with an offset [gal].
+std::string record(double offset) {
+    std::string text = "time_s,acc (gal)\n";
+    for (int i = 0; i <= 4000; ++i) {
+        double const t = 0.01 * i;
+        double const hill = std::pow(std::sin(pi * t / 40), 2);
+        text += fmt::format("{:.2f},{:.6f}\n", t, 100 * hill * std::sin(pi * t) + offset);
+    }
+    return text;
+}
+
+std::string campaign(std::string const& waves, std::string const& measure, std::string const& values) {
+    return "seed=1\n[waves]\nsource='records'\n" + waves + "[[bodies]]\nname='b'\n" + body + "[levels]\nmeasure='"
+           + measure + "'\nvalues=[" + values + "]\n";
+}
+
+class RecordsOnTheLine : public ::testing::Test {
+  protected:
+    RecordsOnTheLine() {
+        folder.write("drifts.csv", record(4.4));
+        folder.write("rests.csv", record(0));
+        folder.write("body.toml", body);
+    }
+    Folder folder;
+};
+
+TEST_F(RecordsOnTheLine, DriftingPgvIsNoLevel) {
+    std::string const files = "files=['rests.csv','drifts.csv']\n";
+    folder.write("c.toml", campaign(files, "pgv", "'50 kine'"));
+    auto const refused = overturn(folder, {"run", "c.toml"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_TRUE(is_one_error_line(refused.err));
+    for (char const* part : {"c.toml:12:9: levels.measure: pgv of wave 1 (which ends at 1.76 m/s",
+                             "State a baseline in [waves], for example baseline = {high_pass = \"0.05 Hz\"}"}) {
+        EXPECT_NE(refused.err.find(part), std::string::npos) << refused.err;
+    }
+    folder.write("d.toml", campaign(files, "pgd", "'0.5 m'"));
+    EXPECT_EQ(overturn(folder, {"plan", "d.toml"}).code, 2);
+
+    folder.write("c.toml", campaign(files + "baseline={high_pass='0.05 Hz'}\n", "pgv", "'50 kine'"));
+    auto const plan = overturn(folder, {"plan", "c.toml"});
+    EXPECT_EQ(plan.code, 0) << plan.err;
+    EXPECT_NE(plan.out.find("record    1: PGV 0.3"), std::string::npos) << plan.out;
+    EXPECT_EQ(plan.out.find("warning"), std::string::npos) << plan.out;
+}
+
+// A record that ends at rest and far away: no level by pgd without a word.
+TEST_F(RecordsOnTheLine, PgdOfAFlingIsSaid) {
+    std::string text = "time_s,acc (gal)\n";
+    for (int i = 0; i <= 2000; ++i) {
+        text += fmt::format("{:.2f},{:.6f}\n", 0.01 * i, 20 * std::sin(pi * i / 1000.0));
+    }
+    folder.write("fling.csv", text);
+    folder.write("c.toml", campaign("files=['fling.csv']\n", "pgd", "'1 m'"));
+    auto const plan = overturn(folder, {"plan", "c.toml"});
+    EXPECT_NE(plan.out.find("levels by pgd scale by what it is left at"), std::string::npos) << plan.out << plan.err;
+}
+
+TEST_F(RecordsOnTheLine, DriftIsSaidWhereLevelsDoNotNeedIt) {
+    folder.write("c.toml", campaign("files=['drifts.csv']\n", "pga", "'300 gal'"));
+    char const* const warning = "record 0 ends at 1.76 m/s (";
+    EXPECT_NE(overturn(folder, {"plan", "c.toml"}).out.find(warning), std::string::npos);
+    auto const run = overturn(folder, {"run", "c.toml"});
+    EXPECT_NE(run.err.find(std::string("warning: ") + warning), std::string::npos) << run.err;
+    EXPECT_NE(overturn(folder, {"wave", "c.toml", "--wave", "0", "-o", "w.csv"}).err.find(warning), std::string::npos);
+    auto const rock = overturn(folder, {"rock", "--body", "body.toml", "--wave", "drifts.csv"});
+    EXPECT_NE(rock.out.find("its baseline drifts, correct it with --baseline"), std::string::npos) << rock.out;
+    auto const spectrum = [&](std::string const& baseline) {
+        return json::parse(
+            overturn(folder, {"spectrum", "--wave", "drifts.csv", "--json", "--baseline", baseline}).out);
+    };
+    EXPECT_NEAR(spectrum("none")["residual_velocity"].get<double>(), 1.76, 0.01);
+    EXPECT_LT(std::abs(spectrum("polynomial")["residual_velocity"].get<double>()), 1e-6);
+    EXPECT_LT(spectrum("polynomial")["pgv"].get<double>(), 0.36);
+    EXPECT_EQ(overturn(folder, {"spectrum", "--wave", "rests.csv"}).out.find("drifts"), std::string::npos);
+}
+
+// Requirement: what was read is said, so that a reader can be checked: format, components, unit, step, count, duration.
+TEST_F(RecordsOnTheLine, WhatWasReadIsSaid) {
+    char const* const line = "columns, acc (gal), gal, 0.01 s, 4001 samples, 40 s\n";
+    EXPECT_TRUE(overturn(folder, {"spectrum", "--wave", "rests.csv"}).out.starts_with(std::string("read as ") + line));
+    EXPECT_NE(overturn(folder, {"rock", "--body", "body.toml", "--wave", "rests.csv"})
+                  .out.find(std::string("read as          ") + line),
+              std::string::npos);
+    auto const record = json::parse(overturn(folder, {"spectrum", "--wave", "rests.csv", "--json"}).out)["record"];
+    EXPECT_EQ(record["format"], "columns");
+    EXPECT_EQ(record["components"], json::array({"acc (gal)"}));
+    EXPECT_EQ(record["unit"], "gal");
+    EXPECT_NEAR(record["time_step_s"].get<double>(), 0.01, 1e-12);
+    EXPECT_EQ(record["samples"], 4001);
+    EXPECT_NEAR(record["duration_s"].get<double>(), 40, 1e-9);
+}
+
+// Requirement: the program reads what it wrote, without a word on units.
+TEST_F(RecordsOnTheLine, WaveOfACampaignIsReadBack) {
+    folder.write("c.toml", campaign("files=['rests.csv']\n", "pga", "'300 gal'"));
+    ASSERT_EQ(overturn(folder, {"wave", "c.toml", "--wave", "0", "-o", "w.csv"}).code, 0);
+    auto const read = [&](char const* file) {
+        return json::parse(overturn(folder, {"spectrum", "--wave", file, "--json"}).out);
+    };
+    EXPECT_EQ(read("w.csv")["pga"], read("rests.csv")["pga"]);
+    EXPECT_EQ(read("w.csv")["record"]["unit"], "m/s2");
+}
+
+// Requirement: a target that ends where a body rocks, and a wave that nobody has felt, are said before any work.
+TEST_F(RecordsOnTheLine, TargetsThatSayTooLittleOrTooMuch) {
+    auto const campaign_of = [](std::string const& target) {
+        return "seed=1\n[waves]\nsource='spectrum-compatible'\ncount=1\nduration='40.96 s'\ntime_step='0.02 s'\n"
+               "match='each'\nmatch_iterations=3\n[waves.target]\n"
+               + target
+               + "\n[waves.envelope]\nshape='jennings'\nrise='4 s'\nlevel_end='20 s'\nend='38 s'\n"
+                 "[[bodies]]\nname='b'\n"
+               + body + "[levels]\nmeasure='pga'\nvalues=['300 gal']\n";
+    };
+    auto const everywhere = [&](std::string const& target) {
+        folder.write("t.toml", campaign_of(target));
+        std::filesystem::remove(folder / "t.h5");
+        return std::vector{overturn(folder, {"plan", "t.toml"}).out, overturn(folder, {"run", "t.toml"}).err,
+                           overturn(folder, {"wave", "t.toml", "--wave", "0", "-o", "w.csv"}).err};
+    };
+    auto const short_one = everywhere("kind='acceleration'\npoints=[[0.05,3],[0.3,5],[2,5]]");
+    for (auto const& said : short_one) {
+        EXPECT_NE(said.find("compared with their target to 2 s only, and b rocks at 0.53 s to 5.33 s"),
+                  std::string::npos)
+            << said;
+    }
+    EXPECT_NE(short_one[2].find("SI ratio not covered"), std::string::npos) << short_one[2];
+    EXPECT_NE(short_one[2].find("(compared to 2.00 s only)"), std::string::npos) << short_one[2];
+    folder.write("gal.csv", "period [s],Sa [gal]\n0.02,300\n0.1,700\n1,500\n10,80\n");
+    folder.write("none.csv", "0.02,300\n0.1,700\n1,500\n10,80\n");
+    for (auto const& said : everywhere("kind='acceleration'\nfile='gal.csv'")) {
+        EXPECT_EQ(said.find("warning"), std::string::npos) << said;
+    }
+    for (auto const& said : everywhere("kind='acceleration'\nfile='none.csv'")) {
+        EXPECT_NE(said.find(" g before any scaling"), std::string::npos) << said;
+    }
+    for (auto const& said : everywhere("kind='acceleration'\nunit='gal'\nfile='none.csv'")) {
+        EXPECT_EQ(said.find("warning"), std::string::npos) << said;
+    }
+}
+
+// The classic long-period records as they are found: sane amplitudes by PGV once their baseline is corrected.
+TEST_F(RecordsOnTheLine, ClassicRecordsAtFiftyKine) {
+    std::string const folder_of_records = std::getenv("OVERTURN_RECORDS") != nullptr
+                                              ? std::getenv("OVERTURN_RECORDS")
+                                              : std::string(OVERTURN_CAMPAIGNS) + "/../../shared/records";
+    auto const files = folder_of_records + "/csv_two_column/";
+    if (!std::filesystem::exists(files + "Hachinohe1968_HachinoheHarbour_NS.csv")) {
+        GTEST_SKIP() << "no folder of records: set OVERTURN_RECORDS to one";
+    }
+    std::string const keys = "files=['" + files + "ImperialValley1940_ElCentro_NS.csv','" + files
+                             + "Hachinohe1968_HachinoheHarbour_NS.csv']\nunit='gal'\n";
+    folder.write("none.toml", campaign(keys, "pgv", "'50 kine'"));
+    EXPECT_EQ(overturn(folder, {"plan", "none.toml"}).code, 2);
+    folder.write("c.toml", campaign(keys + "baseline='polynomial'\n", "pgv", "'50 kine'"));
+    ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
+    for (auto const& [wave, pgv_low, pgv_high, factor] :
+         {std::tuple{0, 0.33, 0.38, 1.41}, std::tuple{1, 0.34, 0.41, 1.34}}) {
+        auto const told = json::parse(
+            overturn(folder, {"wave", "c.toml", "--wave", std::to_string(wave), "--json", "-o", "w.csv"}).out);
+        double const pgv = told["pgv_mps"].get<double>();
+        EXPECT_GT(pgv, pgv_low) << wave;
+        EXPECT_LT(pgv, pgv_high) << wave;
+        EXPECT_NEAR(0.5 / pgv, factor, 0.02) << wave;
+        EXPECT_LT(told["pga_mps2"].get<double>() * 0.5 / pgv, 5) << wave;
+        EXPECT_GT(told["pga_mps2"].get<double>() * 0.5 / pgv, 3) << wave;
+    }
+}
+
+}  // namespace
+}  // namespace overturn::testing

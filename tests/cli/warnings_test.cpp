@@ -1,0 +1,209 @@
+// Requirement: what was accepted in silence though it was hardly meant is an error or a line that begins "warning", in
+// plan and run (and where one record or body is all there is, in rock and spectrum).
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/campaign_files.hpp"
+#include "support/command.hpp"
+
+namespace overturn::testing {
+namespace {
+
+std::string const body = "mass='12.6 t'\nbase_width='0.9 m'\ncentre_height='1.045 m'\ninertia='uniform-block'\n";
+
+std::string replaced(std::string text, std::string const& from, std::string const& to) {
+    return text.replace(text.find(from), from.size(), to);
+}
+
+std::string record(double step_s, int samples, int peak_gal = 100) {
+    std::string text = "time_s,acc (gal)\n";
+    for (int i = 0; i < samples; ++i) {
+        text += fmt::format("{},{}\n", step_s * i, i % 2 == 0 ? 0 : i % 4 == 1 ? peak_gal : -peak_gal);
+    }
+    return text;
+}
+
+std::string records_campaign(std::string const& measure = "pga", std::string const& values = "'300 gal'",
+                             std::string const& of_body = body) {
+    return "seed=1\n[waves]\nsource='records'\nfiles=['r.csv']\n[[bodies]]\nname='b'\n" + of_body
+           + "[levels]\nmeasure='" + measure + "'\nvalues=[" + values + "]\n";
+}
+
+class Warnings : public ::testing::Test {
+  protected:
+    Warnings() {
+        folder.write("r.csv", record(0.01, 401));
+        folder.write("body.toml", body);
+    }
+
+    /// What plan and run say of a campaign beginning with "warning".
+    std::vector<std::string> said_of(std::string const& campaign) {
+        folder.write("c.toml", campaign);
+        std::filesystem::remove(folder / "c.h5");
+        auto const plan = overturn(folder, {"plan", "c.toml"});
+        auto const run = overturn(folder, {"run", "c.toml"});
+        EXPECT_EQ(plan.code, 0) << plan.err;
+        EXPECT_EQ(run.code, 0) << run.err;
+        return {lines_of(plan.out, "warning   "), lines_of(run.err, "warning: ")};
+    }
+
+    static std::string lines_of(std::string const& text, std::string const& beginning) {
+        std::string found;
+        std::istringstream lines(text);
+        for (std::string line; std::getline(lines, line);) {
+            found += line.starts_with(beginning) ? line + "\n" : "";
+        }
+        return found;
+    }
+
+    void expect_said(std::string const& campaign, std::vector<std::string> const& parts) {
+        for (auto const& said : said_of(campaign)) {
+            EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+            for (auto const& part : parts) {
+                EXPECT_NE(said.find(part), std::string::npos) << "no '" << part << "' in: " << said;
+            }
+        }
+    }
+
+    void expect_refused(std::vector<std::string> const& arguments, std::vector<std::string> const& parts) {
+        auto const ended = overturn(folder, arguments);
+        EXPECT_EQ(ended.code, 2) << ended.err;
+        EXPECT_TRUE(is_one_error_line(ended.err));
+        for (auto const& part : parts) {
+            EXPECT_NE(ended.err.find(part), std::string::npos) << "no '" << part << "' in: " << ended.err;
+        }
+    }
+
+    Folder folder;
+};
+
+TEST_F(Warnings, NoneForWhatIsUsual) {
+    for (auto const& said : said_of(records_campaign())) {
+        EXPECT_EQ(said, "");
+    }
+    folder.write("target.csv", target_csv);
+    for (auto const& said : said_of(replaced(small_campaign("shared", 2), "longest=6", "longest=10"))) {
+        EXPECT_EQ(said, "");
+    }
+    EXPECT_EQ(overturn(folder, {"rock", "--body", "body.toml", "--wave", "r.csv"}).err.find("warning"),
+              std::string::npos);
+}
+
+TEST_F(Warnings, InertiaOfThreeKilogramSquareMetres) {
+    auto const tiny = replaced(body, "'uniform-block'", "3");
+    expect_said(records_campaign("pga", "'300 gal'", tiny), {"b: inertia 3 kg m2", "radius of gyration of 0.0154 m"});
+    folder.write("tiny.toml", tiny);
+    EXPECT_NE(overturn(folder, {"rock", "--body", "tiny.toml", "--wave", "r.csv"}).err.find("radius of gyration"),
+              std::string::npos);
+}
+
+TEST_F(Warnings, MassOf138Kilogram) {
+    auto const light = "mass=138\nbase_width='3.4 m'\ncentre_height='2.6 m'\ninertia='uniform-block'\n";
+    expect_said(records_campaign("pga", "'300 gal'", light), {"b: mass 138 kg", "2.3 kg/m3", "\"138 t\"?"});
+}
+
+TEST_F(Warnings, PgvOf5000Kine) {
+    expect_said(records_campaign("pgv", "50"), {"levels up to pgv 50 m/s = 5000 kine", "Write \"50 kine\""});
+    expect_said(records_campaign("pga", "300"), {"levels up to pga 300 m/s2 = 30000 gal", "Write \"300 gal\""});
+}
+
+TEST_F(Warnings, StepOfOneSecond) {
+    folder.write("r.csv", record(1, 401, 1));
+    expect_said(records_campaign(), {"record 0: time step of 1 s", "nothing above 0.5 Hz"});
+    for (auto const& verb : {std::vector<std::string>{"rock", "--body", "body.toml"}, {"spectrum"}}) {
+        auto const ended = overturn(folder, joined(verb, {"--wave", "r.csv"}));
+        EXPECT_NE(ended.err.find("warning: time step of 1 s"), std::string::npos) << ended.err;
+    }
+}
+
+TEST_F(Warnings, TwoSamples) {
+    folder.write("r.csv", "time_s,acc (gal)\n0,100\n0.01,-100\n");
+    expect_said(records_campaign(), {"record 0: 2 samples only"});
+    auto const ended = overturn(folder, {"spectrum", "--wave", "r.csv"});
+    EXPECT_NE(ended.err.find("warning: 2 samples only"), std::string::npos) << ended.err;
+}
+
+TEST_F(Warnings, DampingOfFiveIsFiveHundredPercent) {
+    expect_refused({"spectrum", "--wave", "r.csv", "--damping", "5"}, {"--damping 5", "500 %", "0.05 for 5 %"});
+    EXPECT_EQ(overturn(folder, {"spectrum", "--wave", "r.csv", "--damping", "0.3"}).code, 0);
+}
+
+// Requirement: levels are printed in the unit that they were written in, and JSON has both.
+TEST_F(Warnings, LevelsAreEchoedInTheUsersUnit) {
+    folder.write("c.toml", records_campaign("pgv", "'20 kine', '50 kine'"));
+    EXPECT_NE(overturn(folder, {"plan", "c.toml"}).out.find("level     pgv 50 kine\n"), std::string::npos);
+    auto const run = overturn(folder, {"run", "c.toml"}).out;
+    EXPECT_NE(run.find("  pgv kine  trials"), std::string::npos) << run;
+    EXPECT_NE(run.find("\n        50       1"), std::string::npos) << run;
+    auto const fit = nlohmann::json::parse(overturn(folder, {"fit", "c.h5", "--json"}).out);
+    EXPECT_EQ(fit["stripes"][1]["amplitude"], 0.5);
+    EXPECT_EQ(fit["levels"]["stated_unit"], "kine");
+    EXPECT_EQ(fit["levels"]["stated"], nlohmann::json::array({20, 50}));
+    EXPECT_NE(overturn(folder, {"replay", "c.h5", "--trial", "1"}).out.find("pgv 50 kine"), std::string::npos);
+}
+
+// Requirement: an error names what else is wrong on the way: unknown keys beside the missing one, the choices there
+// are.
+TEST_F(Warnings, ErrorsNameWhatElseIsWrong) {
+    auto const refuse = [&](std::string const& campaign, std::vector<std::string> const& parts) {
+        folder.write("bad.toml", campaign);
+        expect_refused({"plan", "bad.toml"}, parts);
+    };
+    auto const good = records_campaign();
+    refuse(replaced(good, "base_width", "width"), {"base_width: missing", "'width' is no key here"});
+    refuse(replaced(good, "[[bodies]]", "[body]"), {"bodies: missing", "'body'"});
+    refuse(replaced(good, "'uniform-block'", "'solid'"), {"bodies[0].inertia: 'solid'", "\"uniform-block\""});
+    refuse(replaced(good, "inertia='uniform-block'\n", ""), {"inertia: missing", "\"uniform-block\""});
+    refuse(replaced(good, "measure='pga'\n", ""), {"levels.measure: missing", "State one of: pga, pgv, pgd"});
+    refuse(replaced(good, "source='records'\n", ""), {"waves.source: missing", "spectrum-compatible, "});
+    refuse(replaced(good, "files=", "count='4'\nfiles="), {"waves.count: a text", "without quotes"});
+    refuse(replaced(good, "files=['r.csv']", "files=['r.csv']\nunit='g'"),
+           {"unit gal in the file, g stated", "[[waves.records]] of its own"});
+    refuse(
+        replaced(small_campaign(), "kind='acceleration'\n", ""),
+        {"waves.target.kind: missing", "State one of: acceleration, pseudo-velocity, displacement, energy-velocity"});
+    refuse(good + "[[bodies]]\nname='c'\nbase_width=1\nmass=1\nparts=[{kind='box',mass=1000,width=1,height=1}]\n",
+           {"key 'bodies[1].mass'", "leave it no meaning"});
+}
+
+TEST_F(Warnings, UnfinishedRunsAndResultsFilesAreNamed) {
+    folder.write("target.csv", target_csv);
+    folder.write("c.toml", small_campaign());
+    ASSERT_EQ(overturn(folder, {"run", "c.toml", "--max-walltime", "0.01 s"}).code, 3);
+    expect_refused({"fit", "c.h5"}, {"c.h5: not there yet", "overturn status c.h5", "--resume"});
+    expect_refused({"fit", "d.h5"}, {"d.h5: no such file"});
+    ASSERT_EQ(overturn(folder, {"run", "c.toml", "--resume", "--max-walltime", "01:00:00"}).code, 0);
+    expect_refused({"run", "c.h5"}, {"c.h5: a results file", "Name the campaign"});
+}
+
+TEST_F(Warnings, WalltimeAsSlurmSpellsIt) {
+    folder.write("c.toml", records_campaign());
+    for (char const* time : {"01:00:00", "1-00:00:00", "2-12", "1-12:30", "10:00", "1h", "90min", "50 min", "3600"}) {
+        EXPECT_EQ(overturn(folder, {"run", "c.toml", "--max-walltime", time, "-o", std::string(time) + ".h5"}).code, 0)
+            << time;
+    }
+    for (char const* time : {"1:2:3:4", "00:00:00", "1:x", "-1:00", "1-", "h"}) {
+        expect_refused({"run", "c.toml", "--max-walltime", time, "-o", "bad.h5"}, {"--max-walltime"});
+    }
+}
+
+// Requirement: where output and notes go into one file, lines keep their order.
+TEST_F(Warnings, NotesComeBehindWhatWasPrintedBefore) {
+    folder.write("c.toml", records_campaign());
+    auto const ended =
+        execute(folder, {"/bin/sh", "-c", std::string(OVERTURN_PROGRAM) + " run c.toml > both 2>&1; cat both"});
+    auto const results = ended.out.find("results: c.h5");
+    auto const cost = ended.out.find("cost: ");
+    ASSERT_NE(results, std::string::npos) << ended.out;
+    ASSERT_NE(cost, std::string::npos) << ended.out;
+    EXPECT_LT(results, cost) << ended.out;
+}
+
+}  // namespace
+}  // namespace overturn::testing
