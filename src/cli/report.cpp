@@ -144,7 +144,7 @@ int write_report(Options const& options) {
     double const confidence = options.confidence.value_or(spec.confidence);
     auto const analysis =
         analyse(spec, statistics, {.confidence = confidence, .beta_u = options.beta_u, .band_points = 61});
-    data["fit"] = fit_json(statistics, analysis, confidence);
+    data["fit"] = fit_json(spec, statistics, analysis, confidence);
     data["facts"] = facts_of(spec, plan);
     data["facts"].push_back({"confidence", fmt::format("{:g} %", 100 * confidence)});
     if (options.beta_u > 0) {

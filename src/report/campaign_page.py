@@ -20,6 +20,8 @@ from style import plain
 
 
 SCALE = 1.2  # of figures on the page: type of 8 points beside text of 15 pixels
+OVERTURNING = "overturning"  # the limit state that every campaign has
+STRIPE_KEYS = ["body", "level", "amplitude", "trials", "overturned", "failed", "probability", "lower", "upper"]
 MOST_OPEN_ROWS = 40  # of the stripes: longer tables are folded away
 
 
@@ -60,10 +62,16 @@ class Report:
     def __init__(self, data, scratch):
         self.data, self.fit = data, data["fit"]
         self.results = Results(data["file"], data["bodies"])
-        self.fits = {(fit["body"], fit["measure"]): fit for fit in self.fit["fragility"]}
+        self.stripes = {limit["name"]: [s for s in self.fit["stripes"] if s["limit"] == limit["name"]]
+                        for limit in self.fit["limits"]}
+        self.fits = self.fits_of(OVERTURNING)
         self.folder = data["figures"] or scratch
         self.keep = bool(data["figures"])
         self.sections, self.contents = [], []
+
+    def fits_of(self, limit):
+        """The fits of one limit state, by body and measure."""
+        return {(fit["body"], fit["measure"]): fit for fit in self.fit["fragility"] if fit["limit"] == limit}
 
     def figure(self, name, draw, alt):
         """Draws a figure for the page, and for its folder if one is wanted; nothing where there is nothing to draw."""
@@ -112,7 +120,7 @@ class Report:
             parts = []
             basis = self.results.design_basis(body)
             if basis is not None:
-                stripe = next(s for s in self.fit["stripes"] if s["body"] == body.name and s["amplitude"] == basis)
+                stripe = next(s for s in self.stripes[OVERTURNING] if s["body"] == body.name and s["amplitude"] == basis)
                 parts.append(f"at the design basis ({self.amplitude(basis)}) {stripe['overturned']} of "
                              f"{stripe['trials']} trials overturned, P between {plain(stripe['lower'], 2)} and "
                              f"{plain(stripe['upper'], 2)}")
@@ -157,11 +165,11 @@ class Report:
         self.section("waves", "The waves", *parts, quality, paragraphs(notes))
 
     def fragility(self):
-        stripes = self.fit["stripes"]
+        stripes = self.stripes[OVERTURNING]
         head = ["body", "level", "trials", "overturned", "failed", "P", "lower", "upper"]
         rows = [[s["body"], self.amplitude(s["amplitude"]), s["trials"], s["overturned"], s["failed"],
                  value_of(s["probability"], 3), value_of(s["lower"], 3), value_of(s["upper"], 3)] for s in stripes]
-        self.csv("stripes", list(stripes[0]), [list(s.values()) for s in stripes])
+        self.csv("stripes", STRIPE_KEYS, [[s[key] for key in STRIPE_KEYS] for s in stripes])
         keys = ["body", "measure", "units", "identifiable", "median", "beta", "median_interval", "beta_interval", "hclpf",
                 "hclpf_interval", "flags"]
         def cells(fit, key):
@@ -170,8 +178,8 @@ class Report:
             return [" ".join(fit[key]) if isinstance(fit[key], list) else fit[key]]
         columns = [name for key in keys for name in (
             [key.replace("interval", "lower"), key.replace("interval", "upper")] if key.endswith("_interval") else [key])]
-        self.csv("fragility", columns, [[cell for key in keys for cell in cells(f, key)] for f in self.fit["fragility"]])
-        fits = [f for f in self.fit["fragility"] if f["measure"] == self.results.measure]
+        self.csv("fragility", columns, [[cell for key in keys for cell in cells(f, key)] for f in self.fits.values()])
+        fits = [f for f in self.fits.values() if f["measure"] == self.results.measure]
         fitted = [[f["body"], self.amplitude(f["median"]), self.amplitudes(f["median_interval"], 3),
                    value_of(f["beta"], 3), interval(f["beta_interval"], 3), self.amplitude(f["hclpf"]),
                    self.amplitudes(f.get("hclpf_interval"), 3), ", ".join(f["flags"]) or "none"] for f in fits]
