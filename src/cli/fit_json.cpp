@@ -104,6 +104,12 @@ Json limits_json(CampaignSpec const& spec) {
     Json list = Json::array();
     for (auto const& limit : spec.limits) {
         list.push_back({{"name", limit.name}, {"definition", definition_of(limit, spec.limits)}});
+        if (!limit.quantity.name.empty()) {
+            list.back()["quantity"] = limit.quantity.name;
+            list.back()["units"] = limit.quantity.units;
+            list.back()["side"] = limit.rule == LimitState::Rule::above ? "above" : "below";
+            list.back()["threshold"] = limit.threshold;
+        }
     }
     return list;
 }

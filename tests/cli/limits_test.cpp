@@ -141,6 +141,38 @@ TEST_F(Limits, FitTellsThemByName) {
     EXPECT_EQ(fit("1.h5"), json);
 }
 
+/// A section for the limit states and one for the responses, their tables as csv, the slip in the first lines; names as
+/// odd as TOML allows.
+TEST_F(Limits, ReportShowsThem) {
+    if (execute(folder, {OVERTURN_PYTHON, "-c", "import matplotlib, h5py"}).code != 0) {
+        GTEST_SKIP() << "nothing to draw with (install python3-matplotlib python3-h5py)";
+    }
+    folder.write("odd.toml",
+                 small_campaign() + "[[limits]]\nname='_a $\\int < b$'\nquantity='peak_slip'\nabove='4 cm'\n");
+    ASSERT_EQ(overturn(folder, {"run", "odd.toml", "-o", "1.h5"}).code, 0);
+    auto const ended = overturn(folder, {"report", "1.h5", "-o", "a.html", "--figures", "figures"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    auto const page = folder.read("a.html");
+
+    for (auto const* part : {"<section id=\"limits\"", "<section id=\"responses\"",
+                             "_a $\\int &lt; b$: peak_slip &gt; 0.04 m", "type-a: slides ", "<th>at rest</th>"}) {
+        EXPECT_NE(page.find(part), std::string::npos) << part;
+    }
+    EXPECT_TRUE(
+        folder.read("figures/limits.csv")
+            .starts_with("limit,body,level,amplitude,trials,exceeded,failed,undecided,probability,lower,upper\n"));
+    EXPECT_TRUE(folder.read("figures/limit-fragility.csv").starts_with("limit,body,measure,"));
+    EXPECT_TRUE(
+        folder.read("figures/quantiles.csv")
+            .starts_with("body,quantity,units,level,amplitude,trials,unknown,median,median_lower,median_upper,p84,"));
+    EXPECT_TRUE(folder.read("figures/ends.csv")
+                    .starts_with("body,level,amplitude,trials,at_rest,slid,rocked,overturned,contact_lost,failed\n"));
+    EXPECT_TRUE(folder.has("figures/peak-slip-type-a.svg"));
+    ASSERT_EQ(overturn(folder, {"run", "plain.toml", "-o", "0.h5"}).code, 0);
+    ASSERT_EQ(overturn(folder, {"report", "0.h5", "-o", "b.html"}).code, 0);
+    EXPECT_EQ(folder.read("b.html").find("<section id=\"limits\""), std::string::npos);
+}
+
 /// A damaged count is noticed against the trials.
 TEST_F(Limits, DamagedCountsAreNoticed) {
     ASSERT_EQ(overturn(folder, {"run", "c.toml", "-o", "1.h5"}).code, 0);
