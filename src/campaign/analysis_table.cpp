@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -30,6 +31,13 @@ std::string fit_line(MeasuredFragility const& m) {
     return fmt::format("{:>20} {:>9.4g} {:>18} {:>6.3f} {:>17} {:>8.4g}  {:>5}  {}\n", measure_text(m),
                        std::exp(line.log_median()), ends_text(ends.median), line.beta(), ends_text(ends.beta),
                        m.fit.hclpf(), rank, fmt::join(names_of(m.fit.flags, m.fit.passing), " "));
+}
+
+// Are there several measures, and did all trials end alike, whatever one draws them over?
+bool end_alike(std::vector<MeasuredFragility> const& fits) {
+    auto const state = fits.front().fit.state;
+    bool const alike = state == FragilityState::none_overturned || state == FragilityState::all_overturned;
+    return alike && fits.size() > 1 && std::ranges::all_of(fits, [&](auto const& m) { return m.fit.state == state; });
 }
 
 // What the draws of the body's quantities add, where they were drawn.
@@ -151,11 +159,16 @@ std::string verdict_text(CriterionVerdict const& verdict) {
 }  // namespace
 
 std::string fragility_table(std::vector<MeasuredFragility> const& fits, double confidence) {
+    auto const& first = fits.front().fit;
     std::string text = fmt::format("{:>20} {:>9} {:>18} {:>6} {:>17} {:>8}  {:>5}\n", "fragility", "median",
                                    fmt::format("{:g} %", 100 * confidence), "beta",
                                    fmt::format("{:g} %", 100 * confidence), "HCLPF", "rank");
-    for (auto const& m : fits) {
-        text += fit_line(m);
+    if (end_alike(fits)) {
+        text += fmt::format("{:>20} {:>50}\n", "any measure", "no curve: " + name_of(first.state, first.passing));
+    } else {
+        for (auto const& m : fits) {
+            text += fit_line(m);
+        }
     }
     text += split_line(fits.front());
     for (auto const& m : fits) {

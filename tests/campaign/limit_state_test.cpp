@@ -196,6 +196,28 @@ TEST(LimitState, EveryTrialTellsWhatALimitNeeds) {
     EXPECT_GT(passed, 0);
 }
 
+/// Calling for contact is no other simulation than stating it: the same rows to the bit, with and without friction.
+TEST(LimitState, CallsForWhatStatedEffectsSimulate) {
+    std::string const pressed = "[[limits]]\nname='pressed'\nquantity='peak_contact_force_ratio'\nabove=1.2\n";
+    for (std::string const friction : {"", "friction=0.5\n"}) {
+        auto const text =
+            testing::quick_waves + testing::type_b + friction + testing::levels("values=[3,9]\n") + pressed;
+        auto const called = testing::campaign_from(text);
+        auto const stated = testing::campaign_from(text + "[effects]\ninclude=['contact'"
+                                                   + (friction.empty() ? "]\n" : ",'sliding']\n"));
+        PhaseSeconds seconds;
+        auto const a = run_block(called, Plan(called), 0, seconds).trials;
+        auto const b = run_block(stated, Plan(stated), 0, seconds).trials;
+
+        ASSERT_EQ(a.rows.size(), b.rows.size());
+        for (std::size_t t = 0; t < a.rows.size(); ++t) {
+            auto row = b.rows[t];
+            row.called = a.rows[t].called;  // auto asks all models what would act
+            EXPECT_TRUE(same_bits(a.rows[t], row)) << differing(a.rows[t], row).front();
+        }
+    }
+}
+
 /// Counted by hand: two passed, one kept, one failed, one whose slip is not known, one that fell without sliding.
 TEST(LimitState, StripesCountTrials) {
     auto const spec = with_limits(touches);
