@@ -100,21 +100,26 @@ TEST(LimitState, MagnitudesAndLowerLimits) {
     Judged const judged(
         "[[limits]]\nname='moved'\nquantity='residual_slip'\nabove='1 cm'\n"
         "[[limits]]\nname='light'\nquantity='min_contact_force_ratio'\nbelow=0.2\n"
-        "[[limits]]\nname='knocks'\nquantity='impacts'\nabove=3\n");
+        "[[limits]]\nname='knocks'\nquantity='impacts'\nabove=3\n"
+        "[[limits]]\nname='hard'\nquantity='peak_impact_velocity'\nabove='10 kine'\n");
     auto row = row_of(Verdict::rocked, 0.5, 0);
     row.residual_slip_m = -0.02;
     row.min_contact_force_ratio = 0.19;
     row.impacts = 4;
+    row.peak_impact_velocity_mps = 0.11;
 
     EXPECT_EQ(judged(row, 1), 'p');
     EXPECT_EQ(judged(row, 2), 'p');
     EXPECT_EQ(judged(row, 3), 'p');
+    EXPECT_EQ(judged(row, 4), 'p');
     row.residual_slip_m = 0.005;
     row.min_contact_force_ratio = 0.2;
     row.impacts = 3;
+    row.peak_impact_velocity_mps = 0.09;
     EXPECT_EQ(judged(row, 1), 'k');
     EXPECT_EQ(judged(row, 2), 'k');
     EXPECT_EQ(judged(row, 3), 'k');
+    EXPECT_EQ(judged(row, 4), 'k');
 }
 
 /// Kleene's logic over passed, kept and not known: all nine pairs.
@@ -199,12 +204,13 @@ TEST(LimitState, EveryTrialTellsWhatALimitNeeds) {
 /// Calling for contact is no other simulation than stating it: the same rows to the bit, with and without friction.
 TEST(LimitState, CallsForWhatStatedEffectsSimulate) {
     std::string const pressed = "[[limits]]\nname='pressed'\nquantity='peak_contact_force_ratio'\nabove=1.2\n";
-    for (std::string const friction : {"", "friction=0.5\n"}) {
-        auto const text =
-            testing::quick_waves + testing::type_b + friction + testing::levels("values=[3,9]\n") + pressed;
+    for (bool const slips : {false, true}) {
+        auto text = testing::quick_waves + testing::type_b;
+        text += slips ? "friction=0.5\n" : "";
+        text += testing::levels("values=[3,9]\n") + pressed;
         auto const called = testing::campaign_from(text);
-        auto const stated = testing::campaign_from(text + "[effects]\ninclude=['contact'"
-                                                   + (friction.empty() ? "]\n" : ",'sliding']\n"));
+        text += slips ? "[effects]\ninclude=['contact','sliding']\n" : "[effects]\ninclude=['contact']\n";
+        auto const stated = testing::campaign_from(text);
         PhaseSeconds seconds;
         auto const a = run_block(called, Plan(called), 0, seconds).trials;
         auto const b = run_block(stated, Plan(stated), 0, seconds).trials;
