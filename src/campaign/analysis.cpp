@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "campaign/detail/drawn_trials.hpp"
+#include "campaign/detail/level_quantiles.hpp"
 #include "stats/quantile.hpp"
 #include "stats/rank.hpp"
 
@@ -103,10 +104,12 @@ class Analyst {
     [[nodiscard]] BodyAnalysis of(std::size_t b) const {
         BodyAnalysis body;
         body.body = spec_.bodies[b].name;
-        auto const measures = measures_of(spec_);
-        for (auto const measure : measures) {
-            body.fragility.push_back(fragility(b, measure, measure == measures.front()));
+        body.fragility = fragility(b, 0);
+        for (std::size_t limit = 1; limit < spec_.limits.size(); ++limit) {
+            auto const& stated = spec_.limits[limit];
+            body.limits.push_back({stated.name, definition_of(stated, spec_.limits), fragility(b, limit)});
         }
+        body.quantiles = level_quantiles(spec_, statistics_.measured(), b, options_.confidence);
         for (auto const measure : criteria_of(spec_)) {
             auto const unit = is_other_unit(measure) ? other(spec_.measures.radius_unit) : spec_.measures.radius_unit;
             body.criterion.push_back(
@@ -122,14 +125,14 @@ class Analyst {
     }
 
     /// At the levels' measure the trials are stripes; their waves are known for the bootstrap.
-    [[nodiscard]] FragilityFit over_levels(std::size_t b) const {
-        return over_levels(b, singles(b, FragilityMeasure::level), request_of(b, {}));
+    [[nodiscard]] FragilityFit over_levels(std::size_t b, std::size_t limit) const {
+        return over_levels(b, limit, singles(b, FragilityMeasure::level, limit), request_of(b, limit, {}));
     }
 
   private:
-    [[nodiscard]] FragilityFit over_levels(std::size_t b, std::vector<SingleTrial> trials,
+    [[nodiscard]] FragilityFit over_levels(std::size_t b, std::size_t limit, std::vector<SingleTrial> trials,
                                            FragilityRequest request) const {
-        auto data = FragilityData::of_stripes(statistics_.bodies()[b].stripes);
+        auto data = FragilityData::of_stripes(statistics_.bodies()[b].stripes_of(limit));
         data.trials = std::move(trials);
         data.waves_shared = shared();
         data.waves_left_out = statistics_.measured().passed_by() > 0;
@@ -139,9 +142,11 @@ class Analyst {
     }
 
     [[nodiscard]] bool shared() const { return !spec_.levels.independent_waves && spec_.levels.levels.size() > 1; }
-    [[nodiscard]] FragilityRequest request_of(std::size_t b, std::optional<BetaSplit> const& split) const {
+    [[nodiscard]] FragilityRequest request_of(std::size_t b, std::size_t limit,
+                                              std::optional<BetaSplit> const& split) const {
         FragilityRequest request;
         request.confidence = options_.confidence;
+        request.passing = spec_.limits[limit].passing();
         request.beta_u = options_.beta_u;
         request.bootstrap = {spec_.seed, b, options_.replicates};
         if (split && options_.beta_u == 0) {
@@ -150,18 +155,20 @@ class Analyst {
         }
         return request;
     }
-    [[nodiscard]] std::vector<SingleTrial> singles(std::size_t b, FragilityMeasure measure) const {
-        return statistics_.measured().singles(static_cast<std::int64_t>(b), measure);
+    [[nodiscard]] std::vector<SingleTrial> singles(std::size_t b, FragilityMeasure measure, std::size_t limit) const {
+        return statistics_.measured().singles(static_cast<std::int64_t>(b), measure, limit);
     }
 
-    [[nodiscard]] FragilityFit over_measure(std::size_t b, FragilityMeasure measure, std::vector<SingleTrial> trials,
-                                            FragilityRequest request) const {
-        if (measure == FragilityMeasure::v_wes_ratio) {
+    [[nodiscard]] FragilityFit over_measure(std::size_t b, std::size_t limit, FragilityMeasure measure,
+                                            std::vector<SingleTrial> trials, FragilityRequest request) const {
+        // V_Ereq is the limit of overturning and of nothing else.
+        if (measure == FragilityMeasure::v_wes_ratio && limit == 0) {
             request.quotes = {{1, 1}};
         }
+        auto const& measured = statistics_.measured();
         auto data = FragilityData::of_trials(std::move(trials), shared(),
-                                             statistics_.measured().left_out(static_cast<std::int64_t>(b), measure));
-        data.waves_left_out = statistics_.measured().passed_by() > 0;
+                                             measured.left_out(static_cast<std::int64_t>(b), measure, limit));
+        data.waves_left_out = measured.passed_by() > 0;
         return fit_fragility(data, request);
     }
 
@@ -173,24 +180,36 @@ class Analyst {
                            name_of(other(spec_.measures.radius_unit)));
     }
 
-    [[nodiscard]] MeasuredFragility fragility(std::size_t b, FragilityMeasure measure, bool levels) const {
+    [[nodiscard]] std::vector<MeasuredFragility> fragility(std::size_t b, std::size_t limit) const {
+        std::vector<MeasuredFragility> fits;
+        auto const measures = measures_of(spec_);
+        fits.reserve(measures.size());
+        for (auto const measure : measures) {
+            fits.push_back(fragility(b, limit, measure, measure == measures.front()));
+        }
+        return fits;
+    }
+
+    [[nodiscard]] MeasuredFragility fragility(std::size_t b, std::size_t limit, FragilityMeasure measure,
+                                              bool levels) const {
         MeasuredFragility result;
+        result.limit = spec_.limits[limit].name;
         result.measure = measure;
         result.name = measure == FragilityMeasure::level ? spec_.levels.measure_name()
                                                          : fragility_measure_names()[static_cast<std::size_t>(measure)];
         result.label = label_of(measure, result.name);
         result.units = units_of(measure, spec_.levels);
         // The level itself, not the scaled wave's peak, which differs from it in the last digit.
-        auto trials = singles(b, levels ? FragilityMeasure::level : measure);
+        auto trials = singles(b, levels ? FragilityMeasure::level : measure, limit);
         result.split = split_by_draws(spec_, b, trials);
         result.drawn = spec_.bodies[b].scattering();
         constexpr int rank_replicates = 200;
         result.rank_area = rank_area(trials);
         result.rank_interval =
             middle_of(rank_area_replicates(trials, {spec_.seed, b, rank_replicates}), options_.confidence, {0, 1});
-        auto const request = request_of(b, result.split);
-        result.fit =
-            levels ? over_levels(b, std::move(trials), request) : over_measure(b, measure, std::move(trials), request);
+        auto const request = request_of(b, limit, result.split);
+        result.fit = levels ? over_levels(b, limit, std::move(trials), request)
+                            : over_measure(b, limit, measure, std::move(trials), request);
         if (!result.fit.quotes.empty()) {
             result.quote_base = levels ? "design-basis" : "v_ereq";
         }
@@ -216,8 +235,8 @@ std::vector<BodyAnalysis> analyse(CampaignSpec const& spec, Statistics const& st
 }
 
 FragilityFit fit_over_levels(CampaignSpec const& spec, Statistics const& statistics, std::size_t body,
-                             AnalysisOptions const& options) {
-    return Analyst(spec, statistics, options).over_levels(body);
+                             AnalysisOptions const& options, std::size_t limit) {
+    return Analyst(spec, statistics, options).over_levels(body, limit);
 }
 
 }  // namespace overturn

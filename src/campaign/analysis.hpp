@@ -12,11 +12,13 @@
 #include "campaign/results.hpp"
 #include "stats/beta_split.hpp"
 #include "stats/fragility.hpp"
+#include "stats/quantile.hpp"
 
 namespace overturn {
 
 /// A fit with what it is of.
 struct MeasuredFragility {
+    std::string limit = overturning_limit;  ///< name of the limit state
     FragilityMeasure measure = FragilityMeasure::pga;
     std::string name;        ///< of the measure
     std::string label;       ///< the same, for people
@@ -41,9 +43,28 @@ struct CriterionVerdict {
     std::vector<std::string> supports, against, open;
 };
 
+/// The fragility of one body by a limit state of the user's own.
+struct LimitAnalysis {
+    std::string name, definition;
+    std::vector<MeasuredFragility> fragility;  ///< as BodyAnalysis::fragility
+};
+
+/// A response of a body at one level: median, 84 % and 95 % of it.
+struct LevelQuantiles {
+    std::string quantity;  ///< "peak_slip"
+    std::string units;
+    std::size_t level = 0;
+    double amplitude = 0;
+    std::int64_t trials = 0, unknown = 0;  ///< with a known value, and others
+    double fallen = 0;                     ///< what stands for a body that fell; infinite: nothing does
+    std::array<SampleQuantile, 3> quantiles;
+};
+
 struct BodyAnalysis {
     std::string body;
-    std::vector<MeasuredFragility> fragility;
+    std::vector<MeasuredFragility> fragility;  ///< of overturning
+    std::vector<LimitAnalysis> limits;
+    std::vector<LevelQuantiles> quantiles;  ///< of peak slip (unless it cannot slip) and rotation, level by level
     std::vector<MeasuredCriterion> criterion;
     std::vector<ResponseBin> response;  ///< V_resp over V_WES
     CriterionVerdict verdict;
@@ -65,9 +86,9 @@ struct AnalysisOptions {
 [[nodiscard]] std::vector<BodyAnalysis> analyse(CampaignSpec const& spec, Statistics const& statistics,
                                                 AnalysisOptions const& options);
 
-/// One body's fit over the levels' own measure, alone.
+/// One body's fit over the levels' own measure, alone. \param limit place of the limit state; 0: overturning
 [[nodiscard]] FragilityFit fit_over_levels(CampaignSpec const& spec, Statistics const& statistics, std::size_t body,
-                                           AnalysisOptions const& options);
+                                           AnalysisOptions const& options, std::size_t limit = 0);
 
 [[nodiscard]] CriterionVerdict verdict_on(BodyAnalysis const& body, double confidence);
 
@@ -77,7 +98,8 @@ struct AnalysisOptions {
 /// The fragility part of it, for one list of fits; also for tables that are nobody's campaign.
 [[nodiscard]] std::string fragility_table(std::vector<MeasuredFragility> const& fits, double confidence);
 
-/// /fragility/<body>: one row per measure; numbers that are not identifiable are NaN.
-void write_fragility(store::ResultsWriter& file, BodyAnalysis const& body, double confidence);
+/// One row per measure into `group`; numbers that are not identifiable are NaN. \pre fits of one limit state
+void write_fragility(store::ResultsWriter& file, std::string const& group, std::vector<MeasuredFragility> const& fits,
+                     double confidence);
 
 }  // namespace overturn

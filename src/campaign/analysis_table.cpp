@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "campaign/analysis.hpp"
+#include "campaign/detail/limit_results.hpp"
 
 namespace overturn {
 namespace {
@@ -21,13 +23,21 @@ std::string measure_text(MeasuredFragility const& m) {
 std::string fit_line(MeasuredFragility const& m) {
     auto const rank = std::isnan(m.rank_area) ? std::string("-") : fmt::format("{:.3f}", m.rank_area);
     if (!m.fit.identifiable()) {
-        return fmt::format("{:>20} {:>50}  {:>5}\n", measure_text(m), "no curve: " + name_of(m.fit.state), rank);
+        return fmt::format("{:>20} {:>50}  {:>5}\n", measure_text(m),
+                           "no curve: " + name_of(m.fit.state, m.fit.passing), rank);
     }
     auto const& line = *m.fit.line;
     auto const& ends = m.fit.intervals();
     return fmt::format("{:>20} {:>9.4g} {:>18} {:>6.3f} {:>17} {:>8.4g}  {:>5}  {}\n", measure_text(m),
                        std::exp(line.log_median()), ends_text(ends.median), line.beta(), ends_text(ends.beta),
-                       m.fit.hclpf(), rank, fmt::join(names_of(m.fit.flags), " "));
+                       m.fit.hclpf(), rank, fmt::join(names_of(m.fit.flags, m.fit.passing), " "));
+}
+
+// Are there several measures, and did all trials end alike, whatever one draws them over?
+bool end_alike(std::vector<MeasuredFragility> const& fits) {
+    auto const state = fits.front().fit.state;
+    bool const alike = state == FragilityState::none_overturned || state == FragilityState::all_overturned;
+    return alike && fits.size() > 1 && std::ranges::all_of(fits, [&](auto const& m) { return m.fit.state == state; });
 }
 
 // What the draws of the body's quantities add, where they were drawn.
@@ -46,15 +56,38 @@ std::string split_line(MeasuredFragility const& m) {
         m.fit.line->beta(), m.fit.beta_r(), m.fit.beta_u, shifts);
 }
 
+// Never a number that no sample of that size could hold.
+std::string curve_text(FragilityFit const& fit, double p) {
+    return p < least_share(fit) ? fmt::format("value below {:.2g}", least_share(fit)) : fmt::format("{:.2g}", p);
+}
+
+// The exact bound that is left where the curve speaks of less than the trials hold.
+std::string bound_text(MeasuredFragility const& m, QuotedProbability const& q) {
+    auto const why =
+        fmt::format("the curve falls below a tenth of 1/{:g}, which so few trials cannot tell", m.fit.trials);
+    if (!q.bound) {
+        return fmt::format("no bound (no trial there or above; {})", why);
+    }
+    auto const units = m.units == "1" ? std::string() : " " + m.units;
+    auto const where = q.bound->from == q.bound->to
+                           ? fmt::format("{:.4g}{}", q.bound->from, units)
+                           : fmt::format("{:.4g} to {:.4g}{}", q.bound->from, q.bound->to, units);
+    return fmt::format("below {:.3g} ({:g} of {:g} at {}; {})", q.bound->probability.upper, q.bound->overturned,
+                       q.bound->units, where, why);
+}
+
 std::string quote_line(MeasuredFragility const& m, QuotedProbability const& q) {
     using Source = QuotedProbability::Source;
     auto const at = m.quote_base == "v_ereq"
                         ? std::string("V_WES = V_Ereq")
                         : fmt::format("{:.3g} x design basis, {} {:.4g}{}", q.quote.multiple, m.name, q.quote.intensity,
                                       m.units == "1" ? "" : " " + m.units);
+    if (q.curve && !q.probability) {
+        return fmt::format("  P at {}: {}\n", at, bound_text(m, q));
+    }
     auto const p = q.probability ? fmt::format("{:.3g}", *q.probability) : std::string("not identifiable");
     auto const rejected = q.curve && q.probability && *q.curve != *q.probability
-                              ? fmt::format(" (the curve's {:.2g} is not believed)", *q.curve)
+                              ? fmt::format(" (the curve's {} is not believed)", curve_text(m.fit, *q.curve))
                               : std::string();
     auto const seen = q.trials > 0 ? fmt::format(", {:g} of {:g} seen there", q.overturned, q.trials) : std::string();
     auto const bounds = q.source == Source::none ? std::string("no bound")
@@ -126,11 +159,16 @@ std::string verdict_text(CriterionVerdict const& verdict) {
 }  // namespace
 
 std::string fragility_table(std::vector<MeasuredFragility> const& fits, double confidence) {
+    auto const& first = fits.front().fit;
     std::string text = fmt::format("{:>20} {:>9} {:>18} {:>6} {:>17} {:>8}  {:>5}\n", "fragility", "median",
                                    fmt::format("{:g} %", 100 * confidence), "beta",
                                    fmt::format("{:g} %", 100 * confidence), "HCLPF", "rank");
-    for (auto const& m : fits) {
-        text += fit_line(m);
+    if (end_alike(fits)) {
+        text += fmt::format("{:>20} {:>50}\n", "any measure", "no curve: " + name_of(first.state, first.passing));
+    } else {
+        for (auto const& m : fits) {
+            text += fit_line(m);
+        }
     }
     text += split_line(fits.front());
     for (auto const& m : fits) {
@@ -153,6 +191,11 @@ std::string analysis_table(std::vector<BodyAnalysis> const& bodies, double confi
                                 ? "ends by resampling them"
                                 : "ends by profile likelihood");
         text += fragility_table(body.fragility, confidence);
+        for (auto const& limit : body.limits) {
+            text += fmt::format("  limit state {}: {}\n", limit.name, limit.definition);
+            text += fragility_table(limit.fragility, confidence);
+        }
+        text += quantiles_text(body, confidence);
         for (auto const& criterion : body.criterion) {
             text += criterion_text(criterion);
         }

@@ -61,25 +61,6 @@ Sampling read_sampling(Table const& table) {
     return sampling;
 }
 
-PrecisionTarget read_target(Table const& table, LevelSpec const& levels) {
-    PrecisionTarget target;
-    constexpr double largest = 0.5;
-    config::Range const range{.low = 0, .high = largest, .low_open = true};
-    for (auto const& [key, value] : {std::pair{"target_half_width", &target.half_width},
-                                     std::pair{"target_median_half_width", &target.median_half_width}}) {
-        if (!table.has(key)) {
-            continue;
-        }
-        *value = table.number(key, Dimension::none, range);
-        if (levels.independent_waves) {
-            table.fail(key,
-                       "beside independent waves (they come level by level, so that the first ones are of the "
-                       "lowest level only). Use levels.waves = 'shared'");
-        }
-    }
-    return target;
-}
-
 std::vector<BodySpec> read_bodies(Table const& root, InputFiles& files) {
     std::vector<BodySpec> bodies;
     std::set<std::string> names;
@@ -130,6 +111,10 @@ void check_drift(Table const& levels, LevelSpec const& spec, WaveSource const& s
 }
 
 }  // namespace
+
+bool CampaignSpec::has_target() const {
+    return std::ranges::any_of(limits, [](LimitState const& limit) { return limit.target.asks(); });
+}
 
 CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
     auto const root = Table::parse(input.text, input.name, input.settings);
@@ -192,7 +177,7 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
     auto const statistics = root.child_or_empty("statistics");
     spec.confidence = statistics.number("confidence", Dimension::none,
                                         {.low = 0, .high = 1, .low_open = true, .high_open = true}, spec.confidence);
-    spec.target = read_target(statistics, spec.levels);
+    spec.limits = read_limits(root, statistics, spec.levels.independent_waves, spec.effects);
     statistics.finish();
     root.finish();
     double const trials = static_cast<double>(spec.wave_count) * static_cast<double>(spec.bodies.size())

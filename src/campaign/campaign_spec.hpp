@@ -10,12 +10,12 @@
 #include "campaign/body_spec.hpp"
 #include "campaign/campaign_input.hpp"
 #include "campaign/level_spec.hpp"
+#include "campaign/limit_state.hpp"
 #include "campaign/rare_spec.hpp"
 #include "core/input_files.hpp"
 #include "generators/wave_source.hpp"
 #include "response/ladder.hpp"
 #include "spectra/window_energy.hpp"
-#include "stats/precision.hpp"
 
 namespace overturn {
 
@@ -42,7 +42,10 @@ struct CampaignSpec {
     MeasureSpec measures;
     std::optional<RareSpec> rare;  ///< of every body and level, beside the trials
     double confidence = 0.95;
-    PrecisionTarget target;  ///< met before all waves are done, it ends the campaign
+    std::vector<LimitState> limits;  ///< overturning, then those of [[limits]]
+
+    /// Does the campaign end before all waves are done where it is precise enough?
+    [[nodiscard]] bool has_target() const;
 };
 
 /// \throws InputError naming file, line and column for anything wrong

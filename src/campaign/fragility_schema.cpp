@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "campaign/analysis.hpp"
+#include "core/error.hpp"
 
 namespace overturn {
 namespace {
@@ -79,10 +80,10 @@ struct Columns {
 
 #define OVERTURN_AT(field) offsetof(FragilityRow, field)
 
-void add_kinds(Columns& columns) {
+void add_kinds(Columns& columns, Passing passing) {
     std::vector<std::string> states;
     for (std::int64_t s = 0; s <= static_cast<std::int64_t>(FragilityState::not_converged); ++s) {
-        states.push_back(name_of(static_cast<FragilityState>(s)));
+        states.push_back(name_of(static_cast<FragilityState>(s), passing));
     }
     columns.add("measure", "1", "intensity measure; level: the file's level_measure", OVERTURN_AT(measure),
                 FieldType::category, fragility_measure_names());
@@ -95,10 +96,10 @@ void add_kinds(Columns& columns) {
                 FieldType::category, {"profile-likelihood", "bootstrap-by-waves"});
 }
 
-store::TableSpec fragility_columns(std::string const& body) {
+store::TableSpec fragility_columns(std::string const& group, Passing passing) {
     std::string const own = "SI unit of the measure";
-    Columns columns{{"fragility/" + body, sizeof(FragilityRow), {}}};
-    add_kinds(columns);
+    Columns columns{{group, sizeof(FragilityRow), {}}};
+    add_kinds(columns, passing);
     columns.add("median", own, "intensity of P = 0.5; NaN: not identifiable", OVERTURN_AT(median));
     columns.add("beta", "1", "lognormal standard deviation; NaN: not identifiable", OVERTURN_AT(beta));
     columns.add("beta_r", "1", "part of it that waves make; all of it where nothing was drawn", OVERTURN_AT(beta_r));
@@ -123,24 +124,30 @@ store::TableSpec fragility_columns(std::string const& body) {
     columns.add("penalised_beta", "1", "Firth's fit of separated outcomes; NaN: none", OVERTURN_AT(penalised_beta));
     columns.add("lowest", own, "lowest intensity that was tried", OVERTURN_AT(lowest));
     columns.add("highest", own, "highest intensity that was tried", OVERTURN_AT(highest));
-    columns.add("rank_area", "1", "chance that what overturned has the larger measure; NaN: all ended alike",
+    columns.add("rank_area", "1",
+                passing == Passing::exceeded
+                    ? "chance that what exceeded the limit has the larger measure; NaN: all did alike"
+                    : "chance that what overturned has the larger measure; NaN: all ended alike",
                 OVERTURN_AT(rank_area));
     return columns.spec;
 }
 
 }  // namespace
 
-void write_fragility(store::ResultsWriter& file, BodyAnalysis const& body, double confidence) {
+void write_fragility(store::ResultsWriter& file, std::string const& group, std::vector<MeasuredFragility> const& fits,
+                     double confidence) {
+    OVERTURN_EXPECT(!fits.empty());
     std::vector<FragilityRow> rows;
-    rows.reserve(body.fragility.size());
-    for (auto const& measured : body.fragility) {
+    rows.reserve(fits.size());
+    for (auto const& measured : fits) {
         rows.push_back(row_of(measured));
     }
-    auto const table = file.table(fragility_columns(body.body), static_cast<std::int64_t>(rows.size()));
+    auto const passing = fits.front().fit.passing;
+    auto const table = file.table(fragility_columns(group, passing), static_cast<std::int64_t>(rows.size()));
     file.append(table, std::as_bytes(std::span(rows)));
-    file.attribute("fragility/" + body.body, "confidence", confidence);
-    file.attribute("fragility/" + body.body, "flag_names",
-                   fmt::format("{}", fmt::join(names_of((1U << fragility_flags) - 1), " ")));
+    file.attribute(group, "confidence", confidence);
+    file.attribute(group, "flag_names",
+                   fmt::format("{}", fmt::join(names_of((1U << fragility_flags) - 1, passing), " ")));
 }
 
 }  // namespace overturn

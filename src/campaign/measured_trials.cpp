@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "response/registry.hpp"
 
@@ -31,7 +32,7 @@ void MeasuredTrials::add(WaveRow const& row, std::span<MeasureRow const> measure
     waves_.insert_or_assign(row.id, std::move(peaks));
 }
 
-void MeasuredTrials::add(TrialRow const& row) {
+void MeasuredTrials::add(TrialRow const& row, LimitOutcomes const& limits) {
     auto const wave = waves_.find(row.wave);
     bool const full = trials_.size() >= most_trials && row.wave != trials_.back().wave;
     if (full || wave == waves_.end()) {
@@ -45,9 +46,15 @@ void MeasuredTrials::add(TrialRow const& row) {
     trial.wave = row.wave;
     trial.body = static_cast<std::int32_t>(row.body);
     trial.decided = verdict.decided;
-    trial.overturned = verdict.fell;
+    trial.limits = limits;
     trial.moved = verdict.moved;
     trial.slipped = row.peak_slip_m > 0;
+    auto const missed = static_cast<EffectMask>(row.called) & ~static_cast<EffectMask>(row.effects);
+    trial.peak_slip_m = verdict.decided && !has(missed, Effect::sliding) ? row.peak_slip_m : never;
+    trial.peak_rotation_ratio = verdict.decided ? row.peak_rotation_ratio : never;
+    if (verdict.fell) {
+        trial.peak_rotation_ratio = std::numeric_limits<double>::infinity();
+    }
     trial.amplitude = row.amplitude;
     trial.pga_mps2 = row.scale * peaks.pga_mps2;
     trial.pgv_mps = row.scale * peaks.pgv_mps;
@@ -81,21 +88,21 @@ double MeasuredTrials::Trial::value(FragilityMeasure measure) const {
     return amplitude;
 }
 
-std::vector<SingleTrial> MeasuredTrials::singles(std::int64_t body, FragilityMeasure measure) const {
+std::vector<SingleTrial> MeasuredTrials::singles(std::int64_t body, FragilityMeasure measure, std::size_t limit) const {
     std::vector<SingleTrial> singles;
     singles.reserve(trials_.size());
     for (auto const& trial : trials_) {
-        if (trial.body == body && trial.decided && trial.value(measure) > 0) {
-            singles.push_back({trial.value(measure), trial.wave, trial.overturned});
+        if (trial.body == body && trial.limits.is_decided(limit) && trial.value(measure) > 0) {
+            singles.push_back({trial.value(measure), trial.wave, trial.limits.has_passed(limit)});
         }
     }
     return singles;
 }
 
-std::int64_t MeasuredTrials::left_out(std::int64_t body, FragilityMeasure measure) const {
+std::int64_t MeasuredTrials::left_out(std::int64_t body, FragilityMeasure measure, std::size_t limit) const {
     std::int64_t count = 0;
     for (auto const& trial : trials_) {
-        count += trial.body == body && !(trial.decided && trial.value(measure) > 0) ? 1 : 0;
+        count += trial.body == body && !(trial.limits.is_decided(limit) && trial.value(measure) > 0) ? 1 : 0;
     }
     return count;
 }
@@ -105,7 +112,7 @@ std::vector<CriterionTrial> MeasuredTrials::criterion_trials(std::int64_t body, 
     list.reserve(trials_.size());
     for (auto const& trial : trials_) {
         if (trial.body == body && trial.decided) {
-            list.push_back({trial.value(measure) / trial.v_ereq_mps, trial.wave, trial.overturned});
+            list.push_back({trial.value(measure) / trial.v_ereq_mps, trial.wave, trial.overturned()});
         }
     }
     return list;
@@ -117,10 +124,21 @@ std::vector<ResponseTrial> MeasuredTrials::responses(std::int64_t body) const {
     for (auto const& trial : trials_) {
         if (trial.body == body && trial.decided && trial.moved) {
             list.push_back({trial.v_wes_mps / trial.v_ereq_mps, trial.v_resp_mps / trial.v_ereq_mps, trial.slipped,
-                            trial.overturned});
+                            trial.overturned()});
         }
     }
     return list;
+}
+
+std::map<double, std::vector<double>> MeasuredTrials::by_level(std::int64_t body, LevelResponse response) const {
+    std::map<double, std::vector<double>> values;
+    for (auto const& trial : trials_) {
+        if (trial.body == body) {
+            values[trial.amplitude].push_back(response == LevelResponse::peak_slip ? trial.peak_slip_m
+                                                                                   : trial.peak_rotation_ratio);
+        }
+    }
+    return values;
 }
 
 }  // namespace overturn

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "campaign/limit_state.hpp"
 #include "campaign/rows.hpp"
 #include "stats/criterion.hpp"
 #include "stats/fragility_data.hpp"
@@ -38,6 +39,9 @@ enum class FragilityMeasure : std::int64_t {
 }
 [[nodiscard]] constexpr bool is_other_unit(FragilityMeasure measure) { return in_any_unit(measure) != measure; }
 
+/// The responses whose quantiles are told level by level.
+enum class LevelResponse { peak_slip, peak_rotation_ratio };
+
 /// Holds the first trials, whole waves of them, until there are a million: what they say of a measure's curve is then
 /// known to a fraction of a per cent, and a campaign of any size is merged in bounded memory and time.
 class MeasuredTrials {
@@ -45,14 +49,18 @@ class MeasuredTrials {
     /// \param measures one per body
     void add(WaveRow const& row, std::span<MeasureRow const> measures);
     /// Ignored if the trial's wave was not added before, or no more are held.
-    void add(TrialRow const& row);
+    void add(TrialRow const& row, LimitOutcomes const& limits);
 
-    /// The decided trials of a body with a measure above 0.
-    [[nodiscard]] std::vector<SingleTrial> singles(std::int64_t body, FragilityMeasure measure) const;
+    /// The decided trials of a body with a measure above 0. \param limit place of the limit state; 0: overturning
+    [[nodiscard]] std::vector<SingleTrial> singles(std::int64_t body, FragilityMeasure measure,
+                                                   std::size_t limit = 0) const;
     /// Trials passed by because enough were held.
     [[nodiscard]] std::int64_t passed_by() const { return passed_by_; }
     /// Trials of a body that `singles` leaves out, of those held.
-    [[nodiscard]] std::int64_t left_out(std::int64_t body, FragilityMeasure measure) const;
+    [[nodiscard]] std::int64_t left_out(std::int64_t body, FragilityMeasure measure, std::size_t limit = 0) const;
+    /// A response of the trials of a body, by the value of their level; NaN: unknown; infinite: of a rotation that
+    /// ended in a fall.
+    [[nodiscard]] std::map<double, std::vector<double>> by_level(std::int64_t body, LevelResponse response) const;
     /// As the criteria V_WES < V_Ereq and ouV_E < V_Ereq saw the decided trials.
     [[nodiscard]] std::vector<CriterionTrial> criterion_trials(std::int64_t body, FragilityMeasure measure) const;
     /// The decided trials of a body that moved: what it did with what it was offered.
@@ -68,12 +76,15 @@ class MeasuredTrials {
     };
     struct Trial {
         std::int64_t wave;
+        LimitOutcomes limits;
         std::int32_t body;
-        bool decided, overturned, moved, slipped;
+        bool decided, moved, slipped;
+        double peak_slip_m, peak_rotation_ratio;  ///< NaN: unknown; infinite: it fell
         double amplitude, pga_mps2, pgv_mps, v_wes_mps, ou_v_e_mps, v_ereq_mps, v_resp_mps;
         OtherUnit other_unit;
 
         [[nodiscard]] double value(FragilityMeasure measure) const;
+        [[nodiscard]] bool overturned() const { return limits.has_passed(0); }
     };
     std::map<std::int64_t, Peaks> waves_;
     std::int64_t passed_by_ = 0;

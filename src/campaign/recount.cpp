@@ -1,6 +1,9 @@
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <span>
 
+#include "campaign/detail/limit_results.hpp"
 #include "campaign/results.hpp"
 #include "response/registry.hpp"
 
@@ -35,7 +38,7 @@ namespace {
 // All waves of the campaign, or fewer where it asks to end once it is precise enough.
 std::int64_t waves_done(store::ResultsReader const& file, CampaignSpec const& spec, Plan const& plan) {
     auto const done = static_cast<std::int64_t>(file.integers("waves/id").size());
-    require(done == plan.waves() || (spec.target.asks() && done > 0 && done < plan.waves()),
+    require(done == plan.waves() || (spec.has_target() && done > 0 && done < plan.waves()),
             fmt::format("waves/id has {} rows, the campaign {}", done, plan.waves()));
     return done;
 }
@@ -53,6 +56,38 @@ void each_row(store::ResultsReader const& file, store::TableSpec const& table, s
         }
     }
 }
+
+// The trials' records of what models have to say of their own, one after the other, some at a time; all empty where
+// nobody asks.
+class OwnRecords {
+  public:
+    OwnRecords(store::ResultsReader const& file, Ladder const& ladder, std::int64_t length)
+        : file_(file), tables_(own_tables(ladder)), each_(ladder.own_bytes()), length_(length) {}
+
+    [[nodiscard]] std::span<std::byte const> next() {
+        if (length_ == 0 || each_ == 0) {
+            return {};
+        }
+        auto const place = static_cast<std::size_t>(next_++ - first_) * each_;
+        if (place < records_.size()) {
+            return std::span(records_).subspan(place, each_);
+        }
+        constexpr std::int64_t at_once = 1 << 14U;
+        first_ = next_ - 1;
+        records_.assign(static_cast<std::size_t>(std::min(at_once, length_ - first_)) * each_, {});
+        for (auto const& table : tables_) {
+            file_.rows(table, length_, first_, records_);
+        }
+        return std::span(records_).first(each_);
+    }
+
+  private:
+    store::ResultsReader const& file_;
+    std::vector<store::TableSpec> tables_;
+    std::size_t each_;
+    std::int64_t length_, first_ = 0, next_ = 0;
+    std::vector<std::byte> records_;
+};
 
 // What the rows say now is what they said when the file was made.
 void require_stored(store::ResultsReader const& file, BodyStatistics const& counted) {
@@ -99,13 +134,16 @@ Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec) {
         statistics.add(row, std::span(measures).subspan(bodies * wave++, bodies));
     });
     auto const levels = static_cast<std::int64_t>(spec.levels.levels.size());
+    Ladder const ladder(spec.effects, spec.accuracy);
+    OwnRecords own(file, ladder, statistics.reads_own() ? done * plan.trials_per_wave() : 0);
     each_row<TrialRow>(file, trial_table(spec), done * plan.trials_per_wave(), [&](TrialRow const& row) {
         require(row.level >= 0 && row.level < levels,
                 fmt::format("trials/level holds {}, which names nothing", row.level));
-        statistics.add(row);
+        statistics.add(row, own.next());
     });
     for (auto const& counted : statistics.bodies()) {
         require_stored(file, counted);
+        require_stored_limits(file, spec, counted);
     }
     return statistics;
 }

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "campaign/analysis.hpp"
+#include "campaign/detail/limit_results.hpp"
 #include "campaign/rare_results.hpp"
 #include "campaign/version.hpp"
 #include "response/registry.hpp"
@@ -147,84 +148,6 @@ void write_criterion(store::ResultsWriter& file, CampaignSpec const& spec, BodyS
 
 }  // namespace
 
-Statistics::Statistics(CampaignSpec const& spec) {
-    for (auto const& body : spec.bodies) {
-        BodyStatistics statistics;
-        statistics.body = body.name;
-        for (auto const& level : spec.levels.levels) {
-            statistics.stripes.push_back({.amplitude = level.value});
-        }
-        statistics.v_wes.resize(statistics.stripes.size());
-        statistics.ou_v_e.resize(statistics.stripes.size());
-        auto const levels = statistics.stripes.size();
-        statistics.ends.assign(verdicts().size(), std::vector<std::int64_t>(levels));
-        statistics.called.assign(effects().size(), std::vector<std::int64_t>(levels));
-        statistics.rungs.resize(rungs().size());
-        bodies_.push_back(std::move(statistics));
-    }
-}
-
-void Statistics::add(WaveRow const& row, std::span<MeasureRow const> measures) {
-    waves_.add(row);
-    measured_.add(row, measures);
-}
-
-void Statistics::add(BlockRows const& block) {
-    auto const each = bodies_.size();
-    for (std::size_t w = 0; w < block.waves.size(); ++w) {
-        add(block.waves[w], std::span(block.measures).subspan(w * each, each));
-    }
-    for (auto const& row : block.trials.rows) {
-        add(row);
-    }
-}
-
-void Statistics::add(TrialRow const& row) {
-    measured_.add(row);
-    auto& body = bodies_.at(static_cast<std::size_t>(row.body));
-    auto const level = static_cast<std::size_t>(row.level);
-    auto& stripe = body.stripes.at(level);
-    auto const& end = entry_of(row.verdict);
-    ++stripe.trials;
-    ++body.ends[static_cast<std::size_t>(&end - verdicts().data())][level];
-    for (std::size_t e = 0; e < effects().size(); ++e) {
-        body.called[e][level] += has(static_cast<EffectMask>(row.called), effects()[e].value) ? 1 : 0;
-    }
-    if (row.verdict == Verdict::failed) {
-        ++stripe.failed;
-    } else {
-        ++body.rungs[rung_place(row.rung)];
-        stripe.undecided += end.decided ? 0 : 1;
-    }
-    if (!end.decided) {
-        body.v_wes[level].add_undecided(row.v_wes_safe != 0);
-        body.ou_v_e[level].add_undecided(row.ou_v_e_safe != 0);
-        return;
-    }
-    stripe.overturned += end.fell ? 1 : 0;
-    body.v_wes[level].add(row.v_wes_safe != 0, end.fell);
-    body.ou_v_e[level].add(row.ou_v_e_safe != 0, end.fell);
-}
-
-void WaveCounts::add(WaveRow const& row) {
-    ++waves;
-    failed += row.failed != 0 ? 1 : 0;
-    not_accepted += row.failed == 0 && row.accepted == Accepted::no ? 1 : 0;
-    missed +=
-        row.failed == 0 && row.accepted == Accepted::not_asked && row.match_iterations > 0 && row.matched == 0 ? 1 : 0;
-}
-
-std::string WaveCounts::text(std::string const& acceptance) const {
-    if (acceptance == "none" && failed == 0 && missed == 0) {
-        return "";
-    }
-    auto text = fmt::format("{} waves", waves);
-    text += missed > 0 ? fmt::format(", {} missed match_tolerance and are used as they are", missed) : "";
-    text += failed > 0 ? fmt::format(", {} could not be made", failed) : "";
-    text += acceptance == "none" ? "" : fmt::format(", {} not accepted by {}", not_accepted, acceptance);
-    return text + (failed + not_accepted > 0 ? " (their trials are failed rows)" : "");
-}
-
 std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, CampaignInput const& input,
                                         CampaignSpec const& spec, Plan const& plan,
                                         std::function<std::vector<std::byte>(std::int64_t)> const& block,
@@ -255,7 +178,7 @@ std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, Campa
         }
         statistics.add(rows);
     }
-    if (spec.target.asks()) {
+    if (spec.has_target()) {
         file.attribute("waves_planned", Plan(spec).waves());
         file.attribute("precise_enough", std::int64_t{plan.waves() < Plan(spec).waves() ? 1 : 0});
     }
@@ -263,11 +186,13 @@ std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, Campa
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
         write_body(file, spec.bodies[b], spec.measures.radius_unit);
         write_stripes(file, spec, statistics.bodies()[b]);
-        write_fragility(file, analysis[b], spec.confidence);
+        write_fragility(file, "fragility/" + spec.bodies[b].name, analysis[b].fragility, spec.confidence);
         if (spec.measures.energy) {
             write_criterion(file, spec, statistics.bodies()[b]);
         }
+        write_quantiles(file, spec, analysis[b]);
     }
+    write_limits(file, spec, statistics, analysis);
     write_rare(file, spec, rare);
     file.attribute("complete", std::int64_t{1});
     file.finish();

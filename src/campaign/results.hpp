@@ -1,6 +1,7 @@
 /// From rows to the results file: the columns with their meaning, and the statistics counted over them.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <span>
@@ -18,14 +19,27 @@
 
 namespace overturn {
 
+/// How one body did by a limit state of the user's own. `overturned` of its stripes stands for passed.
+struct LimitStatistics {
+    std::vector<Stripe> stripes;
+    std::int64_t unknown = 0;      ///< trials with a verdict that leave it open: no model told its quantity
+    std::int64_t fell_within = 0;  ///< trials that fell over and kept within it
+};
+
 /// One body's stripes, and how each criterion did per level.
 struct BodyStatistics {
     std::string body;
-    std::vector<Stripe> stripes;
+    std::vector<Stripe> stripes;          ///< of overturning
+    std::vector<LimitStatistics> limits;  ///< of the campaign's others, in its order from place 1
     std::vector<Confusion> v_wes, ou_v_e;
     std::vector<std::vector<std::int64_t>> ends;    ///< trials per verdict, in the order of verdicts(), and level
     std::vector<std::vector<std::int64_t>> called;  ///< trials per effect, in the order of effects(), and level
     std::vector<std::int64_t> rungs;                ///< trials per rung, in the order of rungs()
+
+    /// \param limit place of the limit state; 0: overturning
+    [[nodiscard]] std::vector<Stripe> const& stripes_of(std::size_t limit) const {
+        return limit == 0 ? stripes : limits.at(limit - 1).stripes;
+    }
 };
 
 /// What became of the waves.
@@ -42,17 +56,22 @@ struct WaveCounts {
 /// Counts trials as they come; integers only, so that no order can matter. Keeps the measured ones for the curves.
 class Statistics {
   public:
+    /// \param spec outlives it
     explicit Statistics(CampaignSpec const& spec);
-    void add(TrialRow const& row);
+    /// \param own what models have to say of their own about it; empty: not at hand
+    void add(TrialRow const& row, std::span<std::byte const> own = {});
     /// \param measures one per body
     void add(WaveRow const& row, std::span<MeasureRow const> measures);
     void add(BlockRows const& block);
     [[nodiscard]] std::vector<BodyStatistics> const& bodies() const { return bodies_; }
     [[nodiscard]] WaveCounts const& waves() const { return waves_; }
+    /// Do limit states hang on what models have to say of their own?
+    [[nodiscard]] bool reads_own() const { return judge_.reads_own(); }
     /// Those trials whose waves were added too.
     [[nodiscard]] MeasuredTrials const& measured() const { return measured_; }
 
   private:
+    LimitJudge judge_;
     WaveCounts waves_;
     MeasuredTrials measured_;
     std::vector<BodyStatistics> bodies_;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/detail/limit_results.hpp"
 #include "campaign/results.hpp"
 #include "response/registry.hpp"
 
@@ -95,7 +96,11 @@ std::string stripe_table(CampaignSpec const& spec, Statistics const& statistics)
     auto const waves = statistics.waves().text(spec.source->acceptance());
     text += waves.empty() ? "" : waves + "\n";
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
-        append_body(text, spec, spec.bodies[b], statistics.bodies()[b]);
+        auto const& counted = statistics.bodies()[b];
+        append_body(text, spec, spec.bodies[b], counted);
+        for (std::size_t limit = 1; limit < spec.limits.size(); ++limit) {
+            text += limit_stripes_text(spec, counted, limit);
+        }
     }
     return text;
 }

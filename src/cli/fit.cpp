@@ -47,7 +47,7 @@ int fit_file(Options const& options) {
     auto const analysis = analyse(spec, statistics, {.confidence = confidence, .beta_u = options.beta_u});
     auto const rare = read_rare_estimates(file, spec);
     if (options.json) {
-        auto json = fit_json(statistics, analysis, confidence);
+        auto json = fit_json(spec, statistics, analysis, confidence);
         json["levels"] = {{"measure", spec.levels.measure_name()},
                           {"units", spec.levels.units()},
                           {"stated_unit", spec.levels.shown_units()},

@@ -12,9 +12,9 @@ namespace overturn::cli {
 /// What --beta-u and --confidence (none: the campaign's) may be. \throws InputError
 void check_fit_options(double beta_u, std::optional<double> confidence);
 
-/// One stripe; \param body empty for a table that is nobody's campaign
+/// One stripe; \param body empty for a table that is nobody's campaign \param limit name of the limit state
 [[nodiscard]] nlohmann::ordered_json stripe_json(std::string const& body, std::size_t level, Stripe const& stripe,
-                                                 double confidence);
+                                                 double confidence, std::string const& limit = overturning_limit);
 [[nodiscard]] nlohmann::ordered_json fragility_json(std::string const& body, MeasuredFragility const& measured,
                                                     double confidence);
 [[nodiscard]] nlohmann::ordered_json criterion_json(std::string const& body, MeasuredCriterion const& criterion);
@@ -22,8 +22,12 @@ void check_fit_options(double beta_u, std::optional<double> confidence);
 [[nodiscard]] nlohmann::ordered_json response_json(std::string const& body, ResponseBin const& bin);
 [[nodiscard]] nlohmann::ordered_json verdict_json(std::string const& body, CriterionVerdict const& verdict);
 
-/// All of them: stripes, fragility, criterion, response, verdict.
-[[nodiscard]] nlohmann::ordered_json fit_json(Statistics const& statistics, std::vector<BodyAnalysis> const& analysis,
-                                              double confidence);
+/// A response of a body at one level.
+[[nodiscard]] nlohmann::ordered_json quantiles_json(std::string const& body, LevelQuantiles const& at);
+
+/// All of them: limits, stripes, fragility, quantiles, criterion, response, verdict. Stripes and fragility begin with
+/// those of overturning.
+[[nodiscard]] nlohmann::ordered_json fit_json(CampaignSpec const& spec, Statistics const& statistics,
+                                              std::vector<BodyAnalysis> const& analysis, double confidence);
 
 }  // namespace overturn::cli

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
+#include "campaign/limit_state.hpp"
 #include "campaign/results.hpp"
 #include "cli/verbs.hpp"
 #include "generators/acceptance.hpp"
 #include "generators/envelope.hpp"
 #include "motion/record.hpp"
+#include "response/effects.hpp"
 #include "response/registry.hpp"
 #include "spectra/named_targets.hpp"
 
@@ -27,6 +29,14 @@ int list() {
     print_entries("record formats", record_formats());
     print_entries("effects (effects.include)", effects());
     print_entries("level measures (levels.measure)", level_measures());
+    fmt::print("limit states (limits.quantity)\n");
+    for (auto const& quantity : limit_quantities()) {
+        auto const units = quantity.units == "1" ? std::string() : fmt::format(" [{}]", quantity.units);
+        auto const calls = quantity.of_every_model || quantity.needs == 0
+                               ? std::string()
+                               : fmt::format("; calls for {} in every trial", names_of_effects(quantity.needs));
+        fmt::print("  {:<24} {}{}{}\n", quantity.name, quantity.description, units, calls);
+    }
     fmt::print("measures stored per trial\n");
     for (auto const& column : fields_of<TrialRow>()) {
         fmt::print("  {:<22} {}\n", column.name, column.description);

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <span>
 #include <string>
 #include <thread>
 
@@ -71,6 +72,32 @@ std::string footing_text(BodySpec const& body) {
                              : "");
 }
 
+// Does it slide or rock first? Friction against the slope at which it tips.
+std::string friction_text(BodySpec const& body) {
+    if (!body.friction) {
+        return "no slip";
+    }
+    double const mu = body.friction->static_coefficient;
+    double const slope = body.body.half_width_m() / body.body.centre_height_m();
+    auto const compared = fmt::format("friction {:.4g} {} tan(alpha) {:.4g}", mu, mu < slope ? "<" : ">=", slope);
+    if (mu < slope) {
+        return compared + ": slides before it rocks, not expected to overturn";
+    }
+    constexpr double near = 1.15;  // up to here slip changes peak rotations by orders of magnitude
+    return compared + (mu < near * slope ? ": rocks and slides at once" : ": rocks before it slides");
+}
+
+// The limit states of the user's own, and what they make every trial simulate.
+void tell_limits(CampaignSpec const& spec) {
+    for (auto const& limit : std::span(spec.limits).subspan(1)) {
+        fmt::print("limit     {}: {}\n", limit.name, definition_of(limit, spec.limits));
+    }
+    if (spec.effects.mode == EffectMode::automatic && spec.effects.include != 0) {
+        fmt::print("calls     {} in every trial: a limit state asks for what only they tell\n",
+                   names_of_effects(spec.effects.include));
+    }
+}
+
 int plan_campaign(std::string const& path, std::vector<std::string> const& settings) {
     auto const input = load_campaign(path, settings);
     auto const spec = parse_campaign(input);
@@ -87,6 +114,7 @@ int plan_campaign(std::string const& path, std::vector<std::string> const& setti
             body.name, body.body.mass_kg(), body.body.alpha_rad() * 180 / pi, body.body.p_radps(),
             body.body.restitution(), body.body.housner_restitution(), body.body.uplift_acceleration_mps2(),
             body.body.limit_velocity_mps());
+        fmt::print("slip      {}: {}\n", body.name, friction_text(body));
         if (body.footing.stated) {
             fmt::print("stands    {}: {}\n", body.name, footing_text(body));
         }
@@ -95,6 +123,7 @@ int plan_campaign(std::string const& path, std::vector<std::string> const& setti
         fmt::print("level     {} {}{}\n", spec.levels.measure_name(), spec.levels.text(level.value),
                    level.purpose == LevelClass::ordinary ? "" : "  " + name_of(level.purpose));
     }
+    tell_limits(spec);
     for (auto const& line : warnings_of(spec)) {
         fmt::print("warning   {}\n", line);
     }

@@ -35,6 +35,22 @@ struct Options {
     std::optional<double> confidence;  ///< none: the campaign's
 };
 
+std::string effects_text(CampaignSpec const& spec) {
+    switch (spec.effects.mode) {
+        case EffectMode::automatic:
+            return "auto: what each scene calls for"
+                   + (spec.effects.include == 0
+                          ? std::string()
+                          : fmt::format("; {} in every trial, for the limit states that only they can answer",
+                                        names_of_effects(spec.effects.include)));
+        case EffectMode::none:
+            return "none: plain rocking";
+        case EffectMode::forced:
+            break;
+    }
+    return "forced: " + text_of(spec.effects);
+}
+
 Json facts_of(CampaignSpec const& spec, Plan const& plan) {
     auto facts = Json::array();
     auto const add = [&](char const* name, std::string value) { facts.push_back({name, std::move(value)}); };
@@ -46,9 +62,10 @@ Json facts_of(CampaignSpec const& spec, Plan const& plan) {
                               spec.levels.independent_waves ? ", each with waves of its own"
                                                             : ", the same waves scaled to each"));
     add("trials", fmt::format("{}", plan.trials()));
-    add("effects", spec.effects.mode == EffectMode::automatic ? std::string("auto: what each scene calls for")
-                   : spec.effects.mode == EffectMode::none    ? std::string("none: plain rocking")
-                                                              : "forced: " + text_of(spec.effects));
+    add("effects", effects_text(spec));
+    for (std::size_t l = 1; l < spec.limits.size(); ++l) {
+        add("limit state", fmt::format("{}: {}", spec.limits[l].name, definition_of(spec.limits[l], spec.limits)));
+    }
     add("integration",
         fmt::format("Taylor series of order {}, {} a sample, tolerance {:.1g}", spec.accuracy.rocking.taylor_order,
                     spec.accuracy.rocking.substeps, spec.accuracy.rocking.step_tolerance));
@@ -147,7 +164,7 @@ int write_report(Options const& options) {
     double const confidence = options.confidence.value_or(spec.confidence);
     auto const analysis =
         analyse(spec, statistics, {.confidence = confidence, .beta_u = options.beta_u, .band_points = 61});
-    data["fit"] = fit_json(statistics, analysis, confidence);
+    data["fit"] = fit_json(spec, statistics, analysis, confidence);
     data["rare"] = Json::object();
     if (spec.rare) {
         data["fit"]["rare"] = rare_json(spec, read_rare_estimates(file, spec));

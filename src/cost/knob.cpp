@@ -85,6 +85,13 @@ Setting effects_setting(EffectRequest const& request) {
 }
 
 /// What a campaign's scenes hold for effects to act on.
+// Limit states may need effects that a setting leaves out, and change no trial otherwise.
+void leave_limits_out(std::vector<std::string>& settings, CampaignSpec const& spec) {
+    if (spec.limits.size() > 1) {
+        settings.insert(settings.begin(), "limits=[]");
+    }
+}
+
 struct Scenes {
     bool vertical = false, transverse = false;  ///< components of the waves
     bool friction = true;                       ///< of every body
@@ -164,6 +171,9 @@ Knob effects_knob(CampaignSpec const& spec, Scenes const& scenes) {
             knob.here = knob.settings.size();
         }
         knob.settings.push_back(effects_setting(request));
+        if (!known(request)) {
+            leave_limits_out(knob.settings.back().settings, spec);
+        }
     }
     return knob;
 }
@@ -259,6 +269,7 @@ std::vector<std::string> contact_reference_settings() {
 
 std::vector<std::string> effects_reference_settings(CampaignSpec const& spec) {
     auto settings = reference_settings();
+    leave_limits_out(settings, spec);
     auto const scenes = scenes_of(spec);
     EffectRequest const all{scenes.yields() && scenes.alike() ? EffectMode::forced : EffectMode::automatic,
                             scenes.all()};

@@ -36,6 +36,9 @@ template <> Fields const& fields_of<Outcome>() {
         field<&O::overturn_time_s>("overturn_time", "s", "time of |theta| = pi/2; NaN: not overturned"),
         field<&O::first_uplift_s>("first_uplift", "s", "time of the first uplift; NaN: never"),
         field<&O::impacts>("impacts", "1", "base impacts, without the bouncing that settles"),
+        field<&O::peak_impact_velocity_mps>(
+            "peak_impact_velocity", "m/s",
+            "largest speed at which the far edge of the base lands, 2 b |omega| before an impact; 0: no impact"),
         field<&O::friction_demand>(
             "friction_demand", "1",
             "max |F| / N that no slip needs; the static coefficient itself once the body has slipped"),

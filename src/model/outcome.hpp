@@ -18,6 +18,7 @@ struct Outcome {
     double peak_energy_ratio = 0;
     double overturn_time_s = never, first_uplift_s = never;
     std::int64_t impacts = 0;
+    double peak_impact_velocity_mps = 0;  ///< 2 b |omega| before an impact: the speed at which the far edge lands
     double friction_demand = 0, min_contact_force_ratio = 1;
     double contact_lost_s = never;
     double peak_slip_m = 0, residual_slip_m = 0, friction_work_jpkg = 0;

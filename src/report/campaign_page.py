@@ -4,67 +4,41 @@ Arguments: data.json (file, figures, bodies, fit, facts, waves, wave_notes, cost
 own the figures pass through that of data.json."""
 
 import csv
-import html
 import json
 import os
 import re
 import sys
 
 import fragility_figures
+import limit_sections
 import rare_figures
 import trial_figures
 import wave_figure
 from fragility_figures import MEASURES
+from limit_sections import OVERTURNING
+from page_parts import escape, interval, paragraphs, shares, table, value_of
 from page_style import CSS
 from results_data import Results
 from style import plain
 
 
 SCALE = 1.2  # of figures on the page: type of 8 points beside text of 15 pixels
-MOST_OPEN_ROWS = 40  # of the stripes: longer tables are folded away
-
-
-def escape(value):
-    return html.escape(str(value))
-
-
-def value_of(value, digits=4, unknown="–"):
-    if value is None or value != value:
-        return unknown
-    return plain(value, digits) if isinstance(value, float) else str(value)
-
-
-def shares(share):
-    """A share and its exact interval, as two cells."""
-    return value_of(share["share"], 3), interval([share["lower"], share["upper"]], 3)
-
-
-def interval(ends, digits=4):
-    if not ends:
-        return "–"
-    low, high = ends
-    return f"{value_of(low, digits, 'open')} – {value_of(high, digits, 'open')}"
-
-
-def table(head, rows, note=""):
-    cells = "".join(f"<th>{escape(name)}</th>" for name in head)
-    body = "".join("<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in row) + "</tr>\n" for row in rows)
-    note = f"<p class=quiet>{escape(note)}</p>" if note else ""
-    return f"<div class=scroll><table><thead><tr>{cells}</tr></thead><tbody>\n{body}</tbody></table></div>{note}\n"
-
-
-def paragraphs(lines, kind=""):
-    return "".join(f"<p{kind}>{escape(line)}</p>\n" for line in lines)
 
 
 class Report:
     def __init__(self, data, scratch):
         self.data, self.fit = data, data["fit"]
         self.results = Results(data["file"], data["bodies"])
-        self.fits = {(fit["body"], fit["measure"]): fit for fit in self.fit["fragility"]}
+        self.stripes = {limit["name"]: [s for s in self.fit["stripes"] if s["limit"] == limit["name"]]
+                        for limit in self.fit["limits"]}
+        self.fits = self.fits_of(OVERTURNING)
         self.folder = data["figures"] or scratch
         self.keep = bool(data["figures"])
         self.sections, self.contents = [], []
+
+    def fits_of(self, limit):
+        """The fits of one limit state, by body and measure."""
+        return {(fit["body"], fit["measure"]): fit for fit in self.fit["fragility"] if fit["limit"] == limit}
 
     def figure(self, name, draw, alt):
         """Draws a figure for the page, and for its folder if one is wanted; nothing where there is nothing to draw."""
@@ -106,28 +80,6 @@ class Report:
 
     # What each section says.
 
-    def answers(self):
-        """One sentence a body: the design basis, the median, what may be relied on."""
-        lines = []
-        for body in self.results.bodies:
-            parts = []
-            basis = self.results.design_basis(body)
-            if basis is not None:
-                stripe = next(s for s in self.fit["stripes"] if s["body"] == body.name and s["amplitude"] == basis)
-                parts.append(f"at the design basis ({self.amplitude(basis)}) {stripe['overturned']} of "
-                             f"{stripe['trials']} trials overturned, P between {plain(stripe['lower'], 2)} and "
-                             f"{plain(stripe['upper'], 2)}")
-            fit = self.fits.get((body.name, self.results.measure))
-            if fit and fit["identifiable"]:
-                parts.append(f"half overturn at {self.amplitude(fit['median'], 3)} "
-                             f"({self.amplitudes(fit['median_interval'], 3)}), beta {plain(fit['beta'], 2)}, "
-                             f"HCLPF {self.amplitude(fit['hclpf'], 3)}"
-                             + (f" ({', '.join(fit['flags'])}: see below)" if fit["flags"] else ""))
-            elif fit:
-                parts.append("no curve: " + "; ".join(fit["warnings"][:1] or [fit["state"]]))
-            lines.append(f"{body.name}: " + "; ".join(parts) + ".")
-        return lines
-
     def asked(self):
         facts = table(["", ""], self.data["facts"])
         text = escape(self.results.about["campaign"])
@@ -157,44 +109,6 @@ class Report:
                               "how well the waves meet their target")
         notes = list(self.data["wave_notes"])
         self.section("waves", "The waves", *parts, quality, paragraphs(notes))
-
-    def fragility(self):
-        stripes = self.fit["stripes"]
-        head = ["body", "level", "trials", "overturned", "failed", "P", "lower", "upper"]
-        rows = [[s["body"], self.amplitude(s["amplitude"]), s["trials"], s["overturned"], s["failed"],
-                 value_of(s["probability"], 3), value_of(s["lower"], 3), value_of(s["upper"], 3)] for s in stripes]
-        self.csv("stripes", list(stripes[0]), [list(s.values()) for s in stripes])
-        keys = ["body", "measure", "units", "identifiable", "median", "beta", "median_interval", "beta_interval", "hclpf",
-                "hclpf_interval", "flags"]
-        def cells(fit, key):
-            if key.endswith("_interval"):
-                return fit[key] or [None, None]
-            return [" ".join(fit[key]) if isinstance(fit[key], list) else fit[key]]
-        columns = [name for key in keys for name in (
-            [key.replace("interval", "lower"), key.replace("interval", "upper")] if key.endswith("_interval") else [key])]
-        self.csv("fragility", columns, [[cell for key in keys for cell in cells(f, key)] for f in self.fit["fragility"]])
-        fits = [f for f in self.fit["fragility"] if f["measure"] == self.results.measure]
-        fitted = [[f["body"], self.amplitude(f["median"]), self.amplitudes(f["median_interval"], 3),
-                   value_of(f["beta"], 3), interval(f["beta_interval"], 3), self.amplitude(f["hclpf"]),
-                   self.amplitudes(f.get("hclpf_interval"), 3), ", ".join(f["flags"]) or "none"] for f in fits]
-        split = [[f["body"], value_of(f["beta"], 3), value_of(f["beta_r"], 3), value_of(f["beta_u"], 3),
-                  ", ".join(f"{d['quantity']} {d['log_median_per_deviation']:+.3f} ± {d['standard_error']:.3f}"
-                            for d in f["drawn"])] for f in fits if f["drawn"] and f["identifiable"]]
-        quoted = [[f["body"], f"{q['multiple']:.3g} × {q['of']}", self.amplitude(q["amplitude"]),
-                   value_of(q["probability"], 2), value_of(q["lower"], 2), value_of(q["upper"], 2),
-                   ", ".join(word for word, said in (("outside the data", q["outside_data"]),
-                                                     ("tail: likely too low", q["in_tail"])) if said)]
-                  for f in fits for q in f["probabilities"]]
-        warnings = [f"{f['body']}: {line}" for f in fits for line in f["warnings"]]
-        self.section("fragility", "Fragility", self.figure(
-            "fragility", lambda path: fragility_figures.fragility(self.results, self.fits, path),
-            "probability of overturning against amplitude"),
-            table(["body", "median", "interval", "beta", "interval", "HCLPF", "interval", "flags"], fitted),
-            table(["body", "beta", "beta_R (waves)", "beta_U (body)", "change of ln median per deviation of"], split)
-            if split else "",
-            table(["body", "at", "amplitude", "P", "lower", "upper", ""], quoted) if quoted else "",
-            paragraphs(warnings, " class=warning"),
-            f"<details{' open' if len(rows) <= MOST_OPEN_ROWS else ''}><summary>all stripes</summary>{table(head, rows)}</details>")
 
     def criterion(self):
         if not self.fit["criterion"]:
@@ -299,10 +213,11 @@ class Report:
         self.section("provenance", "Provenance", table(["", ""], rows))
 
     def page(self):
-        for part in (self.asked, self.bodies, self.waves, self.fragility, self.rare, self.criterion, self.trials, self.provenance):
+        for part in (self.asked, self.bodies, self.waves, lambda: limit_sections.add(self), self.rare, self.criterion, self.trials,
+                     self.provenance):
             part()
         title = escape(self.results.title)
-        answers = paragraphs(self.answers())
+        answers = paragraphs(limit_sections.answers(self))
         contents = " · ".join(self.contents)
         return (f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">\n'
                 f'<meta name="viewport" content="width=device-width, initial-scale=1">\n<title>{title}</title>\n'

@@ -37,18 +37,24 @@ def draw_curve(axes, results, fit):
         axes.plot(shown[outside], p[outside], color=BLUE, ls=(0, (4, 3)), lw=0.9, zorder=3)
 
 
-def fragility(results, fits, path):
+def numbers(rows, key):
+    """A column of rows of JSON, NaN where nothing is known."""
+    return np.array([np.nan if row[key] is None else row[key] for row in rows], dtype=float)
+
+
+def fragility(results, fits, stripes, what, path):
     """Stripes with their exact intervals, the lognormal curve, the isotonic estimate, design basis and HCLPF."""
     style.use()
     bodies = results.bodies
     figure, panels = plt.subplots(1, len(bodies), figsize=(1.6 + 3.0 * len(bodies), 3.1), sharey=True,
                                   squeeze=False, layout="constrained")
     for axes, body in zip(panels[0], bodies):
-        stripes = body.stripes
-        amplitude, unit = results.in_units(stripes["amplitude"])
-        known = np.isfinite(stripes["probability"])
-        p = stripes["probability"][known]
-        bars = np.abs(np.array([p - stripes["lower"][known], stripes["upper"][known] - p]))
+        mine = [s for s in stripes if s["body"] == body.name]
+        amplitude, unit = results.in_units(numbers(mine, "amplitude"))
+        p, lower, upper = (numbers(mine, key) for key in ("probability", "lower", "upper"))
+        known = np.isfinite(p)
+        p = p[known]
+        bars = np.abs(np.array([p - lower[known], upper[known] - p]))
         axes.errorbar(amplitude[known], p, yerr=bars, fmt="o", ms=3.6, color=INK, elinewidth=0.8, capsize=2, zorder=4)
         fit = fits.get((body.name, results.measure))
         if fit and fit["identifiable"]:
@@ -70,13 +76,37 @@ def fragility(results, fits, path):
         axes.set_xlabel(f"{MEASURES[results.measure][0]}" + (f" [{unit}]" if unit else ""))
         axes.set_ylim(-0.03, 1.03)
         axes.set_xlim(0, 1.06 * float(np.max(amplitude)))
-    panels[0][0].set_ylabel("probability of overturning")
+    panels[0][0].set_ylabel(style.literal(f"probability of {what}"))
     handles = [Line2D([], [], color=INK, marker="o", ms=3.6, lw=0.8, label="stripe, exact interval"),
                Line2D([], [], color=BLUE, label="lognormal fit"),
                Line2D([], [], color=BLUE, ls=(0, (4, 3)), label="beyond the data"),
                Patch(color=BLUE, alpha=0.15, lw=0, label="its band"),
                Line2D([], [], color=ORANGE, lw=1.6, marker="_", ms=9, label="isotonic estimate")]
     panels[0][-1].legend(handles=handles, loc="center left", bbox_to_anchor=(1.02, 0.5))
+    style.save(figure, path)
+
+
+def responses(results, rows, limits, path):
+    """Median, 84 % and 95 % of a response over the levels with their intervals, and the limits set to it."""
+    style.use()
+    figure, axes = plt.subplots(figsize=(5.6, 2.8), layout="constrained")
+    amplitude, unit = results.in_units(numbers(rows, "amplitude"))
+    for (key, label), colour in zip((("median", "median"), ("p84", "84 %"), ("p95", "95 %")), (BLUE, ORANGE, VERMILION)):
+        value, lower, upper = (numbers([row[key] for row in rows], end) for end in ("value", "lower", "upper"))
+        bars = np.nan_to_num(np.abs(np.array([value - lower, upper - value])))
+        axes.errorbar(amplitude, value, yerr=bars, fmt="o-", ms=3, color=colour, elinewidth=0.8, capsize=2, label=label)
+    for limit in limits:
+        axes.axhline(limit["threshold"], color=GREY, lw=0.8, ls="--")
+        axes.annotate(style.literal(limit["name"]), (1, limit["threshold"]), xycoords=("axes fraction", "data"),
+                      xytext=(-2, 2), textcoords="offset points", ha="right", fontsize=6.5, color=GREY)
+    quantity, units = rows[0]["quantity"], rows[0]["units"]
+    label = {"peak_slip": "peak slip", "peak_rotation_ratio": "peak rotation / α"}[quantity]
+    axes.set(xlabel=MEASURES[results.measure][0] + (f" [{unit}]" if unit else ""),
+             ylabel=label + (f" [{units}]" if units != "1" else ""))
+    axes.set_xlim(0, 1.06 * float(np.max(amplitude)))
+    axes.set_ylim(0, 1.25 if quantity == "peak_rotation_ratio" and np.nanmax(numbers([r["p95"] for r in rows], "value")) > 1.25
+                  else None)
+    axes.legend(loc="upper left")
     style.save(figure, path)
 
 

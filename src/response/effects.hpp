@@ -13,7 +13,9 @@ enum class EffectMode { automatic, none, forced };
 
 struct EffectRequest {
     EffectMode mode = EffectMode::automatic;
-    EffectMask include = 0;  ///< read where mode is forced
+    /// Forced: those, and no others. Automatic: those in any case, as far as a scene can have them, beside what each
+    /// calls for.
+    EffectMask include = 0;
 
     /// Effects that may be simulated; all of them where each scene calls for its own.
     [[nodiscard]] EffectMask wanted() const;

@@ -128,7 +128,8 @@ Ladder::Climb Ladder::begin(SceneTrial const& at) const {
         climb.call(model, models_[model]->called_for(trial, nullptr));
     }
     bool const chooses = request_.mode == EffectMode::automatic;
-    trial.simulated = held_with(0, climb.possible & request_.wanted() & (chooses ? climb.called : ~EffectMask{0}));
+    trial.simulated =
+        held_with(0, climb.possible & request_.wanted() & (chooses ? climb.called | request_.include : ~EffectMask{0}));
     if (out_of_range(trial.excitation, trial.simulated)) {
         climb.outcome = unknown_outcome(FailureReason::absurd_level);
     } else {
@@ -203,6 +204,9 @@ std::int64_t Ladder::reason_of(Climb const& climb) const {
     }
     auto const& reasons = models_[climb.last]->traits().reasons;
     auto const own = climb.reasons[climb.last];
+    if (own == no_reason && (models_[climb.last]->traits().brings() & request_.include) != 0) {
+        return stated_reason;
+    }
     return climb.last == 0 ? no_reason : own == no_reason && !reasons.empty() ? reasons.front().number : own;
 }
 

@@ -50,11 +50,12 @@ struct EnergyBalance {
 };
 
 /// What a trial of planar rocking left behind. Forces are looked at where steps start and just before impacts; of the
-/// neutral part, peak_rotation_ratio, response_velocity_mps, friction_work_jpkg and called are left to
-/// rocking_models.cpp.
+/// neutral part, peak_rotation_ratio, peak_impact_velocity_mps, response_velocity_mps, friction_work_jpkg and called
+/// are left to rocking_models.cpp.
 struct RockingOutcome : Outcome {
-    bool slip_called = false;  ///< Slip::watched ended here: nothing else of this outcome counts
-    EnergyBalance energy;      ///< with Slip::simulated only
+    double impact_spin_radps = 0;  ///< largest |omega| before an impact
+    bool slip_called = false;      ///< Slip::watched ended here: nothing else of this outcome counts
+    EnergyBalance energy;          ///< with Slip::simulated only
 };
 
 /// One instant of a history.

@@ -43,6 +43,7 @@ void conclude(RockingOutcome const& rocking, Trial const& trial, EffectMask call
     outcome = static_cast<Outcome const&>(rocking);
     outcome.peak_rotation_ratio = rocking.peak_rotation_rad / trial.body->alpha_rad();
     outcome.friction_work_jpkg = rocking.energy.friction_work;
+    outcome.peak_impact_velocity_mps = 2 * trial.body->half_width_m() * rocking.impact_spin_radps;
     outcome.response_velocity_mps = response_velocity(*trial.body, rocking.peak_rotation_rad);
     outcome.called = called;
 }

@@ -7,6 +7,7 @@
 #include <gsl/gsl_cdf.h>
 
 #include "stats/detail/profile_likelihood.hpp"
+#include "stats/detail/seen_bound.hpp"
 
 namespace overturn {
 namespace {
@@ -100,6 +101,18 @@ void believe_what_was_seen(QuotedProbability& quoted) {
     }
 }
 
+void bound_what_none_can_hold(QuotedProbability& quoted, FragilityFit const& fit, FragilityData const& data,
+                              double confidence) {
+    if (!quoted.probability || *quoted.probability >= least_share(fit)) {
+        return;
+    }
+    quoted.bound = seen_from(quoted.quote.intensity, data, confidence);
+    quoted.probability.reset();
+    quoted.in_tail = false;
+    quoted.source = quoted.bound ? QuotedProbability::Source::stripe : QuotedProbability::Source::none;
+    quoted.bounds = {0, quoted.bound ? quoted.bound->probability.upper : 1};
+}
+
 void fit_line(FragilityFit& fit, FragilityData const& data, FragilityRequest const& request) {
     auto const line = ProbitSolver().fit(data.points);
     if (!line) {
@@ -140,17 +153,18 @@ void fit_line(FragilityFit& fit, FragilityData const& data, FragilityRequest con
         quoted.in_tail = *quoted.probability < decade * fit.lowest_proportion;
         if (quoted.source == QuotedProbability::Source::stripe) {
             believe_what_was_seen(quoted);
-            continue;
+        } else {
+            // A curve that does not describe the proportions is sure of what is not so.
+            bool const trusted = fit.goodness->p_value >= chance || quoted.trials == 0;
+            quoted.source = trusted ? QuotedProbability::Source::curve : QuotedProbability::Source::stripe;
+            quoted.bounds = !trusted            ? quoted.seen
+                            : data.waves_shared ? bootstrap.probability(at, request.confidence)
+                                                : profile.probability(at);
+            if (!trusted) {
+                believe_what_was_seen(quoted);
+            }
         }
-        // A curve that does not describe the proportions is sure of what is not so.
-        bool const trusted = fit.goodness->p_value >= chance || quoted.trials == 0;
-        quoted.source = trusted ? QuotedProbability::Source::curve : QuotedProbability::Source::stripe;
-        quoted.bounds = !trusted            ? quoted.seen
-                        : data.waves_shared ? bootstrap.probability(at, request.confidence)
-                                            : profile.probability(at);
-        if (!trusted) {
-            believe_what_was_seen(quoted);
-        }
+        bound_what_none_can_hold(quoted, fit, data, request.confidence);
     }
 }
 
@@ -242,6 +256,7 @@ double FragilityFit::one_percent_point() const {
 
 FragilityFit fit_fragility(FragilityData const& data, FragilityRequest const& request) {
     FragilityFit fit;
+    fit.passing = request.passing;
     fit.beta_u = request.beta_u;
     fit.beta_u_in_trials = request.beta_u_in_trials;
     describe(fit, data);

@@ -11,6 +11,10 @@
 
 namespace overturn {
 
+/// What passing the limit state is called: a body overturns, a response exceeds its limit. "overturned" in the names of
+/// this room stands for either.
+enum class Passing : std::uint8_t { overturned, exceeded };
+
 /// What a reader must know about a fit. Stored as bits: never renumber.
 enum class FragilityFlag : std::uint32_t {
     no_trials = 0,
@@ -61,13 +65,21 @@ struct Quote {
 
 struct FragilityRequest {
     double confidence = 0.95;
-    double beta_u = 0;  ///< lognormal standard deviation of what is not known
+    Passing passing = Passing::overturned;  ///< for words alone
+    double beta_u = 0;                      ///< lognormal standard deviation of what is not known
     /// Whether the trials hold it: their bodies were drawn from what is not known, and the fitted beta is
     /// sqrt(beta_R^2 + beta_U^2); else it stands beside the fitted one, which is beta_R.
     bool beta_u_in_trials = false;
     std::vector<Quote> quotes;
     std::vector<double> band_at;  ///< intensities at which the curve's band is wanted [SI]
     BootstrapKey bootstrap;
+};
+
+/// What trials at some intensities say of P there.
+struct SeenBound {
+    double from = 0, to = 0;           ///< intensities
+    double units = 0, overturned = 0;  ///< trials; distinct waves where single trials share them
+    Interval probability;
 };
 
 /// P at one intensity.
@@ -83,6 +95,10 @@ struct QuotedProbability {
     Interval seen;                      ///< their exact interval
     bool outside_data = false;          ///< below or above all intensities that were tried
     bool in_tail = false;               ///< P below a tenth of the lowest proportion that is not zero
+    /// Where the curve's P lies below a tenth of one in all trials, which no sample of that size can speak of: what was
+    /// seen at the nearest intensities from there on. P rises with the intensity, so its upper end bounds P; there is
+    /// no `probability` then.
+    std::optional<SeenBound> bound;
 };
 
 /// The curve and its pointwise interval at one intensity.
@@ -100,6 +116,7 @@ struct TailBound {
 
 struct FragilityFit {
     FragilityState state = FragilityState::no_trials;
+    Passing passing = Passing::overturned;
     FragilityFlags flags = 0;
     double trials = 0, overturned = 0, undecided = 0;
     std::int64_t waves = 0;          ///< distinct; 0: not known
@@ -139,12 +156,18 @@ struct FragilityFit {
     }
 };
 
+/// A tenth of one in all trials: of a curve's P below it no sample of that size can speak.
+[[nodiscard]] inline double least_share(FragilityFit const& fit) {
+    constexpr double tenth = 0.1;
+    return tenth / fit.trials;
+}
+
 [[nodiscard]] FragilityFit fit_fragility(FragilityData const& data, FragilityRequest const& request);
 
-/// "fitted", "nothing-overturned", ...
-[[nodiscard]] std::string name_of(FragilityState state);
+/// "fitted", "nothing-overturned" ("nothing-exceeded"), ...
+[[nodiscard]] std::string name_of(FragilityState state, Passing passing = Passing::overturned);
 /// Names of the flags that are set.
-[[nodiscard]] std::vector<std::string> names_of(FragilityFlags flags);
+[[nodiscard]] std::vector<std::string> names_of(FragilityFlags flags, Passing passing = Passing::overturned);
 /// One sentence for everything a reader must know. \param units of the intensity, "" if it has none
 [[nodiscard]] std::vector<std::string> warnings_of(FragilityFit const& fit, std::string const& units,
                                                    double confidence);

@@ -14,6 +14,16 @@ constexpr std::array<char const*, fragility_flags> flag_names{
     "poor-fit",           "median-outside-data", "hclpf-outside-data", "undecided-trials", "few-waves",
     "interval-unbounded", "waves-left-out"};
 
+// The same with the words of the limit state: "nothing-overturned", "nothing overturned".
+std::string in_words(std::string text, Passing passing) {
+    constexpr std::string_view overturned = "overturned";
+    auto const at = text.find(overturned);
+    if (passing == Passing::exceeded && at != std::string::npos) {
+        text.replace(at, overturned.size(), "exceeded");
+    }
+    return text;
+}
+
 std::string with(double value, std::string const& units) {
     return units.empty() || units == "1" ? fmt::format("{:.4g}", value) : fmt::format("{:.4g} {}", value, units);
 }
@@ -23,8 +33,11 @@ std::string bound_text(FragilityFit const& fit, std::string const& units, double
     bool const none = fit.state == FragilityState::none_overturned;
     auto const where = bound.from == bound.to ? with(bound.from, units)
                                               : fmt::format("{:.4g} to {}", bound.from, with(bound.to, units));
-    return fmt::format("{} overturned: no curve can be fitted; P {} {:.4g} at {} ({} of {:g}, {:g} %)",
-                       none ? "nothing" : "everything",
+    auto const* const what = fit.passing == Passing::exceeded
+                                 ? none ? "no trial exceeded it" : "every trial exceeded it"
+                             : none ? "nothing overturned"
+                                    : "everything overturned";
+    return fmt::format("{}: no curve can be fitted; P {} {:.4g} at {} ({} of {:g}, {:g} %)", what,
                        none ? "<=" : ">=", none ? bound.probability.upper : bound.probability.lower, where,
                        none ? "none" : "all", bound.units, 100 * confidence);
 }
@@ -38,11 +51,11 @@ std::string bracket_text(Interval const& bracket, std::string const& units) {
 }
 
 std::string separated_text(FragilityFit const& fit, std::string const& units) {
-    auto text = fmt::format(
-        "all that stood lie below all that overturned, or at the one level where both happened: beta cannot be told, "
-        "the "
-        "median lies {}",
-        bracket_text(fit.isotonic_median, units));
+    auto text =
+        fmt::format("all that {}, or at the one level where both happened: beta cannot be told, the median lies {}",
+                    fit.passing == Passing::exceeded ? "kept within it lie below all that exceeded it"
+                                                     : "stood lie below all that overturned",
+                    bracket_text(fit.isotonic_median, units));
     if (fit.penalised) {
         text += fmt::format("; penalised (Firth) median {}, beta {:.3g}",
                             with(std::exp(fit.penalised->log_median()), units), fit.penalised->beta());
@@ -81,16 +94,16 @@ void add_state(std::vector<std::string>& texts, FragilityFit const& fit, std::st
 
 }  // namespace
 
-std::string name_of(FragilityState state) {
+std::string name_of(FragilityState state, Passing passing) {
     switch (state) {
         case FragilityState::fitted:
             return "fitted";
         case FragilityState::no_trials:
             return "no-trials";
         case FragilityState::none_overturned:
-            return "nothing-overturned";
+            return in_words("nothing-overturned", passing);
         case FragilityState::all_overturned:
-            return "all-overturned";
+            return in_words("all-overturned", passing);
         case FragilityState::one_level:
             return "one-level";
         case FragilityState::separated:
@@ -103,11 +116,11 @@ std::string name_of(FragilityState state) {
     return "not-converged";
 }
 
-std::vector<std::string> names_of(FragilityFlags flags) {
+std::vector<std::string> names_of(FragilityFlags flags, Passing passing) {
     std::vector<std::string> names;
     for (std::uint32_t f = 0; f < fragility_flags; ++f) {
         if (has(flags, static_cast<FragilityFlag>(f))) {
-            names.emplace_back(flag_names.at(f));
+            names.push_back(in_words(flag_names.at(f), passing));
         }
     }
     return names;
@@ -121,7 +134,9 @@ std::vector<std::string> warnings_of(FragilityFit const& fit, std::string const&
             texts.emplace_back(text);
         }
     };
-    add_if(FragilityFlag::one_overturned, "one trial overturned: whatever is fitted hangs on it");
+    add_if(FragilityFlag::one_overturned, fit.passing == Passing::exceeded
+                                              ? "one trial exceeded it: whatever is fitted hangs on that one"
+                                              : "one trial overturned: whatever is fitted hangs on it");
     if (fit.identifiable()) {
         add_if(FragilityFlag::two_levels, "two intensities: the curve goes through both, nothing tests its shape");
     }

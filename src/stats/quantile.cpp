@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <vector>
 
+#include <gsl/gsl_cdf.h>
 #include <gsl/gsl_statistics_double.h>
 
 namespace overturn {
@@ -33,6 +36,51 @@ Interval middle_of(std::span<double const> values, double confidence, Interval c
 
 double quantile(std::span<double const> sorted, double q) {
     return gsl_stats_quantile_from_sorted_data(sorted.data(), 1, sorted.size(), q);
+}
+
+namespace {
+
+// The largest r with P(Bin(n, q) < r) <= risk: X_(r) lies above the quantile no oftener than that. 0: there is none.
+std::int64_t lower_rank(std::int64_t n, double q, double risk) {
+    auto const at_most = [&](std::int64_t k) {
+        return gsl_cdf_binomial_P(static_cast<unsigned>(k), q, static_cast<unsigned>(n));
+    };
+    std::int64_t rank = 0;
+    for (std::int64_t beyond = n + 1; beyond - rank > 1;) {
+        auto const middle = rank + (beyond - rank) / 2;
+        (at_most(middle - 1) <= risk ? rank : beyond) = middle;
+    }
+    return rank;
+}
+
+// As quantile, where values may be infinite: half way to infinity is there already.
+double between(std::span<double const> sorted, double q) {
+    double const place = q * static_cast<double>(sorted.size() - 1);
+    auto const below = static_cast<std::size_t>(place);
+    auto const next = std::min(below + 1, sorted.size() - 1);
+    if (!std::isinf(sorted[next])) {
+        return quantile(sorted, q);
+    }
+    return static_cast<double>(below) == place ? sorted[below] : sorted[next];
+}
+
+}  // namespace
+
+SampleQuantile sample_quantile(std::span<double const> sorted, std::int64_t unknown, double q, double confidence) {
+    auto const known = static_cast<std::int64_t>(sorted.size());
+    auto const n = known + unknown;
+    SampleQuantile found{q, known == 0 ? std::numeric_limits<double>::quiet_NaN() : between(sorted, q), {}, {}};
+    double const risk = (1 - confidence) / 2;
+    // The upper end is the lower one of the mirrored sample. The unknown lie where they move an end furthest.
+    auto const low = lower_rank(n, q, risk) - unknown;
+    auto const high = n + 1 - lower_rank(n, 1 - q, risk);
+    if (low >= 1) {
+        found.lower = sorted[static_cast<std::size_t>(low - 1)];
+    }
+    if (high <= known) {
+        found.upper = sorted[static_cast<std::size_t>(high - 1)];
+    }
+    return found;
 }
 
 }  // namespace overturn

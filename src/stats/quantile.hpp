@@ -1,6 +1,8 @@
 /// Quantiles of plain lists.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <span>
 
 #include "stats/proportion.hpp"
@@ -14,5 +16,18 @@ namespace overturn {
 /// The value that a share `q` of the sorted values does not exceed, linear between them (Hyndman & Fan 1996, type 7).
 /// \pre sorted, not empty
 [[nodiscard]] double quantile(std::span<double const> sorted, double q);
+
+/// A quantile of what a sample was drawn from: the sample's own, and the distribution-free interval between two of its
+/// order statistics, exact or wider (David & Nagaraja 2003, 7.1).
+struct SampleQuantile {
+    double share = 0;                    ///< q
+    double value = 0;                    ///< of type 7, of the known values; NaN: there are none
+    std::optional<double> lower, upper;  ///< empty: no value of the sample bounds it from that side
+};
+
+/// \param sorted known values, the last ones perhaps infinite \param unknown further ones that may lie anywhere: they
+/// widen the interval
+[[nodiscard]] SampleQuantile sample_quantile(std::span<double const> sorted, std::int64_t unknown, double q,
+                                             double confidence);
 
 }  // namespace overturn

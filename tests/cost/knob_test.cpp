@@ -95,6 +95,13 @@ TEST(Knobs, EffectsAreThoseThatApply) {
     EXPECT_EQ(knob_named(knobs_from(text), "contact_step"), nullptr);
     auto const across = quick_waves + "[waves.transverse]\nratio=1\n" + type_b + levels("values=[4]\n");
     EXPECT_EQ(labels(knobs_from(across)), (std::vector<std::string>{"none", "contact", "contact, spatial", "auto"}));
+    // Limit states that other effects could not answer do not bar them; the campaign's own setting keeps them.
+    auto const limited = text + "[[limits]]\nname='touches'\nquantity='peak_slip'\nabove=0.1\n";
+    auto const limited_knobs = knobs_from(limited);
+    for (auto const& setting : knob_named(limited_knobs, "effects")->settings) {
+        auto const variant = parse_campaign(with(input_from(limited), setting.settings));
+        EXPECT_EQ(variant.limits.size(), setting.label == "auto" ? 2U : 1U) << setting.label;
+    }
     auto const campaign = input_from(across);
     EXPECT_EQ(effects_reference_settings(parse_campaign(campaign)).back(),
               "effects={include=[\"contact\",\"spatial\"]}");

@@ -169,6 +169,21 @@ TEST(Response, VelocityIsThatOfThePeakRotation) {
     EXPECT_TRUE(testing::near(fallen.response_velocity_mps, body.limit_velocity_mps(), testing::exact_formula));
 }
 
+/// The far edge lands at 2 b |omega|, and omega^2 / 2 p^2 is no more than the peak energy over m g R; no impact, no
+/// velocity; unknown where nobody knows.
+TEST(Response, ImpactVelocityIsWithinWhatTheEnergyAllows) {
+    auto const body = slender();
+    auto const rocked = trial(wave(false), {.effects = automatic}, rocking_scale);
+    double const energy = rocked.peak_energy_ratio * (1 - std::cos(body.alpha_rad()));
+    double const fastest = 2 * body.half_width_m() * body.p_radps() * std::sqrt(2 * energy);
+
+    ASSERT_GT(rocked.impacts, 0);
+    EXPECT_GT(rocked.peak_impact_velocity_mps, 0.5 * fastest);
+    EXPECT_LE(rocked.peak_impact_velocity_mps, fastest * (1 + 1e-12));
+    EXPECT_EQ(trial(wave(false), {.effects = automatic}, peak_scaled_to(2.0)).peak_impact_velocity_mps, 0);
+    EXPECT_TRUE(std::isnan(trial(wave(false), {.effects = none}, 1e300).peak_impact_velocity_mps));
+}
+
 TEST(Response, ScaleIsTheSameAsAStrongerWave) {
     auto stronger = wave(true);
     for (auto* component : {&stronger.horizontal_mps2, &stronger.vertical_mps2}) {

@@ -46,6 +46,7 @@ TEST(Accuracy, LongPeriodPeaksWithin1em9) {
         double const error = std::abs(ours.peak_rotation_rad / reference.peak_rotation_rad - 1);
         EXPECT_LT(error, 1e-9) << "level " << level << ", " << ours.impacts << " impacts";
         EXPECT_NEAR(ours.peak_energy_ratio, reference.peak_energy_ratio, 1e-8 * reference.peak_energy_ratio) << level;
+        EXPECT_NEAR(ours.impact_spin_radps, reference.impact_spin_radps, 1e-8 * reference.impact_spin_radps) << level;
         EXPECT_NEAR(ours.friction_demand, reference.friction_demand, 1e-4 * reference.friction_demand) << level;
         EXPECT_NEAR(ours.min_contact_force_ratio, reference.min_contact_force_ratio, 1e-3) << level;
     }

@@ -66,6 +66,7 @@ TEST(Mirror, MirroredWaveGivesTheBitEqualTrial) {
         EXPECT_EQ(one.peak_rotation_rad, two.peak_rotation_rad);
         EXPECT_EQ(one.time_of_peak_s, two.time_of_peak_s);
         EXPECT_EQ(one.impacts, two.impacts);
+        EXPECT_EQ(one.impact_spin_radps, two.impact_spin_radps);
         EXPECT_EQ(one.friction_demand, two.friction_demand);
         EXPECT_EQ(one.peak_energy_ratio, two.peak_energy_ratio);
     }

@@ -85,6 +85,19 @@ TEST(FreeRockingNonlinear, ImpactsLoseExactlyTheirShareOfEnergy) {
     }
 }
 
+/// Released at rest, the block lands first and fastest with omega^2 / 2 p^2 = cos(alpha - theta0) - cos(alpha).
+TEST(FreeRockingNonlinear, FastestImpactIsTheFirst) {
+    std::vector<double> const calm(3000, 0.0);
+    for (double const ratio : {0.1, 0.5, 0.9}) {
+        double const angle = ratio * block.alpha_rad;
+        auto const out = simulate_rocking(block, {.horizontal_mps2 = calm, .vertical_mps2 = {}, .time_step_s = 0.01},
+                                          {}, {.rotation_rad = angle});
+        double const energy = std::cos(block.alpha_rad - angle) - std::cos(block.alpha_rad);
+
+        EXPECT_TRUE(near(out.impact_spin_radps, block.p_radps * std::sqrt(2 * energy), testing::integrated)) << ratio;
+    }
+}
+
 TEST(FreeRockingNonlinear, ElasticBlockKeepsItsEnergy) {
     auto const impacts = release(0.5, {}, 1.0);
 

@@ -90,6 +90,8 @@ TEST(SpatialOneAxis, OutcomesAreThePlanarOnes) {
             EXPECT_EQ(space.impacts, plane.impacts) << level;
             EXPECT_NEAR(space.peak_rotation_rad, plane.peak_rotation_rad, 1e-11) << level;
             EXPECT_NEAR(space.peak_energy_ratio, plane.peak_energy_ratio, 1e-10) << level;
+            EXPECT_NEAR(space.peak_impact_velocity_mps, plane.peak_impact_velocity_mps, 1e-9) << level;
+            EXPECT_EQ(plane.peak_impact_velocity_mps > 0, plane.impacts > 0) << level;
             EXPECT_NEAR(space.response_velocity_mps, plane.response_velocity_mps, 1e-4) << level;
             EXPECT_NEAR(space.peak_slip_m, plane.peak_slip_m, 1e-11) << level;
             EXPECT_NEAR(space.residual_slip_m, std::abs(plane.residual_slip_m), 1e-11) << level;

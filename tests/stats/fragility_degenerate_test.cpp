@@ -11,6 +11,7 @@ namespace {
 
 std::vector<Stripe> table_of(std::vector<std::array<std::int64_t, 3>> const& rows) {
     std::vector<Stripe> stripes;
+    stripes.reserve(rows.size());
     for (auto const& [amplitude, trials, overturned] : rows) {
         stripes.push_back({.amplitude = static_cast<double>(amplitude), .trials = trials, .overturned = overturned});
     }
@@ -197,7 +198,8 @@ TEST(Degenerate, UndecidedTrials) {
 }
 
 /// Levels without any overturning among others: the exact bound of that stripe, not the curve's, which leaves the
-/// data; far below the lowest proportion the quoted P is warned of.
+/// data; far below the lowest proportion the quoted P is warned of. Below a tenth of one in all trials there is no P at
+/// all, but the bound of the nearest stripe from there on.
 TEST(Degenerate, QuotesKnowTheirData) {
     auto const fit = fit_of(table_of({{2, 54, 0}, {3, 54, 4}, {4, 54, 30}, {6, 54, 50}}), {{2, 1}, {3, 1.5}, {1, 0.5}});
 
@@ -208,11 +210,60 @@ TEST(Degenerate, QuotesKnowTheirData) {
     EXPECT_EQ(fit.quotes[1].source, QuotedProbability::Source::curve);
     EXPECT_FALSE(fit.quotes[1].in_tail);
     EXPECT_TRUE(fit.quotes[2].outside_data);
-    EXPECT_TRUE(fit.quotes[2].in_tail);
+    EXPECT_LT(*fit.quotes[2].curve, 0.1 / 216);
+    EXPECT_FALSE(fit.quotes[2].probability);
+    ASSERT_TRUE(fit.quotes[2].bound);
+    EXPECT_EQ(fit.quotes[2].bound->from, std::exp(std::log(2.0)));
+    EXPECT_EQ(fit.quotes[2].bound->units, 54);
+    EXPECT_EQ(fit.quotes[2].bounds.upper, clopper_pearson(0, 54, 0.95).upper);
+    EXPECT_GT(*fit.quotes[0].curve, 0.1 / 216);
+    EXPECT_FALSE(fit.quotes[0].bound);
     auto const warnings = warnings_of(fit, "m/s2", 0.95);
     EXPECT_EQ(std::count_if(warnings.begin(), warnings.end(),
                             [](auto const& text) { return text.find("unconservative") != std::string::npos; }),
-              2);
+              1);
+}
+
+/// Single trials: the tenth of them at or above the quoted intensity, counted by waves, since those of one wave tell no
+/// more than one. P is bounded from above whatever the curve says.
+TEST(Degenerate, SingleTrialsBoundWhatTheyCannotHold) {
+    std::vector<SingleTrial> trials;
+    for (std::int64_t i = 0; i < 200; ++i) {
+        double const at = 2 + 0.01 * static_cast<double>(i);
+        trials.push_back({at, i / 2, i >= 100 ? i % 10 != 0 : i % 25 == 24});
+    }
+    FragilityRequest request;
+    request.quotes = {{0.5, 1}};
+    auto const fit = fit_fragility(FragilityData::of_trials(trials, false, 0), request);
+    auto const& quoted = fit.quotes[0];
+
+    ASSERT_TRUE(fit.identifiable());
+    ASSERT_TRUE(quoted.bound);
+    EXPECT_EQ(quoted.bound->from, 2);
+    EXPECT_EQ(quoted.bound->to, trials[19].intensity);
+    EXPECT_EQ(quoted.bound->units, 10) << "twenty trials of ten waves";
+    EXPECT_EQ(quoted.bound->overturned, 0);
+    EXPECT_EQ(quoted.bounds.upper, clopper_pearson(0, 10, 0.95).upper);
+}
+
+/// The words of other limit states: nobody reads of overturning where slip was meant.
+TEST(Degenerate, WordsOfOtherLimitStates) {
+    FragilityRequest request;
+    request.passing = Passing::exceeded;
+    auto const none = fit_fragility(FragilityData::of_stripes(table_of({{2, 100, 0}, {8, 100, 0}})), request);
+    auto const split = fit_fragility(FragilityData::of_stripes(table_of({{2, 100, 0}, {8, 100, 1}})), request);
+
+    EXPECT_EQ(name_of(none.state, none.passing), "nothing-exceeded");
+    EXPECT_EQ(first_warning(none),
+              "no trial exceeded it: no curve can be fitted; P <= 0.03622 at 8 m/s2 (none of 100, 95 %)");
+    for (auto const& fit : {none, split}) {
+        for (auto const& name : names_of(fit.flags, fit.passing)) {
+            EXPECT_EQ(name.find("overturned"), std::string::npos) << name;
+        }
+        for (auto const& text : warnings_of(fit, "m/s2", 0.95)) {
+            EXPECT_EQ(text.find("overturned"), std::string::npos) << text;
+        }
+    }
 }
 
 /// Single trials that share waves bound no more than their waves do: 5 waves at 40 factors are 5, not 200.

@@ -5,10 +5,25 @@
 #include "campaign/analysis.hpp"
 
 namespace overturn {
+namespace {
+
+// One body by one limit state.
+bool is_precise(CampaignSpec const& spec, Statistics const& statistics, std::size_t body, std::size_t limit) {
+    auto const& target = spec.limits[limit].target;
+    if (target.half_width
+        && !is_precise(statistics.bodies()[body].stripes_of(limit), *target.half_width, spec.confidence)) {
+        return false;
+    }
+    return !target.median_half_width
+           || is_precise(fit_over_levels(spec, statistics, body, {.confidence = spec.confidence}, limit),
+                         *target.median_half_width);
+}
+
+}  // namespace
 
 std::vector<std::int64_t> stopping_points(CampaignSpec const& spec, Plan const& plan) {
     std::vector<std::int64_t> points;
-    if (!spec.target.asks()) {
+    if (!spec.has_target()) {
         return points;
     }
     constexpr std::int64_t least_waves = 32;  // fewer say little, and resampling them says it too surely
@@ -24,14 +39,10 @@ bool meets_target(CampaignSpec const& spec, Plan const& plan, store::ShardFolder
         statistics.add(BlockRows::unpack(shards.read(b), plan, plan.waves_of_block(b).count));
     }
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
-        auto const& stripes = statistics.bodies()[b].stripes;
-        if (spec.target.half_width && !is_precise(stripes, *spec.target.half_width, spec.confidence)) {
-            return false;
-        }
-        if (spec.target.median_half_width
-            && !is_precise(fit_over_levels(spec, statistics, b, {.confidence = spec.confidence}),
-                           *spec.target.median_half_width)) {
-            return false;
+        for (std::size_t l = 0; l < spec.limits.size(); ++l) {
+            if (!is_precise(spec, statistics, b, l)) {
+                return false;
+            }
         }
     }
     return true;

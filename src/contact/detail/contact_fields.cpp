@@ -114,6 +114,7 @@ void ContactRun::tell_peaks(ContactOutcome& out) const {
     out.crest_rad = get(Pressing::crest);
     out.trough_rad = get(Pressing::trough);
     out.impacts = static_cast<std::int64_t>(get(Pressing::impacts));
+    out.peak_impact_velocity_mps = 2 * planar_.half_width_m * get(Pressing::most_spin);
     out.steps = static_cast<std::int64_t>(get(Pressing::steps));
     out.friction_demand = out.friction_work_jpkg = never;
     out.min_contact_force_ratio = out.steps > 0 ? get(Pressing::least_force) / g : 1;

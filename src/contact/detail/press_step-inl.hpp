@@ -88,6 +88,7 @@ OVERTURN_LANES_INLINE void PressStepper<V, Stride, Points>::log(Motion const& at
     V const side = get(Pressing::side);
     if (M const passes = rotation * side < zero; any(passes)) {
         M const strikes = passes & (abs(at.spin) > get(Pressing::impact_spin));
+        put(Pressing::most_spin, max(choose(strikes, abs(at.spin), zero), get(Pressing::most_spin)));
         put(Pressing::impacts, get(Pressing::impacts) + choose(strikes, V(1), zero));
         put(Pressing::side, choose(passes, -side, side));
     }

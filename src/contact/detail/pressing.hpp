@@ -40,7 +40,8 @@ enum class Pressing : int {
     uplift_time,  ///< negative: not yet
     loss_time,    ///< likewise
     impacts,
-    side,  ///< sign of theta when it last passed zero
+    most_spin,  ///< fastest at an impact
+    side,       ///< sign of theta when it last passed zero
     steps,
     // trial
     step,

@@ -11,6 +11,7 @@ void Integrator<Order, Restoring, Vertical, Friction>::strike() {
     auto& out = log_.outcome();
     ++out.impacts;
     double const speed = std::max(0.0, -omega_);
+    out.impact_spin_radps = std::max(out.impact_spin_radps, speed);
     log_.raise_energy(0.5 * speed * speed / (block_.p_radps * block_.p_radps));
     phi_ = 0;
     show(0, 0);

@@ -29,6 +29,7 @@ void Integrator<Order, Restoring, Vertical, Friction>::load_lane(SwingLanes<Lane
     set(Swing::normal, out.min_contact_force_ratio);
     set(Swing::steps, static_cast<double>(out.steps));
     set(Swing::impacts, static_cast<double>(out.impacts));
+    set(Swing::impact_spin, out.impact_spin_radps);
 
     double const e = block_.restitution;
     double const p = block_.p_radps;
@@ -74,6 +75,7 @@ void Integrator<Order, Restoring, Vertical, Friction>::store_lane(SwingLanes<Lan
     out.min_contact_force_ratio = get(Swing::normal);
     out.steps = static_cast<std::int64_t>(get(Swing::steps));
     out.impacts = static_cast<std::int64_t>(get(Swing::impacts));
+    out.impact_spin_radps = get(Swing::impact_spin);
     careful_ = true;
     if (index_ + 1 < shaking_.horizontal_mps2.size()) {
         sample_.load(shaking_, block_.gravity_mps2, index_);

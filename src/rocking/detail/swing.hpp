@@ -29,6 +29,7 @@ enum class Swing : int {
     normal,
     steps,
     impacts,
+    impact_spin,  ///< fastest before an impact
     // trial
     p,
     inverse_p,

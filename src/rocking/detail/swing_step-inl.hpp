@@ -229,6 +229,7 @@ OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::step(SwingSeries* shown
         start1 = choose(strikes, one, zero);
         taken = taken | strikes;
         put(Swing::side, choose(strikes, -side, side));
+        put(Swing::impact_spin, choose(strikes, max(approach, get(Swing::impact_spin)), get(Swing::impact_spin)));
         put(Swing::impacts, choose(strikes, get(Swing::impacts) + 1.0, get(Swing::impacts)));
     }
     M const stays = !taken;

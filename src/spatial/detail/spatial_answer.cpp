@@ -100,6 +100,7 @@ void SpatialRun::tell_peaks(SpatialOutcome& out) const {
     double const radius = std::hypot(planar_.half_width_m, planar_.centre_height_m);
     double const lift = std::max(0.0, get(State::most_lift));
     out.impacts = static_cast<std::int64_t>(get(State::impacts));
+    out.peak_impact_velocity_mps = 2 * planar_.half_width_m * std::sqrt(get(State::most_spin));
     out.steps = static_cast<std::int64_t>(get(State::steps));
     out.friction_demand = out.friction_work_jpkg = never;
     out.min_contact_force_ratio = out.steps > 0 ? get(State::least_force) / g : 1;

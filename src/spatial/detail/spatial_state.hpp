@@ -55,8 +55,9 @@ enum class State : int {
     uplift_time,  ///< negative: not yet
     loss_time,    ///< likewise
     impacts,
-    lean_x,  ///< direction of the last tilt that was more than the springs' own
-    lean_y,  ///< likewise
+    most_spin,  ///< fastest tilting at an impact, squared
+    lean_x,     ///< direction of the last tilt that was more than the springs' own
+    lean_y,     ///< likewise
     steps,
     // trial
     step,

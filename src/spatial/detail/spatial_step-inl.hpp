@@ -154,7 +154,9 @@ OVERTURN_LANES_INLINE void SpatialStepper<V, Stride>::log_reversal(Motion const&
         return;
     }
     V const slow = get(State::impact_spin);
-    M const strikes = passes & (at.spin.x * at.spin.x + at.spin.y * at.spin.y > slow * slow);
+    V const fast = at.spin.x * at.spin.x + at.spin.y * at.spin.y;
+    M const strikes = passes & (fast > slow * slow);
+    put(State::most_spin, max(choose(strikes, fast, zero), get(State::most_spin)));
     put(State::impacts, get(State::impacts) + choose(strikes, V(1), zero));
     put(State::lean_x, choose(leans, axis.x, get(State::lean_x)));
     put(State::lean_y, choose(leans, axis.y, get(State::lean_y)));

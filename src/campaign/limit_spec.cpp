@@ -1,0 +1,170 @@
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "campaign/limit_state.hpp"
+#include "config/suggestion.hpp"
+#include "core/error.hpp"
+#include "response/registry.hpp"
+
+namespace overturn {
+namespace {
+
+using config::Table;
+
+PrecisionTarget read_target(Table const& table, bool independent_waves, PrecisionTarget target) {
+    constexpr double largest = 0.5;
+    config::Range const range{.low = 0, .high = largest, .low_open = true};
+    for (auto const& [key, value] : {std::pair{"target_half_width", &target.half_width},
+                                     std::pair{"target_median_half_width", &target.median_half_width}}) {
+        if (!table.has(key)) {
+            continue;
+        }
+        *value = table.number(key, Dimension::none, range);
+        if (independent_waves) {
+            table.fail(key,
+                       "beside independent waves (they come level by level, so that the first ones are of the "
+                       "lowest level only). Use levels.waves = 'shared'");
+        }
+    }
+    return target;
+}
+
+std::string read_name(Table const& table, std::span<LimitState const> before) {
+    auto name = table.text("name");
+    if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos) {
+        table.fail("name", fmt::format("'{}' (names a group of the results file). Choose another, without '/'", name));
+    }
+    if (std::ranges::find(before, name, &LimitState::name) != before.end()) {
+        table.fail("name", fmt::format("'{}' {} (names tell limit states apart). Rename it", name,
+                                       name == overturning_limit ? "is always there" : "twice"));
+    }
+    return name;
+}
+
+LimitQuantity read_quantity(Table const& table) {
+    auto const name = table.text("quantity");
+    auto const all = limit_quantities();
+    auto const found = std::ranges::find(all, name, &LimitQuantity::name);
+    if (found == all.end()) {
+        std::vector<std::string> names;
+        std::ranges::transform(all, std::back_inserter(names), &LimitQuantity::name);
+        table.fail("quantity", fmt::format("'{}' (no stored response that a limit can be set to). {}", name,
+                                           config::suggestion(name, names)));
+    }
+    return *found;
+}
+
+Dimension dimension_of(LimitQuantity const& quantity) {
+    static constexpr std::array dimensions{Dimension::length, Dimension::angle, Dimension::velocity};
+    auto const* const found =
+        std::ranges::find_if(dimensions, [&](Dimension dimension) { return si_symbol(dimension) == quantity.units; });
+    return found == dimensions.end() ? Dimension::none : *found;
+}
+
+bool may_run(ModelTraits const& model, EffectRequest const& effects) {
+    return (model.brings() & effects.wanted()) != 0;
+}
+
+// Will some model that may run know the quantity?
+bool is_told(LimitQuantity const& quantity, EffectRequest const& effects) {
+    if (quantity.of_every_model) {
+        return holds_all(effects.wanted(), quantity.needs);
+    }
+    return std::ranges::any_of(models(), [&](ModelEntry const& model) {
+        auto const& fields = model.traits().fields;
+        return may_run(model.traits(), effects)
+               && std::ranges::find(fields, quantity.name, &Field::name) != fields.end();
+    });
+}
+
+// A quantity that only some effects tell: they are simulated in every trial, or the limit is refused.
+void call_for(Table const& table, LimitQuantity const& quantity, EffectRequest& effects) {
+    if (is_told(quantity, effects)) {
+        if (effects.mode == EffectMode::automatic && !quantity.of_every_model) {
+            effects.include |= quantity.needs | mask_of(Effect::sliding);  // points slip one by one
+        }
+        return;
+    }
+    table.fail("quantity", fmt::format("'{}' without {} among the effects (no model that runs could tell it). Add it "
+                                       "to effects.include, or leave [effects] out: auto calls for what a limit needs",
+                                       quantity.name, names_of_effects(quantity.needs)));
+}
+
+void read_threshold(Table const& table, LimitState& limit, EffectRequest& effects) {
+    limit.quantity = read_quantity(table);
+    auto const* const key = table.has("below") ? "below" : "above";
+    limit.rule = table.has("below") ? LimitState::Rule::below : LimitState::Rule::above;
+    if (table.has("above") && table.has("below")) {
+        table.fail("below", "stated beside above (one side fails). Keep one, or join two limits with any or all");
+    }
+    bool const above = limit.rule == LimitState::Rule::above;
+    limit.threshold = table.number(key, dimension_of(limit.quantity), {.low = 0, .low_open = !above});
+    call_for(table, limit.quantity, effects);
+}
+
+void read_parts(Table const& table, char const* key, LimitState& limit, std::span<LimitState const> before) {
+    limit.rule = std::string_view(key) == "any" ? LimitState::Rule::any : LimitState::Rule::all;
+    for (auto const& name : table.texts(key)) {
+        auto const found = std::ranges::find(before, name, &LimitState::name);
+        if (found == before.end()) {
+            std::vector<std::string> names;
+            std::ranges::transform(before, std::back_inserter(names), &LimitState::name);
+            table.fail(key, fmt::format("'{}' (no limit state stated before this one). {}", name,
+                                        config::suggestion(name, names)));
+        }
+        limit.of.push_back(static_cast<std::size_t>(found - before.begin()));
+    }
+    if (limit.of.empty()) {
+        table.fail(key, "empty (nothing to join). Name other limit states");
+    }
+}
+
+LimitState read_limit(Table const& table, std::span<LimitState const> before, EffectRequest& effects) {
+    LimitState limit;
+    limit.name = read_name(table, before);
+    std::vector<char const*> stated;
+    std::ranges::copy_if(std::array{"quantity", "any", "all"}, std::back_inserter(stated),
+                         [&](char const* key) { return table.has(key); });
+    if (stated.size() != 1) {
+        auto const what = stated.empty() ? std::string("none") : fmt::format("{}", fmt::join(stated, " and "));
+        table.fail(
+            stated.empty() ? "name" : stated.back(),
+            fmt::format("{} of quantity, any and all in '{}' (one of them says when it is passed). Write quantity = "
+                        "\"peak_slip\", above = \"0.3 m\", or any = [...] of others",
+                        what, limit.name));
+    }
+    if (table.has("quantity")) {
+        read_threshold(table, limit, effects);
+    } else {
+        read_parts(table, stated.front(), limit, before);
+    }
+    return limit;
+}
+
+}  // namespace
+
+std::vector<LimitState> read_limits(config::Table const& root, config::Table const& statistics, bool independent_waves,
+                                    EffectRequest& effects) {
+    auto const common = read_target(statistics, independent_waves, {});
+    std::vector<LimitState> limits(1);
+    limits.front().name = overturning_limit;
+    limits.front().target = common;
+    if (!root.has("limits")) {
+        return limits;
+    }
+    for (auto const& table : root.children("limits")) {
+        if (limits.size() == most_limits) {
+            table.fail("name", fmt::format("more than {} limit states in one campaign. Split it", most_limits - 1));
+        }
+        auto limit = read_limit(table, limits, effects);
+        limit.target = read_target(table, independent_waves, common);
+        table.finish();
+        limits.push_back(std::move(limit));
+    }
+    return limits;
+}
+
+}  // namespace overturn

@@ -1,0 +1,166 @@
+#include "campaign/limit_state.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "response/registry.hpp"
+
+namespace overturn {
+namespace {
+
+constexpr std::array slip_quantities{std::string_view("peak_slip"), std::string_view("residual_slip"),
+                                     std::string_view("friction_work")};
+// Of the base as it was matched, whatever the trial does.
+constexpr std::array base_properties{std::string_view("restitution"), std::string_view("corner_share"),
+                                     std::string_view("normal_restitution")};
+
+template <std::size_t Count> bool is_among(std::array<std::string_view, Count> const& names, std::string_view name) {
+    return std::ranges::find(names, name) != names.end();
+}
+
+bool is_a_response(Field const& field) {
+    return (field.type == FieldType::real && field.units != "s") || field.name == "impacts";
+}
+
+double value_at(std::span<std::byte const> row, Field const& field) {
+    return field.type == FieldType::real ? real_at(row, field) : static_cast<double>(integer_at(row, field));
+}
+
+bool exceeds(LimitState const& limit, double value) {
+    double const size = std::abs(value);
+    return limit.rule == LimitState::Rule::above ? size > limit.threshold : size < limit.threshold;
+}
+
+constexpr std::uint32_t bit_of(std::size_t limit) { return std::uint32_t{1} << limit; }
+
+}  // namespace
+
+std::span<LimitQuantity const> limit_quantities() {
+    static auto const quantities = [] {
+        std::vector<LimitQuantity> all;
+        for (auto const& field : fields_of<Outcome>()) {
+            if (is_a_response(field)) {
+                auto const needs = is_among(slip_quantities, field.name) ? mask_of(Effect::sliding) : 0;
+                all.push_back({field.name, field.units, field.description, needs, true});
+            }
+        }
+        for (auto const& model : models()) {
+            for (auto const& field : model.traits().fields) {
+                bool const known = std::ranges::find(all, field.name, &LimitQuantity::name) != all.end();
+                if (is_a_response(field) && !known && !is_among(base_properties, field.name)) {
+                    all.push_back({field.name, field.units, field.description, model.traits().brings(), false});
+                }
+            }
+        }
+        return all;
+    }();
+    return quantities;
+}
+
+std::string definition_of(LimitState const& limit, std::span<LimitState const> limits) {
+    auto const with_units = [&] {
+        return limit.quantity.units == "1" ? fmt::format("{:.6g}", limit.threshold)
+                                           : fmt::format("{:.6g} {}", limit.threshold, limit.quantity.units);
+    };
+    auto const names = [&] {
+        std::string text;
+        for (auto const place : limit.of) {
+            text += (text.empty() ? "" : ", ") + limits[place].name;
+        }
+        return text;
+    };
+    switch (limit.rule) {
+        case LimitState::Rule::above:
+            return fmt::format("{} > {}", limit.quantity.name, with_units());
+        case LimitState::Rule::below:
+            return fmt::format("{} < {}", limit.quantity.name, with_units());
+        case LimitState::Rule::any:
+            return "any of " + names();
+        case LimitState::Rule::all:
+            return "all of " + names();
+        case LimitState::Rule::overturning:
+            break;
+    }
+    return "the body fell over";
+}
+
+LimitJudge::LimitJudge(std::span<LimitState const> limits, Ladder const& ladder) : limits_(limits) {
+    OVERTURN_EXPECT(limits.size() <= most_limits);
+    for (std::size_t l = 0; l < limits.size(); ++l) {
+        auto const& quantity = limits[l].quantity;
+        bool const column = !quantity.name.empty() && quantity.of_every_model;
+        columns_.push_back(column ? &field_named(fields_of<TrialRow>(), quantity.name) : nullptr);
+        if (quantity.name.empty() || column) {
+            continue;
+        }
+        for (auto const& [traits, offset] : ladder.own_parts()) {
+            auto const found = std::ranges::find(traits->fields, quantity.name, &Field::name);
+            if (found != traits->fields.end()) {
+                own_.push_back({l, traits->number, *found});
+                own_.back().field.offset += offset;
+            }
+        }
+    }
+}
+
+bool LimitJudge::reads_own() const { return !own_.empty(); }
+
+// NaN where it is unknown.
+double LimitJudge::value_of(std::size_t limit, TrialRow const& row, std::span<std::byte const> own) const {
+    if (columns_[limit] != nullptr) {
+        auto const missed = static_cast<EffectMask>(row.called) & ~static_cast<EffectMask>(row.effects);
+        bool const told = (missed & limits_[limit].quantity.needs) == 0;
+        return told ? value_at(bytes_of(row), *columns_[limit]) : never;
+    }
+    auto const part = std::ranges::find_if(
+        own_, [&](Own const& candidate) { return candidate.limit == limit && candidate.rung == row.rung; });
+    return part == own_.end() || own.empty() ? never : value_at(own, part->field);
+}
+
+LimitOutcomes LimitJudge::judge(TrialRow const& row, std::span<std::byte const> own) const {
+    auto const& end = entry_of(row.verdict);
+    LimitOutcomes outcomes;
+    if (!end.decided) {
+        return outcomes;
+    }
+    auto const set = [&](std::size_t limit, bool passed) {
+        outcomes.decided |= bit_of(limit);
+        outcomes.passed |= passed ? bit_of(limit) : 0;
+    };
+    for (std::size_t l = 0; l < limits_.size(); ++l) {
+        auto const& limit = limits_[l];
+        switch (limit.rule) {
+            case LimitState::Rule::overturning:
+                set(l, end.fell);
+                break;
+            case LimitState::Rule::above:
+            case LimitState::Rule::below:
+                if (double const value = value_of(l, row, own); !std::isnan(value)) {
+                    set(l, exceeds(limit, value));
+                }
+                break;
+            case LimitState::Rule::any:
+            case LimitState::Rule::all: {
+                bool const settles = limit.rule == LimitState::Rule::any;  // what one alone decides
+                auto const is = [&](std::size_t part) {
+                    return outcomes.is_decided(part) && outcomes.has_passed(part) == settles;
+                };
+                auto const open = [&](std::size_t part) { return !outcomes.is_decided(part); };
+                if (std::ranges::any_of(limit.of, is)) {
+                    set(l, settles);
+                } else if (std::ranges::none_of(limit.of, open)) {
+                    set(l, !settles);
+                }
+                break;
+            }
+        }
+    }
+    return outcomes;
+}
+
+}  // namespace overturn

@@ -1,0 +1,95 @@
+/// Limit states of a campaign: a name and a rule that every trial's stored row passes, keeps within, or leaves open.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "campaign/rows.hpp"
+#include "config/table.hpp"
+#include "response/ladder.hpp"
+#include "stats/fragility.hpp"
+#include "stats/precision.hpp"
+
+namespace overturn {
+
+/// A stored response that a limit may be set to. Compared is its magnitude.
+struct LimitQuantity {
+    std::string name;   ///< of the column: "peak_slip"
+    std::string units;  ///< "m"
+    std::string description;
+    /// Effects without which a model cannot tell it: where one of them would have acted and was not simulated, the
+    /// quantity is unknown.
+    EffectMask needs = 0;
+    bool of_every_model = true;  ///< else one of those that only some models know (ModelTraits::fields)
+};
+
+/// All of them: what every model answers, then what contact and spatial add. Times and properties of the base are none.
+[[nodiscard]] std::span<LimitQuantity const> limit_quantities();
+
+struct LimitState {
+    enum class Rule { overturning, above, below, any, all };
+
+    std::string name;
+    Rule rule = Rule::overturning;
+    LimitQuantity quantity;       ///< of above and below
+    double threshold = 0;         ///< likewise [SI]
+    std::vector<std::size_t> of;  ///< of any and all: places in the campaign's list, all before this one's
+    PrecisionTarget target;       ///< met, together with all others, before all waves are done, it ends the campaign
+
+    [[nodiscard]] bool is_overturning() const { return rule == Rule::overturning; }
+    /// How its fits speak of it.
+    [[nodiscard]] Passing passing() const { return is_overturning() ? Passing::overturned : Passing::exceeded; }
+};
+
+/// The name of the one that is always there, the first.
+inline constexpr char const* overturning_limit = "overturning";
+
+/// "peak_slip > 0.3 m"; "any of touches, overturning".
+[[nodiscard]] std::string definition_of(LimitState const& limit, std::span<LimitState const> limits);
+
+/// What one trial says of all limit states: a bit each, in their order.
+struct LimitOutcomes {
+    std::uint32_t decided = 0;  ///< it is known whether the trial passed
+    std::uint32_t passed = 0;   ///< never set where not decided
+
+    [[nodiscard]] bool is_decided(std::size_t limit) const { return (decided >> limit & 1U) != 0; }
+    [[nodiscard]] bool has_passed(std::size_t limit) const { return (passed >> limit & 1U) != 0; }
+};
+inline constexpr std::size_t most_limits = 32;
+
+/// Holds rows to the limit states. A trial without a verdict decides none of them; one whose quantity is unknown
+/// decides none that hangs on it. `any` is passed as soon as one is, `all` is kept as soon as one is.
+class LimitJudge {
+  public:
+    /// \param limits outlive it
+    LimitJudge(std::span<LimitState const> limits, Ladder const& ladder);
+
+    /// \param own the record of what models have to say of their own; empty: unknown
+    [[nodiscard]] LimitOutcomes judge(TrialRow const& row, std::span<std::byte const> own) const;
+    /// Does any limit hang on such a record?
+    [[nodiscard]] bool reads_own() const;
+
+  private:
+    struct Own {
+        std::size_t limit;
+        std::int64_t rung;
+        Field field;  ///< its offset is that in the record
+    };
+    [[nodiscard]] double value_of(std::size_t limit, TrialRow const& row, std::span<std::byte const> own) const;
+
+    std::span<LimitState const> limits_;
+    std::vector<Field const*> columns_;  ///< of /trials, one a limit; null where it reads none
+    std::vector<Own> own_;
+};
+
+/// Reads [[limits]], behind overturning, which is always there: name, quantity with above or below, or any or all of
+/// others stated before it; target_half_width and target_median_half_width, else those of [statistics].
+/// \param statistics [statistics], whose targets are read too \param effects gets what limits call for
+/// \throws InputError
+[[nodiscard]] std::vector<LimitState> read_limits(config::Table const& root, config::Table const& statistics,
+                                                  bool independent_waves, EffectRequest& effects);
+
+}  // namespace overturn

@@ -1,0 +1,168 @@
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "cli/fit_json.hpp"
+#include "cli/json_values.hpp"
+
+namespace overturn::cli {
+namespace {
+
+// The contract's name of the count, and that of other limit states.
+char const* passed_key(FragilityFit const& fit) { return fit.passing == Passing::exceeded ? "exceeded" : "overturned"; }
+
+Json intervals_json(FragilityFit::Intervals const& i) {
+    return {{"median_interval", intensity_ends(i.median)},
+            {"beta_interval", ends(i.beta)},
+            {"hclpf_interval", intensity_ends(i.hclpf)}};
+}
+
+Json isotonic_json(FragilityFit const& fit) {
+    Json list = Json::array();
+    for (auto const& block : fit.isotonic) {
+        list.push_back({{"from", block.from},
+                        {"to", block.to},
+                        {"trials", block.trials},
+                        {passed_key(fit), block.overturned},
+                        {"probability", block.probability()}});
+    }
+    return list;
+}
+
+char const* source_name(QuotedProbability::Source source) {
+    switch (source) {
+        case QuotedProbability::Source::curve:
+            return "curve";
+        case QuotedProbability::Source::stripe:
+            return "stripe";
+        case QuotedProbability::Source::none:
+            break;
+    }
+    return "none";
+}
+
+// Why there is a bound in place of a probability.
+Json seen_json(QuotedProbability const& q, FragilityFit const& fit) {
+    if (!q.bound) {
+        return nullptr;
+    }
+    auto const why = fmt::format("the curve's P is below a tenth of one in {:g} trials", fit.trials);
+    return {{"from", q.bound->from},   {"to", q.bound->to},
+            {"units", q.bound->units}, {passed_key(fit), q.bound->overturned},
+            {"upper", q.bounds.upper}, {"reason", why}};
+}
+
+Json quotes_json(MeasuredFragility const& measured) {
+    Json list = Json::array();
+    for (auto const& q : measured.fit.quotes) {
+        bool const bounded = q.source != QuotedProbability::Source::none;
+        list.push_back({{"of", measured.quote_base},
+                        {"multiple", q.quote.multiple},
+                        {"amplitude", q.quote.intensity},
+                        {"probability", q.probability ? Json(*q.probability) : Json(nullptr)},
+                        {"curve_probability", q.curve ? Json(*q.curve) : Json(nullptr)},
+                        {"lower", or_null(bounded, q.bounds.lower)},
+                        {"upper", or_null(bounded, q.bounds.upper)},
+                        {"bounds_from", source_name(q.source)},
+                        {"trials", q.trials},
+                        {passed_key(measured.fit), q.overturned},
+                        {"observed", or_null(q.trials > 0, q.trials > 0 ? q.overturned / q.trials : 0)},
+                        {"observed_interval", or_null(q.trials > 0, ends(q.seen))},
+                        {"outside_data", q.outside_data},
+                        {"in_tail", q.in_tail},
+                        {"bound", seen_json(q, measured.fit)}});
+    }
+    return list;
+}
+
+Json bound_json(FragilityFit const& fit) {
+    if (!fit.bound) {
+        return nullptr;
+    }
+    bool const none = fit.state == FragilityState::none_overturned;
+    return {{"from", fit.bound->from},
+            {"to", fit.bound->to},
+            {"units", fit.bound->units},
+            {"lower", or_null(!none, fit.bound->probability.lower)},
+            {"upper", or_null(none, fit.bound->probability.upper)}};
+}
+
+Json goodness_json(FragilityFit const& fit) {
+    if (!fit.goodness) {
+        return nullptr;
+    }
+    return {{"deviance", fit.goodness->deviance},
+            {"degrees_of_freedom", fit.goodness->degrees_of_freedom},
+            {"p_value", or_null(fit.goodness->degrees_of_freedom > 0, fit.goodness->p_value)}};
+}
+
+Json line_json(std::optional<ProbitLine> const& line) {
+    return line ? Json{{"median", std::exp(line->log_median())}, {"beta", line->beta()}} : Json(nullptr);
+}
+
+void add_curve(Json& json, FragilityFit const& fit) {
+    bool const known = fit.identifiable();
+    json["median"] = or_null(known, known ? std::exp(fit.line->log_median()) : 0);
+    json["beta"] = or_null(known, known ? fit.line->beta() : 0);
+    json["median_interval"] = or_null(known, known ? intensity_ends(fit.intervals().median) : Json());
+    json["beta_interval"] = or_null(known, known ? ends(fit.intervals().beta) : Json());
+    json["hclpf"] = or_null(known, known ? fit.hclpf() : 0);
+    json["hclpf_interval"] = or_null(known, known ? intensity_ends(fit.intervals().hclpf) : Json());
+    json["one_percent_point"] = or_null(known, known ? fit.one_percent_point() : 0);
+    json["flags"] = names_of(fit.flags, fit.passing);
+    json["state"] = name_of(fit.state, fit.passing);
+    json["interval_method"] = or_null(
+        known, fit.method == FragilityFit::Method::bootstrap_by_waves ? "bootstrap-by-waves" : "profile-likelihood");
+    json["beta_r"] = or_null(known, known ? fit.beta_r() : 0);
+    json["beta_u"] = fit.beta_u;
+    json["profile"] = fit.profile ? intervals_json(*fit.profile) : Json(nullptr);
+    json["bootstrap"] = fit.bootstrap ? intervals_json(*fit.bootstrap) : Json(nullptr);
+    if (fit.bootstrap) {
+        json["bootstrap"]["replicates"] = fit.replicates;
+        json["bootstrap"]["without_curve"] = fit.replicates_without_curve;
+    }
+}
+
+}  // namespace
+
+Json fragility_json(std::string const& body, MeasuredFragility const& measured, double confidence) {
+    auto const& fit = measured.fit;
+    Json json{
+        {"body", body}, {"limit", measured.limit}, {"measure", measured.name}, {"identifiable", fit.identifiable()}};
+    add_curve(json, fit);
+    json["units"] = measured.units;
+    json["confidence"] = confidence;
+    json["trials"] = fit.trials;
+    json[passed_key(fit)] = fit.overturned;
+    json["undecided"] = fit.undecided;
+    json["waves"] = or_null(fit.waves > 0, fit.waves);
+    json["data_range"] = or_null(fit.trials > 0, Json::array({fit.lowest, fit.highest}));
+    json["lowest_proportion"] = or_null(fit.lowest_proportion > 0, fit.lowest_proportion);
+    json["goodness_of_fit"] = goodness_json(fit);
+    json["monotone_p_value"] = or_null(fit.monotone.degrees_of_freedom > 0, fit.monotone.p_value);
+    json["isotonic"] = isotonic_json(fit);
+    json["isotonic_median"] = or_null(fit.trials > 0, intensity_ends(fit.isotonic_median));
+    json["penalised"] = line_json(fit.penalised);
+    json["bound"] = bound_json(fit);
+    json["probabilities"] = quotes_json(measured);
+    json["rank_area"] = number(measured.rank_area);
+    json["rank_interval"] = or_null(std::isfinite(measured.rank_area), ends(measured.rank_interval));
+    json["drawn"] = Json::array();
+    for (std::size_t k = 0; measured.split && k < measured.split->per_score.size(); ++k) {
+        json["drawn"].push_back({{"quantity", measured.drawn.at(k)},
+                                 {"log_median_per_deviation", measured.split->per_score[k]},
+                                 {"standard_error", measured.split->per_score_error[k]}});
+    }
+    json["band"] = Json::array();
+    for (auto const& at : fit.band) {
+        json["band"].push_back({{"amplitude", at.intensity},
+                                {"probability", at.probability},
+                                {"lower", at.bounds.lower},
+                                {"upper", at.bounds.upper}});
+    }
+    json["warnings"] = warnings_of(fit, measured.units, confidence);
+    return json;
+}
+
+}  // namespace overturn::cli

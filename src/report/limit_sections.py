@@ -1,0 +1,188 @@
+"""What a report says of the limit states: overturning and those of the user's own, and how far bodies slide and rock."""
+
+import fragility_figures
+from page_parts import escape, interval, paragraphs, table, value_of
+from style import plain
+
+OVERTURNING = "overturning"  # the limit state that every campaign has
+STRIPE_KEYS = ["body", "level", "amplitude", "trials", "overturned", "failed", "probability", "lower", "upper"]
+LIMIT_KEYS = ["limit", "body", "level", "amplitude", "trials", "exceeded", "failed", "undecided", "probability", "lower",
+              "upper"]
+FIT_KEYS = ["body", "measure", "units", "identifiable", "median", "beta", "median_interval", "beta_interval", "hclpf",
+            "hclpf_interval", "flags"]
+MOST_OPEN_ROWS = 40  # of the stripes: longer tables are folded away
+QUANTILES = [("median", "median"), ("p84", "84 %"), ("p95", "95 %")]
+RESPONSES = {"peak_slip": ("peak slip", "m"), "peak_rotation_ratio": ("peak rotation / α", "")}
+
+
+def passed(limit):
+    """The name of the count of trials that passed it, and what they did."""
+    return "overturned" if limit == OVERTURNING else "exceeded"
+
+
+# The first lines of the page.
+
+def answer(report, body, limit):
+    """The design basis, the median, what may be relied on: one sentence."""
+    parts = []
+    fits, did = report.fits_of(limit), passed(limit)
+    basis = report.results.design_basis(body)
+    if basis is not None:
+        stripe = next(s for s in report.stripes[limit] if s["body"] == body.name and s["amplitude"] == basis)
+        parts.append(f"at the design basis ({report.amplitude(basis)}) {stripe[did]} of {stripe['trials']} trials "
+                     f"{did}{'' if limit == OVERTURNING else ' it'}, P between {plain(stripe['lower'], 2)} and "
+                     f"{plain(stripe['upper'], 2)}")
+    fit = fits.get((body.name, report.results.measure))
+    if fit and fit["identifiable"]:
+        parts.append(f"half {'overturn' if limit == OVERTURNING else 'exceed it'} at {report.amplitude(fit['median'], 3)} "
+                     f"({report.amplitudes(fit['median_interval'], 3)}), beta {plain(fit['beta'], 2)}, "
+                     f"HCLPF {report.amplitude(fit['hclpf'], 3)}"
+                     + (f" (flagged: {', '.join(fit['flags'])})" if fit["flags"] else ""))
+    elif fit:
+        parts.append("no curve: " + "; ".join(fit["warnings"][:1] or [fit["state"]]))
+    return "; ".join(parts)
+
+
+def slid(report, body):
+    """How far it slides: at the design basis, or at the highest level, where it is the further one."""
+    rows = [q for q in report.fit["quantiles"] if q["body"] == body.name and q["quantity"] == "peak_slip"]
+    rows = [q for q in rows if q["p95"]["value"]]
+    if not rows:
+        return ""
+    basis = report.results.design_basis(body)
+    told = [q for q in rows if q["amplitude"] == basis] + [rows[-1]]
+    texts = [f"{value_of(q['median']['value'], 2)} m in the median and {value_of(q['p95']['value'], 2)} m in 95 % at "
+             f"{report.amplitude(q['amplitude'])}" for k, q in enumerate(told) if k == 0 or q is not told[0]]
+    return "slides " + ", ".join(texts)
+
+
+def answers(report):
+    lines = []
+    for body in report.results.bodies:
+        further = slid(report, body)
+        lines.append(f"{body.name}: {further + '; ' if further else ''}{answer(report, body, OVERTURNING)}.")
+        for limit in report.fit["limits"][1:]:
+            lines.append(f"{body.name}, {limit['name']} ({limit['definition']}): {answer(report, body, limit['name'])}.")
+    return lines
+
+
+# The sections.
+
+def cells(fit, key):
+    if key.endswith("_interval"):
+        return fit[key] or [None, None]
+    return [" ".join(fit[key]) if isinstance(fit[key], list) else fit[key]]
+
+
+def write_fits(report, name, fits, keys):
+    columns = [column for key in keys for column in (
+        [key.replace("interval", "lower"), key.replace("interval", "upper")] if key.endswith("_interval") else [key])]
+    report.csv(name, columns, [[cell for key in keys for cell in cells(fit, key)] for fit in fits])
+
+
+def probability(quoted):
+    """P, or the bound that stands for it."""
+    if quoted["bound"]:
+        return f"below {value_of(quoted['upper'], 2)}"
+    return value_of(quoted["probability"], 2)
+
+
+def remarks(quoted, limit):
+    words = [(f"{quoted['bound'][passed(limit)]:g} of {quoted['bound']['units']:g} seen; "
+              f"{quoted['bound']['reason']}") if quoted["bound"] else "",
+             "outside the data" if quoted["outside_data"] else "", "tail: likely too low" if quoted["in_tail"] else ""]
+    return ", ".join(word for word in words if word)
+
+
+def curves(report, limit):
+    """Figure, fits, quoted probabilities, warnings and stripes of one limit state."""
+    fits, stripes, did = report.fits_of(limit), report.stripes[limit], passed(limit)
+    mine = [f for f in fits.values() if f["measure"] == report.results.measure]
+    fitted = [[f["body"], report.amplitude(f["median"]), report.amplitudes(f["median_interval"], 3),
+               value_of(f["beta"], 3), interval(f["beta_interval"], 3), report.amplitude(f["hclpf"]),
+               report.amplitudes(f.get("hclpf_interval"), 3), ", ".join(f["flags"]) or "none"] for f in mine]
+    split = [[f["body"], value_of(f["beta"], 3), value_of(f["beta_r"], 3), value_of(f["beta_u"], 3),
+              ", ".join(f"{d['quantity']} {d['log_median_per_deviation']:+.3f} ± {d['standard_error']:.3f}"
+                        for d in f["drawn"])] for f in mine if f["drawn"] and f["identifiable"]]
+    quoted = [[f["body"], f"{q['multiple']:.3g} × {q['of']}", report.amplitude(q["amplitude"]), probability(q),
+               value_of(q["lower"], 2), value_of(q["upper"], 2), remarks(q, limit)]
+              for f in mine for q in f["probabilities"]]
+    ends = list(stripes[0].get("ends", {"undecided": 0, "failed": 0}))
+    head = ["body", "level", "trials", *([] if limit == OVERTURNING else [did]), *(e.replace("_", " ") for e in ends),
+            "P", "lower", "upper"]
+    rows = [[s["body"], report.amplitude(s["amplitude"]), s["trials"], *([] if limit == OVERTURNING else [s[did]]),
+             *(s.get("ends", s)[end] for end in ends), *(value_of(s[key], 3) for key in ("probability", "lower", "upper"))]
+            for s in stripes]
+    name = "fragility" if limit == OVERTURNING else f"fragility-{limit}"
+    what = "overturning" if limit == OVERTURNING else f"exceeding {limit}"
+    return [report.figure(name, lambda path: fragility_figures.fragility(report.results, fits, stripes, what, path),
+                          f"probability of {what} against amplitude"),
+            table(["body", "median", "interval", "beta", "interval", "HCLPF", "interval", "flags"], fitted),
+            table(["body", "beta", "beta_R (waves)", "beta_U (body)", "change of ln median per deviation of"], split)
+            if split else "",
+            table(["body", "at", "amplitude", "P", "lower", "upper", ""], quoted) if quoted else "",
+            paragraphs((f"{f['body']}: {line}" for f in mine for line in f["warnings"]), " class=warning"),
+            f"<details{' open' if len(rows) <= MOST_OPEN_ROWS else ''}><summary>all stripes</summary>{table(head, rows)}"
+            "</details>"]
+
+
+def fragility(report):
+    stripes = report.stripes[OVERTURNING]
+    report.csv("stripes", STRIPE_KEYS, [[s[key] for key in STRIPE_KEYS] for s in stripes])
+    ends = list(stripes[0]["ends"])
+    report.csv("ends", ["body", "level", "amplitude", "trials", *ends],
+               [[s["body"], s["level"], s["amplitude"], s["trials"], *(s["ends"][end] for end in ends)] for s in stripes])
+    write_fits(report, "fragility", report.fits.values(), FIT_KEYS)
+    report.section("fragility", "Fragility", *curves(report, OVERTURNING))
+
+
+def limits(report):
+    stated = report.fit["limits"][1:]
+    if not stated:
+        return
+    parts = []
+    for limit in stated:
+        parts += [f"<h3>{escape(limit['name'])}: {escape(limit['definition'])}</h3>", *curves(report, limit["name"])]
+    names = [limit["name"] for limit in stated]
+    report.csv("limits", LIMIT_KEYS, [[s[key] for key in LIMIT_KEYS] for name in names for s in report.stripes[name]])
+    write_fits(report, "limit-fragility", [fit for name in names for fit in report.fits_of(name).values()],
+               ["limit", *FIT_KEYS])
+    report.section("limits", "Limit states of the campaign's own", *parts)
+
+
+def spread(quantile):
+    return f"{value_of(quantile['value'], 3)} ({interval([quantile['lower'], quantile['upper']], 3)})"
+
+
+def responses(report):
+    """Median, 84 % and 95 % per level, drawn and as a table."""
+    parts = []
+    rows = report.fit["quantiles"]
+    ends = [(key, end) for key, _ in QUANTILES for end in ("value", "lower", "upper")]
+    report.csv("quantiles", ["body", "quantity", "units", "level", "amplitude", "trials", "unknown"]
+               + [key if end == "value" else f"{key}_{end}" for key, end in ends],
+               [[q[key] for key in ("body", "quantity", "units", "level", "amplitude", "trials", "unknown")]
+                + [q[key][end] for key, end in ends] for q in rows])
+    for body in report.results.bodies:
+        for quantity, (name, unit) in RESPONSES.items():
+            mine = [q for q in rows if q["body"] == body.name and q["quantity"] == quantity]
+            if not any(q["p95"]["value"] for q in mine):
+                continue
+            limits_of_it = [limit for limit in report.fit["limits"] if limit.get("quantity") == quantity]
+            drawn = report.figure(f"{quantity.replace('_', '-')}-{body.name}",
+                                  lambda path, mine=mine, of_it=limits_of_it: fragility_figures.responses(
+                                      report.results, mine, of_it, path), f"{name} of {body.name} per level")
+            parts += [f"<h3>{escape(body.name)}: {name}{f' [{unit}]' if unit else ''}</h3>", drawn,
+                      table(["level", *(title for _, title in QUANTILES), "trials"],
+                            [[report.amplitude(q["amplitude"]), *(spread(q[key]) for key, _ in QUANTILES), q["trials"]]
+                             for q in mine])]
+    if parts:
+        said = ("In brackets: distribution-free interval between two order statistics of the trials; open where there are "
+                "too few. A body that fell counts as π/2 over α.")
+        report.section("responses", "How far they slide and rock", *parts, paragraphs([said], " class=quiet"))
+
+
+def add(report):
+    fragility(report)
+    limits(report)
+    responses(report)

@@ -1,0 +1,63 @@
+#include "stats/detail/seen_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <map>
+#include <vector>
+
+namespace overturn {
+namespace {
+
+constexpr double same = 1e-9;
+
+std::optional<SeenBound> next_stripe(double intensity, FragilityData const& data, double confidence) {
+    for (auto const& point : data.points) {
+        if (point.log_intensity < std::log(intensity) - same) {
+            continue;
+        }
+        auto const passed = static_cast<std::int64_t>(point.overturned);
+        auto const open = static_cast<std::int64_t>(point.undecided);
+        auto const trials = static_cast<std::int64_t>(point.trials) + open;
+        double const at = std::exp(point.log_intensity);
+        return SeenBound{at,
+                         at,
+                         point.trials,
+                         point.overturned,
+                         {clopper_pearson(passed, trials, confidence).lower,
+                          clopper_pearson(passed + open, trials, confidence).upper}};
+    }
+    return std::nullopt;
+}
+
+// A wave that has several trials among them tells no more than one.
+std::optional<SeenBound> next_trials(double intensity, FragilityData const& data, double confidence) {
+    constexpr std::size_t shares = 10;
+    std::vector<SingleTrial> above;
+    std::ranges::copy_if(data.trials, std::back_inserter(above),
+                         [&](SingleTrial const& trial) { return trial.intensity >= intensity * (1 - same); });
+    if (above.empty()) {
+        return std::nullopt;
+    }
+    std::ranges::stable_sort(above, {}, &SingleTrial::intensity);
+    above.resize(std::min(above.size(), std::max<std::size_t>(1, data.trials.size() / shares)));
+    std::map<std::int64_t, bool> waves;
+    for (auto const& trial : above) {
+        waves[trial.wave] = waves[trial.wave] || trial.overturned;
+    }
+    auto const passed = std::ranges::count_if(waves, [](auto const& wave) { return wave.second; });
+    auto const units = static_cast<std::int64_t>(waves.size());
+    return SeenBound{above.front().intensity, above.back().intensity, static_cast<double>(units),
+                     static_cast<double>(passed), clopper_pearson(passed, units, confidence)};
+}
+
+}  // namespace
+
+std::optional<SeenBound> seen_from(double intensity, FragilityData const& data, double confidence) {
+    return data.kind == FragilityData::Kind::stripes ? next_stripe(intensity, data, confidence)
+                                                     : next_trials(intensity, data, confidence);
+}
+
+}  // namespace overturn

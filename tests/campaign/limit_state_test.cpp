@@ -1,0 +1,329 @@
+// Requirement: limit states of the user's own are a rule over a trial's stored row: passed, kept, or not known; what is
+// not known is never counted as kept.
+#include "campaign/limit_state.hpp"
+
+#include <cmath>
+#include <span>
+
+#include <gtest/gtest.h>
+
+#include "campaign/analysis.hpp"
+#include "campaign/trial.hpp"
+#include "response/registry.hpp"
+#include "support/campaigns.hpp"
+#include "support/expect_input_error.hpp"
+
+namespace overturn {
+namespace {
+
+std::string const sliding_body = testing::type_a + "friction=0.5\n";
+
+CampaignSpec with_limits(std::string const& limits, std::string const& more = "") {
+    return testing::campaign_from(testing::quick_waves + sliding_body + testing::levels("values=[3,6,9]\n") + limits
+                                  + more);
+}
+
+std::string const touches = "[[limits]]\nname='touches'\nquantity='peak_slip'\nabove='30 cm'\n";
+std::string const tilts = "[[limits]]\nname='tilts'\nquantity='peak_rotation_ratio'\nabove=0.5\n";
+
+TrialRow row_of(Verdict verdict, double slip, double ratio) {
+    TrialRow row;
+    row.verdict = verdict;
+    row.peak_slip_m = slip;
+    row.peak_rotation_ratio = ratio;
+    return row;
+}
+
+class Judged {
+  public:
+    explicit Judged(std::string const& limits, std::string const& more = "")
+        : spec(with_limits(limits, more)),
+          ladder(spec.effects, spec.accuracy),
+          judge_(spec.limits, ladder),
+          own(ladder.own_bytes()) {
+        ladder.put_nothing(own);
+    }
+    // 'p' passed, 'k' kept, '?' not known.
+    [[nodiscard]] char operator()(TrialRow const& row, std::size_t limit = 1) const {
+        auto const outcomes = judge_.judge(row, own);
+        EXPECT_TRUE(outcomes.is_decided(limit) || !outcomes.has_passed(limit));
+        return !outcomes.is_decided(limit) ? '?' : outcomes.has_passed(limit) ? 'p' : 'k';
+    }
+
+    CampaignSpec spec;
+    Ladder ladder;
+
+  private:
+    LimitJudge judge_;
+
+  public:
+    std::vector<std::byte> own;
+};
+
+TEST(LimitState, OverturningIsAlwaysThereAndFirst) {
+    Judged const judged("");
+
+    ASSERT_EQ(judged.spec.limits.size(), 1U);
+    EXPECT_EQ(judged.spec.limits[0].name, "overturning");
+    EXPECT_EQ(judged(row_of(Verdict::overturned, 0, 2), 0), 'p');
+    EXPECT_EQ(judged(row_of(Verdict::rocked, 0, 0.9), 0), 'k');
+    EXPECT_EQ(judged(row_of(Verdict::contact_lost, 0, 0.9), 0), '?');
+    EXPECT_EQ(judged(row_of(Verdict::failed, never, never), 0), '?');
+}
+
+/// Strictly beyond the threshold, in the unit it was written in; a trial without a verdict decides nothing.
+TEST(LimitState, ThresholdOnAStoredQuantity) {
+    Judged const judged(touches);
+
+    EXPECT_EQ(definition_of(judged.spec.limits[1], judged.spec.limits), "peak_slip > 0.3 m");
+    EXPECT_EQ(judged(row_of(Verdict::slid, std::nextafter(0.3, 1), 0)), 'p');
+    EXPECT_EQ(judged(row_of(Verdict::slid, 0.3, 0)), 'k');
+    EXPECT_EQ(judged(row_of(Verdict::at_rest, 0, 0)), 'k');
+    EXPECT_EQ(judged(row_of(Verdict::failed, never, never)), '?');
+    EXPECT_EQ(judged(row_of(Verdict::contact_lost, 0.1, 0)), '?');
+    EXPECT_EQ(judged(row_of(Verdict::slid, never, 0)), '?');
+}
+
+/// The slip of a trial that would have slipped, without slip being simulated, is 0 in its row and yet not known.
+TEST(LimitState, WhatWasNotSimulatedIsNotKnown) {
+    Judged const judged(touches);
+    auto row = row_of(Verdict::rocked, 0, 0.1);
+    row.called = mask_of(Effect::sliding);
+
+    EXPECT_EQ(judged(row), '?');
+    row.effects = mask_of(Effect::sliding);
+    EXPECT_EQ(judged(row), 'k');
+}
+
+/// Slip at the end has a side; its size counts. Below: a lower bound on what must not be passed downwards.
+TEST(LimitState, MagnitudesAndLowerLimits) {
+    Judged const judged(
+        "[[limits]]\nname='moved'\nquantity='residual_slip'\nabove='1 cm'\n"
+        "[[limits]]\nname='light'\nquantity='min_contact_force_ratio'\nbelow=0.2\n"
+        "[[limits]]\nname='knocks'\nquantity='impacts'\nabove=3\n"
+        "[[limits]]\nname='hard'\nquantity='peak_impact_velocity'\nabove='10 kine'\n");
+    auto row = row_of(Verdict::rocked, 0.5, 0);
+    row.residual_slip_m = -0.02;
+    row.min_contact_force_ratio = 0.19;
+    row.impacts = 4;
+    row.peak_impact_velocity_mps = 0.11;
+
+    EXPECT_EQ(judged(row, 1), 'p');
+    EXPECT_EQ(judged(row, 2), 'p');
+    EXPECT_EQ(judged(row, 3), 'p');
+    EXPECT_EQ(judged(row, 4), 'p');
+    row.residual_slip_m = 0.005;
+    row.min_contact_force_ratio = 0.2;
+    row.impacts = 3;
+    row.peak_impact_velocity_mps = 0.09;
+    EXPECT_EQ(judged(row, 1), 'k');
+    EXPECT_EQ(judged(row, 2), 'k');
+    EXPECT_EQ(judged(row, 3), 'k');
+    EXPECT_EQ(judged(row, 4), 'k');
+}
+
+/// Kleene's logic over passed, kept and not known: all nine pairs.
+TEST(LimitState, AnyAndAllOfOthers) {
+    Judged const judged(touches + tilts + "[[limits]]\nname='either'\nany=['touches','tilts']\n"
+                        + "[[limits]]\nname='both'\nall=['touches','tilts']\n"
+                        + "[[limits]]\nname='worst'\nany=['both','overturning']\n");
+    std::string either;
+    std::string both;
+    for (double const slip : {0.4, 0.1, never}) {
+        for (double const ratio : {0.6, 0.1, never}) {
+            auto const row = row_of(Verdict::rocked, slip, ratio);
+            either += judged(row, 3);
+            both += judged(row, 4);
+        }
+    }
+
+    EXPECT_EQ(either, "ppppk?p??");
+    EXPECT_EQ(both, "pk?kkk?k?");
+    EXPECT_EQ(judged(row_of(Verdict::overturned, 0, 2), 5), 'p');
+    EXPECT_EQ(judged(row_of(Verdict::failed, never, never), 3), '?');
+    EXPECT_EQ(definition_of(judged.spec.limits[5], judged.spec.limits), "any of both, overturning");
+}
+
+/// A quantity of contact's own is read from the record of the model that answered, and calls for that model.
+TEST(LimitState, QuantitiesOfAModelCallForIt) {
+    Judged judged("[[limits]]\nname='crushed'\nquantity='peak_crush'\nabove='1 mm'\n");
+    ASSERT_TRUE(has(judged.spec.effects.include, Effect::contact));
+    ASSERT_EQ(judged.spec.effects.mode, EffectMode::automatic);
+    std::int64_t const rocking = 1;
+    std::int64_t contact = 0;
+    for (auto const& [traits, offset] : judged.ladder.own_parts()) {
+        if (traits->name == "contact") {
+            contact = traits->number;
+            set_real(std::span(judged.own).subspan(offset), field_named(traits->fields, "peak_crush"), 0.002);
+        }
+    }
+    auto row = row_of(Verdict::rocked, 0, 0.1);
+    row.rung = contact;
+
+    EXPECT_EQ(judged(row), 'p');
+    row.rung = rocking;
+    EXPECT_EQ(judged(row), '?') << "no contact ran";
+    EXPECT_EQ(with_limits(touches).effects.include, 0U) << "auto calls for sliding by itself";
+}
+
+/// With such a limit every trial is simulated on points, those at rest too, and every one of them tells.
+TEST(LimitState, EveryTrialTellsWhatALimitNeeds) {
+    auto const spec = with_limits("[[limits]]\nname='pressed'\nquantity='peak_contact_force_ratio'\nabove=1.2\n");
+    Plan const plan(spec);
+    Ladder const ladder(spec.effects, spec.accuracy);
+    Statistics statistics(spec);
+    PhaseSeconds seconds;
+    std::int64_t passed = 0;
+    for (std::int64_t b = 0; b < plan.blocks(); ++b) {
+        auto const block = run_block(spec, plan, b, seconds);
+        statistics.add(block);
+        std::size_t at = 0;
+        for (auto const& row : block.trials.rows) {
+            EXPECT_EQ(row.reason, stated_reason);
+            auto const own = std::span(block.trials.own).subspan(ladder.own_bytes() * at++, ladder.own_bytes());
+            for (auto const& [traits, offset] : ladder.own_parts()) {
+                if (traits->number == row.rung) {
+                    auto const force = field_named(traits->fields, "peak_contact_force_ratio");
+                    passed += real_at(own.subspan(offset), force) > 1.2 ? 1 : 0;
+                }
+            }
+        }
+    }
+    auto const& limit = statistics.bodies()[0].limits.at(0);
+    std::int64_t counted = 0;
+    for (auto const& stripe : limit.stripes) {
+        EXPECT_EQ(stripe.decided(), stripe.trials);
+        counted += stripe.overturned;
+    }
+
+    EXPECT_EQ(limit.unknown, 0);
+    EXPECT_EQ(counted, passed);
+    EXPECT_GT(passed, 0);
+}
+
+/// Calling for contact is no other simulation than stating it: the same rows to the bit, with and without friction.
+TEST(LimitState, CallsForWhatStatedEffectsSimulate) {
+    std::string const pressed = "[[limits]]\nname='pressed'\nquantity='peak_contact_force_ratio'\nabove=1.2\n";
+    for (bool const slips : {false, true}) {
+        auto text = testing::quick_waves + testing::type_b;
+        text += slips ? "friction=0.5\n" : "";
+        text += testing::levels("values=[3,9]\n") + pressed;
+        auto const called = testing::campaign_from(text);
+        text += slips ? "[effects]\ninclude=['contact','sliding']\n" : "[effects]\ninclude=['contact']\n";
+        auto const stated = testing::campaign_from(text);
+        PhaseSeconds seconds;
+        auto const a = run_block(called, Plan(called), 0, seconds).trials;
+        auto const b = run_block(stated, Plan(stated), 0, seconds).trials;
+
+        ASSERT_EQ(a.rows.size(), b.rows.size());
+        for (std::size_t t = 0; t < a.rows.size(); ++t) {
+            auto row = b.rows[t];
+            row.called = a.rows[t].called;  // auto asks all models what would act
+            EXPECT_TRUE(same_bits(a.rows[t], row)) << differing(a.rows[t], row).front();
+        }
+    }
+}
+
+/// Counted by hand: two passed, one kept, one failed, one whose slip is not known, one that fell without sliding.
+TEST(LimitState, StripesCountTrials) {
+    auto const spec = with_limits(touches);
+    Statistics statistics(spec);
+    for (auto const& row :
+         {row_of(Verdict::slid, 0.4, 0), row_of(Verdict::slid, 0.5, 0), row_of(Verdict::slid, 0.1, 0),
+          row_of(Verdict::failed, never, never), row_of(Verdict::slid, never, 0), row_of(Verdict::overturned, 0, 2)}) {
+        auto at = row;
+        at.level = 1;
+        statistics.add(at);
+    }
+    auto const& body = statistics.bodies()[0];
+    auto const& stripe = body.stripes_of(1)[1];
+
+    EXPECT_EQ(stripe.trials, 6);
+    EXPECT_EQ(stripe.overturned, 2);
+    EXPECT_EQ(stripe.failed, 1);
+    EXPECT_EQ(stripe.undecided, 1);
+    EXPECT_EQ(stripe.probability(), 0.5);
+    EXPECT_EQ(stripe.interval(0.95).upper, clopper_pearson(4, 6, 0.95).upper);
+    EXPECT_EQ(body.limits[0].unknown, 1);
+    EXPECT_EQ(body.limits[0].fell_within, 1);
+    EXPECT_EQ(body.stripes_of(0)[1].overturned, 1);
+    EXPECT_EQ(body.stripes_of(1)[0].trials, 0);
+}
+
+/// A threshold on the rotation that only a fall passes is overturning by another name: the same fits, to the bit.
+TEST(LimitState, IsFittedAsOverturningIs) {
+    auto const spec = with_limits("[[limits]]\nname='fell'\nquantity='peak_rotation_ratio'\nabove=1.5\n");
+    Statistics statistics(spec);
+    for (int w = 0; w < 40; ++w) {
+        WaveRow wave;
+        wave.id = w;
+        wave.pga_mps2 = 2;
+        wave.pgv_mps = 0.5 + 0.01 * w;
+        statistics.add(wave, std::vector<MeasureRow>(1));
+        for (int level = 0; level < 3; ++level) {
+            bool const falls = level >= 1 + w % 3 - (w % 7 == 0 ? 1 : 0);
+            auto row = row_of(falls ? Verdict::overturned : Verdict::rocked, 0, falls ? 2.5 : 0.3);
+            row.wave = w;
+            row.level = level;
+            row.amplitude = spec.levels.levels[static_cast<std::size_t>(level)].value;
+            row.scale = row.amplitude / 2;
+            row.v_wes_mps = 0.3 * row.scale * (1 + 0.01 * w);
+            row.ou_v_e_mps = 2 * row.v_wes_mps;
+            row.v_ereq_mps = 1.35;
+            statistics.add(row);
+        }
+    }
+    auto const body = analyse(spec, statistics, {}).at(0);
+    auto const& own = body.limits.at(0).fragility;
+
+    ASSERT_EQ(own.size(), body.fragility.size());
+    for (std::size_t m = 0; m < own.size(); ++m) {
+        ASSERT_TRUE(own[m].fit.identifiable());
+        EXPECT_EQ(own[m].limit, "fell");
+        EXPECT_EQ(own[m].fit.line->log_median(), body.fragility[m].fit.line->log_median());
+        EXPECT_EQ(own[m].fit.hclpf(), body.fragility[m].fit.hclpf());
+        EXPECT_EQ(own[m].fit.intervals().median.upper, body.fragility[m].fit.intervals().median.upper);
+        EXPECT_EQ(own[m].rank_area, body.fragility[m].rank_area);
+    }
+    EXPECT_EQ(body.quantiles.back().quantity, "peak_rotation_ratio");
+    EXPECT_EQ(body.quantiles.back().quantiles[2].value, body.quantiles.back().fallen) << "nearly all fell there";
+}
+
+/// Targets of [statistics] hold for every limit state that states none of its own.
+TEST(LimitState, TargetsAreEachLimitStatesOwn) {
+    auto const spec =
+        with_limits(touches + "target_half_width=0.05\n" + tilts, "[statistics]\ntarget_half_width=0.1\n");
+
+    EXPECT_EQ(spec.limits[0].target.half_width, 0.1);
+    EXPECT_EQ(spec.limits[1].target.half_width, 0.05);
+    EXPECT_EQ(spec.limits[2].target.half_width, 0.1);
+    EXPECT_TRUE(with_limits(touches + "target_median_half_width=0.05\n").has_target());
+    EXPECT_FALSE(with_limits(touches).has_target());
+}
+
+TEST(LimitState, BadOnesAreRefusedWhereTheyAreWrong) {
+    auto const refuse = [](std::string const& limits, std::string const& part, std::string const& more = "") {
+        testing::expect_input_error([&] { (void)with_limits(limits, more); }, part);
+    };
+    refuse("[[limits]]\nname='a'\n", "none of quantity, any and all in 'a'");
+    refuse("[[limits]]\nname='a'\nquantity='peak_slip'\nabove=1\nany=['overturning']\n", "quantity and any");
+    refuse("[[limits]]\nname='a'\nquantity='peak_slp'\nabove=1\n", "Did you mean 'peak_slip'?");
+    refuse("[[limits]]\nname='a'\nquantity='overturn_time'\nabove=1\n", "no stored response");
+    refuse("[[limits]]\nname='a'\nquantity='peak_slip'\n", "above");
+    refuse("[[limits]]\nname='a'\nquantity='peak_slip'\nabove='3 kine'\n", "above");
+    refuse("[[limits]]\nname='a'\nquantity='peak_slip'\nabove=1\nbelow=2\n", "beside above");
+    refuse("[[limits]]\nname='a'\nquantity='peak_slip'\nabove=-1\n", "above");
+    refuse("[[limits]]\nname='a'\nquantity='peak_slip'\nabove=1\nunits='m'\n", "units");
+    refuse("[[limits]]\nname='overturning'\nquantity='peak_slip'\nabove=1\n", "is always there");
+    refuse(touches + touches, "'touches' twice");
+    refuse("[[limits]]\nname='a/b'\nquantity='peak_slip'\nabove=1\n", "without '/'");
+    refuse("[[limits]]\nname='a'\nany=['b']\n", "no limit state stated before this one");
+    refuse("[[limits]]\nname='a'\nany=['a']\n", "no limit state stated before this one");
+    refuse("[[limits]]\nname='a'\nany=[]\n", "empty");
+    refuse(touches, "'peak_slip' without sliding among the effects", "[effects]\nmode='none'\n");
+    refuse("[[limits]]\nname='a'\nquantity='peak_crush'\nabove='1 mm'\n", "'peak_crush' without contact",
+           "[effects]\ninclude=['sliding']\n");
+}
+
+}  // namespace
+}  // namespace overturn

@@ -1,0 +1,221 @@
+// Requirement: limit states of the user's own are answered like overturning, by every verb, with the same bytes on any
+// number of ranks, resumed and in parts; an independent reader finds them from the trials' columns.
+#include <nlohmann/json.hpp>
+
+#include "cli/campaign_files.hpp"
+#include "support/command.hpp"
+
+namespace overturn::testing {
+namespace {
+
+using nlohmann::json;
+
+std::string const limits =
+    "[[limits]]\nname='touches'\nquantity='peak_slip'\nabove='4 cm'\n"
+    "[[limits]]\nname='tilts'\nquantity='peak_rotation_ratio'\nabove=0.1\n"
+    "[[limits]]\nname='either'\nany=['touches','tilts','overturning']\n"
+    "[[limits]]\nname='both'\nall=['touches','tilts']\n";
+
+class Limits : public ::testing::Test {
+  protected:
+    Limits() {
+        folder.write("target.csv", target_csv);
+        folder.write("c.toml", small_campaign() + limits);
+        folder.write("plain.toml", small_campaign());
+    }
+    [[nodiscard]] json fit(std::string const& file) const {
+        auto const ended = overturn(folder, {"fit", file, "--json"});
+        EXPECT_EQ(ended.code, 0) << ended.err;
+        return json::parse(ended.out);
+    }
+
+    Folder folder;
+};
+
+TEST_F(Limits, SameBytesOnAnyNumberOfRanksResumedAndInParts) {
+    ASSERT_EQ(overturn(folder, {"run", "c.toml", "-o", "1.h5"}).code, 0);
+    for (auto const* ranks : {"2", "3"}) {
+        auto const name = std::string(ranks) + ".h5";
+        auto const ended = execute(folder, mpirun(std::stoi(ranks), {"run", "c.toml", "-o", name}));
+        ASSERT_EQ(ended.code, 0) << ended.err;
+        EXPECT_TRUE(folder.read("1.h5") == folder.read(name)) << ranks;
+    }
+    for (auto const* part : {"2/2", "1/2"}) {
+        ASSERT_EQ(overturn(folder, {"run", "c.toml", "-o", "p.h5", "--part", part}).code, 0);
+    }
+    ASSERT_EQ(overturn(folder, {"merge", "p.h5"}).code, 0);
+    EXPECT_TRUE(folder.read("1.h5") == folder.read("p.h5"));
+    EXPECT_EQ(overturn(folder, {"run", "c.toml", "-o", "r.h5", "--max-walltime", "1 ms"}).code, 3);
+    ASSERT_EQ(overturn(folder, {"run", "c.toml", "-o", "r.h5", "--resume"}).code, 0);
+    EXPECT_TRUE(folder.read("1.h5") == folder.read("r.h5"));
+    EXPECT_EQ(overturn(folder, {"status", "1.h5"}).code, 0);
+    EXPECT_EQ(overturn(folder, {"replay", "1.h5", "--trial", "17"}).code, 0);
+}
+
+/// Limit states are asked of the trials, they do not change them: all columns are those of the campaign without them.
+/// Counts, quantiles and their ends are found again with numpy alone.
+TEST_F(Limits, AnIndependentReaderFindsThem) {
+    ASSERT_EQ(overturn(folder, {"run", "c.toml", "-o", "1.h5"}).code, 0);
+    ASSERT_EQ(overturn(folder, {"run", "plain.toml", "-o", "0.h5"}).code, 0);
+    folder.write("check.py", R"python(
+import h5py, numpy as np
+f, plain = h5py.File('1.h5'), h5py.File('0.h5')
+def same(name, o):
+    if isinstance(o, h5py.Dataset) and not name.startswith('inputs'):
+        assert o[()].tobytes() == f[name][()].tobytes(), name
+plain.visititems(same)
+assert 'limits' not in plain
+t = {k: v[:] for k, v in f['trials'].items() if isinstance(v, h5py.Dataset)}
+verdicts = h5py.check_enum_dtype(f['trials/verdict'].dtype)
+known = (t['verdict'] != verdicts['failed']) & (t['verdict'] != verdicts['contact-lost'])
+slip, tilt, fell = t['peak_slip'] > 0.04, t['peak_rotation_ratio'] > 0.1, t['verdict'] == verdicts['overturned']
+said = {'touches': slip, 'tilts': tilt, 'either': slip | tilt | fell, 'both': slip & tilt}
+text = lambda a: a.decode() if isinstance(a, bytes) else a
+assert text(f['limits/touches'].attrs['definition']) == 'peak_slip > 0.04 m'
+assert text(f['limits/either'].attrs['definition']) == 'any of touches, tilts, overturning'
+seen = 0
+for b, body in enumerate(['type-a', 'type-b']):
+    for l in range(3):
+        mine = (t['body'] == b) & (t['level'] == l)
+        for name, passed in said.items():
+            s = f['limits'][name]['stripes'][body]
+            assert h5py.h5ds.is_scale(s['amplitude'].id)
+            assert s['trials'][l] == mine.sum() and s['exceeded'][l] == (mine & known & passed).sum(), (name, body, l)
+            assert s['failed'][l] + s['undecided'][l] == (mine & ~known).sum()
+            assert s['lower'][l] <= s['probability'][l] <= s['upper'][l]
+            seen += s['exceeded'][l]
+        q = f['quantiles'][body]
+        names = ['peak_slip'] if body == 'type-a' else []  # type-b cannot slip
+        for column in names:
+            values = np.sort(t[column][mine & known])
+            for name, share in (('median', 0.5), ('p84', 0.84), ('p95', 0.95)):
+                assert abs(q[f'{column}_{name}'][l] - np.quantile(values, share)) <= 1e-12 * (1 + values[-1])
+            lower, upper = q[f'{column}_median_lower'][l], q[f'{column}_median_upper'][l]
+            assert (lower, upper) == (values[2], values[9]), 'ranks 3 and 10 of 12'
+            assert np.isnan(q[f'{column}_p95_upper'][l])
+        ratio = np.sort(np.where(fell, np.inf, t['peak_rotation_ratio'])[mine & known])
+        median = np.mean(ratio[5:7])
+        if np.isfinite(median):
+            assert abs(q['peak_rotation_ratio_median'][l] - median) <= 1e-12
+        else:
+            assert q['peak_rotation_ratio_median'][l] == np.pi / 2 / f['bodies'][body]['alpha'][0]
+assert seen > 20 and 'peak_slip_median' not in f['quantiles/type-b']
+)python");
+    auto const ended = execute(folder, {OVERTURN_PYTHON, "check.py"});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+}
+
+TEST_F(Limits, FitTellsThemByName) {
+    auto const run = overturn(folder, {"run", "c.toml", "-o", "1.h5"});
+    ASSERT_EQ(run.code, 0);
+    auto const told = overturn(folder, {"fit", "1.h5"});
+    EXPECT_EQ(run.out, told.out + "results: 1.h5\n");
+    EXPECT_NE(told.out.find("type-a, limit state touches: peak_slip > 0.04 m"), std::string::npos) << told.out;
+    EXPECT_NE(told.out.find("peak_slip m of the trials, with 95 % intervals"), std::string::npos) << told.out;
+    auto const json = fit("1.h5");
+
+    ASSERT_EQ(json["limits"].size(), 5U);
+    EXPECT_EQ(json["limits"][0]["name"], "overturning");
+    EXPECT_EQ(json["limits"][4]["definition"], "all of touches, tilts");
+    ASSERT_EQ(json["stripes"].size(), 5U * 2 * 3);
+    for (std::size_t s = 0; s < json["stripes"].size(); ++s) {
+        auto const& stripe = json["stripes"][s];
+        EXPECT_EQ(stripe["limit"], json["limits"][s / 6]["name"]);
+        EXPECT_EQ(stripe.contains("overturned"), s < 6);
+        EXPECT_EQ(stripe.contains("exceeded"), s >= 6);
+        if (s < 6) {
+            std::int64_t sum = 0;
+            for (auto const& [end, count] : stripe["ends"].items()) {
+                sum += count.get<std::int64_t>();
+            }
+            EXPECT_EQ(sum, stripe["trials"]) << "a row adds up";
+        }
+    }
+    std::size_t const each = json["fragility"].size() / 5;
+    EXPECT_EQ(json["fragility"][0]["limit"], "overturning");
+    EXPECT_EQ(json["fragility"][each]["limit"], "touches");
+    EXPECT_EQ(json["fragility"][each]["measure"], "pga");
+    ASSERT_EQ(json["quantiles"].size(), 9U) << "slip and rotation of type-a, rotation of type-b";
+    EXPECT_EQ(json["quantiles"][0]["quantity"], "peak_slip");
+    EXPECT_TRUE(json["quantiles"][0]["p95"]["upper"].is_null());
+    EXPECT_EQ(fit("1.h5"), json);
+}
+
+/// A section for the limit states and one for the responses, their tables as csv, the slip in the first lines; names as
+/// odd as TOML allows.
+TEST_F(Limits, ReportShowsThem) {
+    if (execute(folder, {OVERTURN_PYTHON, "-c", "import matplotlib, h5py"}).code != 0) {
+        GTEST_SKIP() << "nothing to draw with (install python3-matplotlib python3-h5py)";
+    }
+    folder.write("odd.toml",
+                 small_campaign() + "[[limits]]\nname='_a $\\int < b$'\nquantity='peak_slip'\nabove='4 cm'\n");
+    ASSERT_EQ(overturn(folder, {"run", "odd.toml", "-o", "1.h5"}).code, 0);
+    auto const ended = overturn(folder, {"report", "1.h5", "-o", "a.html", "--figures", "figures"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    auto const page = folder.read("a.html");
+
+    for (auto const* part : {"<section id=\"limits\"", "<section id=\"responses\"",
+                             "_a $\\int &lt; b$: peak_slip &gt; 0.04 m", "type-a: slides ", "<th>at rest</th>"}) {
+        EXPECT_NE(page.find(part), std::string::npos) << part;
+    }
+    EXPECT_TRUE(
+        folder.read("figures/limits.csv")
+            .starts_with("limit,body,level,amplitude,trials,exceeded,failed,undecided,probability,lower,upper\n"));
+    EXPECT_TRUE(folder.read("figures/limit-fragility.csv").starts_with("limit,body,measure,"));
+    EXPECT_TRUE(
+        folder.read("figures/quantiles.csv")
+            .starts_with("body,quantity,units,level,amplitude,trials,unknown,median,median_lower,median_upper,p84,"));
+    EXPECT_TRUE(folder.read("figures/ends.csv")
+                    .starts_with("body,level,amplitude,trials,at_rest,slid,rocked,overturned,contact_lost,failed\n"));
+    EXPECT_TRUE(folder.has("figures/peak-slip-type-a.svg"));
+    ASSERT_EQ(overturn(folder, {"run", "plain.toml", "-o", "0.h5"}).code, 0);
+    ASSERT_EQ(overturn(folder, {"report", "0.h5", "-o", "b.html"}).code, 0);
+    EXPECT_EQ(folder.read("b.html").find("<section id=\"limits\""), std::string::npos);
+}
+
+/// A damaged count is noticed against the trials.
+TEST_F(Limits, DamagedCountsAreNoticed) {
+    ASSERT_EQ(overturn(folder, {"run", "c.toml", "-o", "1.h5"}).code, 0);
+    ASSERT_EQ(execute(folder, {OVERTURN_PYTHON, "-c",
+                               "import h5py; h5py.File('1.h5','r+')['limits/both/stripes/type-a/exceeded'][1] += 1"})
+                  .code,
+              0);
+    auto const ended = overturn(folder, {"fit", "1.h5"});
+
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_TRUE(is_one_error_line(ended.err));
+    EXPECT_NE(ended.err.find("limits/both/stripes/type-a does not agree"), std::string::npos) << ended.err;
+}
+
+TEST_F(Limits, PlanTellsThemAndWhatSlidesFirst) {
+    auto const plan = overturn(folder, {"plan", "c.toml"}).out;
+    EXPECT_NE(plan.find("limit     either: any of touches, tilts, overturning\n"), std::string::npos) << plan;
+    EXPECT_NE(plan.find("slip      type-a: friction 0.5 < tan(alpha) 0.6507: slides before it rocks"),
+              std::string::npos)
+        << plan;
+    EXPECT_NE(plan.find("slip      type-b: no slip\n"), std::string::npos) << plan;
+    EXPECT_EQ(plan.find("calls     "), std::string::npos);
+
+    folder.write("crush.toml", small_campaign() + "[[limits]]\nname='crushed'\nquantity='peak_crush'\nabove='1 mm'\n");
+    auto const calls = overturn(folder, {"plan", "crush.toml"}).out;
+    EXPECT_NE(calls.find("calls     sliding, contact in every trial"), std::string::npos) << calls;
+}
+
+/// A limit state's own target ends a run, at the same wave on any ranks: P of 0.13 takes 64 waves (precision_test.cpp).
+TEST_F(Limits, ATargetOfItsOwnEndsTheRun) {
+    folder.write("t.toml", small_campaign("shared", 200) + limits + "target_half_width=0.13\n");
+    auto const alone = overturn(folder, {"run", "t.toml", "-o", "1.h5"});
+    ASSERT_EQ(alone.code, 0) << alone.err;
+    EXPECT_NE(alone.err.find("precise enough after "), std::string::npos) << alone.err;
+    ASSERT_EQ(execute(folder, mpirun(2, {"run", "t.toml", "-o", "2.h5"})).code, 0);
+    EXPECT_TRUE(folder.read("1.h5") == folder.read("2.h5"));
+    for (auto const& stripe : fit("1.h5")["stripes"]) {
+        if (stripe["limit"] == "both") {
+            EXPECT_LE(stripe["upper"].get<double>() - stripe["lower"].get<double>(), 2 * 0.13);
+        }
+        EXPECT_LT(stripe["trials"], 200);
+    }
+}
+
+}  // namespace
+}  // namespace overturn::testing
