@@ -280,6 +280,7 @@ TEST(LimitState, IsFittedAsOverturningIs) {
     for (std::size_t m = 0; m < own.size(); ++m) {
         ASSERT_TRUE(own[m].fit.identifiable());
         EXPECT_EQ(own[m].limit, "fell");
+        EXPECT_EQ(own[m].fit.passing, Passing::exceeded);
         EXPECT_EQ(own[m].fit.line->log_median(), body.fragility[m].fit.line->log_median());
         EXPECT_EQ(own[m].fit.hclpf(), body.fragility[m].fit.hclpf());
         EXPECT_EQ(own[m].fit.intervals().median.upper, body.fragility[m].fit.intervals().median.upper);
@@ -287,6 +288,31 @@ TEST(LimitState, IsFittedAsOverturningIs) {
     }
     EXPECT_EQ(body.quantiles.back().quantity, "peak_rotation_ratio");
     EXPECT_EQ(body.quantiles.back().quantiles[2].value, body.quantiles.back().fallen) << "nearly all fell there";
+}
+
+/// Half of four trials fell: the median rotation is a fall, and no mean of a rotation and pi/2.
+TEST(LimitState, AFallLiesBeyondEveryRotation) {
+    auto const spec = with_limits("");
+    Statistics statistics(spec);
+    for (int w = 0; w < 4; ++w) {
+        WaveRow wave;
+        wave.id = w;
+        statistics.add(wave, std::vector<MeasureRow>(1));
+        auto row = row_of(w < 2 ? Verdict::rocked : Verdict::overturned, 0.01 * (w + 1), w < 2 ? 0.2 : 2.7);
+        row.wave = w;
+        row.amplitude = spec.levels.levels[0].value;
+        statistics.add(row);
+    }
+    auto const quantiles = analyse(spec, statistics, {}).at(0).quantiles;
+    double const fallen = pi / 2 / spec.bodies[0].body.alpha_rad();
+
+    ASSERT_EQ(quantiles.size(), 6U) << "slip and rotation at three levels";
+    EXPECT_DOUBLE_EQ(quantiles[0].quantiles[0].value, 0.025);
+    EXPECT_EQ(quantiles[3].quantity, "peak_rotation_ratio");
+    EXPECT_EQ(quantiles[3].quantiles[0].value, fallen);
+    EXPECT_EQ(quantiles[3].quantiles[2].value, fallen);
+    EXPECT_EQ(quantiles[3].trials, 4);
+    EXPECT_EQ(quantiles[4].trials, 0);
 }
 
 /// Targets of [statistics] hold for every limit state that states none of its own.
