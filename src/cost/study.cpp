@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/note.hpp"
 #include "cost/detail/runner.hpp"
 
 namespace overturn::cost {
@@ -74,11 +75,17 @@ Study run_study(CampaignInput const& input, StudyOptions const& options, Tell co
     double behind = 0;
     std::size_t step = 0;
     auto const start = Clock::now();
-    return runner.run([&](Extent, double) {
+    auto study = runner.run([&](Extent, double) {
         behind += expected[step++];
         double const done = step == expected.size() ? 1 : behind / all;
         tell(done, seconds_since(start) * (1 - done) / done);
     });
+    if (auto const spec = parse_campaign(input); spec.rare) {
+        auto const rare_start = Clock::now();
+        note("rare events of {}\n", spec.bodies.front().name);
+        study.rare = study_rare(spec, [&](double done) { tell(done, seconds_since(rare_start) * (1 - done) / done); });
+    }
+    return study;
 }
 
 }  // namespace overturn::cost

@@ -3,12 +3,14 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cost/comparison.hpp"
 #include "cost/knob.hpp"
 #include "cost/pareto.hpp"
+#include "cost/rare_cost.hpp"
 #include "cost/sampling.hpp"
 
 namespace overturn::cost {
@@ -43,6 +45,7 @@ struct Study {
     Comparison rounding;           ///< a second reference against the first: what nothing can resolve
     std::vector<KnobResult> knobs;
     Sampling sampling;
+    std::optional<RareCost> rare;  ///< where the campaign asks for rare events
     Balance balance;
     std::string sentence;
 };

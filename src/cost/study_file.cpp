@@ -101,6 +101,23 @@ void write_waves(ResultsWriter& file, Study const& study) {
     file.attribute("cost", "sampling", study.balance.sampling);
 }
 
+void write_rare(ResultsWriter& file, RareCost const& rare) {
+    std::string const group = "cost/rare";
+    auto const& points = rare.points;
+    integer(file, group, {"method", "1", "0 crude, 1 subset, 2 pulse-mixture"}, points,
+            [](RarePoint const& point) { return static_cast<std::int64_t>(point.method); });
+    real(file, group, {"cpu", "s", "CPU time, all of it"}, points,
+         [](RarePoint const& point) { return point.seconds; });
+    integer(file, group, {"waves", "1", "waves made"}, points, [](RarePoint const& point) { return point.waves; });
+    real(file, group, {"cov", "1", "standard error over probability; 0: not trusted or not resolved"}, points,
+         [](RarePoint const& point) { return point.cov; });
+    integer(file, group, {"foretold", "1", "1: by the binomial law, from what one wave takes"}, points,
+            [](RarePoint const& point) { return point.foretold ? 1 : 0; });
+    file.attribute(group, "body", rare.body);
+    file.attribute(group, "amplitude", rare.amplitude);
+    file.attribute(group, "probability", rare.probability.value_or(not_known));
+}
+
 }  // namespace
 
 void write_study(std::filesystem::path const& path, CampaignInput const& input, Study const& study) {
@@ -120,6 +137,9 @@ void write_study(std::filesystem::path const& path, CampaignInput const& input, 
         write_knob(file, result);
     }
     write_waves(file, study);
+    if (study.rare) {
+        write_rare(file, *study.rare);
+    }
     file.finish();
 }
 

@@ -61,6 +61,23 @@ Json waves_json(Study const& study) {
             {"subsets", subsets}};
 }
 
+Json rare_json(RareCost const& rare) {
+    Json points = Json::array();
+    for (auto const& point : rare.points) {
+        points.push_back({{"method", name_of(point.method)},
+                          {"effort", point.effort},
+                          {"cpu_s", point.seconds},
+                          {"waves", point.waves},
+                          {"cov", point.cov > 0 ? Json(point.cov) : Json(nullptr)},
+                          {"foretold", point.foretold},
+                          {"reason", point.reason.empty() ? Json(nullptr) : Json(point.reason)}});
+    }
+    return {{"body", rare.body},
+            {"amplitude", rare.amplitude},
+            {"probability", rare.probability ? Json(*rare.probability) : Json(nullptr)},
+            {"points", points}};
+}
+
 }  // namespace
 
 Json study_json(Study const& study) {
@@ -79,6 +96,9 @@ Json study_json(Study const& study) {
               {"sampling", waves_json(study)}};
     for (auto const& result : study.knobs) {
         json["knobs"].push_back(knob_json(result));
+    }
+    if (study.rare) {
+        json["rare"] = rare_json(*study.rare);
     }
     json["balance"] = {{"dominates", dominates.at(static_cast<std::size_t>(study.balance.dominates))},
                        {"numerical", study.balance.numerical},

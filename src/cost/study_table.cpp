@@ -51,6 +51,18 @@ void append_sampling(std::string& text, Study const& study) {
                         2 * study.sampling.half_width, study.sampling.seconds);
 }
 
+void append_rare(std::string& text, RareCost const& rare) {
+    text += fmt::format("\nrare: scatter of P(overturn) of {} at factor {:g}, {}\nerror: standard error over P\n",
+                        rare.body, rare.amplitude,
+                        rare.probability ? fmt::format("P = {:.2e}", *rare.probability) : "not resolved");
+    text += fmt::format("  {:<14} {:<20} {:>11} {:>10} {:>7}\n", "", "", "CPU", "waves", "c.o.v.");
+    for (auto const& point : rare.points) {
+        text += fmt::format("  {:<14} {:<20} {:>11} {:>10} {:>7}  {}\n", name_of(point.method), point.effort,
+                            fmt::format("{:.3g} s", point.seconds), point.waves,
+                            point.cov > 0 ? fmt::format("{:.3f}", point.cov) : "-", point.reason);
+    }
+}
+
 }  // namespace
 
 std::string study_table(Study const& study) {
@@ -67,6 +79,9 @@ std::string study_table(Study const& study) {
         append_knob(text, result);
     }
     append_sampling(text, study);
+    if (study.rare) {
+        append_rare(text, *study.rare);
+    }
     return text + "\n" + study.sentence + "\n";
 }
 

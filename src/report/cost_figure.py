@@ -128,6 +128,32 @@ def draw_waves(axes, sampling):
     place_labels(axes, points)
 
 
+def draw_rare(axes, rare):
+    """Standard error over probability against time, one line an estimator."""
+    axes.set_title("scatter of a rare probability", pad=6)
+    looks = {"crude": (GREY, "o", "--"), "subset": (VERMILION, "s", "-"), "pulse-mixture": (BLUE, "D", "-")}
+    known = [point for point in rare["points"] if point["cov"]]
+    if not known:
+        axes.text(0.5, 0.5, "nothing could be trusted: no scatter to show", ha="center", transform=axes.transAxes)
+        axes.set_axis_off()
+        return
+    for method, (colour, marker, line) in looks.items():
+        own = sorted((p["cpu_s"], p["cov"]) for p in known if p["method"] == method)
+        if own:
+            foretold = ", foretold" if method == "crude" else ""
+            axes.plot(*zip(*own), color=colour, marker=marker, ls=line, ms=5, lw=1, label=method + foretold)
+    axes.set_yscale("log")
+    axes.set_xscale("log")
+    axes.set_xlim(*widen([p["cpu_s"] for p in known], 0.1))
+    axes.set_ylim(*widen([p["cov"] for p in known], 0.1))
+    axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    axes.yaxis.set_minor_formatter(NullFormatter())
+    log_time_axis(axes, "CPU time")
+    axes.set_ylabel("standard error / P")
+    axes.legend(loc="best")
+
+
 def draw_balance(axes, balance):
     """The two errors of P(overturn) side by side, on one logarithmic axis."""
     names = ["sampling", "numerical"]
@@ -156,7 +182,7 @@ def draw(data, path):
     style.use()
     kind = data["kind"]
     figure, axes = plt.subplots(figsize=(6.4, 1.5) if kind == "balance" else (6.4, 3.7), layout="constrained")
-    {"knob": draw_knob, "waves": draw_waves, "balance": draw_balance}[kind](axes, data["data"])
+    {"knob": draw_knob, "waves": draw_waves, "rare": draw_rare, "balance": draw_balance}[kind](axes, data["data"])
     style.save(figure, path)
 
 

@@ -119,6 +119,32 @@ std::string waves_section(Json const& sampling) {
                100 * sampling.at("confidence").get<double>(), sampling.at("stripes").get<std::int64_t>());
 }
 
+std::string rare_section(Json const& rare) {
+    auto section = fmt::format(
+        "<section id=\"rare\"><header><h2>Rare events</h2><p>Scatter of P(overturn) of {} at factor "
+        "{:g}{}.</p></header>"
+        "\n",
+        escaped(rare.at("body").get<std::string>()), rare.at("amplitude").get<double>(),
+        rare.at("probability").is_null() ? "" : fmt::format(", P = {:.2e}", rare.at("probability").get<double>()));
+    section += figure_of("rare", rare);
+    section +=
+        "<div "
+        "class=\"scroll\"><table><thead><tr><th>method</th><th>effort</th><th>CPU</th><th>waves</th><th>c.o.v.</th>"
+        "<th></th></tr></thead><tbody>\n";
+    for (auto const& point : rare.at("points")) {
+        auto const& reason = point.at("reason");
+        section +=
+            fmt::format("<tr class=\"plain\"><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+                        point.at("method").get<std::string>(), escaped(point.at("effort").get<std::string>()),
+                        time_text(point.at("cpu_s").get<double>()), point.at("waves").get<std::int64_t>(),
+                        point.at("cov").is_null() ? "&ndash;" : fmt::format("{:.3f}", point.at("cov").get<double>()),
+                        reason.is_null() ? "" : escaped(reason.get<std::string>()));
+    }
+    return section
+           + "</tbody></table><p class=\"quiet\">Crude Monte Carlo is foretold by the binomial law from what one wave "
+             "takes; the others were run.</p></div></section>\n";
+}
+
 }  // namespace
 
 std::string escaped(std::string const& text) {
@@ -179,7 +205,9 @@ std::string cost_page(Json const& study) {
     for (auto const& knob : study.at("knobs")) {
         page += section_of(knob);
     }
-    return page + waves_section(study.at("sampling")) + "</body></html>\n";
+    page += waves_section(study.at("sampling"));
+    page += study.contains("rare") ? rare_section(study.at("rare")) : "";
+    return page + "</body></html>\n";
 }
 
 }  // namespace overturn::report

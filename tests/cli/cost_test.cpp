@@ -88,6 +88,39 @@ TEST_F(Cost, PageNeedsNoNetwork) {
     EXPECT_TRUE(page.ends_with("</html>\n"));
 }
 
+// Requirement: where a campaign asks for rare events, what each estimator spends for its scatter stands beside crude.
+TEST_F(Cost, RareEventsHaveAPrice) {
+    folder.write("rare.toml",
+                 "seed=7\n[waves]\nsource='filtered-noise'\nrms='1 m/s2'\nmodel='clough-penzien'\namplitudes='fixed'\n"
+                 "ground_frequency='0.5 Hz'\nground_damping=0.5\nfilter_frequency='0.1 Hz'\ncount=3\n"
+                 "duration='20.47 s'\ntime_step='0.02 s'\n[[bodies]]\nname='block'\nmass='12.6 t'\n"
+                 "base_width='0.9 m'\ncentre_height='1.045 m'\ninertia='uniform-block'\nrestitution=0.85\n"
+                 "[levels]\nmeasure='factor'\nvalues=[1.0, 1.42]\n[rare]\nreplicates=4\n");
+    auto const ended = overturn(folder, {"cost", "rare.toml", "--waves", "2", "--json", "-o", "rare.h5"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    auto const rare = json::parse(ended.out).at("rare");
+    EXPECT_EQ(rare.at("body"), "block");
+    EXPECT_EQ(rare.at("amplitude"), 1.42);
+    EXPECT_GT(rare.at("probability"), 1e-5);
+    EXPECT_LT(rare.at("probability"), 1e-2);
+    int foretold = 0;
+    double waves = 0;
+    for (auto const& point : rare.at("points")) {
+        EXPECT_TRUE(point.at("method") == "subset" || point.at("method") == "crude") << "waves are not linear";
+        foretold += point.at("foretold") ? 1 : 0;
+        EXPECT_GT(point.at("cpu_s"), 0);
+        if (point.at("foretold")) {
+            double const cov = point.at("cov");
+            EXPECT_NEAR(point.at("waves").get<double>() * cov * cov * rare.at("probability").get<double>(), 1, 0.01);
+        } else if (!point.at("cov").is_null()) {
+            EXPECT_GT(point.at("waves"), waves) << "more effort";
+            waves = point.at("waves");
+        }
+    }
+    EXPECT_EQ(foretold, 4);
+    EXPECT_GT(waves, 0);
+}
+
 TEST_F(Cost, WhatCannotBeIsSaidFirst) {
     refused({"cost", "none.toml"}, "none.toml: cannot be read");
     refused({"cost", "c.toml", "--waves", "0"}, "--waves 0 (no sample)");

@@ -1,0 +1,37 @@
+/// What each estimator of rare events has to spend for its scatter, on a campaign's own body and waves.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "campaign/campaign_spec.hpp"
+#include "rare/estimate.hpp"
+
+namespace overturn::cost {
+
+/// One estimator at one effort.
+struct RarePoint {
+    rare::Method method = rare::Method::crude;
+    std::string effort;      ///< "8 x 2000 a level"
+    double seconds = 0;      ///< CPU, all of it
+    std::int64_t waves = 0;  ///< made
+    double cov = 0;          ///< standard error over probability; 0: not trusted or not resolved
+    bool foretold = false;   ///< crude: by the binomial law, from what one wave takes
+    std::string reason;      ///< why there is no scatter; empty where there is
+};
+
+struct RareCost {
+    std::string body;
+    double amplitude = 0;               ///< the level in the middle
+    std::optional<double> probability;  ///< the one that scatters least
+    std::vector<RarePoint> points;
+};
+
+/// Of the first body at the level in the middle: crude by the binomial law, the pulse mixture where waves are linear in
+/// their normals, subset simulation, each at several efforts. Everything but the seconds is a pure function of the
+/// campaign. \param done told the share of the work that is done \pre the campaign asks for rare events
+[[nodiscard]] RareCost study_rare(CampaignSpec const& spec, std::function<void(double)> const& done);
+
+}  // namespace overturn::cost
