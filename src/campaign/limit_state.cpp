@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -120,6 +121,32 @@ double LimitJudge::value_of(std::size_t limit, TrialRow const& row, std::span<st
     auto const part = std::ranges::find_if(
         own_, [&](Own const& candidate) { return candidate.limit == limit && candidate.rung == row.rung; });
     return part == own_.end() || own.empty() ? never : value_at(own, part->field);
+}
+
+double LimitJudge::nearness(std::size_t limit, TrialRow const& row, std::span<std::byte const> own) const {
+    auto const& state = limits_[limit];
+    double const size = std::abs(value_of(limit, row, own));
+    switch (state.rule) {
+        case LimitState::Rule::overturning: {
+            constexpr double beyond = 1.0000001;
+            bool const fell = entry_of(row.verdict).fell;
+            return fell ? std::max(row.peak_rotation_ratio, beyond) : std::min(row.peak_rotation_ratio, 1.0);
+        }
+        case LimitState::Rule::above:
+            return state.threshold > 0 ? size / state.threshold : size > 0 ? std::numeric_limits<double>::max() : size;
+        case LimitState::Rule::below:
+            return size > 0 ? state.threshold / size : std::numeric_limits<double>::max();
+        case LimitState::Rule::any:
+        case LimitState::Rule::all:
+            break;
+    }
+    bool const nearest = state.rule == LimitState::Rule::any;
+    double combined = nearness(state.of.front(), row, own);
+    for (auto const part : state.of) {
+        double const near = nearness(part, row, own);
+        combined = std::isnan(near) ? near : nearest ? std::max(combined, near) : std::min(combined, near);
+    }
+    return combined;
 }
 
 LimitOutcomes LimitJudge::judge(TrialRow const& row, std::span<std::byte const> own) const {

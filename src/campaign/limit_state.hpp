@@ -69,6 +69,10 @@ class LimitJudge {
 
     /// \param own the record of what models have to say of their own; empty: unknown
     [[nodiscard]] LimitOutcomes judge(TrialRow const& row, std::span<std::byte const> own) const;
+    /// How near the trial came to passing a limit, continuous: at least 1 where it passed, at most 1 where it did not;
+    /// the magnitude over its threshold, the nearest of `any`, the farthest of `all`, the tilt over alpha of
+    /// overturning. NaN where it is not known.
+    [[nodiscard]] double nearness(std::size_t limit, TrialRow const& row, std::span<std::byte const> own) const;
     /// Does any limit hang on such a record?
     [[nodiscard]] bool reads_own() const;
 

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <string_view>
+#include <vector>
 
 #include "core/units.hpp"
 #include "rare/peak.hpp"
@@ -38,24 +41,44 @@ class LastDeparture : public Observer {
     rare::Moment last_;
 };
 
+// At rest, or moving in another way beyond the demand that would have tipped it.
+double not_begun(double demand) {
+    constexpr double just_below = 1e-6;
+    return demand < 1 ? demand - 1 : -just_below / demand;
+}
+
 }  // namespace
 
-RareProblem::RareProblem(CampaignSpec const& spec, std::size_t body)
+RareProblem::RareProblem(CampaignSpec const& spec, std::size_t body, std::size_t limit)
     : body_(spec.bodies.at(body)),
       waves_(spec.source->from_normals()),
       ladder_(spec.effects, spec.accuracy),
+      judge_(spec.limits, ladder_),
+      limit_(limit),
       scatter_(body_.scattering().size()) {}
 
 rare::Answer RareProblem::answer_of(Response const& response, double demand) const {
     auto const& end = entry_of(response.verdict);
     rare::Answer answer{.driver = response.peak_rotation_ratio, .failed = end.fell, .undecided = !end.decided};
     if (!(response.peak_rotation_rad > 0)) {
-        // At rest, or sliding beyond the demand that would have tipped it.
-        constexpr double just_below = 1e-6;
-        answer.driver = demand < 1 ? demand - 1 : -just_below / demand;
+        answer.driver = not_begun(demand);
     }
     if (!std::isfinite(answer.driver)) {
         answer.driver = answer.failed ? 1 : 0;
+    }
+    return answer;
+}
+
+rare::Answer RareProblem::held_to_limit(Response const& response, std::span<std::byte const> own, double demand) const {
+    TrialRow row;
+    static_cast<Response&>(row) = response;
+    auto const outcomes = judge_.judge(row, own);
+    double const near = judge_.nearness(limit_, row, own);
+    rare::Answer answer{.driver = near == 0 ? not_begun(demand) : near,
+                        .failed = outcomes.has_passed(limit_),
+                        .undecided = !outcomes.is_decided(limit_)};
+    if (!std::isfinite(near)) {
+        answer.driver = answer.failed ? std::numeric_limits<double>::max() : 0;
     }
     return answer;
 }
@@ -66,16 +89,21 @@ void RareProblem::respond(std::span<double const> normals, std::span<double cons
     auto const drawn = body_of(normals);
     double const peak = rare::peak_of_wave(wave.horizontal_mps2);
     Scene const scene{drawn.body, drawn.friction, body_.footing, body_.axes};
+    std::vector<std::byte> own(judge_.reads_own() ? ladder_.own_bytes() : 0);
     for (std::size_t f = 0; f < factors.size(); ++f) {
+        if (!own.empty()) {
+            ladder_.put_nothing(own);
+        }
         auto const response = ladder_.respond(
-            {.scene = scene, .motion = wave, .scale = factors[f], .peak_mps2 = peak, .chunks = nullptr});
-        answers[f] = answer_of(response, factors[f] * peak / drawn.body.uplift_acceleration_mps2());
+            {.scene = scene, .motion = wave, .scale = factors[f], .peak_mps2 = peak, .chunks = nullptr}, own);
+        double const demand = factors[f] * peak / drawn.body.uplift_acceleration_mps2();
+        answers[f] = limit_ == 0 ? answer_of(response, demand) : held_to_limit(response, own, demand);
     }
 }
 
 std::optional<rare::PulseFrame> RareProblem::frame() const {
     auto const linear = waves_->linear();
-    if (!linear) {
+    if (!linear || limit_ != 0) {
         return std::nullopt;
     }
     constexpr double fastest = 7.5;  // what is faster than so many cycles a body period does not move it

@@ -1,4 +1,4 @@
-/// Overturning of one body of a campaign as a problem of rare events.
+/// A limit state of one body of a campaign as a problem of rare events.
 #pragma once
 
 #include <memory>
@@ -6,22 +6,24 @@
 #include <span>
 
 #include "campaign/campaign_spec.hpp"
+#include "campaign/limit_state.hpp"
 #include "generators/normal_waves.hpp"
 #include "rare/problem.hpp"
 #include "response/ladder.hpp"
 
 namespace overturn {
 
-/// A trial measures nothing but how near to overturning it came. Its normals: the wave's, then one for each quantity of
-/// the body that scatters.
+/// A trial measures nothing but how near to the limit state it came. Its normals: the wave's, then one for each
+/// quantity of the body that scatters.
 class RareProblem : public rare::Problem {
   public:
-    /// \param spec must outlive it
-    RareProblem(CampaignSpec const& spec, std::size_t body);
+    /// \param spec must outlive it \param limit place in its list; 0: overturning
+    RareProblem(CampaignSpec const& spec, std::size_t body, std::size_t limit = 0);
 
     [[nodiscard]] std::size_t normals() const override { return waves_->normals() + scatter_; }
     void respond(std::span<double const> normals, std::span<double const> factors,
                  std::span<rare::Answer> answers) const override;
+    /// Of overturning only: when another limit state is passed, no instant says to pulses.
     [[nodiscard]] std::optional<rare::PulseFrame> frame() const override;
     /// When the tilt last passed the critical angle outwards.
     [[nodiscard]] rare::Moment moment(std::span<double const> normals, double factor) const override;
@@ -39,10 +41,14 @@ class RareProblem : public rare::Problem {
         return body_.at_scores(normals.subspan(waves_->normals()));
     }
     [[nodiscard]] rare::Answer answer_of(Response const& response, double demand) const;
+    [[nodiscard]] rare::Answer held_to_limit(Response const& response, std::span<std::byte const> own,
+                                             double demand) const;
 
     BodySpec const& body_;
     std::unique_ptr<NormalWaves> waves_;
     Ladder ladder_;
+    LimitJudge judge_;
+    std::size_t limit_;
     std::size_t scatter_;  ///< quantities of the body that scatter, a normal each
 };
 

@@ -13,8 +13,6 @@ namespace {
 
 using rare::Estimate;
 
-std::string group_of(BodySpec const& body) { return "rare/" + body.name; }
-
 template <class Value, class Get> std::vector<Value> column(std::span<Estimate const> estimates, Get get) {
     std::vector<Value> values;
     for (auto const& estimate : estimates) {
@@ -160,28 +158,33 @@ void read_health(store::ResultsReader const& file, std::string const& group, std
 
 }  // namespace
 
+std::string rare_group(CampaignSpec const& spec, std::size_t body, std::size_t limit) {
+    return (limit == 0 ? "rare/" : "limits/" + spec.limits[limit].name + "/rare/") + spec.bodies[body].name;
+}
+
 void write_rare(store::ResultsWriter& file, CampaignSpec const& spec, std::span<RareBody const> bodies) {
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
-        auto const group = group_of(spec.bodies[b]);
-        write_estimates(file, group, bodies[b].estimates);
-        auto const rows = rare_rows(bodies[b]);
+    for (auto const& body : bodies) {
+        auto const group = rare_group(spec, body.body, body.limit);
+        write_estimates(file, group, body.estimates);
+        auto const rows = rare_rows(body);
         auto const table = file.table({group + "/rows", sizeof(RareRow), fields_of<RareRow>()},
                                       static_cast<std::int64_t>(rows.size()));
         file.append(table, std::as_bytes(std::span(rows)));
-        for (std::size_t m = 0; m < bodies[b].record.mixtures.size(); ++m) {
-            write_mixture(file, fmt::format("{}/mixture-{}", group, m), bodies[b].record.mixtures[m]);
+        for (std::size_t m = 0; m < body.record.mixtures.size(); ++m) {
+            write_mixture(file, fmt::format("{}/mixture-{}", group, m), body.record.mixtures[m]);
         }
-        for (std::size_t s = 0; s < bodies[b].record.subsets.size(); ++s) {
+        for (std::size_t s = 0; s < body.record.subsets.size(); ++s) {
             file.array(fmt::format("{}/subset-{}", group, s), {"factors", "1", "factor on the wave"},
-                       std::vector<double>{bodies[b].record.subsets[s].estimate.factor});
+                       std::vector<double>{body.record.subsets[s].estimate.factor});
         }
     }
 }
 
 std::vector<RareBody> read_rare_estimates(store::ResultsReader const& file, CampaignSpec const& spec) {
     std::vector<RareBody> bodies;
-    for (auto const& body : spec.bodies) {
-        auto const group = group_of(body);
+    for (std::size_t p = 0; p < spec.bodies.size() * spec.limits.size(); ++p) {
+        RareBody made{.body = p % spec.bodies.size(), .limit = p / spec.bodies.size(), .estimates = {}, .record = {}};
+        auto const group = rare_group(spec, made.body, made.limit);
         if (!spec.rare || !file.has(group)) {
             return {};
         }
@@ -189,7 +192,6 @@ std::vector<RareBody> read_rare_estimates(store::ResultsReader const& file, Camp
         auto const counts = file.integers(group + "/replicate_count");
         auto const replicates = file.reals(group + "/replicates");
         std::size_t taken = 0;
-        RareBody made;
         for (std::size_t l = 0; l < counts.size(); ++l) {
             auto estimate = read_estimate(file, group, static_cast<std::int64_t>(l));
             estimate.reason = l < reasons.size() ? reasons[l] : "";
@@ -207,11 +209,13 @@ std::vector<RareBody> read_rare_estimates(store::ResultsReader const& file, Camp
 
 std::string rare_table(CampaignSpec const& spec, std::span<RareBody const> bodies) {
     std::string text;
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
-        text += fmt::format("\nrare events of {}, by {}\n{:>10}  {:>10}  {:>22}  {:>6}  {:>13}  {:>9}  {:>10}\n",
-                            spec.bodies[b].name, spec.levels.measure_name(), "amplitude", "P", "95 % interval",
-                            "c.o.v.", "method", "waves", "crude");
-        for (auto const& e : bodies[b].estimates) {
+    for (auto const& body : bodies) {
+        auto const& limit = spec.limits[body.limit];
+        text += fmt::format("\nrare events of {}{}, by {}\n{:>10}  {:>10}  {:>22}  {:>6}  {:>13}  {:>9}  {:>10}\n",
+                            spec.bodies[body.body].name, body.limit == 0 ? "" : ": " + limit.name,
+                            spec.levels.measure_name(), "amplitude", "P", "95 % interval", "c.o.v.", "method", "waves",
+                            "crude");
+        for (auto const& e : body.estimates) {
             auto const interval = fmt::format("[{:.3g}, {:.3g}]", e.interval_95.lower, e.interval_95.upper);
             text += e.probability
                         ? fmt::format("{:>10.4g}  {:>10.3e}  {:>22}  {:>6.3f}  {:>13}  {:>9}  {:>10.2g}\n", e.factor,

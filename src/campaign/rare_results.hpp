@@ -10,6 +10,9 @@
 
 namespace overturn {
 
+/// "rare/<body>" of overturning, "limits/<limit>/rare/<body>" of another limit state.
+[[nodiscard]] std::string rare_group(CampaignSpec const& spec, std::size_t body, std::size_t limit);
+
 /// /rare/<body>: the estimates by level; rows: every trial; mixture-N/stage-S: the pulses that its trials were drawn
 /// from, of all replicates; subset-N: the factor.
 void write_rare(store::ResultsWriter& file, CampaignSpec const& spec, std::span<RareBody const> bodies);
@@ -25,8 +28,8 @@ struct RareReplay {
     std::string text;                    ///< what it is, and what becomes of it
     std::vector<std::string> different;  ///< columns that are not bit-equal
 };
-/// \throws InputError if there is no such body or row
+/// \param limit name of the limit state \throws InputError if there is no such body, limit or row
 [[nodiscard]] RareReplay replay_rare(store::ResultsReader const& file, CampaignSpec const& spec,
-                                     std::string const& body, std::int64_t row);
+                                     std::string const& body, std::string const& limit, std::int64_t row);
 
 }  // namespace overturn

@@ -1,5 +1,7 @@
 #include "campaign/rare_run.hpp"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "campaign/detail/rank_workforce.hpp"
@@ -17,18 +19,20 @@ std::optional<std::vector<RareBody>> run_rare(CampaignSpec const& spec, store::S
     RankWorkforce workers(shards, leave, comm);
     std::vector<RareBody> bodies;
     try {
-        for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+        auto const count = spec.bodies.size();
+        for (std::size_t p = 0; p < count * spec.limits.size(); ++p) {
+            auto const [b, limit] = std::pair(p % count, p / count);
             if (comm.is_root()) {
-                note("rare events of {}\n", spec.bodies[b].name);
+                note("rare events of {}{}\n", spec.bodies[b].name, limit == 0 ? "" : ", " + spec.limits[limit].name);
             }
-            RareProblem const problem(spec, b);
-            workers.set_name(fmt::format("body-{}/", b));
+            RareProblem const problem(spec, b, limit);
+            workers.set_name(limit == 0 ? fmt::format("body-{}/", b) : fmt::format("body-{}-limit-{}/", b, limit));
             rare::Request const request{.seed = spec.seed,
-                                        .problem = b,
+                                        .problem = p,
                                         .target_cov = spec.rare->target_cov,
                                         .max_runs = spec.rare->max_runs,
                                         .replicates = spec.rare->replicates};
-            RareBody body;
+            RareBody body{.body = b, .limit = limit, .estimates = {}, .record = {}};
             body.estimates = rare::estimate(problem, factors, spec.rare->method, request, workers, &body.record);
             bodies.push_back(std::move(body));
         }

@@ -1,4 +1,4 @@
-/// The rare events of a campaign: every body at every level, on all ranks.
+/// The rare events of a campaign: every limit state of every body at every level, on all ranks.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,9 @@
 
 namespace overturn {
 
-/// Of one body.
+/// A limit state of one body.
 struct RareBody {
+    std::size_t body = 0, limit = 0;        ///< numbers in the campaign; limit 0: overturning
     std::vector<rare::Estimate> estimates;  ///< one per level
     rare::Record record;
 };

@@ -11,8 +11,8 @@ namespace overturn::cli {
 nlohmann::ordered_json rare_json(CampaignSpec const& spec, std::span<RareBody const> bodies) {
     using Json = nlohmann::ordered_json;
     Json list = Json::array();
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
-        for (auto const& e : bodies[b].estimates) {
+    for (auto const& body : bodies) {
+        for (auto const& e : body.estimates) {
             Json health = Json::array();
             for (auto const& check : e.health) {
                 health.push_back({{"check", check.name},
@@ -20,7 +20,8 @@ nlohmann::ordered_json rare_json(CampaignSpec const& spec, std::span<RareBody co
                                   {"limit", check.limit},
                                   {"passed", check.passed}});
             }
-            list.push_back({{"body", spec.bodies[b].name},
+            list.push_back({{"body", spec.bodies[body.body].name},
+                            {"limit", spec.limits[body.limit].name},
                             {"amplitude", e.factor},
                             {"probability", e.probability ? Json(*e.probability) : Json(nullptr)},
                             {"interval_95", Json::array({e.interval_95.lower, e.interval_95.upper})},

@@ -20,6 +20,7 @@ struct Options {
     std::int64_t trial = 0;
     std::string history;
     std::string rare;
+    std::string limit = overturning_limit;
 };
 
 int tell_difference(Options const& options, store::ResultsReader const& file, std::vector<std::string> const& different,
@@ -41,7 +42,7 @@ int replay(Options const& options) {
     auto const input = input_of(file);
     auto const spec = parse_campaign(input);
     if (!options.rare.empty()) {
-        auto const again = replay_rare(file, spec, options.rare, options.trial);
+        auto const again = replay_rare(file, spec, options.rare, options.limit, options.trial);
         fmt::print("{}", again.text);
         return tell_difference(options, file, again.different, fmt::format("row {}", options.trial));
     }
@@ -82,6 +83,7 @@ void add_replay(CommandLine& line) {
     verb.needs("file", options->file, "results file");
     verb.needs("--trial", options->trial, "number of the row in /trials, from 0");
     verb.takes("--rare", options->rare, "BODY: --trial is a row of /rare/BODY/rows");
+    verb.takes("--limit", options->limit, "beside --rare: the limit state; default: overturning");
     verb.takes("--history", options->history, "write the trial's history to this csv file");
     verb.does([options] { return replay(*options); });
 }

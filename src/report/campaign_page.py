@@ -163,7 +163,7 @@ class Report:
             return
         parts = []
         for body in self.results.bodies:
-            own = [e for e in self.fit["rare"] if e["body"] == body.name]
+            own = [e for e in self.fit["rare"] if e["body"] == body.name and e["limit"] == OVERTURNING]
             fit = self.fits.get((body.name, self.results.measure))
             parts.append(self.figure(f"tail-{body.name}", lambda path, body=body, own=own, fit=fit: rare_figures.tail(
                 self.results, body, own, fit, path), f"rare overturning of {body.name}"))
@@ -176,20 +176,20 @@ class Report:
                     f"failing-{body.name}", lambda path, body=body, waves=waves: rare_figures.failing(
                         body.name, waves["failing"], body.numbers["alpha"], path), f"a wave that overturns {body.name}"))
         rare = self.fit["rare"]
-        rows = [[e["body"], value_of(e["amplitude"]), value_of(e["probability"], 3) if e["probability"] is not None
+        rows = [[e["body"], e["limit"], value_of(e["amplitude"]), value_of(e["probability"], 3) if e["probability"] is not None
                  else f"below {value_of(e['interval_95'][1], 3)}",
                  interval(e["interval_95"], 3) if e["probability"] is not None else "–", value_of(e["cov"], 2), e["method"],
                  e["runs"], value_of(e["crude_runs"], 2), e["state"], e["reason"] or ""] for e in rare]
-        head = ["body", "factor", "P", "95 % interval", "c.o.v.", "method", "waves", "crude would need", "state", "why"]
-        health = [[e["body"], value_of(e["amplitude"]), c["check"], value_of(c["value"], 3), value_of(c["limit"], 3),
+        head = ["body", "limit", "factor", "P", "95 % interval", "c.o.v.", "method", "waves", "crude would need", "state", "why"]
+        health = [[e["body"], e["limit"], value_of(e["amplitude"]), c["check"], value_of(c["value"], 3), value_of(c["limit"], 3),
                    "passed" if c["passed"] else "failed"] for e in rare for c in e["health"]]
-        self.csv("rare", ["body", "amplitude", "probability", "lower", "upper", "cov", "method", "runs", "crude_runs", "state"],
-                 [[e["body"], e["amplitude"], e["probability"], *e["interval_95"], e["cov"], e["method"], e["runs"],
+        self.csv("rare", ["body", "limit", "amplitude", "probability", "lower", "upper", "cov", "method", "runs", "crude_runs", "state"],
+                 [[e["body"], e["limit"], e["amplitude"], e["probability"], *e["interval_95"], e["cov"], e["method"], e["runs"],
                    e["crude_runs"], e["state"]] for e in rare])
         self.section("rare", "Rare events", *parts, table(head, rows, "What is not trusted or not resolved has a bound "
                      "that plain trials alone give, and no number."),
                      f"<details><summary>health of the estimators</summary>"
-                     f"{table(['body', 'factor', 'check', 'found', 'limit', ''], health)}</details>" if health else "")
+                     f"{table(['body', 'limit', 'factor', 'check', 'found', 'limit', ''], health)}</details>" if health else "")
 
     def trials(self):
         parts = []

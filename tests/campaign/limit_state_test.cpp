@@ -2,6 +2,7 @@
 // not known is never counted as kept.
 #include "campaign/limit_state.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -50,6 +51,8 @@ class Judged {
         return !outcomes.is_decided(limit) ? '?' : outcomes.has_passed(limit) ? 'p' : 'k';
     }
 
+    [[nodiscard]] double near(TrialRow const& row, std::size_t limit) const { return judge_.nearness(limit, row, own); }
+
     CampaignSpec spec;
     Ladder ladder;
 
@@ -82,6 +85,28 @@ TEST(LimitState, ThresholdOnAStoredQuantity) {
     EXPECT_EQ(judged(row_of(Verdict::failed, never, never)), '?');
     EXPECT_EQ(judged(row_of(Verdict::contact_lost, 0.1, 0)), '?');
     EXPECT_EQ(judged(row_of(Verdict::slid, never, 0)), '?');
+}
+
+/// How near a trial came is at least 1 where it passed a limit and at most 1 where it kept within it, and rises with
+/// the response; `any` is as near as its nearest, `all` as its farthest.
+TEST(LimitState, NearnessIsNestedWithPassing) {
+    Judged const judged(touches + tilts + "[[limits]]\nname='one'\nany=['touches','tilts']\n"
+                        + "[[limits]]\nname='both'\nall=['touches','tilts']\n"
+                        + "[[limits]]\nname='fell'\nany=['touches','overturning']\n");
+    for (double const slip : {0.0, 0.15, 0.29, 0.31, 2.0}) {
+        for (double const ratio : {0.0, 0.25, 0.49, 0.51, 0.99, 1.5}) {
+            auto const row = row_of(ratio > 1 ? Verdict::overturned : Verdict::rocked, slip, ratio);
+            for (std::size_t limit = 0; limit < judged.spec.limits.size(); ++limit) {
+                double const near = judged.near(row, limit);
+                EXPECT_EQ(judged(row, limit) == 'p', near > 1) << limit << ' ' << slip << ' ' << ratio;
+            }
+            EXPECT_DOUBLE_EQ(judged.near(row, 1), slip / 0.3);
+            EXPECT_DOUBLE_EQ(judged.near(row, 2), ratio / 0.5);
+            EXPECT_EQ(judged.near(row, 3), std::max(judged.near(row, 1), judged.near(row, 2)));
+            EXPECT_EQ(judged.near(row, 4), std::min(judged.near(row, 1), judged.near(row, 2)));
+        }
+    }
+    EXPECT_TRUE(std::isnan(judged.near(row_of(Verdict::rocked, never, 0.2), 3)));
 }
 
 /// The slip of a trial that would have slipped, without slip being simulated, is 0 in its row and yet not known.

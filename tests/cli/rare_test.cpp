@@ -177,6 +177,43 @@ TEST_F(Rare, WhatScattersRidesAlong) {
     }
 }
 
+// Requirement: a limit state of the user's own has rare events too: subset simulation agrees with plain trials, on any
+// ranks to the same bytes, and its rows replay.
+TEST_F(Rare, LimitsOfTheUsersOwnAreEstimated) {
+    auto const limited = [&](std::string const& rare) {
+        auto text = campaign(rare, "measure='factor'\nvalues=[1.5]");
+        text.insert(text.find("restitution=0.85"), "friction=0.4\n");
+        return text + "[measures]\nenergy=false\n[[limits]]\nname='slides'\nquantity='peak_slip'\nabove='0.3 m'\n"
+               + "[[limits]]\nname='moves'\nany=['overturning','slides']\n";
+    };
+    folder.write("crude.toml", limited("method='crude'\nmax_runs=40000\ntarget_cov=0.05"));
+    folder.write("subset.toml", limited("method='subset'"));
+    ASSERT_EQ(execute(folder, mpirun(1, {"run", "crude.toml"})).code, 0);
+    ASSERT_EQ(execute(folder, mpirun(1, {"run", "subset.toml"})).code, 0);
+    ASSERT_EQ(execute(folder, mpirun(3, {"run", "subset.toml", "-o", "three.h5"})).code, 0);
+    EXPECT_TRUE(folder.read("subset.h5") == folder.read("three.h5"));
+    auto const crude = answers("crude.h5");
+    auto const subset = answers("subset.h5");
+
+    ASSERT_EQ(crude.size(), 3U);
+    EXPECT_EQ(crude[0].at("limit"), "overturning");
+    EXPECT_EQ(crude[1].at("limit"), "slides");
+    EXPECT_EQ(crude[2].at("limit"), "moves");
+    EXPECT_TRUE(crude[0].at("probability").is_null()) << "it slides before it rocks";
+    for (std::size_t const l : {1U, 2U}) {
+        EXPECT_EQ(crude[l].at("state"), "trusted") << crude[l].dump();
+        EXPECT_EQ(subset[l].at("state"), "trusted") << subset[l].dump();
+        EXPECT_LT(subset[l].at("interval_95")[0], crude[l].at("interval_95")[1]);
+        EXPECT_GT(subset[l].at("interval_95")[1], crude[l].at("interval_95")[0]);
+    }
+    for (auto const* limit : {"slides", "moves"}) {
+        auto const row =
+            overturn(folder, {"replay", "subset.h5", "--rare", "block", "--limit", limit, "--trial", "2500"});
+        EXPECT_EQ(row.code, 0) << row.out << row.err;
+    }
+    EXPECT_EQ(overturn(folder, {"replay", "subset.h5", "--rare", "block", "--limit", "no", "--trial", "0"}).code, 2);
+}
+
 // Requirement: a campaign whose levels, waves or bodies these estimators are not for is refused at the line concerned,
 // with the reason and what to do.
 TEST_F(Rare, RefusesWhatItIsNotFor) {

@@ -5,10 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "campaign/rare_results.hpp"
+
 namespace overturn {
 
-RareReplayer::RareReplayer(store::ResultsReader const& file, CampaignSpec const& spec, std::size_t body)
-    : file_(file), spec_(spec), problem_(spec, body), group_("rare/" + spec.bodies[body].name) {
+RareReplayer::RareReplayer(store::ResultsReader const& file, CampaignSpec const& spec, std::size_t body,
+                           std::size_t limit)
+    : file_(file), spec_(spec), problem_(spec, body, limit), group_(rare_group(spec, body, limit)) {
     table_ = {group_ + "/rows", sizeof(RareRow), fields_of<RareRow>()};
     rows_ = file.has(group_) ? static_cast<std::int64_t>(file.integers(group_ + "/rows/index").size()) : 0;
 }

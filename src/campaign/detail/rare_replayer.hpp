@@ -12,10 +12,10 @@
 
 namespace overturn {
 
-/// Of one body. \pre file and campaign outlive it
+/// Of a limit state of one body. \pre file and campaign outlive it
 class RareReplayer {
   public:
-    RareReplayer(store::ResultsReader const& file, CampaignSpec const& spec, std::size_t body);
+    RareReplayer(store::ResultsReader const& file, CampaignSpec const& spec, std::size_t body, std::size_t limit = 0);
 
     [[nodiscard]] RareProblem const& problem() const { return problem_; }
     [[nodiscard]] std::int64_t rows() const { return rows_; }
