@@ -11,6 +11,7 @@
 #include "campaign/rare_results.hpp"
 #include "campaign/results.hpp"
 #include "campaign/runtime_file.hpp"
+#include "campaign/telling_trials.hpp"
 #include "campaign/warnings.hpp"
 #include "cli/figures.hpp"
 #include "cli/fit_json.hpp"
@@ -165,6 +166,8 @@ int write_report(Options const& options) {
     auto const analysis =
         analyse(spec, statistics, {.confidence = confidence, .beta_u = options.beta_u, .band_points = 61});
     data["fit"] = fit_json(spec, statistics, analysis, confidence);
+    auto const telling = telling_trials(spec, file);
+    data["fit"]["telling_trials"] = telling_json(spec, telling);
     data["rare"] = Json::object();
     if (spec.rare) {
         data["fit"]["rare"] = rare_json(spec, read_rare_estimates(file, spec));
