@@ -191,7 +191,7 @@ int write_report(Options const& options) {
     for (auto const& line : warnings_of(spec)) {
         data["wave_notes"].push_back("Warning: " + line + ".");
     }
-    data["histories"] = shown_trials(spec, plan, file);
+    data["histories"] = shown_trials(spec, plan, telling, file);
     data["cost"] = cost_of(options.file);
     auto const page = report::figure_text("campaign_page.py", data, ".html");
     store::write_durably(options.page, std::as_bytes(std::span(page)));

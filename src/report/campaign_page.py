@@ -10,6 +10,7 @@ import re
 import sys
 
 import fragility_figures
+import history_figure
 import limit_sections
 import rare_figures
 import trial_figures
@@ -217,8 +218,8 @@ class Report:
                                          f"{name} of {body.name}"))
         parts.append(self.telling())
         for shown in self.data["histories"]:
-            parts.append(self.figure(f"history-{shown['body']}", lambda path, shown=shown: trial_figures.history(shown, path),
-                                     f"history of {shown['title']}"))
+            parts.append(self.figure(f"history-{shown['body']}-{shown['trial']}",
+                                     lambda path, shown=shown: history_figure.draw(shown, path), f"history of {shown['title']}"))
         parts.append(self.figure("axes", lambda path: trial_figures.axes_compared(self.results, path),
                                  "V_resp over V_WES under one, two and three components"))
         self.section("trials", "What the trials did, and what was simulated", *parts, paragraphs(self.data["cost"]))
