@@ -9,8 +9,10 @@
 #include "campaign/detail/stopping.hpp"
 #include "campaign/output_place.hpp"
 #include "campaign/rare_results.hpp"
+#include "campaign/telling_trials.hpp"
 #include "core/note.hpp"
 #include "store/durable.hpp"
+#include "store/results_file.hpp"
 
 namespace overturn {
 namespace {
@@ -59,7 +61,8 @@ std::optional<std::string> merge_blocks(std::filesystem::path const& output, Cam
         return std::nullopt;
     }
     shards.remove();
-    return stripe_table(spec, statistics) + analysis_table(analysis, spec.confidence) + rare_table(spec, rare);
+    return stripe_table(spec, statistics) + analysis_table(analysis, spec.confidence) + rare_table(spec, rare)
+           + telling_table(spec, telling_trials(spec, store::ResultsReader(output)), output.string());
 }
 
 std::string resume_command(CampaignInput const& input, std::filesystem::path const& output) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/rare_results.hpp"
+#include "campaign/telling_trials.hpp"
 #include "cli/fit_json.hpp"
 #include "cli/rare_json.hpp"
 #include "cli/stripe_csv.hpp"
@@ -46,6 +47,7 @@ int fit_file(Options const& options) {
     double const confidence = options.confidence.value_or(spec.confidence);
     auto const analysis = analyse(spec, statistics, {.confidence = confidence, .beta_u = options.beta_u});
     auto const rare = read_rare_estimates(file, spec);
+    auto const telling = telling_trials(spec, file);
     if (options.json) {
         auto json = fit_json(spec, statistics, analysis, confidence);
         json["levels"] = {{"measure", spec.levels.measure_name()},
@@ -56,13 +58,14 @@ int fit_file(Options const& options) {
         for (auto const& level : spec.levels.levels) {
             json["levels"]["stated"].push_back(spec.levels.shown(level.value));
         }
+        json["telling_trials"] = telling_json(spec, telling);
         if (spec.rare) {
             json["rare"] = rare_json(spec, rare);
         }
         fmt::print("{}\n", json.dump(2));
     } else {
-        fmt::print("{}{}{}", stripe_table(spec, statistics), analysis_table(analysis, confidence),
-                   rare_table(spec, rare));
+        fmt::print("{}{}{}{}", stripe_table(spec, statistics), analysis_table(analysis, confidence),
+                   rare_table(spec, rare), telling_table(spec, telling, options.file));
     }
     return done;
 }

@@ -84,6 +84,23 @@ Json verdict_json(std::string const& body, CriterionVerdict const& verdict) {
     return {{"body", body}, {"supports", verdict.supports}, {"against", verdict.against}, {"open", verdict.open}};
 }
 
+Json telling_json(CampaignSpec const& spec, std::vector<TellingTrial> const& trials) {
+    Json list = Json::array();
+    for (auto const& t : trials) {
+        list.push_back({{"body", spec.bodies[static_cast<std::size_t>(t.body)].name},
+                        {"kind", telling_kinds.at(static_cast<std::size_t>(t.kind))},
+                        {"trial", t.trial},
+                        {"wave", t.wave},
+                        {"level", t.level},
+                        {"amplitude", t.amplitude},
+                        {"verdict", entry_of(t.verdict).name},
+                        {"peak_rotation_ratio", number(t.peak_rotation_ratio)},
+                        {"peak_slip_m", number(t.peak_slip_m)},
+                        {"overturned_at", number(t.overturned_at)}});
+    }
+    return list;
+}
+
 Json quantiles_json(std::string const& body, LevelQuantiles const& at) {
     Json json{{"body", body},         {"quantity", at.quantity},   {"units", at.units},
               {"level", at.level},    {"amplitude", at.amplitude}, {"trials", at.trials},

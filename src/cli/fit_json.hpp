@@ -6,6 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "campaign/analysis.hpp"
+#include "campaign/telling_trials.hpp"
 
 namespace overturn::cli {
 
@@ -24,6 +25,9 @@ void check_fit_options(double beta_u, std::optional<double> confidence);
 
 /// A response of a body at one level.
 [[nodiscard]] nlohmann::ordered_json quantiles_json(std::string const& body, LevelQuantiles const& at);
+
+/// The trials worth a look, as `telling_trials` stands in the answer.
+[[nodiscard]] nlohmann::ordered_json telling_json(CampaignSpec const& spec, std::vector<TellingTrial> const& trials);
 
 /// All of them: limits, stripes, fragility, quantiles, criterion, response, verdict. Stripes and fragility begin with
 /// those of overturning.

@@ -8,8 +8,11 @@
 #include "campaign/rare_results.hpp"
 #include "campaign/results.hpp"
 #include "cli/history.hpp"
+#include "cli/trial_history.hpp"
 #include "cli/verbs.hpp"
+#include "core/error.hpp"
 #include "core/note.hpp"
+#include "report/figure.hpp"
 #include "response/registry.hpp"
 
 namespace overturn::cli {
@@ -18,7 +21,7 @@ namespace {
 struct Options {
     std::string file;
     std::int64_t trial = 0;
-    std::string history;
+    std::string history, plot;
     std::string rare;
     std::string limit = overturning_limit;
 };
@@ -38,6 +41,10 @@ int tell_difference(Options const& options, store::ResultsReader const& file, st
 }
 
 int replay(Options const& options) {
+    if (!options.plot.empty()) {
+        report::check_figure_name(options.plot);
+        validate(options.rare.empty(), "--plot beside --rare (only rows of /trials are drawn). Leave one of them out");
+    }
     store::ResultsReader const file(options.file);
     auto const input = input_of(file);
     auto const spec = parse_campaign(input);
@@ -58,8 +65,18 @@ int replay(Options const& options) {
     if (!options.history.empty()) {
         history.emplace(options.history);
     }
-    auto const trial = run_trial(spec, prepared, body, level, history ? &*history : nullptr);
+    Observer* const observer = history ? &*history : nullptr;
+    KeptHistory kept(observer);
+    auto const trial = run_trial(spec, prepared, body, level, options.plot.empty() ? observer : &kept);
     auto const& row = trial.rows.front();
+    if (!options.plot.empty()) {
+        auto const place = static_cast<std::size_t>(body);
+        auto const title = fmt::format("{}, trial {}: wave {} at {}, {}", spec.bodies[place].name, options.trial, wave,
+                                       spec.levels.text(row.amplitude), entry_of(row.verdict).name);
+        draw_history(
+            kept, {title, spec.bodies[place], prepared.bodies[place].body, prepared.motion, row.scale, spec.measures},
+            options.plot);
+    }
     fmt::print("trial {}: wave number {} (id {}), body {}, {} {}\n", options.trial, wave, row.wave,
                spec.bodies[static_cast<std::size_t>(body)].name, spec.levels.measure_name(),
                spec.levels.text(row.amplitude));
@@ -85,6 +102,7 @@ void add_replay(CommandLine& line) {
     verb.takes("--rare", options->rare, "BODY: --trial is a row of /rare/BODY/rows");
     verb.takes("--limit", options->limit, "beside --rare: the limit state; default: overturning");
     verb.takes("--history", options->history, "write the trial's history to this csv file");
+    verb.takes("--plot", options->plot, "draw wave, rotation, energy and contact over time, .svg, .png or .pdf");
     verb.does([options] { return replay(*options); });
 }
 

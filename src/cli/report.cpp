@@ -11,6 +11,7 @@
 #include "campaign/rare_results.hpp"
 #include "campaign/results.hpp"
 #include "campaign/runtime_file.hpp"
+#include "campaign/telling_trials.hpp"
 #include "campaign/warnings.hpp"
 #include "cli/figures.hpp"
 #include "cli/fit_json.hpp"
@@ -165,6 +166,8 @@ int write_report(Options const& options) {
     auto const analysis =
         analyse(spec, statistics, {.confidence = confidence, .beta_u = options.beta_u, .band_points = 61});
     data["fit"] = fit_json(spec, statistics, analysis, confidence);
+    auto const telling = telling_trials(spec, file);
+    data["fit"]["telling_trials"] = telling_json(spec, telling);
     data["rare"] = Json::object();
     if (spec.rare) {
         data["fit"]["rare"] = rare_json(spec, read_rare_estimates(file, spec));
@@ -188,7 +191,7 @@ int write_report(Options const& options) {
     for (auto const& line : warnings_of(spec)) {
         data["wave_notes"].push_back("Warning: " + line + ".");
     }
-    data["histories"] = shown_trials(spec, plan, file);
+    data["histories"] = shown_trials(spec, plan, telling, file);
     data["cost"] = cost_of(options.file);
     auto const page = report::figure_text("campaign_page.py", data, ".html");
     store::write_durably(options.page, std::as_bytes(std::span(page)));

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -11,9 +12,11 @@
 #include "campaign/warnings.hpp"
 #include "cli/history.hpp"
 #include "cli/scene_files.hpp"
+#include "cli/trial_history.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
 #include "motion/drift.hpp"
+#include "report/figure.hpp"
 #include "response/ladder.hpp"
 #include "response/registry.hpp"
 
@@ -22,7 +25,7 @@ namespace {
 
 struct Options {
     RecordOptions record;
-    std::string body, effects = "auto", history;
+    std::string body, effects = "auto", history, plot;
     double scale = 1;
     bool json = false;
 };
@@ -126,6 +129,9 @@ void print_text(BodySpec const& spec, PlacedRecord const& record, Drift const& d
 
 int rock(Options const& options) {
     validate(std::isfinite(options.scale), "--scale {} (must be finite). Give a factor such as 1.5", options.scale);
+    if (!options.plot.empty()) {
+        report::check_figure_name(options.plot);
+    }
     auto const spec = load_body(options.body);
     auto const record = load_motion(options.record);
     validate_rocking_plane(record.direction, {options.record.wave});
@@ -141,6 +147,14 @@ int rock(Options const& options) {
     if (!options.history.empty()) {
         history.emplace(options.history);
         ladder.show(trial, response, *history);
+    }
+    if (!options.plot.empty()) {
+        KeptHistory kept;
+        ladder.show(trial, response, kept);
+        auto const title = fmt::format(
+            "{} under {}{}: {}", spec.name, std::filesystem::path(options.record.wave).filename().string(),
+            options.scale == 1 ? "" : fmt::format(" times {:g}", options.scale), entry_of(response.verdict).name);
+        draw_history(kept, {title, spec, spec.body, motion, options.scale, MeasureSpec{}}, options.plot);
     }
     (options.json ? print_json : print_text)(spec, record, drift_of(motion), response, ladder, own);
     if (response.verdict == Verdict::failed) {
@@ -160,6 +174,7 @@ void add_rock(CommandLine& line) {
     verb.takes("--scale", options->scale, "factor on every component");
     verb.takes("--effects", options->effects, "auto, none, or a list such as vertical");
     verb.takes("--history", options->history, "write the history to this csv file");
+    verb.takes("--plot", options->plot, "draw wave, rotation, energy and contact over time, .svg, .png or .pdf");
     verb.takes("--json", options->json, "as JSON");
     verb.does([options] { return rock(*options); });
 }

@@ -1,10 +1,8 @@
 #include "cli/shown_trials.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/trial.hpp"
+#include "cli/trial_history.hpp"
 #include "response/registry.hpp"
 
 namespace overturn::cli {
@@ -20,67 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_bodies = 12;
-constexpr std::size_t most_instants = 1500;
-
-/// Keeps all instants of a trial.
-class Kept : public Observer {
-  public:
-    void begin(std::span<Channel const> channels) override {
-        for (auto const& channel : channels) {
-            keys.emplace_back(channel.key);
-        }
-        columns.resize(keys.size());
-    }
-    void at(std::span<double const> values) override {
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            columns[i].push_back(values[i]);
-        }
-    }
-
-    std::vector<std::string> keys;
-    std::vector<std::vector<double>> columns;
-};
-
-// Every so many instants: of what is drawn over time the value that is farthest from zero, so that no peak is lost; of
-// a pose its parts at one instant.
-Json thinned(std::vector<double> const& values, bool of_a_pose) {
-    auto const each = (values.size() + most_instants - 1) / most_instants;
-    auto kept = Json::array();
-    for (std::size_t begin = 0; begin < values.size(); begin += each) {
-        double farthest = values[begin];
-        for (std::size_t i = begin; !of_a_pose && i < std::min(begin + each, values.size()); ++i) {
-            farthest = std::abs(values[i]) > std::abs(farthest) ? values[i] : farthest;
-        }
-        kept.push_back(farthest);
-    }
-    return kept;
-}
-
-Json outline_of(BodySpec const& body) {
-    auto outline = Json::array();
-    double const b = body.body.half_width_m();
-    auto const& base = body.footing.base;
-    switch (base.shape) {
-        case BaseShape::square:
-            for (auto const& [x, y] : {std::pair{b, b}, {-b, b}, {-b, -b}, {b, -b}}) {
-                outline.push_back({x, y});
-            }
-            break;
-        case BaseShape::round:
-            for (int i = 0; i < base.points; ++i) {
-                double const angle = 2 * pi * i / base.points;
-                outline.push_back({b * std::cos(angle), b * std::sin(angle)});
-            }
-            break;
-        case BaseShape::polygon:
-            for (auto const& [x, y] : base.corners_m) {
-                outline.push_back({x, y});
-            }
-            break;
-    }
-    return outline;
-}
+constexpr std::size_t most_shown = 12;
 
 // The highest peak that stood on compliant points, of each body.
 std::vector<std::optional<std::int64_t>> nearest_misses(CampaignSpec const& spec, Plan const& plan,
@@ -102,32 +41,79 @@ std::vector<std::optional<std::int64_t>> nearest_misses(CampaignSpec const& spec
     return nearest;
 }
 
+// Trials with the words for what makes each worth a look, in the order of their bodies.
+class Chosen {
+  public:
+    // One that is there already only gets a further word.
+    void add(std::int64_t body, std::int64_t trial, std::string const& word) {
+        auto const known = std::ranges::find(all_, trial, &One::trial);
+        if (known != all_.end()) {
+            known->words += ", " + word;
+        } else {
+            all_.push_back({body, trial, word});
+        }
+    }
+    [[nodiscard]] std::size_t size() const { return all_.size(); }
+    [[nodiscard]] bool holds(std::int64_t trial) const {
+        return std::ranges::find(all_, trial, &One::trial) != all_.end();
+    }
+
+    struct One {
+        std::int64_t body, trial;
+        std::string words;
+    };
+    [[nodiscard]] std::vector<One> by_body() && {
+        std::ranges::stable_sort(all_, {}, &One::body);
+        return std::move(all_);
+    }
+
+  private:
+    std::vector<One> all_;
+};
+
+std::vector<Chosen::One> chosen(CampaignSpec const& spec, Plan const& plan, std::span<TellingTrial const> telling,
+                                store::ResultsReader const& file) {
+    std::vector<TellingTrial> by_kind(telling.begin(), telling.end());
+    std::ranges::stable_sort(by_kind, {}, &TellingTrial::kind);
+    Chosen chosen;
+    for (auto const& t : by_kind) {
+        if (chosen.size() < most_shown || chosen.holds(t.trial)) {
+            chosen.add(t.body, t.trial, std::string(telling_kinds.at(static_cast<std::size_t>(t.kind))));
+        }
+    }
+    for (auto const& trial : nearest_misses(spec, plan, file)) {
+        if (trial && !chosen.holds(*trial) && chosen.size() < most_shown) {
+            chosen.add(plan.trial(*trial).body, *trial, "nearest-miss on points");
+        }
+    }
+    return std::move(chosen).by_body();
+}
+
 }  // namespace
 
-Json shown_trials(CampaignSpec const& spec, Plan const& plan, store::ResultsReader const& file) {
+Json shown_trials(CampaignSpec const& spec, Plan const& plan, std::span<TellingTrial const> telling,
+                  store::ResultsReader const& file) {
     auto shown = Json::array();
-    auto const nearest = nearest_misses(spec, plan, file);
-    for (std::size_t b = 0; b < nearest.size() && shown.size() < most_bodies; ++b) {
-        if (!nearest[b]) {
+    for (auto const& [body, number, words] : chosen(spec, plan, telling, file)) {
+        auto const [wave, of, level] = plan.trial(number);
+        PhaseSeconds ignored;
+        KeptHistory kept;
+        auto const prepared = prepare_wave(spec, plan, wave, ignored);
+        auto const trial = run_trial(spec, prepared, of, level, &kept);
+        if (kept.empty()) {
             continue;
         }
-        auto const [wave, body, level] = plan.trial(*nearest[b]);
-        PhaseSeconds ignored;
-        Kept kept;
-        auto const trial = run_trial(spec, prepare_wave(spec, plan, wave, ignored), body, level, &kept);
         auto const& row = trial.rows.front();
-        auto channels = Json::object();
-        for (std::size_t i = 0; i < kept.keys.size(); ++i) {
-            auto const& key = kept.keys[i];
-            bool const of_a_pose = key == "time_s" || key == "x_m" || key == "y_m" || key == "yaw_rad";
-            channels[key] = thinned(kept.columns[i], of_a_pose);
-        }
-        shown.push_back({{"body", spec.bodies[b].name},
-                         {"title", fmt::format("{}, trial {}: wave {} at {}, {}", spec.bodies[b].name, *nearest[b],
-                                               wave, spec.levels.text(row.amplitude), entry_of(row.verdict).name)},
-                         {"alpha", spec.bodies[b].body.alpha_rad()},
-                         {"outline", outline_of(spec.bodies[b])},
-                         {"channels", std::move(channels)}});
+        auto const& stated = spec.bodies[static_cast<std::size_t>(body)];
+        auto const title = fmt::format("{}, trial {} ({}): wave {} at {}, {}", stated.name, number, words, wave,
+                                       spec.levels.text(row.amplitude), entry_of(row.verdict).name);
+        std::optional<MeasureSpec> const measures = spec.measures.energy ? std::optional(spec.measures) : std::nullopt;
+        shown.push_back(history_data(
+            kept,
+            {title, stated, prepared.bodies[static_cast<std::size_t>(body)].body, prepared.motion, row.scale, measures},
+            for_a_page));
+        shown.back()["body"] = stated.name;
+        shown.back()["trial"] = number;
     }
     return shown;
 }

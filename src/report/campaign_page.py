@@ -10,6 +10,7 @@ import re
 import sys
 
 import fragility_figures
+import history_figure
 import limit_sections
 import rare_figures
 import trial_figures
@@ -191,6 +192,22 @@ class Report:
                      f"<details><summary>health of the estimators</summary>"
                      f"{table(['body', 'limit', 'factor', 'check', 'found', 'limit', ''], health)}</details>" if health else "")
 
+    def telling(self):
+        """The trials worth a look, as a table and a file."""
+        trials = self.fit["telling_trials"]
+        if not trials:
+            return ""
+        keys = ["body", "kind", "trial", "wave", "level", "amplitude", "verdict", "peak_rotation_ratio", "peak_slip_m",
+                "overturned_at"]
+        self.csv("telling_trials", keys, [[trial[key] for key in keys] for trial in trials])
+        rows = [[t["body"], t["kind"], t["trial"], t["wave"], self.amplitude(t["amplitude"]), t["verdict"],
+                 value_of(t["peak_rotation_ratio"]), value_of(t["peak_slip_m"], 3), self.amplitude(t["overturned_at"])]
+                for t in trials]
+        head = ["body", "kind", "trial", "wave", "level", "verdict", "peak rotation / α", "slip [m]", "overturned at"]
+        return "<h3>Trials worth a look</h3>" + table(
+            head, rows, "Nearest miss and largest slip are of trials that stood. A verdict changes back where a wave "
+                        "that overturned the body stood at a higher level.")
+
     def trials(self):
         parts = []
         for body in self.results.bodies:
@@ -199,9 +216,10 @@ class Report:
                 parts.append(self.figure(f"{name}-{body.name}",
                                          lambda path, draw=draw, body=body: draw(self.results, body, path),
                                          f"{name} of {body.name}"))
+        parts.append(self.telling())
         for shown in self.data["histories"]:
-            parts.append(self.figure(f"history-{shown['body']}", lambda path, shown=shown: trial_figures.history(shown, path),
-                                     f"history of {shown['title']}"))
+            parts.append(self.figure(f"history-{shown['body']}-{shown['trial']}",
+                                     lambda path, shown=shown: history_figure.draw(shown, path), f"history of {shown['title']}"))
         parts.append(self.figure("axes", lambda path: trial_figures.axes_compared(self.results, path),
                                  "V_resp over V_WES under one, two and three components"))
         self.section("trials", "What the trials did, and what was simulated", *parts, paragraphs(self.data["cost"]))

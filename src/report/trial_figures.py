@@ -173,49 +173,6 @@ def wave_quality(results, path):
     return True
 
 
-def history(shown, path):
-    """A trial on compliant points: tilt, contact force and crush over time, and the way of its base in plan."""
-    style.use()
-    channels = {key: np.asarray(values, dtype=float) for key, values in shown["channels"].items()}
-    time = channels["time_s"]
-    tilt = channels["tilt_rad"] if "tilt_rad" in channels else channels["rotation_rad"]
-    spatial = "x_m" in channels
-    figure = plt.figure(figsize=(6.8, 3.6), layout="constrained")
-    grid = figure.add_gridspec(3, 2 if spatial else 1, width_ratios=[1.9, 1] if spatial else None)
-    panels = [figure.add_subplot(grid[row, 0]) for row in range(3)]
-    for axes, values, label, colour in (
-            (panels[0], tilt / shown["alpha"], "tilt / α", BLUE),
-            (panels[1], channels["contact_force_over_weight"], "N / (m g)", GREEN),
-            (panels[2], 1000 * channels["crush_m"], "crush [mm]", ORANGE)):
-        axes.plot(time, values, color=colour, lw=0.8)
-        axes.set(ylabel=label, xlim=(time[0], time[-1]))
-    for axes in panels[:2]:
-        axes.tick_params(labelbottom=False)
-    panels[2].set_xlabel("time [s]")
-    panels[2].set_ylim(0, 1.1 * max(0.1, 1000 * float(np.max(channels["crush_m"]))))
-    panels[0].set_title(style.literal(shown["title"]), loc="left")
-    if spatial:
-        plan(figure.add_subplot(grid[:, 1]), channels, np.asarray(shown["outline"]))
-    style.save(figure, path)
-
-
-def plan(axes, channels, outline):
-    """Where the base began and ended, seen from above, and the way of its corners (of a rim: four points)."""
-    yaw, x, y = channels["yaw_rad"], channels["x_m"], channels["y_m"]
-    traced = outline if len(outline) <= 8 else outline[::len(outline) // 4]
-    for corner in traced:
-        axes.plot(x + np.cos(yaw) * corner[0] - np.sin(yaw) * corner[1],
-                  y + np.sin(yaw) * corner[0] + np.cos(yaw) * corner[1], color=SKY, lw=0.6)
-    for at, colour in ((0, GREY), (-1, VERMILION)):
-        turned = np.column_stack([np.cos(yaw[at]) * outline[:, 0] - np.sin(yaw[at]) * outline[:, 1] + x[at],
-                                  np.sin(yaw[at]) * outline[:, 0] + np.cos(yaw[at]) * outline[:, 1] + y[at]])
-        closed = np.vstack([turned, turned[:1]])
-        axes.plot(closed[:, 0], closed[:, 1], color=colour, lw=1.1, label="before" if at == 0 else "after")
-    axes.set_aspect("equal", adjustable="datalim")
-    axes.set(xlabel="x [m]", ylabel="y [m]", title="base in plan")
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2), ncols=2)
-
-
 def axes_compared(results, path):
     """V_resp over V_WES, in units of V_Ereq, for bodies under one, two and three components; False if all are alike, or nothing was
     measured."""

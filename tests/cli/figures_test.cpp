@@ -1,11 +1,13 @@
 // Requirement: waves are drawn and written as files; a figure needs nothing but Python, says what to install where
 // something is missing, and has the same bytes for the same data.
 #include <algorithm>
+#include <cmath>
 
 #include <nlohmann/json.hpp>
 
 #include "cli/campaign_files.hpp"
 #include "motion/record.hpp"
+#include "store/results_file.hpp"
 #include "support/command.hpp"
 
 namespace overturn::testing {
@@ -45,6 +47,17 @@ class Figures : public ::testing::Test {
         if (execute(folder, {OVERTURN_PYTHON, "-c", "import matplotlib"}).code != 0) {
             GTEST_SKIP() << "no matplotlib to draw with (install python3-matplotlib)";
         }
+    }
+
+    struct Row {
+        double amplitude, v_wes, v_ereq, v_resp, rotation;
+    };
+    [[nodiscard]] Row rows(std::string const& name, int trial) const {
+        store::ResultsReader const file(folder / name);
+        auto const at = [&](char const* column) {
+            return file.reals(std::string("trials/") + column).at(static_cast<std::size_t>(trial));
+        };
+        return {at("amplitude"), at("v_wes"), at("v_ereq"), at("v_resp"), at("peak_rotation")};
     }
 
     Folder folder;
@@ -102,6 +115,64 @@ TEST_F(Figures, DrawWhatIsMeasured) {
     EXPECT_LT(wave["target"]["period_s"].back().get<double>(), 10.0 + 1e-9);
 }
 
+// Requirement: a trial's history is drawn from what the trial was: the wave as scaled, the rotation to its peak,
+// V_resp(t) up to the stored V_resp, V_WES(t) up to the stored V_WES.
+TEST_F(Figures, HistoriesDrawWhatTheTrialWas) {
+    done({"run", "c.toml", "-o", "c.h5"});
+    use_interpreter("cp \"$3\" \"$4\"");
+    auto const peak = [](json const& values) {
+        double highest = 0;
+        for (auto const& value : values) {
+            highest = std::max(highest, value.is_null() ? 0 : std::abs(value.get<double>()));
+        }
+        return highest;
+    };
+    for (int trial = 0; trial < 12; ++trial) {
+        auto const number = std::to_string(trial);
+        auto const said = done({"replay", "c.h5", "--trial", number, "--plot", "a.svg", "--history", "h.csv"}).out;
+        EXPECT_NE(said.find("bit-equal to the stored row"), std::string::npos) << said;
+        auto const drawn = json::parse(folder.read("a.svg"));
+        auto const row = rows("c.h5", trial);
+        auto const& channels = drawn["channels"];
+        EXPECT_NEAR(peak(drawn["wave"][0]["values"]), row.amplitude, 1e-9 * row.amplitude) << trial;
+        EXPECT_NEAR(peak(drawn["v_wes"]["values"]), row.v_wes, 1e-9 * row.v_wes) << trial;
+        EXPECT_EQ(drawn["v_ereq_mps"], row.v_ereq) << trial;
+        // Instants are up to a sample of 0.02 s apart: the peak between them is a little higher. What falls is followed
+        // beyond the critical angle, how far is stored of none.
+        constexpr double between = 0.98;
+        auto const tilt = channels.contains("rotation_rad") ? "rotation_rad" : "tilt_rad";
+        EXPECT_LE(peak(channels["v_resp_mps"]), row.v_resp * (1 + 1e-12)) << trial;
+        EXPECT_GE(peak(channels["v_resp_mps"]), between * row.v_resp) << trial;
+        if (row.rotation > 1.5) {
+            EXPECT_GT(peak(channels[tilt]), drawn["alpha"]) << trial;
+        } else {
+            EXPECT_LE(peak(channels[tilt]), row.rotation * (1 + 1e-12)) << trial;
+            EXPECT_GE(peak(channels[tilt]), between * row.rotation) << trial;
+        }
+        EXPECT_EQ(channels[tilt].size(), channels["time_s"].size());
+        EXPECT_TRUE(folder.has("h.csv"));
+    }
+}
+
+TEST_F(Figures, HistoriesAreDrawn) {
+    skip_without_matplotlib();
+    if (IsSkipped()) {
+        return;
+    }
+    done({"wave", "c.toml", "--wave", "1", "-o", "w.csv"});
+    folder.write("slides.toml", folder.read("body.toml") + "friction=0.3\n");
+    folder.write("round.toml", folder.read("body.toml") + "friction=0.6\nbase={shape='round', points=16}\n");
+    for (std::string const body : {"body", "slides", "round"}) {
+        std::vector<std::string> const rock{"rock",   "--body", body + ".toml", "--wave", "w.csv",
+                                            "--unit", "m/s2",   "--scale",      "1.5",    "--plot"};
+        done(joined(rock, {"a.svg"}));
+        done(joined(rock, {"b.svg"}));
+        EXPECT_NE(folder.read("a.svg").find("</svg>"), std::string::npos) << body;
+        EXPECT_EQ(folder.read("a.svg"), folder.read("b.svg")) << body;
+        std::filesystem::remove(folder / "a.svg");
+    }
+}
+
 TEST_F(Figures, MissingPiecesAreNamed) {
     auto const fails = [&](std::string const& part) {
         auto const ended = overturn(folder, {"wave", "c.toml", "--wave", "1", "--plot", "a.svg"});
@@ -128,6 +199,9 @@ TEST_F(Figures, BadNamesAreRefusedBeforeAnyWork) {
     refused({"wave", "c.toml", "--wave", "1", "--plot", "a.jpg"}, "End it in .svg, .png or .pdf");
     refused({"wave", "c.toml", "--wave", "1", "-o", "a.txt"}, "End it in .csv or .at2");
     refused({"spectrum", "--wave", "none.csv", "--plot", "a"}, "End it in .svg");
+    refused({"rock", "--body", "none", "--wave", "none", "--plot", "a.jpg"}, "End it in .svg");
+    refused({"replay", "none.h5", "--trial", "0", "--plot", "a.jpg"}, "End it in .svg");
+    refused({"replay", "none.h5", "--trial", "0", "--rare", "b", "--plot", "a.svg"}, "--plot beside --rare");
     use_interpreter("cp \"$3\" \"$4\"");
     refused({"wave", "c.toml", "--wave", "1", "--plot", "no/folder/a.svg"}, "no/folder/a.svg: cannot be written");
 }

@@ -1,7 +1,10 @@
 // Requirement: a results file becomes one page that needs no network, with figures and tables as files if wanted.
 #include <algorithm>
 #include <filesystem>
+#include <set>
+#include <string>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/campaign_files.hpp"
@@ -108,6 +111,8 @@ TEST_F(Report, WritesFiguresAndTablesBesideIt) {
     EXPECT_EQ(stripes.rfind("body,level,amplitude,trials,overturned,failed,probability,lower,upper\n", 0), 0U);
     EXPECT_TRUE(there("some figures/here/fragility.csv"));
     EXPECT_TRUE(there("some figures/here/criterion.csv"));
+    auto const telling = folder->read("some figures/here/telling_trials.csv");
+    EXPECT_EQ(telling.rfind("body,kind,trial,wave,level,amplitude,verdict,peak_rotation_ratio,peak_slip_m,", 0), 0U);
 }
 
 /// Names are drawn as they stand, whatever they would mean to a typesetter or a legend.
@@ -128,6 +133,27 @@ TEST_F(Report, DrawsAnyName) {
     EXPECT_NE(page.find("x$\\foo$"), std::string::npos);
     EXPECT_NE(page.find("beta_U as stated"), std::string::npos);
     EXPECT_NE(page.find("90 %"), std::string::npos);
+}
+
+// Requirement: trials worth a look are told with their numbers by fit and on the page, and replay finds them by these.
+TEST_F(Report, TellsTrialsWorthALook) {
+    auto const text = overturn(*folder, {"fit", "c.h5"}).out;
+    EXPECT_NE(text.find("trials worth a look (overturn replay c.h5 --trial N)"), std::string::npos) << text;
+    auto const told = nlohmann::json::parse(overturn(*folder, {"fit", "c.h5", "--json"}).out).at("telling_trials");
+    ASSERT_FALSE(told.empty());
+    std::set<std::string> kinds;
+    for (auto const& t : told) {
+        kinds.insert(t.at("kind"));
+        auto const again = overturn(*folder, {"replay", "c.h5", "--trial", std::to_string(t.at("trial").get<int>())});
+        EXPECT_NE(again.out.find("verdict " + t.at("verdict").get<std::string>()), std::string::npos) << again.out;
+        EXPECT_NE(again.out.find("body " + t.at("body").get<std::string>() + ","), std::string::npos) << again.out;
+        EXPECT_NE(again.out.find(fmt::format("({:.4f} alpha)", t.at("peak_rotation_ratio").get<double>())),
+                  std::string::npos)
+            << again.out;
+    }
+    EXPECT_TRUE(kinds.contains("first-overturned"));
+    EXPECT_TRUE(kinds.contains("nearest-miss"));
+    EXPECT_TRUE(kinds.contains("largest-slip"));
 }
 
 TEST_F(Report, SaysWhatToInstallWherePythonIsMissing) {
