@@ -45,8 +45,8 @@ void write_flags(Dataset const& dataset, Field const& column) {
                                                            : H5T_STD_U16LE;
     auto const count = static_cast<hsize_t>(values.size());
     Dataspace const space(checked(H5Screate_simple(1, &count, nullptr), "make a dataspace"));
-    Attribute const flags(checked(
-        H5Acreate2(dataset.id(), "flag_values", stored, space.id(), H5P_DEFAULT, H5P_DEFAULT), "make flag_values"));
+    Attribute const flags(checked(H5Acreate2(dataset.id(), "flag_values", stored, space.id(), H5P_DEFAULT, H5P_DEFAULT),
+                                  "make flag_values"));
     checked(H5Awrite(flags.id(), H5T_NATIVE_INT64, values.data()), "write flag_values");
     write_attribute(dataset.id(), "flag_meanings", meanings);
 }
