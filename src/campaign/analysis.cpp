@@ -47,6 +47,11 @@ std::vector<FragilityMeasure> criteria_of(CampaignSpec const& spec) {
     return {v_wes, ou_v_e};
 }
 
+// As the levels were written, also for other measures of their dimension: V_WES in kine beside levels in kine.
+IntensityUnit told_unit(std::string const& units, LevelSpec const& levels) {
+    return units == levels.units() ? IntensityUnit{levels.shown_units(), levels.stated_unit_si} : IntensityUnit{units};
+}
+
 std::string units_of(FragilityMeasure measure, LevelSpec const& levels) {
     switch (measure) {
         case FragilityMeasure::pga:
@@ -199,6 +204,7 @@ class Analyst {
                                                          : fragility_measure_names()[static_cast<std::size_t>(measure)];
         result.label = label_of(measure, result.name);
         result.units = units_of(measure, spec_.levels);
+        result.told = told_unit(result.units, spec_.levels);
         // The level itself, not the scaled wave's peak, which differs from it in the last digit.
         auto trials = singles(b, levels ? FragilityMeasure::level : measure, limit);
         result.split = split_by_draws(spec_, b, trials);

@@ -22,7 +22,8 @@ struct MeasuredFragility {
     FragilityMeasure measure = FragilityMeasure::pga;
     std::string name;        ///< of the measure
     std::string label;       ///< the same, for people
-    std::string units;       ///< of the measure
+    std::string units;       ///< of the measure, SI
+    IntensityUnit told;      ///< what it is printed in: the levels' unit where that measures the same
     std::string quote_base;  ///< what quoted multiples are of: "design-basis", "v_ereq"; empty without quotes
     FragilityFit fit;
     std::optional<BetaSplit> split;                               ///< where the bodies were drawn

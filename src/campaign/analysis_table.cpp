@@ -12,12 +12,12 @@ namespace {
 
 std::string end_text(double value) { return std::isfinite(value) ? fmt::format("{:.4g}", value) : "open"; }
 
-std::string ends_text(Interval const& interval) {
-    return fmt::format("[{}, {}]", end_text(interval.lower), end_text(interval.upper));
+std::string ends_text(Interval const& interval, IntensityUnit const& unit = {}) {
+    return fmt::format("[{}, {}]", end_text(unit.of(interval.lower)), end_text(unit.of(interval.upper)));
 }
 
 std::string measure_text(MeasuredFragility const& m) {
-    return m.units == "1" ? m.label : fmt::format("{} {}", m.label, m.units);
+    return m.told.symbol == "1" ? m.label : fmt::format("{} {}", m.label, m.told.symbol);
 }
 
 std::string fit_line(MeasuredFragility const& m) {
@@ -29,8 +29,9 @@ std::string fit_line(MeasuredFragility const& m) {
     auto const& line = *m.fit.line;
     auto const& ends = m.fit.intervals();
     return fmt::format("{:>20} {:>9.4g} {:>18} {:>6.3f} {:>17} {:>8.4g}  {:>5}  {}\n", measure_text(m),
-                       std::exp(line.log_median()), ends_text(ends.median), line.beta(), ends_text(ends.beta),
-                       m.fit.hclpf(), rank, fmt::join(names_of(m.fit.flags, m.fit.passing), " "));
+                       m.told.of(std::exp(line.log_median())), ends_text(ends.median, m.told), line.beta(),
+                       ends_text(ends.beta), m.told.of(m.fit.hclpf()), rank,
+                       fmt::join(names_of(m.fit.flags, m.fit.passing), " "));
 }
 
 // Are there several measures, and did all trials end alike, whatever one draws them over?
@@ -68,20 +69,18 @@ std::string bound_text(MeasuredFragility const& m, QuotedProbability const& q) {
     if (!q.bound) {
         return fmt::format("no bound (no trial there or above; {})", why);
     }
-    auto const units = m.units == "1" ? std::string() : " " + m.units;
     auto const where = q.bound->from == q.bound->to
-                           ? fmt::format("{:.4g}{}", q.bound->from, units)
-                           : fmt::format("{:.4g} to {:.4g}{}", q.bound->from, q.bound->to, units);
+                           ? m.told.text(q.bound->from)
+                           : fmt::format("{:.4g} to {}", m.told.of(q.bound->from), m.told.text(q.bound->to));
     return fmt::format("below {:.3g} ({:g} of {:g} at {}; {})", q.bound->probability.upper, q.bound->overturned,
                        q.bound->units, where, why);
 }
 
 std::string quote_line(MeasuredFragility const& m, QuotedProbability const& q) {
     using Source = QuotedProbability::Source;
-    auto const at = m.quote_base == "v_ereq"
-                        ? std::string("V_WES = V_Ereq")
-                        : fmt::format("{:.3g} x design basis, {} {:.4g}{}", q.quote.multiple, m.name, q.quote.intensity,
-                                      m.units == "1" ? "" : " " + m.units);
+    auto const at = m.quote_base == "v_ereq" ? std::string("V_WES = V_Ereq")
+                                             : fmt::format("{:.3g} x design basis, {} {}", q.quote.multiple, m.name,
+                                                           m.told.text(q.quote.intensity));
     if (q.curve && !q.probability) {
         return fmt::format("  P at {}: {}\n", at, bound_text(m, q));
     }
@@ -177,7 +176,7 @@ std::string fragility_table(std::vector<MeasuredFragility> const& fits, double c
         }
     }
     // What is said of the first, over the levels, mostly holds for the others; their flags stand in their lines.
-    for (auto const& warning : warnings_of(fits.front().fit, fits.front().units, confidence)) {
+    for (auto const& warning : warnings_of(fits.front().fit, fits.front().told, confidence)) {
         text += fmt::format("  note: {}\n", warning);
     }
     return text;

@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 
 #include <fmt/ranges.h>
@@ -11,12 +13,13 @@
 namespace overturn {
 namespace {
 
+constexpr char const* units_column = "measure_units";
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr Interval no_interval{none, none};
 
 // One measure's fit as it is stored; every field is 8 bytes.
 struct FragilityRow {
-    std::int64_t measure = 0, state = 0, identifiable = 0, flags = 0, method = 0;
+    std::int64_t measure = 0, units = 0, state = 0, identifiable = 0, flags = 0, method = 0;
     double median = none, beta = none, hclpf = none, beta_r = none, beta_u = none;
     Interval median_interval = no_interval, beta_interval = no_interval, hclpf_interval = no_interval;
     Interval profile_median = no_interval, profile_beta = no_interval;
@@ -80,13 +83,26 @@ struct Columns {
 
 #define OVERTURN_AT(field) offsetof(FragilityRow, field)
 
-void add_kinds(Columns& columns, Passing passing) {
+// The units of the measures, each once.
+std::vector<std::string> units_of(std::vector<MeasuredFragility> const& fits) {
+    std::vector<std::string> units;
+    for (auto const& measured : fits) {
+        if (std::ranges::find(units, measured.units) == units.end()) {
+            units.push_back(measured.units);
+        }
+    }
+    return units;
+}
+
+void add_kinds(Columns& columns, Passing passing, std::vector<std::string> const& units) {
     std::vector<std::string> states;
     for (std::int64_t s = 0; s <= static_cast<std::int64_t>(FragilityState::not_converged); ++s) {
         states.push_back(name_of(static_cast<FragilityState>(s), passing));
     }
     columns.add("measure", "1", "intensity measure; level: the file's level_measure", OVERTURN_AT(measure),
                 FieldType::category, fragility_measure_names());
+    columns.add(units_column, "1", "unit of the measure, and of every column that names this one in units_from",
+                OVERTURN_AT(units), FieldType::category, units);
     columns.add("state", "1", "why there is a curve or none", OVERTURN_AT(state), FieldType::category, states);
     columns.add("identifiable", "1", "1: the trials hold a lognormal curve", OVERTURN_AT(identifiable),
                 FieldType::integer);
@@ -96,10 +112,10 @@ void add_kinds(Columns& columns, Passing passing) {
                 FieldType::category, {"profile-likelihood", "bootstrap-by-waves"});
 }
 
-store::TableSpec fragility_columns(std::string const& group, Passing passing) {
-    std::string const own = "SI unit of the measure";
-    Columns columns{{group, sizeof(FragilityRow), {}}};
-    add_kinds(columns, passing);
+store::TableSpec fragility_columns(std::string const& group, Passing passing, std::vector<std::string> const& units) {
+    std::string const own;  // by row, so that none holds for the column
+    Columns columns{{group, sizeof(FragilityRow), {}, "measure"}};
+    add_kinds(columns, passing, units);
     columns.add("median", own, "intensity of P = 0.5; NaN: not identifiable", OVERTURN_AT(median));
     columns.add("beta", "1", "lognormal standard deviation; NaN: not identifiable", OVERTURN_AT(beta));
     columns.add("beta_r", "1", "part of it that waves make; all of it where nothing was drawn", OVERTURN_AT(beta_r));
@@ -129,6 +145,11 @@ store::TableSpec fragility_columns(std::string const& group, Passing passing) {
                     ? "chance that what exceeded the limit has the larger measure; NaN: all did alike"
                     : "chance that what overturned has the larger measure; NaN: all ended alike",
                 OVERTURN_AT(rank_area));
+    for (auto const& column : columns.spec.columns) {
+        if (column.units.empty()) {
+            columns.spec.notes.push_back({column.name, "units_from", units_column});
+        }
+    }
     return columns.spec;
 }
 
@@ -139,11 +160,13 @@ void write_fragility(store::ResultsWriter& file, std::string const& group, std::
     OVERTURN_EXPECT(!fits.empty());
     std::vector<FragilityRow> rows;
     rows.reserve(fits.size());
+    auto const units = units_of(fits);
     for (auto const& measured : fits) {
         rows.push_back(row_of(measured));
+        rows.back().units = std::distance(units.begin(), std::ranges::find(units, measured.units));
     }
     auto const passing = fits.front().fit.passing;
-    auto const table = file.table(fragility_columns(group, passing), static_cast<std::int64_t>(rows.size()));
+    auto const table = file.table(fragility_columns(group, passing, units), static_cast<std::int64_t>(rows.size()));
     file.append(table, std::as_bytes(std::span(rows)));
     file.attribute(group, "confidence", confidence);
     file.attribute(group, "flag_names",

@@ -128,10 +128,10 @@ void require_stored_limits(store::ResultsReader const& file, CampaignSpec const&
 std::string limit_stripes_text(CampaignSpec const& spec, BodyStatistics const& counted, std::size_t limit) {
     auto const& stated = spec.limits[limit];
     auto const& of = counted.limits[limit - 1];
-    auto text = fmt::format("\n{}, limit state {}: {}\n{:>10} {:>7} {:>8} {:>9} {:>7}  {:>8}  {:>20}\n", counted.body,
-                            stated.name, definition_of(stated, spec.limits),
-                            fmt::format("{} {}", spec.levels.measure_name(), spec.levels.units()), "trials", "exceeded",
-                            "undecided", "failed", "P", fmt::format("{:g} % interval", 100 * spec.confidence));
+    auto text = fmt::format(
+        "\n{}, limit state {}: {}\n{:>10} {:>7} {:>8} {:>9} {:>7}  {:>8}  {:>20}\n", counted.body, stated.name,
+        definition_of(stated, spec.limits), fmt::format("{} {}", spec.levels.measure_name(), spec.levels.shown_units()),
+        "trials", "exceeded", "undecided", "failed", "P", fmt::format("{:g} % interval", 100 * spec.confidence));
     for (std::size_t l = 0; l < of.stripes.size(); ++l) {
         auto const& stripe = of.stripes[l];
         auto const interval = stripe.interval(spec.confidence);
@@ -139,9 +139,9 @@ std::string limit_stripes_text(CampaignSpec const& spec, BodyStatistics const& c
                            ? std::string("-")
                            : fmt::format("{}{:.4f}", stripe.decided() < stripe.trials ? "~" : "", stripe.probability());
         auto const purpose = spec.levels.levels[l].purpose;
-        text += fmt::format("{:>10.4g} {:>7} {:>8} {:>9} {:>7}  {:>8}  [{:.6f}, {:.6f}]{}\n", stripe.amplitude,
-                            stripe.trials, stripe.overturned, stripe.undecided, stripe.failed, p, interval.lower,
-                            interval.upper,
+        text += fmt::format("{:>10.4g} {:>7} {:>8} {:>9} {:>7}  {:>8}  [{:.6f}, {:.6f}]{}\n",
+                            spec.levels.shown(stripe.amplitude), stripe.trials, stripe.overturned, stripe.undecided,
+                            stripe.failed, p, interval.lower, interval.upper,
                             purpose == LevelClass::ordinary ? std::string() : fmt::format("  {}", name_of(purpose)));
     }
     if (of.unknown > 0) {
@@ -175,10 +175,10 @@ std::string quantiles_text(BodyAnalysis const& body, double confidence) {
                 "  {}{} of the trials, with {:g} % intervals between order statistics\n  {:>10} {:>28} "
                 "{:>28} {:>28}\n",
                 quantity, at.units == "1" ? "" : " " + at.units, 100 * confidence,
-                fmt::format("{} {}", levels.name, levels.units), "median", "84 %", "95 %");
+                fmt::format("{} {}", levels.name, levels.told.symbol), "median", "84 %", "95 %");
         }
-        text += at.trials == 0 ? fmt::format("  {:>10.4g} unknown\n", at.amplitude)
-                               : fmt::format("  {:>10.4g} {:>28} {:>28} {:>28}{}\n", at.amplitude,
+        text += at.trials == 0 ? fmt::format("  {:>10.4g} unknown\n", levels.told.of(at.amplitude))
+                               : fmt::format("  {:>10.4g} {:>28} {:>28} {:>28}{}\n", levels.told.of(at.amplitude),
                                              quantile_text(at, at.quantiles[0]), quantile_text(at, at.quantiles[1]),
                                              quantile_text(at, at.quantiles[2]),
                                              at.unknown > 0 ? fmt::format("  {} unknown", at.unknown) : std::string());

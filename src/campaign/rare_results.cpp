@@ -38,7 +38,8 @@ Fields const& health_fields() {
 }
 
 store::TableSpec health_table(std::string const& group) {
-    return {group + "/health", sizeof(HealthRow), health_fields()};
+    return {group + "/health", sizeof(HealthRow), health_fields(), "check",
+            "number of the look, as the lines of health_checks"};
 }
 
 void write_health(store::ResultsWriter& file, std::string const& group, std::span<Estimate const> estimates) {
@@ -57,10 +58,10 @@ void write_health(store::ResultsWriter& file, std::string const& group, std::spa
 
 void write_estimates(store::ResultsWriter& file, std::string const& group, std::span<Estimate const> estimates) {
     auto const real = [&](char const* name, char const* description, auto get) {
-        file.array(group, {name, "1", description}, column<double>(estimates, get));
+        file.array(group, {name, "1", description}, column<double>(estimates, get), "amplitude");
     };
     auto const integer = [&](char const* name, char const* description, auto get) {
-        file.array(group, {name, "1", description}, column<std::int64_t>(estimates, get));
+        file.array(group, {name, "1", description}, column<std::int64_t>(estimates, get), "amplitude");
     };
     real("amplitude", "value of the level", [](Estimate const& e) { return e.factor; });
     real("probability", "of overturning; NaN where nothing can be trusted",
@@ -85,7 +86,7 @@ void write_estimates(store::ResultsWriter& file, std::string const& group, std::
     file.array(group,
                {"replicates", "1", "estimates of the replicates, level by level; not to be used where not trusted"},
                replicates);
-    file.array(group, {"replicate_count", "1", "replicates of each level"}, counts);
+    file.array(group, {"replicate_count", "1", "replicates of each level"}, counts, "amplitude");
     file.attribute(group, "reasons", fmt::format("{}", fmt::join(reasons, "\n")));
     write_health(file, group, estimates);
 }
@@ -167,8 +168,9 @@ void write_rare(store::ResultsWriter& file, CampaignSpec const& spec, std::span<
         auto const group = rare_group(spec, body.body, body.limit);
         write_estimates(file, group, body.estimates);
         auto const rows = rare_rows(body);
-        auto const table = file.table({group + "/rows", sizeof(RareRow), fields_of<RareRow>()},
-                                      static_cast<std::int64_t>(rows.size()));
+        auto const table =
+            file.table({group + "/rows", sizeof(RareRow), fields_of<RareRow>(), "row", "number of the row"},
+                       static_cast<std::int64_t>(rows.size()));
         file.append(table, std::as_bytes(std::span(rows)));
         for (std::size_t m = 0; m < body.record.mixtures.size(); ++m) {
             write_mixture(file, fmt::format("{}/mixture-{}", group, m), body.record.mixtures[m]);

@@ -1,6 +1,7 @@
 #include "campaign/results.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include <fmt/ranges.h>
 
@@ -36,11 +37,13 @@ void write_provenance(store::ResultsWriter& file, CampaignInput const& input, Ca
     }
 }
 
-void write_body(store::ResultsWriter& file, BodySpec const& spec, RadiusUnit unit) {
+void write_body(store::ResultsWriter& file, BodySpec const& spec, std::size_t number, RadiusUnit unit) {
     auto const group = "bodies/" + spec.name;
     auto const& body = spec.body;
+    file.array(group, {"body", "1", "number of the body, as in /trials/body"},
+               std::vector{static_cast<std::int64_t>(number)});
     auto const put = [&](char const* name, char const* units, char const* description, double value) {
-        file.array(group, {name, units, description, FieldType::real, 0, {}}, std::vector<double>{value});
+        file.array(group, {name, units, description, FieldType::real, 0, {}}, std::vector<double>{value}, "body");
     };
     put("mass", "kg", "mass", body.mass_kg());
     put("half_width", "m", "b, half of the base", body.half_width_m());
@@ -104,8 +107,10 @@ void write_stripes(store::ResultsWriter& file, CampaignSpec const& spec, BodySta
     for (auto const& level : spec.levels.levels) {
         purposes.push_back(static_cast<std::int64_t>(level.purpose));
     }
-    file.array(group, spec_of("purpose", "1", "0 ordinary, 1 design-basis, 2 beyond-design level"), purposes,
-               "amplitude");
+    file.array(group,
+               {"purpose", "1", "0 ordinary, 1 design-basis, 2 beyond-design level", FieldType::integer, 0,
+                numbered({"ordinary", "design-basis", "beyond-design"})},
+               purposes, "amplitude");
     for (std::size_t e = 0; e < effects().size(); ++e) {
         counts(fmt::format("{}_called", effects()[e].name), "trials that call for this effect, simulated or not",
                body.called[e]);
@@ -114,7 +119,11 @@ void write_stripes(store::ResultsWriter& file, CampaignSpec const& spec, BodySta
     for (auto const& rung : rungs()) {
         names.push_back(rung.name);
     }
-    file.array(group, {"rung_trials", "1", fmt::format("trials per rung: {}", fmt::join(names, ", "))}, body.rungs);
+    std::vector<std::int64_t> numbers(names.size());
+    std::iota(numbers.begin(), numbers.end(), 0);
+    file.array(group, {"rung", "1", "number of the rung", FieldType::integer, 0, numbered(names)}, numbers);
+    file.array(group, {"rung_trials", "1", fmt::format("trials per rung: {}", fmt::join(names, ", "))}, body.rungs,
+               "rung");
     file.attribute(group, "confidence", c);
     file.attribute(group, "level_measure", spec.levels.measure_name());
 }
@@ -144,6 +153,22 @@ void write_criterion(store::ResultsWriter& file, CampaignSpec const& spec, BodyS
     auto const group = "criterion/" + body.body;
     write_confusion(file, group + "/v_wes", spec.levels.units(), body.stripes, body.v_wes);
     write_confusion(file, group + "/ou_v_e", spec.levels.units(), body.stripes, body.ou_v_e);
+}
+
+// HDF5 lists groups by name, so each body's says which in the campaign's order it is of.
+void number_bodies(store::ResultsWriter& file, CampaignSpec const& spec) {
+    std::vector<std::string> places{"bodies", "stripes", "fragility", "criterion", "quantiles", "waves", "rare"};
+    for (auto const& limit : spec.limits) {
+        places.push_back("limits/" + limit.name + "/stripes");
+        places.push_back("limits/" + limit.name + "/fragility");
+    }
+    for (auto const& place : places) {
+        for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+            if (auto const group = place + "/" + spec.bodies[b].name; file.has_group(group)) {
+                file.attribute(group, "index", static_cast<std::int64_t>(b));
+            }
+        }
+    }
 }
 
 }  // namespace
@@ -184,7 +209,7 @@ std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, Campa
     }
     auto analysis = analyse(spec, statistics, {.confidence = spec.confidence});
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
-        write_body(file, spec.bodies[b], spec.measures.radius_unit);
+        write_body(file, spec.bodies[b], b, spec.measures.radius_unit);
         write_stripes(file, spec, statistics.bodies()[b]);
         write_fragility(file, "fragility/" + spec.bodies[b].name, analysis[b].fragility, spec.confidence);
         if (spec.measures.energy) {
@@ -194,6 +219,7 @@ std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, Campa
     }
     write_limits(file, spec, statistics, analysis);
     write_rare(file, spec, rare);
+    number_bodies(file, spec);
     file.attribute("complete", std::int64_t{1});
     file.finish();
     return analysis;

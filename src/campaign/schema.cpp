@@ -43,6 +43,8 @@ store::TableSpec trial_table(CampaignSpec const& spec) {
     store::TableSpec table{"trials",
                            sizeof(TrialRow),
                            fields_of<TrialRow>(),
+                           "trial",
+                           "number of the trial, as overturn replay --trial takes it",
                            {{"verdict", "moved", verdicts_that(&VerdictEntry::moved)},
                             {"verdict", "decided", verdicts_that(&VerdictEntry::decided)},
                             {"verdict", "fell", verdicts_that(&VerdictEntry::fell)}}};
@@ -63,7 +65,7 @@ store::TableSpec trial_table(CampaignSpec const& spec) {
 }
 
 store::TableSpec wave_table(CampaignSpec const& spec) {
-    store::TableSpec table{"waves", sizeof(WaveRow), fields_of<WaveRow>()};
+    store::TableSpec table{"waves", sizeof(WaveRow), fields_of<WaveRow>(), "wave", "number of the wave's row"};
     if (!spec.measures.wave_quality) {
         std::erase_if(table.columns, [](Field const& column) { return is_quality(column.name); });
     }
@@ -72,7 +74,7 @@ store::TableSpec wave_table(CampaignSpec const& spec) {
 
 store::TableSpec measure_table(CampaignSpec const& spec, std::size_t body) {
     store::TableSpec table{"waves/" + spec.bodies.at(body).name, spec.bodies.size() * sizeof(MeasureRow),
-                           fields_of<MeasureRow>()};
+                           fields_of<MeasureRow>(), "waves/wave"};
     if (!spec.measures.both_radius_units) {
         std::erase_if(table.columns, [](Field const& column) { return column.name.ends_with("_other_unit"); });
     }
@@ -89,7 +91,8 @@ store::TableSpec measure_table(CampaignSpec const& spec, std::size_t body) {
 std::vector<store::TableSpec> own_tables(Ladder const& ladder) {
     std::vector<store::TableSpec> tables;
     for (auto const& [traits, offset] : ladder.own_parts()) {
-        store::TableSpec table{"trials/" + std::string(traits->name), ladder.own_bytes(), traits->fields};
+        store::TableSpec table{"trials/" + std::string(traits->name), ladder.own_bytes(), traits->fields,
+                               "trials/trial"};
         for (auto& column : table.columns) {
             column.offset += offset;
         }

@@ -94,6 +94,7 @@ int fit_stripes(Options const& options) {
     measured.name = "amplitude";
     measured.label = measured.name;
     measured.units = "1";
+    measured.told = {measured.units};
     if (options.design_basis > 0) {
         measured.quote_base = "design-basis";
         for (double const multiple : quoted_multiples) {

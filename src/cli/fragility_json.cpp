@@ -161,7 +161,7 @@ Json fragility_json(std::string const& body, MeasuredFragility const& measured, 
                                 {"lower", at.bounds.lower},
                                 {"upper", at.bounds.upper}});
     }
-    json["warnings"] = warnings_of(fit, measured.units, confidence);
+    json["warnings"] = warnings_of(fit, {measured.units}, confidence);
     return json;
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 std::int64_t file_bytes(CampaignInput const& input, CampaignSpec const& spec, Plan const& plan) {
     auto const width = [](store::TableSpec const& table) {
-        std::int64_t bytes = 0;
+        std::int64_t bytes = table.numbers_rows() ? 8 : 0;
         for (auto const& column : table.columns) {
             bytes += column.type == FieldType::category ? 1 : 8;
         }

@@ -168,8 +168,18 @@ struct FragilityFit {
 [[nodiscard]] std::string name_of(FragilityState state, Passing passing = Passing::overturned);
 /// Names of the flags that are set.
 [[nodiscard]] std::vector<std::string> names_of(FragilityFlags flags, Passing passing = Passing::overturned);
-/// One sentence for everything a reader must know. \param units of the intensity, "" if it has none
-[[nodiscard]] std::vector<std::string> warnings_of(FragilityFit const& fit, std::string const& units,
+/// The unit in which people are told intensities, which are SI everywhere else.
+struct IntensityUnit {
+    std::string symbol;  ///< "gal"; "1" or nothing for a pure number
+    double si = 1;       ///< SI value of one of it
+
+    [[nodiscard]] double of(double intensity) const { return intensity / si; }
+    /// "892 gal", "1.5"
+    [[nodiscard]] std::string text(double intensity) const;
+};
+
+/// One sentence for everything a reader must know.
+[[nodiscard]] std::vector<std::string> warnings_of(FragilityFit const& fit, IntensityUnit const& unit,
                                                    double confidence);
 
 }  // namespace overturn

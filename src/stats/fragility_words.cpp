@@ -24,15 +24,11 @@ std::string in_words(std::string text, Passing passing) {
     return text;
 }
 
-std::string with(double value, std::string const& units) {
-    return units.empty() || units == "1" ? fmt::format("{:.4g}", value) : fmt::format("{:.4g} {}", value, units);
-}
-
-std::string bound_text(FragilityFit const& fit, std::string const& units, double confidence) {
+std::string bound_text(FragilityFit const& fit, IntensityUnit const& unit, double confidence) {
     auto const& bound = *fit.bound;
     bool const none = fit.state == FragilityState::none_overturned;
-    auto const where = bound.from == bound.to ? with(bound.from, units)
-                                              : fmt::format("{:.4g} to {}", bound.from, with(bound.to, units));
+    auto const where = bound.from == bound.to ? unit.text(bound.from)
+                                              : fmt::format("{:.4g} to {}", unit.of(bound.from), unit.text(bound.to));
     auto const* const what = fit.passing == Passing::exceeded
                                  ? none ? "no trial exceeded it" : "every trial exceeded it"
                              : none ? "nothing overturned"
@@ -42,41 +38,41 @@ std::string bound_text(FragilityFit const& fit, std::string const& units, double
                        none ? "none" : "all", bound.units, 100 * confidence);
 }
 
-std::string bracket_text(Interval const& bracket, std::string const& units) {
+std::string bracket_text(Interval const& bracket, IntensityUnit const& unit) {
     if (!std::isfinite(bracket.upper)) {
-        return fmt::format("at or above {}", with(bracket.lower, units));
+        return fmt::format("at or above {}", unit.text(bracket.lower));
     }
-    return bracket.lower > 0 ? fmt::format("between {:.4g} and {}", bracket.lower, with(bracket.upper, units))
-                             : fmt::format("at or below {}", with(bracket.upper, units));
+    return bracket.lower > 0 ? fmt::format("between {:.4g} and {}", unit.of(bracket.lower), unit.text(bracket.upper))
+                             : fmt::format("at or below {}", unit.text(bracket.upper));
 }
 
-std::string separated_text(FragilityFit const& fit, std::string const& units) {
+std::string separated_text(FragilityFit const& fit, IntensityUnit const& unit) {
     auto text =
         fmt::format("all that {}, or at the one level where both happened: beta cannot be told, the median lies {}",
                     fit.passing == Passing::exceeded ? "kept within it lie below all that exceeded it"
                                                      : "stood lie below all that overturned",
-                    bracket_text(fit.isotonic_median, units));
+                    bracket_text(fit.isotonic_median, unit));
     if (fit.penalised) {
         text += fmt::format("; penalised (Firth) median {}, beta {:.3g}",
-                            with(std::exp(fit.penalised->log_median()), units), fit.penalised->beta());
+                            unit.text(std::exp(fit.penalised->log_median())), fit.penalised->beta());
     }
     return text;
 }
 
-void add_state(std::vector<std::string>& texts, FragilityFit const& fit, std::string const& units, double confidence) {
+void add_state(std::vector<std::string>& texts, FragilityFit const& fit, IntensityUnit const& unit, double confidence) {
     switch (fit.state) {
         case FragilityState::no_trials:
             texts.emplace_back("no trial has a verdict: nothing is known");
             break;
         case FragilityState::none_overturned:
         case FragilityState::all_overturned:
-            texts.push_back(bound_text(fit, units, confidence));
+            texts.push_back(bound_text(fit, unit, confidence));
             break;
         case FragilityState::one_level:
             texts.emplace_back("one intensity only: its interval is all there is, a curve needs two");
             break;
         case FragilityState::separated:
-            texts.push_back(separated_text(fit, units));
+            texts.push_back(separated_text(fit, unit));
             break;
         case FragilityState::not_rising:
             texts.push_back(
@@ -93,6 +89,11 @@ void add_state(std::vector<std::string>& texts, FragilityFit const& fit, std::st
 }
 
 }  // namespace
+
+std::string IntensityUnit::text(double intensity) const {
+    return symbol.empty() || symbol == "1" ? fmt::format("{:.4g}", of(intensity))
+                                           : fmt::format("{:.4g} {}", of(intensity), symbol);
+}
 
 std::string name_of(FragilityState state, Passing passing) {
     switch (state) {
@@ -126,9 +127,9 @@ std::vector<std::string> names_of(FragilityFlags flags, Passing passing) {
     return names;
 }
 
-std::vector<std::string> warnings_of(FragilityFit const& fit, std::string const& units, double confidence) {
+std::vector<std::string> warnings_of(FragilityFit const& fit, IntensityUnit const& unit, double confidence) {
     std::vector<std::string> texts;
-    add_state(texts, fit, units, confidence);
+    add_state(texts, fit, unit, confidence);
     auto const add_if = [&](FragilityFlag flag, std::string_view text) {
         if (has(fit.flags, flag)) {
             texts.emplace_back(text);
@@ -165,14 +166,14 @@ std::vector<std::string> warnings_of(FragilityFit const& fit, std::string const&
             texts.push_back(
                 fmt::format("P at {} comes from a curve that does not describe the data: its bounds are too "
                             "narrow",
-                            with(quoted.quote.intensity, units)));
+                            unit.text(quoted.quote.intensity)));
         }
         if (quoted.in_tail) {
             texts.push_back(
                 fmt::format("P = {:.2g} at {} lies more than a decade under the lowest proportion seen ({:.2g}): a "
                             "lognormal tail is "
                             "unconservative there",
-                            *quoted.probability, with(quoted.quote.intensity, units), fit.lowest_proportion));
+                            *quoted.probability, unit.text(quoted.quote.intensity), fit.lowest_proportion));
         }
     }
     return texts;

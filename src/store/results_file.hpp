@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/field.hpp"
+#include "store/columns.hpp"
 #include "store/h5.hpp"
 
 namespace overturn::store {
@@ -23,11 +24,18 @@ struct TableSpec {
     std::string group;  ///< "trials", "waves/type-a"
     std::size_t row_bytes = 0;
     Fields columns;
+    /// What the rows run along: one of the columns; else the dataset of an earlier table ("trials/trial"); else, as
+    /// "trial", a further dataset of the group that numbers the rows from 0. Empty: each column is its own.
+    std::string axis = {};
+    std::string axis_description = {};
     /// Further attributes of columns: (column, name, text).
     struct Note {
         std::string column, name, text;
     };
     std::vector<Note> notes = {};
+
+    /// Is the axis a dataset of its own?
+    [[nodiscard]] bool numbers_rows() const;
 };
 
 /// A results file being written. It becomes `path` only in finish(), whole and durable; until then a file beside it
@@ -45,14 +53,17 @@ class ResultsWriter {
     void attribute(std::string const& name, std::string const& text);
     void attribute(std::string const& name, std::int64_t value);
     void attribute(std::string const& where, std::string const& name, std::string const& text);
+    void attribute(std::string const& where, std::string const& name, std::int64_t value);
     void attribute(std::string const& where, std::string const& name, double value);
+    [[nodiscard]] bool has_group(std::string const& where) const { return groups_.contains(where); }
 
     /// Declares a table of exactly `rows` rows. \return its number for append
     std::size_t table(TableSpec spec, std::int64_t rows);
     /// Appends rows, given as the bytes of consecutive row structs.
     void append(std::size_t number, std::span<std::byte const> rows);
 
-    /// A small array at once. Where `scale` names an earlier one of the group `where`, it becomes this one's axis.
+    /// A small array at once. Its axis is the earlier one of the group `where` that `scale` names, else itself.
+    /// Integers may have names of values.
     void array(std::string const& where, Field const& spec, std::vector<double> const& values,
                std::string const& scale = {});
     void array(std::string const& where, Field const& spec, std::vector<std::int64_t> const& values,
@@ -69,11 +80,15 @@ class ResultsWriter {
     void abandon();
     Group& group(std::string const& path);
     Dataset create(std::string const& where, Field const& spec, std::int64_t rows);
+    [[nodiscard]] Dataset open(std::string const& path) const;
+    void lay_along(std::string const& where, Dataset const& dataset, std::string const& name, std::string const& axis);
+    void number_rows(TableSpec const& spec, std::int64_t rows);
 
     std::filesystem::path path_;
     std::filesystem::path growing_;
     Quiet quiet_;
     File file_;
+    ColumnTypes types_;
     std::map<std::string, Group> groups_;
     std::vector<Table> tables_;
     bool finished_ = false;

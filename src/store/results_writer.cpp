@@ -2,11 +2,10 @@
 #include <array>
 #include <bit>
 #include <cstring>
-#include <limits>
+#include <numeric>
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <hdf5_hl.h>
 #include <unistd.h>
 
 #include "core/error.hpp"
@@ -31,34 +30,6 @@ PropertyList dataset_properties() {
     PropertyList properties(checked(H5Pcreate(H5P_DATASET_CREATE), "make dataset properties"));
     checked(H5Pset_obj_track_times(properties.id(), false), "leave times out");
     return properties;
-}
-
-// Bytes of a value, as many as the largest one needs.
-std::size_t category_bytes(Field const& spec) {
-    std::int64_t largest = 0;
-    for (auto const& category : spec.categories) {
-        largest = std::max(largest, category.value);
-    }
-    OVERTURN_EXPECT(largest <= std::numeric_limits<std::uint16_t>::max());
-    return largest <= std::numeric_limits<std::uint8_t>::max() ? 1 : 2;
-}
-
-Datatype stored_type(Field const& spec) {
-    switch (spec.type) {
-        case FieldType::real:
-            return Datatype(checked(H5Tcopy(H5T_IEEE_F64LE), "make a type"));
-        case FieldType::integer:
-            return Datatype(checked(H5Tcopy(H5T_STD_I64LE), "make a type"));
-        case FieldType::category:
-            break;
-    }
-    bool const small = category_bytes(spec) == 1;
-    Datatype type(checked(H5Tenum_create(small ? H5T_STD_U8LE : H5T_STD_U16LE), "make an enumeration"));
-    for (auto const& category : spec.categories) {
-        auto const value = static_cast<std::uint16_t>(category.value);  // its first byte is the small one
-        checked(H5Tenum_insert(type.id(), category.name.c_str(), &value), "name " + category.name);
-    }
-    return type;
 }
 
 void write_rows(Dataset const& dataset, hid_t memory_type, void const* values, std::int64_t first, std::int64_t count,
@@ -103,6 +74,7 @@ void ResultsWriter::abandon() {
     for (auto& [path, group] : groups_) {
         group.release();
     }
+    types_.release();
     file_.release();
 }
 
@@ -123,12 +95,20 @@ Group& ResultsWriter::group(std::string const& path) {
         .first->second;
 }
 
+bool TableSpec::numbers_rows() const {
+    return !axis.empty() && axis.find('/') == std::string::npos
+           && std::ranges::none_of(columns, [this](Field const& column) { return column.name == axis; });
+}
+
 void ResultsWriter::attribute(std::string const& name, std::string const& text) {
     write_attribute(file_.id(), name, text);
 }
 void ResultsWriter::attribute(std::string const& name, std::int64_t value) { write_attribute(file_.id(), name, value); }
 void ResultsWriter::attribute(std::string const& where, std::string const& name, std::string const& text) {
     write_attribute(group(where).id(), name, text);
+}
+void ResultsWriter::attribute(std::string const& where, std::string const& name, std::int64_t value) {
+    write_attribute(group(where).id(), name, value);
 }
 void ResultsWriter::attribute(std::string const& where, std::string const& name, double value) {
     write_attribute(group(where).id(), name, value);
@@ -137,18 +117,46 @@ void ResultsWriter::attribute(std::string const& where, std::string const& name,
 Dataset ResultsWriter::create(std::string const& where, Field const& spec, std::int64_t rows) {
     auto const size = static_cast<hsize_t>(rows);
     Dataspace const space(checked(H5Screate_simple(1, &size, nullptr), "make a dataspace"));
-    auto const type = stored_type(spec);
+    auto const type = types_.of(file_, spec);
     auto const properties = dataset_properties();
-    Dataset dataset(checked(H5Dcreate2(group(where).id(), spec.name.c_str(), type.id(), space.id(), H5P_DEFAULT,
-                                       properties.id(), H5P_DEFAULT),
-                            "create " + where + "/" + spec.name));
-    write_attribute(dataset.id(), "units", spec.units);
-    write_attribute(dataset.id(), "description", spec.description);
+    Dataset dataset(checked(
+        H5Dcreate2(group(where).id(), spec.name.c_str(), type, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),
+        "create " + where + "/" + spec.name));
+    describe(dataset, spec);
     return dataset;
+}
+
+Dataset ResultsWriter::open(std::string const& path) const {
+    return Dataset(checked(H5Dopen2(file_.id(), path.c_str(), H5P_DEFAULT), "open " + path));
+}
+
+// `axis`: of the group `where`, or a path; empty or the dataset's own name: itself.
+void ResultsWriter::lay_along(std::string const& where, Dataset const& dataset, std::string const& name,
+                              std::string const& axis) {
+    if (axis.empty() || axis == name) {
+        make_axis(dataset, name);
+        return;
+    }
+    auto const slash = axis.rfind('/');
+    bool const path = slash != std::string::npos;
+    attach_axis(dataset, open(path ? axis : where + "/" + axis), path ? axis.substr(slash + 1) : axis);
+}
+
+void ResultsWriter::number_rows(TableSpec const& spec, std::int64_t rows) {
+    constexpr std::int64_t most = 1 << 16;
+    auto const axis = create(spec.group, {spec.axis, "1", spec.axis_description, FieldType::integer}, rows);
+    for (std::int64_t first = 0; first < rows; first += most) {
+        std::vector<std::int64_t> numbers(static_cast<std::size_t>(std::min(most, rows - first)));
+        std::iota(numbers.begin(), numbers.end(), first);
+        write_rows(axis, H5T_NATIVE_INT64, numbers.data(), first, static_cast<std::int64_t>(numbers.size()), spec.axis);
+    }
 }
 
 std::size_t ResultsWriter::table(TableSpec spec, std::int64_t rows) {
     Table table;
+    if (spec.numbers_rows()) {
+        number_rows(spec, rows);
+    }
     for (auto const& column : spec.columns) {
         table.datasets.push_back(create(spec.group, column, rows));
         for (auto const& note : spec.notes) {
@@ -156,6 +164,9 @@ std::size_t ResultsWriter::table(TableSpec spec, std::int64_t rows) {
                 write_attribute(table.datasets.back().id(), note.name, note.text);
             }
         }
+    }
+    for (std::size_t c = 0; c < spec.columns.size(); ++c) {
+        lay_along(spec.group, table.datasets[c], spec.columns[c].name, spec.axis);
     }
     table.spec = std::move(spec);
     table.rows = rows;
@@ -183,8 +194,7 @@ void ResultsWriter::append(std::size_t number, std::span<std::byte const> rows) 
             for (std::size_t i = 0; i < count; ++i) {  // little-endian, here and there
                 std::memcpy(categories.data() + i * bytes, &gathered[i], bytes);
             }
-            auto const type = stored_type(column);
-            write_rows(table.datasets[c], type.id(), categories.data(), table.written, size, name);
+            write_rows(table.datasets[c], types_.of(file_, column), categories.data(), table.written, size, name);
         } else {
             write_rows(table.datasets[c], column.type == FieldType::real ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT64,
                        gathered.data(), table.written, size, name);
@@ -193,36 +203,24 @@ void ResultsWriter::append(std::size_t number, std::span<std::byte const> rows) 
     table.written += static_cast<std::int64_t>(count);
 }
 
-namespace {
-
-template <class Value>
-void write_array(Dataset const& dataset, hid_t memory_type, std::vector<Value> const& values, Group& group,
-                 std::string const& name, std::string const& scale) {
-    write_rows(dataset, memory_type, values.data(), 0, static_cast<std::int64_t>(values.size()), name);
-    checked(H5Dflush(dataset.id()), "write " + name);
-    if (!scale.empty()) {
-        Dataset const axis(checked(H5Dopen2(group.id(), scale.c_str(), H5P_DEFAULT), "open axis " + scale));
-        if (H5DSis_scale(axis.id()) <= 0) {
-            checked(H5DSset_scale(axis.id(), scale.c_str()), "make an axis of " + scale);
-        }
-        checked(H5DSattach_scale(dataset.id(), axis.id(), 0), "attach axis " + scale);
-    }
-}
-
-}  // namespace
-
 void ResultsWriter::array(std::string const& where, Field const& spec, std::vector<double> const& values,
                           std::string const& scale) {
-    auto const dataset = create(where, spec, static_cast<std::int64_t>(values.size()));
-    write_array(dataset, H5T_NATIVE_DOUBLE, values, group(where), spec.name, scale);
+    auto const size = static_cast<std::int64_t>(values.size());
+    auto const dataset = create(where, spec, size);
+    write_rows(dataset, H5T_NATIVE_DOUBLE, values.data(), 0, size, spec.name);
+    checked(H5Dflush(dataset.id()), "write " + spec.name);
+    lay_along(where, dataset, spec.name, scale);
 }
 
 void ResultsWriter::array(std::string const& where, Field const& spec, std::vector<std::int64_t> const& values,
                           std::string const& scale) {
     auto integer = spec;
     integer.type = FieldType::integer;
-    auto const dataset = create(where, integer, static_cast<std::int64_t>(values.size()));
-    write_array(dataset, H5T_NATIVE_INT64, values, group(where), spec.name, scale);
+    auto const size = static_cast<std::int64_t>(values.size());
+    auto const dataset = create(where, integer, size);
+    write_rows(dataset, H5T_NATIVE_INT64, values.data(), 0, size, spec.name);
+    checked(H5Dflush(dataset.id()), "write " + spec.name);
+    lay_along(where, dataset, spec.name, scale);
 }
 
 void ResultsWriter::bytes(std::string const& where, std::string const& name, std::string const& description,
@@ -240,8 +238,8 @@ void ResultsWriter::bytes(std::string const& where, std::string const& name, std
     Dataset const dataset(checked(H5Dcreate2(group(where).id(), name.c_str(), H5T_STD_U8LE, space.id(), H5P_DEFAULT,
                                              properties.id(), H5P_DEFAULT),
                                   "create " + where + "/" + name));
-    write_attribute(dataset.id(), "units", "1");
-    write_attribute(dataset.id(), "description", description);
+    describe(dataset, {name, "1", description});
+    make_axis(dataset, name);
     if (size > 0) {
         checked(H5Dwrite(dataset.id(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, content.data()),
                 "write " + name);
@@ -259,6 +257,7 @@ void ResultsWriter::finish() {
     checked(H5Fflush(file_.id(), H5F_SCOPE_GLOBAL), "write " + growing_.string());
     tables_.clear();
     groups_.clear();
+    types_.close();
     checked(H5Fclose(file_.release()), "close " + growing_.string());
     make_durable(growing_);
     rename_durably(growing_, path_);

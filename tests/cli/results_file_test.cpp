@@ -19,8 +19,12 @@ assert (text.decode() if isinstance(text, bytes) else text) == open('c.toml').re
 
 def told(name, o):
     if isinstance(o, h5py.Dataset):
-        for key in ('units', 'description'):
-            assert len(o.attrs[key]) > 0, (name, key)
+        assert len(o.attrs['description']) > 0 and o.attrs['long_name'] == o.attrs['description'], name
+        if 'units_from' in o.attrs:  # row by row, so that no unit is the column's
+            assert 'units' not in o.attrs and name.split('/')[0] in ('fragility', 'limits'), name
+            assert o.attrs['units_from'] == b'measure_units' or o.attrs['units_from'] == 'measure_units'
+        else:
+            assert len(o.attrs['units']) > 0 and b'unit' not in np.bytes_(o.attrs['units']), name
 f.visititems(told)
 assert bytes(f['inputs/0000'][:]) == open('target.csv', 'rb').read()
 
@@ -61,6 +65,8 @@ for b, body in enumerate(['type-a', 'type-b']):
     g = f['fragility'][body]
     measures = h5py.check_enum_dtype(g['measure'].dtype)
     assert [k for m in g['measure'] for k, v in measures.items() if v == m] == ['pga', 'pgv', 'v_wes', 'ou_v_e', 'v_wes_ratio']
+    units = {v: k for k, v in h5py.check_enum_dtype(g['measure_units'].dtype).items()}
+    assert [units[u] for u in g['measure_units']] == ['m/s2', 'm/s', 'm/s', 'm/s', '1']
     known = g['identifiable'][:] == 1
     for name in ('median', 'beta', 'hclpf', 'median_lower', 'beta_upper'):
         assert (np.isnan(g[name][:]) == ~known).all(), name
@@ -71,6 +77,119 @@ assert np.allclose(t['peak_rotation'][t['verdict'] == 3], np.pi / 2)
 assert ((t['effects'] & 1) == 1).all()
 print('checked')
 )python";
+
+// Bodies whose order in the campaign is not that of the alphabet, on rungs of their own, with a limit state.
+std::string many_groups() {
+    auto campaign = campaign_on_points(4);
+    campaign.replace(campaign.find("type-a"), std::string("type-a").size(), "wide one");
+    return campaign + "[[limits]]\nname='touches'\nquantity='peak_slip'\nabove='0.1 m'\n";
+}
+
+char const* const check_all_groups = R"python(
+import sys, h5py, numpy as np, xarray
+engine = sys.argv[1]
+f = h5py.File('c.h5')
+groups = []
+f.visititems(lambda name, o: groups.append(name) if isinstance(o, h5py.Group) else None)
+columns = kinds = 0
+for group in groups:
+    stored = {name: o for name, o in f[group].items() if isinstance(o, h5py.Dataset)}
+    if not stored:
+        continue
+    with xarray.open_dataset('c.h5', group=group, engine=engine) as seen:
+        assert set(seen.variables) == set(stored), (group, set(stored) ^ set(seen.variables))
+        for name, data in stored.items():
+            column = seen[name]
+            assert column.shape == data.shape and column.dtype == data.dtype.base, (group, name, column.dtype)
+            assert np.array_equal(column.values, data[()], equal_nan=data.dtype.kind == 'f'), (group, name)
+            assert column.attrs['long_name'] == column.attrs['description'], (group, name)
+            columns += 1
+            names = h5py.check_enum_dtype(data.dtype)
+            if names:
+                told = zip(column.attrs['flag_meanings'].split(), np.atleast_1d(column.attrs['flag_values']))
+                assert dict(told) == {n.replace(' ', '_'): v for n, v in names.items()}, (group, name)
+                kinds += 1
+with xarray.open_dataset('c.h5', group='trials', engine=engine) as trials:
+    assert trials.verdict.dims == ('trial',) and (trials.trial.values == np.arange(len(trials.verdict))).all()
+    assert trials.body.attrs['flag_meanings'] == 'wide_one type-b flat round scatters'
+    with xarray.open_dataset('c.h5', group='trials/spatial', engine=engine) as own:
+        assert set(own.sizes.items()) == {('trial', len(trials.verdict))}
+for group, axis in (('waves', 'wave'), ('waves/flat', 'wave'), ('stripes/flat', 'amplitude'),
+                    ('fragility/flat', 'measure'), ('limits/touches/stripes/flat', 'amplitude')):
+    with xarray.open_dataset('c.h5', group=group, engine=engine) as seen:
+        assert axis in seen.sizes, (group, dict(seen.sizes))
+with xarray.open_dataset('c.h5', group='stripes/flat', engine=engine) as seen:
+    assert seen.purpose.attrs['flag_meanings'] == 'ordinary design-basis beyond-design'
+    assert list(seen.purpose.values) == [0, 1, 0] and seen.rung_trials.dims == ('rung',)
+    assert (seen.rung_trials.sum() == seen.trials.sum()).item()
+assert columns > 300 and kinds > 20, (columns, kinds)
+print('checked')
+)python";
+
+char const* const check_order = R"python(
+import h5py
+f = h5py.File('c.h5')
+campaign = ['wide one', 'type-b', 'flat', 'round', 'scatters']
+assert h5py.check_enum_dtype(f['trials/body'].dtype) == {name: i for i, name in enumerate(campaign)}
+for place in ('bodies', 'stripes', 'fragility', 'criterion', 'quantiles', 'waves', 'limits/touches/stripes',
+              'limits/touches/fragility'):
+    of_bodies = {name: g.attrs['index'] for name, g in f[place].items() if isinstance(g, h5py.Group)}
+    assert of_bodies == {name: i for i, name in enumerate(campaign)}, (place, of_bodies)
+assert list(f['bodies']) != campaign  # else nothing was at stake
+assert all(f['bodies'][name]['body'][0] == i for i, name in enumerate(campaign))
+print('checked')
+)python";
+
+class ResultsElsewhere : public ::testing::Test {
+  protected:
+    void run_campaign() {
+        folder.write("target.csv", target_csv);
+        folder.write("c.toml", many_groups());
+        auto const run = execute(folder, mpirun(2, {"run", "c.toml"}));
+        ASSERT_EQ(run.code, 0) << run.err;
+    }
+    void read_all(std::string const& engine, std::string const& module) {
+        if (execute(folder, {OVERTURN_PYTHON, "-c", "import h5py, xarray, " + module}).code != 0) {
+            GTEST_SKIP() << "no xarray to read with (install python3-xarray python3-netcdf4 python3-h5netcdf)";
+        }
+        ASSERT_NO_FATAL_FAILURE(run_campaign());
+        folder.write("check.py", check_all_groups);
+        auto const read = execute(folder, {OVERTURN_PYTHON, "check.py", engine});
+        EXPECT_EQ(read.code, 0) << read.err;
+        EXPECT_EQ(read.out, "checked\n");
+    }
+    Folder folder;
+};
+
+// netCDF's own library, which drops what it has no type for, finds every column with its axis and its names.
+TEST_F(ResultsElsewhere, AreReadByXarrayThroughNetcdf) { read_all("netcdf4", "netCDF4"); }
+
+// h5netcdf, which refuses a group with a column that has no axis, finds the same.
+TEST_F(ResultsElsewhere, AreReadByXarrayThroughH5netcdf) { read_all("h5netcdf", "h5netcdf"); }
+
+// HDF5's own tool lists and prints the whole file, names for numbers.
+TEST_F(ResultsElsewhere, AreReadByH5dump) {
+    if (execute(folder, {"/usr/bin/env", "h5dump", "--version"}).code != 0) {
+        GTEST_SKIP() << "no h5dump to read with (install hdf5-tools)";
+    }
+    ASSERT_NO_FATAL_FAILURE(run_campaign());
+    auto const whole = execute(folder, {"/usr/bin/env", "h5dump", "c.h5"});
+    EXPECT_EQ(whole.code, 0) << whole.err;
+    auto const bodies = execute(folder, {"/usr/bin/env", "h5dump", "-d", "/trials/body", "c.h5"});
+    EXPECT_NE(bodies.out.find("scatters"), std::string::npos) << bodies.out;
+}
+
+// Groups are listed by name; each says which body of the campaign it is of.
+TEST_F(ResultsElsewhere, TellWhichBodyAGroupIsOf) {
+    if (execute(folder, {OVERTURN_PYTHON, "-c", "import h5py"}).code != 0) {
+        GTEST_SKIP() << "no h5py to read with (install python3-h5py)";
+    }
+    ASSERT_NO_FATAL_FAILURE(run_campaign());
+    folder.write("check.py", check_order);
+    auto const read = execute(folder, {OVERTURN_PYTHON, "check.py"});
+    EXPECT_EQ(read.code, 0) << read.err;
+    EXPECT_EQ(read.out, "checked\n");
+}
 
 TEST(ResultsFile, IsReadByH5py) {
     Folder folder;

@@ -24,7 +24,7 @@ FragilityFit fit_of(std::vector<Stripe> const& stripes, std::vector<Quote> quote
     return fit_fragility(FragilityData::of_stripes(stripes), request);
 }
 
-std::string first_warning(FragilityFit const& fit) { return warnings_of(fit, "m/s2", 0.95).at(0); }
+std::string first_warning(FragilityFit const& fit) { return warnings_of(fit, {"m/s2"}, 0.95).at(0); }
 
 /// 0 of 400: a fitter that does not look gives median 8.3 and beta 1.07 here. All that is known is an exact bound at
 /// the highest level: 1 - 0.025^(1/100).
@@ -174,7 +174,7 @@ TEST(Degenerate, APoorCurveDoesNotOutvoteItsStripe) {
     EXPECT_GT(*fit.quotes[0].curve, 10 * fit.quotes[0].bounds.upper);
     EXPECT_EQ(*fit.quotes[0].probability, 1.0 / 500) << "a P outside its own bounds is no P";
     EXPECT_EQ(fit.quotes[1].source, QuotedProbability::Source::curve) << "no stripe there";
-    auto const warnings = warnings_of(fit, "m/s2", 0.95);
+    auto const warnings = warnings_of(fit, {"m/s2"}, 0.95);
     EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(),
                             [](auto const& text) { return text.find("P at 5 m/s2") != std::string::npos; }));
 }
@@ -218,7 +218,7 @@ TEST(Degenerate, QuotesKnowTheirData) {
     EXPECT_EQ(fit.quotes[2].bounds.upper, clopper_pearson(0, 54, 0.95).upper);
     EXPECT_GT(*fit.quotes[0].curve, 0.1 / 216);
     EXPECT_FALSE(fit.quotes[0].bound);
-    auto const warnings = warnings_of(fit, "m/s2", 0.95);
+    auto const warnings = warnings_of(fit, {"m/s2"}, 0.95);
     EXPECT_EQ(std::count_if(warnings.begin(), warnings.end(),
                             [](auto const& text) { return text.find("unconservative") != std::string::npos; }),
               1);
@@ -260,7 +260,7 @@ TEST(Degenerate, WordsOfOtherLimitStates) {
         for (auto const& name : names_of(fit.flags, fit.passing)) {
             EXPECT_EQ(name.find("overturned"), std::string::npos) << name;
         }
-        for (auto const& text : warnings_of(fit, "m/s2", 0.95)) {
+        for (auto const& text : warnings_of(fit, {"m/s2"}, 0.95)) {
             EXPECT_EQ(text.find("overturned"), std::string::npos) << text;
         }
     }

@@ -118,6 +118,56 @@ TEST_F(Results, HoldWhatWasPutIn) {
     EXPECT_EQ(reader.integers("stripes/type-a/failed"), (std::vector<std::int64_t>{0, 1}));
 }
 
+bool is_axis_of(hid_t file, char const* axis, char const* column) {
+    Dataset const scale(checked(H5Dopen2(file, axis, H5P_DEFAULT), "open"));
+    Dataset const along(checked(H5Dopen2(file, column, H5P_DEFAULT), "open"));
+    return H5DSis_scale(scale.id()) > 0 && H5DSis_attached(along.id(), scale.id(), 0) > 0;
+}
+
+// netCDF reads an enumeration only where it is committed, and h5netcdf a column only where it has an axis.
+TEST_F(Results, GiveEveryColumnAnAxisAndEveryEnumerationAName) {
+    auto with_axis = trials();
+    with_axis.axis = "trial";
+    auto of_body = trials();
+    of_body.group = "trials/contact";
+    of_body.axis = "trials/trial";
+    of_body.columns.back().categories = numbered({"yes", "no", "unknown"});
+    auto by_column = trials();
+    by_column.group = "by-column";
+    by_column.axis = "amplitude";
+    {
+        ResultsWriter writer(path());
+        auto const rows = some_rows(row_count);
+        for (auto const& spec : {with_axis, of_body, by_column}) {
+            writer.append(writer.table(spec, row_count), bytes_of(rows));
+        }
+        writer.array("alone", amplitude_axis, std::vector{2.0, 4.0, 6.0});
+        writer.finish();
+    }
+    File const file(checked(H5Fopen(path().c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "open"));
+
+    for (char const* column : {"trials/amplitude", "trials/verdict", "trials/contact/wave"}) {
+        EXPECT_TRUE(is_axis_of(file.id(), "trials/trial", column)) << column;
+    }
+    EXPECT_TRUE(is_axis_of(file.id(), "by-column/amplitude", "by-column/verdict"));
+    EXPECT_FALSE(is_axis_of(file.id(), "by-column/amplitude", "trials/wave"));
+    Dataset const alone(checked(H5Dopen2(file.id(), "alone/amplitude", H5P_DEFAULT), "open"));
+    EXPECT_GT(H5DSis_scale(alone.id()), 0);
+    auto const type_of = [&](char const* name) {
+        Dataset const dataset(checked(H5Dopen2(file.id(), name, H5P_DEFAULT), "open"));
+        return Datatype(checked(H5Dget_type(dataset.id()), "read a type"));
+    };
+    auto const committed = [&](char const* name) {
+        return Datatype(checked(H5Topen2(file.id(), name, H5P_DEFAULT), "open"));
+    };
+    auto const verdicts = committed("verdict_type");
+    EXPECT_GT(H5Tcommitted(type_of("trials/verdict").id()), 0);
+    EXPECT_GT(H5Tequal(type_of("trials/verdict").id(), verdicts.id()), 0);
+    EXPECT_GT(H5Tequal(type_of("by-column/verdict").id(), verdicts.id()), 0);
+    EXPECT_GT(H5Tequal(type_of("trials/contact/verdict").id(), committed("verdict_type_2").id()), 0);
+    EXPECT_LT(H5Lexists(file.id(), "verdict_type_3", H5P_DEFAULT), 1);
+}
+
 TEST_F(Results, KeepTextsAndInputFilesByteForByte) {
     write_example(path());
     ResultsReader const reader(path());

@@ -1,0 +1,93 @@
+// Requirement: people read levels, curves, quotes and notes in the unit that they wrote; files and JSON are SI whatever
+// was written.
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/campaign_files.hpp"
+#include "support/command.hpp"
+
+namespace overturn::testing {
+namespace {
+
+using nlohmann::json;
+
+std::string const limit = "[[limits]]\nname='touches'\nquantity='peak_slip'\nabove='4 cm'\n";
+
+class Units : public ::testing::Test {
+  protected:
+    // What `fit` prints and its JSON, of the small campaign with these levels.
+    std::pair<std::string, json> fit(std::string const& levels) const {
+        auto campaign = small_campaign("shared", 24);
+        auto const from = campaign.find("measure='pga'");
+        campaign.replace(from, campaign.find("waves='shared'") - from, levels);
+        std::filesystem::remove(folder.path() / "c.h5");
+        folder.write("target.csv", target_csv);
+        folder.write("c.toml", campaign + limit);
+        auto const run = overturn(folder, {"run", "c.toml", "-o", "c.h5"});
+        EXPECT_EQ(run.code, 0) << run.err;
+        auto const table = overturn(folder, {"fit", "c.h5"});
+        EXPECT_NE(run.out.find(table.out), std::string::npos) << "run and fit differ";
+        auto const values = overturn(folder, {"fit", "c.h5", "--json"});
+        EXPECT_EQ(table.code + values.code, 0) << table.err << values.err;
+        return {table.out, json::parse(values.out)};
+    }
+
+    Folder folder;
+};
+
+// Every number of a curve over the levels, found in the table as the JSON's over the unit's SI value.
+void expect_told(std::string const& table, json const& all, std::string const& measure, std::string const& unit,
+                 double si) {
+    int curves = 0;
+    for (auto const& curve : all["fragility"]) {
+        if (curve["measure"] != measure || !curve["identifiable"].get<bool>()) {
+            continue;
+        }
+        ++curves;
+        auto const told = [&](json const& value) { return fmt::format("{:.4g}", value.get<double>() / si); };
+        auto const& ends = curve["median_interval"];
+        auto const line = fmt::format("{:>20} {:>9} {:>18}", measure + " " + unit, told(curve["median"]),
+                                      fmt::format("[{}, {}]", told(ends[0]), told(ends[1])));
+        EXPECT_NE(table.find(line), std::string::npos) << line << "\n" << table;
+        EXPECT_NE(table.find(fmt::format(" {:>8}  ", told(curve["hclpf"]))), std::string::npos) << table;
+    }
+    EXPECT_GT(curves, 0) << all["fragility"].dump(1);
+}
+
+TEST_F(Units, CurvesQuotesAndNotesAreInThatOfTheLevels) {
+    auto const [table, values] =
+        fit("measure='pga'\nvalues=['300 gal','600 gal','800 gal','1200 gal','1500 gal']\ndesign_basis='600 gal'\n");
+
+    expect_told(table, values, "pga", "gal", 0.01);
+    EXPECT_NE(table.find("1.5 x design basis, pga 900 gal"), std::string::npos) << table;
+    EXPECT_EQ(table.find("m/s2"), std::string::npos) << table;
+    // Stripes of the limit state, and quantiles level by level.
+    auto const at = table.find("limit state touches");
+    ASSERT_NE(at, std::string::npos);
+    EXPECT_NE(table.find("\n       300 ", at), std::string::npos) << table;
+    EXPECT_NE(table.find("\n         300 ", table.find("peak_slip m of the trials")), std::string::npos) << table;
+    EXPECT_NE(table.find("the median lies between 800 and 1200 gal"), std::string::npos) << table;
+    EXPECT_NE(table.find("pgv m/s"), std::string::npos) << "of no unit that was written";
+}
+
+// V_WES and PGV are velocities: beside levels in kine they are in kine.
+TEST_F(Units, MeasuresOfTheSameDimensionFollow) {
+    auto const [table, values] = fit("measure='pgv'\nvalues=['30 kine','60 kine','80 kine','120 kine']\n");
+
+    expect_told(table, values, "v_wes", "kine", 0.01);
+    EXPECT_NE(table.find("pga m/s2"), std::string::npos) << table;
+}
+
+// JSON and the file do not know how the levels were written.
+TEST_F(Units, JsonStaysSi) {
+    auto in_gal = fit("measure='pga'\nvalues=['300 gal','600 gal','800 gal','1200 gal','1500 gal']\n").second;
+    auto const [table, in_si] = fit("measure='pga'\nvalues=[3, 6, 8, 12, 15]\n");
+
+    EXPECT_EQ(in_gal["fragility"], in_si["fragility"]);
+    EXPECT_EQ(in_gal["stripes"], in_si["stripes"]);
+    EXPECT_EQ(in_gal["fragility"][0]["units"], "m/s2");
+    expect_told(table, in_si, "pga", "m/s2", 1);
+}
+
+}  // namespace
+}  // namespace overturn::testing
