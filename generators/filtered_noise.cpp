@@ -113,6 +113,9 @@ class FilteredNoise : public WaveSource {
     [[nodiscard]] bool is_gaussian() const { return gaussian_; }
 
     [[nodiscard]] std::string describe() const override { return summary_; }
+    [[nodiscard]] std::string variability() const override {
+        return "noise of one power density: no event, path or site differs";
+    }
 
   private:
     using Lines = std::vector<std::complex<double>>;

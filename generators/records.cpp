@@ -47,6 +47,9 @@ class Records : public WaveSource {
         return records_[wave].drift;
     }
 
+    [[nodiscard]] std::string variability() const override {
+        return fmt::format("{} measured motion{}, as chosen", records_.size(), records_.size() == 1 ? "" : "s");
+    }
     [[nodiscard]] std::string describe() const override {
         constexpr std::size_t most = 20;
         auto text = fmt::format("{} record{}", records_.size(), records_.size() == 1 ? "" : "s");

@@ -11,6 +11,7 @@
 #include "config/table.hpp"
 #include "core/input_files.hpp"
 #include "generators/acceptance.hpp"
+#include "generators/drawn_target.hpp"
 #include "generators/normal_waves.hpp"
 #include "motion/drift.hpp"
 #include "motion/ground_motion.hpp"
@@ -33,11 +34,12 @@ struct MatchReport {
 
 struct GeneratedWave {
     GroundMotion motion;
-    MatchReport match;             ///< of the horizontal component
-    MatchReport transverse_match;  ///< of the other horizontal one
-    MatchReport vertical_match;    ///< of the vertical one
-    double turned_rad = 0;         ///< axes of the horizontal components, from those of the record [rad]
-    std::string label;             ///< one line that tells this wave from its neighbours
+    MatchReport match;                 ///< of the horizontal component
+    MatchReport transverse_match;      ///< of the other horizontal one
+    MatchReport vertical_match;        ///< of the vertical one
+    double turned_rad = 0;             ///< axes of the horizontal components, from those of the record [rad]
+    std::optional<DrawnTarget> drawn;  ///< its own target, where targets vary
+    std::string label;                 ///< one line that tells this wave from its neighbours
 
     std::vector<double> judged_periods_s;  ///< where the horizontal component was compared; empty without a target
     std::vector<double> ratios;            ///< computed over target there
@@ -68,6 +70,12 @@ class WaveSource {
     [[nodiscard]] virtual std::optional<std::uint64_t> available() const { return std::nullopt; }
     /// The rule its waves must meet, "none" if any will do.
     [[nodiscard]] virtual std::string acceptance() const { return "none"; }
+    /// What makes its waves differ from each other, in a line that goes beside every curve drawn from them.
+    [[nodiscard]] virtual std::string variability() const = 0;
+    /// Has every wave a target of its own (GeneratedWave::drawn)?
+    [[nodiscard]] virtual bool draws_targets() const { return false; }
+    /// So many waves in a row may share what was drawn, and are no independent samples.
+    [[nodiscard]] virtual std::uint64_t waves_alike() const { return 1; }
     /// The longest period its waves are compared with a target at; nothing if there is none [s].
     [[nodiscard]] virtual std::optional<double> judged_to_s() const { return std::nullopt; }
     /// How a measured wave ends; nothing of waves that were not measured. \throws InputError as make

@@ -27,6 +27,14 @@ std::vector<FragilityMeasure> measures_of(CampaignSpec const& spec) {
         default:
             measures = {level, pga, pgv};
     }
+    if (spec.measures.sa_band && spec.levels.measure != LevelMeasure::sa_average) {
+        measures.push_back(sa_average);
+    }
+    for (std::size_t i = 0; i < spec.measures.sa_periods_s.size(); ++i) {
+        if (spec.levels.measure != LevelMeasure::sa || spec.measures.sa_periods_s[i] != spec.levels.sa_period_s) {
+            measures.push_back(sa_measure(i));
+        }
+    }
     if (spec.measures.energy) {
         measures.insert(measures.end(), {v_wes, ou_v_e, v_wes_ratio});
     }
@@ -53,8 +61,12 @@ IntensityUnit told_unit(std::string const& units, LevelSpec const& levels) {
 }
 
 std::string units_of(FragilityMeasure measure, LevelSpec const& levels) {
+    if (sa_place(measure)) {
+        return "m/s2";
+    }
     switch (measure) {
         case FragilityMeasure::pga:
+        case FragilityMeasure::sa_average:
             return "m/s2";
         case FragilityMeasure::v_wes_ratio:
             return "1";
@@ -109,6 +121,7 @@ class Analyst {
     [[nodiscard]] BodyAnalysis of(std::size_t b) const {
         BodyAnalysis body;
         body.body = spec_.bodies[b].name;
+        body.variability = spec_.source->variability();
         body.fragility = fragility(b, 0);
         for (std::size_t limit = 1; limit < spec_.limits.size(); ++limit) {
             auto const& stated = spec_.limits[limit];
@@ -178,6 +191,12 @@ class Analyst {
     }
 
     [[nodiscard]] std::string label_of(FragilityMeasure measure, std::string const& name) const {
+        if (auto const place = sa_place(measure)) {
+            return fmt::format("sa({:g} s)", spec_.measures.sa_periods_s[*place]);
+        }
+        if (measure == FragilityMeasure::level) {
+            return spec_.levels.measure_label();
+        }
         if (!is_other_unit(measure)) {
             return name;
         }

@@ -63,6 +63,7 @@ struct LevelQuantiles {
 
 struct BodyAnalysis {
     std::string body;
+    std::string variability;                   ///< what makes the waves differ, on which every spread below hangs
     std::vector<MeasuredFragility> fragility;  ///< of overturning
     std::vector<LimitAnalysis> limits;
     std::vector<LevelQuantiles> quantiles;  ///< of peak slip (unless it cannot slip) and rotation, level by level

@@ -189,6 +189,7 @@ std::string analysis_table(std::vector<BodyAnalysis> const& bodies, double confi
                             body.over_levels().fit.method == FragilityFit::Method::bootstrap_by_waves
                                 ? "ends by resampling them"
                                 : "ends by profile likelihood");
+        text += fmt::format("  waves differ by {}\n", body.variability);
         text += fragility_table(body.fragility, confidence);
         for (auto const& limit : body.limits) {
             text += fmt::format("  limit state {}: {}\n", limit.name, limit.definition);

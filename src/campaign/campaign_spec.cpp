@@ -27,6 +27,48 @@ EffectRequest read_effects(Table const& table) {
     return table.located("include", [&] { return parse_effect_list(table.texts("include")); });
 }
 
+constexpr config::Range sa_periods{.low = 0.02, .high = 20};
+
+void read_sa(Table const& table, MeasureSpec& m) {
+    if (table.has("sa_periods")) {
+        m.sa_periods_s = table.numbers("sa_periods", Dimension::time, sa_periods);
+        bool const rising = std::ranges::is_sorted(m.sa_periods_s, std::ranges::less_equal{});
+        if (m.sa_periods_s.empty() || m.sa_periods_s.size() > most_sa_periods || !rising) {
+            table.fail("sa_periods", fmt::format("{} periods (1 to {} that rise). Mend the list", m.sa_periods_s.size(),
+                                                 most_sa_periods));
+        }
+    }
+    if (table.has("sa_band")) {
+        auto const ends = table.numbers("sa_band", Dimension::time, sa_periods);
+        if (ends.size() != 2 || !(ends[0] < ends[1])) {
+            table.fail("sa_band", "not two periods that rise (Sa is averaged from one to the other). Mend it");
+        }
+        m.sa_band = PeriodBand{ends[0], ends[1]};
+    }
+}
+
+// Levels by Sa measure it: what they scale by is stored with every wave.
+void measure_levels(Table const& root, LevelSpec const& levels, MeasureSpec& m) {
+    if (levels.measure == LevelMeasure::sa_average && !m.sa_band) {
+        root.child("levels").fail("measure",
+                                  "sa-average without measures.sa_band (the periods it is averaged over). "
+                                  "State it");
+    }
+    if (levels.measure != LevelMeasure::sa) {
+        return;
+    }
+    auto const place = std::ranges::lower_bound(m.sa_periods_s, levels.sa_period_s);
+    if (place != m.sa_periods_s.end() && *place == levels.sa_period_s) {
+        return;
+    }
+    if (m.sa_periods_s.size() == most_sa_periods) {
+        root.child("levels").fail("period", fmt::format("none of the {} measures.sa_periods (no more are measured). "
+                                                        "List it among them",
+                                                        most_sa_periods));
+    }
+    m.sa_periods_s.insert(place, levels.sa_period_s);
+}
+
 MeasureSpec read_measures(Table const& table) {
     MeasureSpec m;
     static constexpr std::array units{
@@ -47,6 +89,7 @@ MeasureSpec read_measures(Table const& table) {
         }
     }
     m.window = table.choice<WindowReading>("window", readings, m.window);
+    read_sa(table, m);
     table.finish();
     return m;
 }
@@ -67,7 +110,8 @@ std::vector<BodySpec> read_bodies(Table const& root, InputFiles& files) {
     for (auto const& entry : root.children("bodies")) {
         bodies.push_back(read_body(entry, files));
         auto const& name = bodies.back().name;
-        bool taken = name == "." || name == "..";
+        // Columns of /waves are beside the bodies' groups; these two kinds are named by the campaign's periods.
+        bool taken = name == "." || name == ".." || name.starts_with("epsilon_") || name.starts_with("sa_");
         for (auto const& column : fields_of<WaveRow>()) {
             taken = taken || name == column.name;
         }
@@ -163,6 +207,7 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
     spec.accuracy = read_accuracy(accuracy);
     constexpr double largest_phase = 40;
     spec.measures = read_measures(root.child_or_empty("measures"));
+    measure_levels(root, spec.levels, spec.measures);
     if (!spec.measures.wave_quality && spec.source->acceptance() != "none") {
         root.child("measures")
             .fail("wave_quality",

@@ -27,6 +27,9 @@ struct MeasureSpec {
     bool both_radius_units = false;  ///< measure with the other unit too, to compare
     WindowReading window = WindowReading::restarted;
     double panel_phase_rad = WindowOptions{}.panel_phase_rad;
+    /// Pseudo-acceleration at 5 % damping of every wave: at these periods [s], and its geometric mean over a band
+    std::vector<double> sa_periods_s = {};
+    std::optional<PeriodBand> sa_band = {};
 };
 
 struct CampaignSpec {

@@ -16,6 +16,12 @@ constexpr std::array measures{
     config::Entry<Measure>{"vector-pga",
                            "peak length of the horizontal acceleration, of both components together",
                            {LevelMeasure::vector_pga, Dimension::acceleration}},
+    config::Entry<Measure>{"sa",
+                           "pseudo-acceleration at levels.period, 5 % damping, of the horizontal component",
+                           {LevelMeasure::sa, Dimension::acceleration}},
+    config::Entry<Measure>{"sa-average",
+                           "geometric mean of the pseudo-acceleration over measures.sa_band",
+                           {LevelMeasure::sa_average, Dimension::acceleration}},
     config::Entry<Measure>{"factor", "a plain factor on the wave as it is", {LevelMeasure::factor, Dimension::none}},
 };
 
@@ -133,6 +139,12 @@ std::optional<double> LevelSpec::scale(Level const& level, Intensity const& wave
         case LevelMeasure::vector_pga:
             base = wave.vector_pga_mps2;
             break;
+        case LevelMeasure::sa:
+            base = wave.sa_mps2;
+            break;
+        case LevelMeasure::sa_average:
+            base = wave.sa_average_mps2;
+            break;
         case LevelMeasure::factor:
             break;
     }
@@ -140,10 +152,13 @@ std::optional<double> LevelSpec::scale(Level const& level, Intensity const& wave
 }
 
 LevelSpec read_levels(config::Table const& table) {
-    table.may_have({"measure", "values", "waves", "design_basis", "beyond_design"});
+    table.may_have({"measure", "period", "values", "waves", "design_basis", "beyond_design"});
     LevelSpec spec;
     auto const chosen = table.choice<Measure>("measure", measures);
     spec.measure = chosen.measure;
+    if (spec.measure == LevelMeasure::sa) {
+        spec.sa_period_s = table.number("period", Dimension::time, {.low = 0.02, .high = 20});
+    }
     spec.independent_waves = table.choice<bool>("waves", independence, false);
     // Named levels alone make a campaign too.
     if (table.has("values") || !(table.has("design_basis") || table.has("beyond_design"))) {

@@ -6,13 +6,15 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "config/table.hpp"
 #include "motion/intensity.hpp"
 
 namespace overturn {
 
 /// What a level's value measures on the scaled wave; `factor` multiplies the wave as it is.
-enum class LevelMeasure { pga, pgv, pgd, vector_pga, factor };
+enum class LevelMeasure { pga, pgv, pgd, vector_pga, factor, sa, sa_average };
 
 /// What a level is for.
 enum class LevelClass : std::uint8_t { ordinary = 0, design_basis = 1, beyond_design = 2 };
@@ -35,11 +37,16 @@ struct Level {
 struct LevelSpec {
     LevelMeasure measure = LevelMeasure::pga;
     std::vector<Level> levels;       ///< rising
+    double sa_period_s = 0;          ///< where the measure is Sa
     bool independent_waves = false;  ///< every level has waves of its own
     std::string stated_unit = {};    ///< in which the values are written; empty: as bare numbers, or pure ones
     double stated_unit_si = 1;       ///< SI value of one of it
 
     [[nodiscard]] std::string measure_name() const;
+    /// The same for people: "sa(3 s)".
+    [[nodiscard]] std::string measure_label() const {
+        return measure == LevelMeasure::sa ? fmt::format("sa({:g} s)", sa_period_s) : measure_name();
+    }
     [[nodiscard]] std::string units() const;
     /// As the user wrote values: the unit, a value in it, and both.
     [[nodiscard]] std::string shown_units() const { return stated_unit.empty() ? units() : stated_unit; }
@@ -49,8 +56,8 @@ struct LevelSpec {
     [[nodiscard]] std::optional<double> scale(Level const& level, Intensity const& wave) const;
 };
 
-/// Keys: measure, values (list or {from, to, count, spacing}), design_basis, beyond_design, waves. A named level that
-/// is not among the values is added to them; named levels need no values. \throws InputError
+/// Keys: measure, period (of sa), values (list or {from, to, count, spacing}), design_basis, beyond_design, waves. A
+/// named level that is not among the values is added to them; named levels need no values. \throws InputError
 [[nodiscard]] LevelSpec read_levels(config::Table const& table);
 
 /// "ordinary", "design-basis", "beyond-design".

@@ -9,7 +9,8 @@
 namespace overturn {
 
 std::vector<std::string> fragility_measure_names() {
-    return {"pga", "pgv", "v_wes", "ou_v_e", "v_wes_ratio", "level", "v_wes_other_unit", "ou_v_e_other_unit"};
+    return {"pga",        "pgv",  "v_wes", "ou_v_e", "v_wes_ratio", "level", "v_wes_other_unit", "ou_v_e_other_unit",
+            "sa_average", "sa_1", "sa_2",  "sa_3",   "sa_4"};
 }
 
 namespace {
@@ -22,7 +23,7 @@ void MeasuredTrials::add(WaveRow const& row, std::span<MeasureRow const> measure
     if (trials_.size() >= most_trials) {
         return;
     }
-    Peaks peaks{row.pga_mps2, row.pgv_mps, {}};
+    Peaks peaks{row.pga_mps2, row.pgv_mps, row.sa_average_mps2, row.sa_mps2, {}};
     auto const asked = [](MeasureRow const& body) { return !std::isnan(body.other_unit_v_wes_max_mps); };
     if (std::any_of(measures.begin(), measures.end(), asked)) {
         for (auto const& body : measures) {
@@ -58,6 +59,10 @@ void MeasuredTrials::add(TrialRow const& row, LimitOutcomes const& limits) {
     trial.amplitude = row.amplitude;
     trial.pga_mps2 = row.scale * peaks.pga_mps2;
     trial.pgv_mps = row.scale * peaks.pgv_mps;
+    trial.sa_average_mps2 = row.scale * peaks.sa_average_mps2;
+    for (std::size_t i = 0; i < most_sa_periods; ++i) {
+        trial.sa_mps2[i] = row.scale * peaks.sa_mps2[i];
+    }
     trial.v_wes_mps = row.v_wes_mps;
     trial.ou_v_e_mps = row.ou_v_e_mps;
     trial.v_ereq_mps = row.v_ereq_mps;
@@ -67,6 +72,9 @@ void MeasuredTrials::add(TrialRow const& row, LimitOutcomes const& limits) {
 }
 
 double MeasuredTrials::Trial::value(FragilityMeasure measure) const {
+    if (auto const place = sa_place(measure)) {
+        return sa_mps2.at(*place);
+    }
     switch (measure) {
         case FragilityMeasure::pga:
             return pga_mps2;
@@ -82,7 +90,9 @@ double MeasuredTrials::Trial::value(FragilityMeasure measure) const {
             return other_unit.v_wes_mps;
         case FragilityMeasure::ou_v_e_other_unit:
             return other_unit.ou_v_e_mps;
-        case FragilityMeasure::level:
+        case FragilityMeasure::sa_average:
+            return sa_average_mps2;
+        default:
             break;
     }
     return amplitude;
@@ -93,7 +103,7 @@ std::vector<SingleTrial> MeasuredTrials::singles(std::int64_t body, FragilityMea
     singles.reserve(trials_.size());
     for (auto const& trial : trials_) {
         if (trial.body == body && trial.limits.is_decided(limit) && trial.value(measure) > 0) {
-            singles.push_back({trial.value(measure), trial.wave, trial.limits.has_passed(limit)});
+            singles.push_back({trial.value(measure), together(trial.wave), trial.limits.has_passed(limit), trial.wave});
         }
     }
     return singles;
@@ -112,7 +122,7 @@ std::vector<CriterionTrial> MeasuredTrials::criterion_trials(std::int64_t body, 
     list.reserve(trials_.size());
     for (auto const& trial : trials_) {
         if (trial.body == body && trial.decided) {
-            list.push_back({trial.value(measure) / trial.v_ereq_mps, trial.wave, trial.overturned()});
+            list.push_back({trial.value(measure) / trial.v_ereq_mps, together(trial.wave), trial.overturned()});
         }
     }
     return list;

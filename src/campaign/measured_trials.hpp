@@ -1,8 +1,10 @@
 /// Every trial with the intensity measures it can be judged by, kept while rows pass.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,11 +26,25 @@ enum class FragilityMeasure : std::int64_t {
     v_wes_ratio = 4,
     level = 5,
     v_wes_other_unit = 6,  ///< R of T0 and T1 in the unit that the campaign does not name
-    ou_v_e_other_unit = 7
+    ou_v_e_other_unit = 7,
+    sa_average = 8,
+    sa_1 = 9,  ///< at the first of the campaign's periods, and so on up to most_sa_periods
 };
 
+/// Sa at the campaign's i-th period, from 0.
+[[nodiscard]] constexpr FragilityMeasure sa_measure(std::size_t i) {
+    return static_cast<FragilityMeasure>(static_cast<std::int64_t>(FragilityMeasure::sa_1)
+                                         + static_cast<std::int64_t>(i));
+}
+/// Its place, of a measure that is one.
+[[nodiscard]] constexpr std::optional<std::size_t> sa_place(FragilityMeasure measure) {
+    return measure < FragilityMeasure::sa_1
+               ? std::nullopt
+               : std::optional(static_cast<std::size_t>(measure) - static_cast<std::size_t>(FragilityMeasure::sa_1));
+}
+
 /// "pga", "pgv", "v_wes", "ou_v_e", "v_wes_ratio"; "level" for a level measure that is none of these (pgd, factor);
-/// "v_wes_other_unit", "ou_v_e_other_unit".
+/// "v_wes_other_unit", "ou_v_e_other_unit"; "sa_average", "sa_1", "sa_2", ...
 [[nodiscard]] std::vector<std::string> fragility_measure_names();
 
 /// The measure itself, in whichever unit R was taken.
@@ -46,6 +62,8 @@ enum class LevelResponse { peak_slip, peak_rotation_ratio };
 /// known to a fraction of a per cent, and a campaign of any size is merged in bounded memory and time.
 class MeasuredTrials {
   public:
+    /// \param waves_alike so many in a row are no independent samples: they are resampled together
+    explicit MeasuredTrials(std::uint64_t waves_alike = 1) : waves_alike_(static_cast<std::int64_t>(waves_alike)) {}
     /// \param measures one per body
     void add(WaveRow const& row, std::span<MeasureRow const> measures);
     /// Ignored if the trial's wave was not added before, or no more are held.
@@ -71,7 +89,8 @@ class MeasuredTrials {
         double v_wes_mps, ou_v_e_mps;
     };
     struct Peaks {
-        double pga_mps2, pgv_mps;
+        double pga_mps2, pgv_mps, sa_average_mps2;
+        std::array<double, most_sa_periods> sa_mps2;
         std::vector<OtherUnit> other_unit;  ///< one per body; empty where not asked for
     };
     struct Trial {
@@ -82,10 +101,15 @@ class MeasuredTrials {
         double peak_slip_m, peak_rotation_ratio;  ///< NaN: unknown; infinite: it fell
         double amplitude, pga_mps2, pgv_mps, v_wes_mps, ou_v_e_mps, v_ereq_mps, v_resp_mps;
         OtherUnit other_unit;
+        double sa_average_mps2;
+        std::array<double, most_sa_periods> sa_mps2;
 
         [[nodiscard]] double value(FragilityMeasure measure) const;
         [[nodiscard]] bool overturned() const { return limits.has_passed(0); }
     };
+    [[nodiscard]] std::int64_t together(std::int64_t wave) const { return wave / waves_alike_; }
+
+    std::int64_t waves_alike_;
     std::map<std::int64_t, Peaks> waves_;
     std::int64_t passed_by_ = 0;
     std::vector<Trial> trials_;

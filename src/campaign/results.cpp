@@ -29,6 +29,7 @@ void write_provenance(store::ResultsWriter& file, CampaignInput const& input, Ca
     file.attribute("level_measure", spec.levels.measure_name());
     file.attribute("level_units", spec.levels.units());
     file.attribute("wave_source", spec.source->describe());
+    file.attribute("wave_variability", spec.source->variability());
     file.attribute("wave_acceptance", spec.source->acceptance());
     for (auto const& [name, content] : input.files) {
         // Names hold '/', which HDF5 reads as a path; the number is the place, the attribute the name.

@@ -1,10 +1,27 @@
 #include "campaign/rows.hpp"
 
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
 namespace overturn {
 
-template <> Fields const& fields_of<WaveRow>() {
+namespace {
+
+// One field per place of an array.
+template <auto Member>
+void add_each(Fields& fields, std::string const& name, std::string const& units,
+              std::vector<std::string> const& descriptions) {
+    for (std::size_t i = 0; i < descriptions.size(); ++i) {
+        fields.push_back({fmt::format("{}_{}", name, i + 1), units, descriptions[i], FieldType::real,
+                          offset_of<Member>() + i * sizeof(double)});
+    }
+}
+
+Fields fields_of_waves() {
     using W = WaveRow;
-    static Fields const fields{
+    Fields fields{
         field<&W::id>("id", "1", "identity of the wave in every random stream"),
         field<&W::failed>("failed", "1", "1: the wave could not be made"),
         field<&W::duration_s>("duration", "s", "from the first to the last sample"),
@@ -59,7 +76,27 @@ template <> Fields const& fields_of<WaveRow>() {
         field<&W::acceptance_failures>("acceptance_failures", "1",
                                        "bit mask of clauses not met, from bit 0: time step, duration, judged to, "
                                        "lowest ratio, adjacent below, highest ratio, SI ratio, cov of the ratio, error "
-                                       "of the mean, worst decade, end velocity, component correlation, rocking band")};
+                                       "of the mean, worst decade, end velocity, component correlation, rocking band"),
+        field<&W::target>("target", "1", "number of the drawn target: waves that share one are alike"),
+        field<&W::event>("event", "1", "number of the event whose part the drawn target shares"),
+        field<&W::sa_average_mps2>("sa_average", "m/s2",
+                                   "geometric mean of the pseudo-acceleration spectrum over measures.sa_band")};
+    std::vector<std::string> at_periods;
+    for (double const period : epsilon_periods_s) {
+        at_periods.push_back(
+            fmt::format("standard deviations of the drawn target above the median at {:g} s of the "
+                        "period that the target is stated in",
+                        period));
+    }
+    add_each<&W::epsilon>(fields, "epsilon", "1", at_periods);
+    add_each<&W::sa_mps2>(fields, "sa", "m/s2", std::vector<std::string>(most_sa_periods, "pseudo-acceleration"));
+    return fields;
+}
+
+}  // namespace
+
+template <> Fields const& fields_of<WaveRow>() {
+    static Fields const fields = fields_of_waves();
     return fields;
 }
 

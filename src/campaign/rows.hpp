@@ -2,11 +2,16 @@
 /// stored as they lie in memory.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
+#include "generators/drawn_target.hpp"
 #include "response/response.hpp"
 
 namespace overturn {
+
+/// How many periods of the user's own a campaign measures Sa at.
+inline constexpr std::size_t most_sa_periods = 4;
 
 /// Does a wave meet waves.acceptance? Stored: never renumber.
 enum class Accepted : std::int64_t { no = 0, yes = 1, not_asked = 2 };
@@ -32,6 +37,10 @@ struct WaveRow {
     double residual_velocity_mps = 0, residual_displacement_m = 0;
     double correlation = 0;
     double turned_rad = 0;
+    std::int64_t target = 0, event = 0;
+    std::array<double, epsilon_periods_s.size()> epsilon{};
+    std::array<double, most_sa_periods> sa_mps2{};
+    double sa_average_mps2 = 0;
     Accepted accepted = Accepted::not_asked;
     std::int64_t acceptance_failures = 0;
 };

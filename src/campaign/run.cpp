@@ -94,6 +94,7 @@ class Run {
         auto const committed = found.at("committed").get<std::vector<std::int64_t>>();
         if (comm_.is_root()) {
             note("waves: {}\n", spec_.source->describe());
+            note("they differ by {}\n", spec_.source->variability());
             for (auto const& line : warnings_of(spec_)) {
                 note("warning: {}\n", line);
             }

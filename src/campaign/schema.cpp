@@ -4,6 +4,9 @@
 #include <array>
 #include <string_view>
 
+#include <fmt/format.h>
+
+#include "core/error.hpp"
 #include "response/registry.hpp"
 
 namespace overturn {
@@ -29,6 +32,36 @@ bool is_quality(std::string_view column) {
                               "duration_5_", "residual_", "correlation", "accept",           "band_"};
     auto const begins = [&](char const* name) { return column.starts_with(name); };
     return std::ranges::find(kept, column) == kept.end() && std::ranges::any_of(told, begins);
+}
+
+Field& field_of(Fields& columns, std::string_view name) {
+    auto const found = std::ranges::find(columns, name, &Field::name);
+    OVERTURN_EXPECT(found != columns.end());
+    return *found;
+}
+
+// Columns that say what targets were drawn and what Sa is at the campaign's periods: named by period, or not there.
+void name_periods(CampaignSpec const& spec, Fields& columns) {
+    auto const& periods_s = spec.measures.sa_periods_s;
+    bool const varies = spec.source->draws_targets();
+    std::erase_if(columns, [&](Field const& column) {
+        bool const drawn = column.name == "target" || column.name == "event" || column.name.starts_with("epsilon_");
+        return (drawn && !varies) || (column.name == "sa_average" && !spec.measures.sa_band);
+    });
+    for (std::size_t i = 0; i < epsilon_periods_s.size() && varies; ++i) {
+        field_of(columns, fmt::format("epsilon_{}", i + 1)).name = fmt::format("epsilon_{:g}s", epsilon_periods_s[i]);
+    }
+    for (std::size_t i = 0; i < most_sa_periods; ++i) {
+        auto const slot = fmt::format("sa_{}", i + 1);
+        if (i >= periods_s.size()) {
+            std::erase_if(columns, [&](Field const& column) { return column.name == slot; });
+            continue;
+        }
+        auto& column = field_of(columns, slot);
+        column.name = fmt::format("sa_{:g}s", periods_s[i]);
+        column.description =
+            fmt::format("pseudo-acceleration of the horizontal component at {:g} s, 5 % damping", periods_s[i]);
+    }
 }
 
 }  // namespace
@@ -69,6 +102,7 @@ store::TableSpec wave_table(CampaignSpec const& spec) {
     if (!spec.measures.wave_quality) {
         std::erase_if(table.columns, [](Field const& column) { return is_quality(column.name); });
     }
+    name_periods(spec, table.columns);
     return table;
 }
 

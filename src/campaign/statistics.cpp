@@ -20,7 +20,8 @@ void count(LimitStatistics& limit, std::size_t level, VerdictEntry const& end, b
 
 }  // namespace
 
-Statistics::Statistics(CampaignSpec const& spec) : judge_(spec.limits, Ladder(spec.effects, spec.accuracy)) {
+Statistics::Statistics(CampaignSpec const& spec)
+    : judge_(spec.limits, Ladder(spec.effects, spec.accuracy)), measured_(spec.source->waves_alike()) {
     for (auto const& body : spec.bodies) {
         BodyStatistics statistics;
         statistics.body = body.name;

@@ -6,6 +6,8 @@
 
 #include "campaign/wave_check.hpp"
 #include "core/error.hpp"
+#include "core/units.hpp"
+#include "spectra/response_spectrum.hpp"
 
 namespace overturn {
 namespace {
@@ -57,6 +59,44 @@ void describe_motion(WaveRow& row, GroundMotion const& motion, Intensity const& 
     row.vector_pga_mps2 = intensity.vector_pga_mps2;
     row.transverse_pga_mps2 = peak_of(motion.transverse_mps2);
     row.vertical_pga_mps2 = peak_of(motion.vertical_mps2);
+}
+
+// Sa at the campaign's periods and over its band; the levels' own goes to the intensity too.
+void measure_sa(CampaignSpec const& spec, PreparedWave& wave) {
+    constexpr double damping = 0.05;
+    constexpr double per_decade = 30;
+    auto const& measures = spec.measures;
+    auto const psa_at = [&](std::vector<double> const& periods_s) {
+        auto values = displacement_spectrum(wave.motion.horizontal_mps2, wave.motion.time_step_s, periods_s, damping);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            double const w = 2 * pi / periods_s[i];
+            values[i] *= w * w;
+        }
+        return values;
+    };
+    if (!measures.sa_periods_s.empty()) {
+        std::ranges::copy(psa_at(measures.sa_periods_s), wave.row.sa_mps2.begin());
+        auto const place = std::ranges::find(measures.sa_periods_s, spec.levels.sa_period_s);
+        if (place != measures.sa_periods_s.end()) {
+            wave.intensity.sa_mps2 = wave.row.sa_mps2[static_cast<std::size_t>(place - measures.sa_periods_s.begin())];
+        }
+    }
+    if (measures.sa_band) {
+        double sum = 0;
+        auto const values = psa_at(log_periods_per_decade(measures.sa_band->t0_s, measures.sa_band->t1_s, per_decade));
+        for (double const value : values) {
+            sum += std::log(value);
+        }
+        // A wave of silence has none.
+        double const mean = std::exp(sum / static_cast<double>(values.size()));
+        wave.row.sa_average_mps2 = wave.intensity.sa_average_mps2 = mean;
+    }
+}
+
+void describe_drawn(WaveRow& row, DrawnTarget const& drawn) {
+    row.target = static_cast<std::int64_t>(drawn.number);
+    row.event = static_cast<std::int64_t>(drawn.event);
+    row.epsilon = drawn.epsilon;
 }
 
 void describe_check(PreparedWave& wave, WaveCheck const& check) {
@@ -128,6 +168,9 @@ PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64
             describe_check(prepared, check_wave(generated, spec.bodies, spec.measures.radius_unit));
         }
         describe_match(prepared.row, generated);
+        if (generated.drawn) {
+            describe_drawn(prepared.row, *generated.drawn);
+        }
         prepared.row.turned_rad = generated.turned_rad;
         prepared.motion = std::move(generated.motion);
     } catch (InputError const&) {
@@ -138,6 +181,7 @@ PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64
     prepared.chunks = ChunkExtremes(prepared.motion.horizontal_mps2, prepared.motion.vertical_mps2);
     prepared.intensity = intensity_of(prepared.motion);
     describe_motion(prepared.row, prepared.motion, prepared.intensity);
+    measure_sa(spec, prepared);
     for (std::size_t b = 0; spec.measures.energy && b < spec.bodies.size(); ++b) {
         measure_energy(spec.measures, prepared.motion, prepared.bodies[b].body.radius_m(), prepared.measures[b]);
     }

@@ -84,6 +84,16 @@ void add_first_wave(CampaignSpec const& spec, Lines& lines) {
     }
 }
 
+void add_alike(CampaignSpec const& spec, Lines& lines) {
+    if (auto const alike = spec.source->waves_alike(); alike > 1) {
+        lines.push_back(
+            fmt::format("{} waves in a row share what was drawn: bootstraps resample them together, but the exact "
+                        "intervals of stripes count them as independent and are too narrow. State per_target = 1, or "
+                        "read the curves",
+                        alike));
+    }
+}
+
 // Beyond anything felt, by a factor of some two: a unit was left out.
 void add_levels(LevelSpec const& levels, Lines& lines) {
     struct Bound {
@@ -176,6 +186,7 @@ std::vector<std::string> warnings_of(CampaignSpec const& spec) {
     add_targets(spec, lines);
     add_first_wave(spec, lines);
     add_levels(spec.levels, lines);
+    add_alike(spec, lines);
     add_motions(spec, lines);
     for (auto const& body : spec.bodies) {
         auto const more = warnings_of(body);

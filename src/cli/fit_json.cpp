@@ -171,7 +171,8 @@ Json all_fragility_json(std::vector<BodyAnalysis> const& analysis, double confid
 
 Json fit_json(CampaignSpec const& spec, Statistics const& statistics, std::vector<BodyAnalysis> const& analysis,
               double confidence) {
-    Json json{{"limits", limits_json(spec)},
+    Json json{{"variability", spec.source->variability()},
+              {"limits", limits_json(spec)},
               {"stripes", all_stripes_json(spec, statistics, confidence)},
               {"fragility", all_fragility_json(analysis, confidence)},
               {"quantiles", Json::array()},

@@ -104,6 +104,7 @@ int plan_campaign(std::string const& path, std::vector<std::string> const& setti
     Plan const plan(spec);
     fmt::print("{}\n", spec.title.empty() ? path : spec.title);
     fmt::print("waves     {} ({})\n", plan.waves(), spec.source->describe());
+    fmt::print("differ by {}\n", spec.source->variability());
     for (auto const& line : ends_of_records(spec)) {
         fmt::print("record    {}\n", line);
     }

@@ -57,6 +57,7 @@ Json facts_of(CampaignSpec const& spec, Plan const& plan) {
     auto const add = [&](char const* name, std::string value) { facts.push_back({name, std::move(value)}); };
     auto const& levels = spec.levels.levels;
     add("waves", fmt::format("{} ({})", plan.waves(), spec.source->describe()));
+    add("waves differ by", spec.source->variability());
     add("acceptance of waves", spec.source->acceptance());
     add("levels", fmt::format("{} of {}, {:.6g} to {}{}", levels.size(), spec.levels.measure_name(),
                               spec.levels.shown(levels.front().value), spec.levels.text(levels.back().value),

@@ -23,6 +23,8 @@ enum class Purpose : std::uint64_t {
     bootstrap = 8,
     rare_normals = 9,
     rare_choice = 10,
+    target_spectrum = 11,
+    event_spectrum = 12,
 };
 
 /// A Threefry4x64-20 counter stream (Salmon et al., SC'11) behind GSL's generator interface, so that every

@@ -77,6 +77,20 @@ TargetSpectrum TargetSpectrum::from_points(std::string name, double damping, Tar
     return target;
 }
 
+double SpectrumShape::factor(double period_s) const {
+    if (log_period.empty()) {
+        return 1;
+    }
+    double const at = std::clamp(std::log(period_s), log_period.front(), log_period.back());
+    auto const above = std::lower_bound(log_period.begin(), log_period.end(), at);
+    auto const right = static_cast<std::size_t>(above - log_period.begin());
+    if (right == 0) {
+        return std::exp(log_factor.front());
+    }
+    double const share = (at - log_period[right - 1]) / (log_period[right] - log_period[right - 1]);
+    return std::exp(log_factor[right - 1] + share * (log_factor[right] - log_factor[right - 1]));
+}
+
 double TargetSpectrum::psa_mps2(double period_s) const {
     validate(period_s > 0, "period {} s (must be positive). Mend it", period_s);
     double const asked = period_s / time_scale_;
@@ -84,7 +98,7 @@ double TargetSpectrum::psa_mps2(double period_s) const {
     double const period = std::clamp(asked, first_period_s_, last);
     auto const branch =
         std::find_if(branches_.begin(), branches_.end() - 1, [&](TargetBranch const& b) { return period <= b.to_s; });
-    double const value = factor_ * value_of(*branch, period);
+    double const value = factor_ * shape_.factor(asked) * value_of(*branch, period);
     return asked > last ? value * (last / asked) * (last / asked) : value;
 }
 
@@ -106,6 +120,13 @@ TargetSpectrum TargetSpectrum::at_time_scale(double time_scale) const {
              time_scale, name_);
     auto copy = *this;
     copy.time_scale_ *= time_scale;
+    return copy;
+}
+
+TargetSpectrum TargetSpectrum::shaped(SpectrumShape shape) const {
+    OVERTURN_EXPECT(shape.log_period.size() == shape.log_factor.size());
+    auto copy = *this;
+    copy.shape_ = std::move(shape);
     return copy;
 }
 

@@ -28,6 +28,14 @@ struct TargetBranch {
     double power = 0, exponent = 0;
 };
 
+/// A factor on the ordinates of a spectrum by its period: straight in log-log between points, constant beyond them.
+struct SpectrumShape {
+    std::vector<double> log_period;  ///< of periods in s, rising
+    std::vector<double> log_factor;
+
+    [[nodiscard]] double factor(double period_s) const;
+};
+
 /// A target for one damping ratio. Immutable. It is defined from first_period_s to last_period_s; outside, psa goes on
 /// as constant acceleration below and as constant displacement above: see defined_at. A target of energy velocity
 /// stands where psv does, V_E = psv, and scales as a velocity.
@@ -56,6 +64,11 @@ class TargetSpectrum {
     [[nodiscard]] TargetSpectrum scaled(double factor) const;
     /// For a model whose time runs `time_scale` (s^1/2) times the prototype's: psa_model(T) = psa(T / time_scale).
     [[nodiscard]] TargetSpectrum at_time_scale(double time_scale) const;
+    /// Ordinates times the shape's factors, in place of those of an earlier one. Its periods are those that the target
+    /// was stated in, before any time scale.
+    [[nodiscard]] TargetSpectrum shaped(SpectrumShape shape) const;
+    /// The model's period for one that the target was stated at [s].
+    [[nodiscard]] double model_period_s(double stated_s) const { return stated_s * time_scale_; }
     /// Carried to another damping ratio. \throws InputError for an energy target, which the rules do not speak of.
     [[nodiscard]] TargetSpectrum at_damping(double damping, DampingRule rule) const;
 
@@ -67,6 +80,7 @@ class TargetSpectrum {
     double factor_ = 1;
     double time_scale_ = 1;
     bool energy_ = false;
+    SpectrumShape shape_;
 };
 
 /// Two columns, period [s] and value, parted by blanks or a comma; `#` and `!` begin a comment; one line of names may

@@ -11,9 +11,10 @@ namespace overturn {
 
 /// One decided trial at its own value of a continuous measure.
 struct SingleTrial {
-    double intensity = 0;  ///< > 0, SI unit of the measure
-    std::int64_t wave = 0;
+    double intensity = 0;   ///< > 0, SI unit of the measure
+    std::int64_t wave = 0;  ///< trials of one are resampled together
     bool overturned = false;
+    std::int64_t id = 0;  ///< identity of its wave, where waves that are alike count as one above
 };
 
 /// Trials at one intensity, or so near to each other that it makes no difference. Counts, exact in a double.

@@ -14,7 +14,7 @@ std::map<std::int64_t, std::vector<double>> scores_of(CampaignSpec const& spec, 
                                                       std::span<SingleTrial const> trials) {
     std::map<std::int64_t, std::vector<double>> scores;
     for (auto const& trial : trials) {
-        scores.try_emplace(trial.wave);
+        scores.try_emplace(trial.id);
     }
     Plan const plan(spec);
     auto left = scores.size();
@@ -39,7 +39,7 @@ std::optional<BetaSplit> split_by_draws(CampaignSpec const& spec, std::size_t bo
     std::vector<DrawnTrial> drawn;
     drawn.reserve(trials.size());
     for (auto const& trial : trials) {
-        drawn.push_back({std::log(trial.intensity), scores.at(trial.wave), trial.overturned, trial.wave});
+        drawn.push_back({std::log(trial.intensity), scores.at(trial.id), trial.overturned, trial.wave});
     }
     return split_beta(drawn);
 }

@@ -1,0 +1,198 @@
+#include "generators/detail/compatible_source.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "generators/detail/components.hpp"
+#include "generators/detail/matched_normals.hpp"
+#include "generators/wave_quality.hpp"
+
+namespace overturn {
+
+SpectrumCompatible::SpectrumCompatible(CompatibleRequest request, std::vector<FurtherTarget> const& further)
+    : rule_(request.input.rule),
+      rule_name_(std::move(request.rule_name)),
+      match_(request.match),
+      time_step_s_(request.input.time_step_s),
+      variability_(std::move(request.variability)),
+      seeds_(std::move(request.seeds)),
+      seed_labels_(std::move(request.seed_labels)),
+      stated_to_s_(request.input.target.last_period_s()) {
+    auto const& target = request.input.target;
+    summarise(request.input);
+    add(horizontal_kind, request.input, std::nullopt, 1);
+    if (auto const& median = parts_.front().matcher.median(); median.max_misfit > 0) {
+        summary_ += fmt::format(" (to {:.1f} % on the mean, {:.1f} % at {:.3g} s)", 100 * median.mean_misfit,
+                                100 * median.max_misfit, median.max_misfit_period_s);
+    }
+    for (auto const& [kind, own, correlation] : further) {
+        auto input = request.input;
+        input.target = own;
+        input.longest_s = std::min(input.longest_s, std::max(own.last_period_s(), 1.0));
+        constexpr double at_s = 1;
+        double const of_horizontal = own.psa_mps2(at_s) / target.psa_mps2(at_s);
+        add(kind, input, correlation, of_horizontal);
+        summary_ += fmt::format(", {} target {}, {:.3g} of the horizontal one at {} s", kind.name, own.name(),
+                                of_horizontal, at_s);
+        summary_ += correlation ? fmt::format(", correlation {:g}", *correlation) : "";
+    }
+}
+
+void SpectrumCompatible::summarise(SpectrumMatcherInput const& input) {
+    auto const& target = input.target;
+    constexpr std::array how{"each wave matched", "matched in the median", "not matched"};
+    summary_ =
+        fmt::format("{} samples of {} s, target {} at {} % damping to {:g} s, {}", input.samples, time_step_s_,
+                    target.name(), 100 * target.damping(), input.longest_s, how.at(static_cast<std::size_t>(match_)));
+    summary_ += variability_ ? fmt::format(" to a target of its own: {}", variability_->describe()) : "";
+    summary_ += rule_.asks() ? " by " + rule_name_ : "";
+    if (constexpr double rounding = 1e-9; input.longest_s > stated_to_s_ * (1 + rounding)) {
+        summary_ += fmt::format(", beyond its end at {:g} s on at constant displacement", stated_to_s_);
+    }
+    summary_ += seeds_.empty() ? "" : fmt::format(", phases of {} records", seeds_.size());
+}
+
+std::string SpectrumCompatible::variability() const {
+    if (variability_) {
+        return fmt::format("targets drawn, {}; random phases", variability_->describe());
+    }
+    switch (match_) {
+        case Match::each:
+            return fmt::format("{} alone: every wave has the one target's spectrum",
+                               seeds_.empty() ? "random phases" : "records' phases");
+        case Match::ensemble:
+            return "noise about one median spectrum: no event, path or site differs";
+        case Match::none:
+            break;
+    }
+    return "noise about one spectrum, which is not centred on the target: no event, path or site differs";
+}
+
+std::unique_ptr<NormalWaves> SpectrumCompatible::from_normals() const {
+    std::vector<MatchedNormals::Part> parts;
+    for (auto const& part : parts_) {
+        parts.push_back({&part.matcher, part.kind.place});
+    }
+    // A stated correlation is brought about by iterating both components together.
+    bool const drawn =
+        seeds_.empty() && !variability_
+        && std::none_of(parts_.begin(), parts_.end(), [](Part const& part) { return part.correlation.has_value(); });
+    return drawn ? std::make_unique<MatchedNormals>(std::move(parts), time_step_s_) : nullptr;
+}
+
+GeneratedWave SpectrumCompatible::make(std::uint64_t seed, std::uint64_t wave, Judging judging) const {
+    GeneratedWave made;
+    made.motion.time_step_s = time_step_s_;
+    made.rule = rule_;
+    made.label = seeds_.empty() ? fmt::format("random wave {}", wave) : "";
+    if (!seeds_.empty()) {
+        validate_wave(wave, seeds_.size());
+        made.label = "match of " + seed_labels_[wave];
+    }
+    if (variability_) {
+        made.drawn = variability_->draw(seed, wave);
+        made.label += fmt::format(", target {}", made.drawn->number);
+    }
+    for (auto const& part : parts_) {
+        // Looks and gains of a matcher hang on its periods alone, but making it anew is a tenth of a match.
+        std::optional<SpectrumMatcher> own;
+        if (made.drawn) {
+            auto input = part.input;
+            input.target = input.target.shaped(made.drawn->shape);
+            own.emplace(std::move(input));
+        }
+        auto const& matcher = own ? *own : part.matcher;
+        auto component = seeds_.empty() ? drawn(part, matcher, made.motion, seed, wave, judging)
+                                        : matcher.match_motion(seeds_[wave].*(part.kind.place));
+        add_clauses(part, component.match, made.clauses);
+        made.motion.*(part.kind.place) = std::move(component.acceleration_mps2);
+        made.*(part.kind.match) = component.match;
+        if (part.kind.place == horizontal_kind.place && !component.ratios.empty()) {
+            made.judged_periods_s = part.matcher.periods_s();
+            made.ratios = std::move(component.ratios);
+        }
+    }
+    return made;
+}
+
+void SpectrumCompatible::add(ComponentKind const& kind, SpectrumMatcherInput const& input,
+                             std::optional<double> correlation, double of_horizontal) {
+    constexpr double asked_to_s = 10;  // 0.1 Hz
+    parts_.push_back({kind, input, SpectrumMatcher(input), correlation, of_horizontal,
+                      std::min(asked_to_s, input.target.last_period_s())});
+}
+
+namespace {
+
+bool independent(std::span<double const> a, std::span<double const> b, double largest) {
+    return b.empty() || std::abs(correlation_of(a, b)) <= largest;
+}
+
+}  // namespace
+
+// Chance alone correlates one pair in twenty too much for the rules; the first draw that does not stays.
+SpectrumMatcher::Component SpectrumCompatible::drawn(Part const& part, SpectrumMatcher const& matcher,
+                                                     GroundMotion const& before, std::uint64_t seed, std::uint64_t wave,
+                                                     Judging judging) {
+    constexpr std::uint64_t streams_per_attempt = 16;
+    constexpr std::uint64_t attempts = 8;
+    constexpr double largest_correlation = 0.16;
+    if (part.correlation) {
+        return mixed(part, matcher, before.horizontal_mps2, seed, wave);
+    }
+    for (std::uint64_t attempt = 0;; ++attempt) {
+        auto component = matcher.make(seed, wave, part.kind.stream + attempt * streams_per_attempt, judging);
+        bool const apart = std::all_of(further_kinds.begin(), further_kinds.end(), [&](ComponentKind const& kind) {
+            return independent(component.acceleration_mps2, before.*(kind.place), largest_correlation);
+        });
+        if ((apart && independent(component.acceleration_mps2, before.horizontal_mps2, largest_correlation))
+            || attempt + 1 == attempts) {
+            return component;
+        }
+    }
+}
+
+// Of the horizontal component and a draw of its own that is matched, matched again; that takes some of what both share,
+// which further mixtures make good as far as they can. The nearest is kept.
+SpectrumMatcher::Component SpectrumCompatible::mixed(Part const& part, SpectrumMatcher const& matcher,
+                                                     std::vector<double> const& horizontal, std::uint64_t seed,
+                                                     std::uint64_t wave) {
+    auto const own = matcher.make(seed, wave, part.kind.stream).acceleration_mps2;
+    std::vector<double> scaled(horizontal);
+    for (double& value : scaled) {
+        value *= part.of_horizontal;
+    }
+    constexpr double close = 0.02;
+    constexpr int most = 4;
+    SpectrumMatcher::Component best;
+    double least = 2;
+    double weight = *part.correlation;
+    for (int mixture = 0; mixture < most && least > close; ++mixture) {
+        auto made = matcher.match_motion(correlated(scaled, own, weight));
+        double const missing = *part.correlation - correlation_of(horizontal, made.acceleration_mps2);
+        weight = std::clamp(weight + missing, -1.0, 1.0);
+        if (std::abs(missing) < least) {
+            least = std::abs(missing);
+            best = std::move(made);
+        }
+    }
+    return best;
+}
+
+void SpectrumCompatible::add_clauses(Part const& part, MatchReport const& match, std::vector<Clause>& clauses) const {
+    if (!rule_.asks()) {
+        return;
+    }
+    for (auto clause : spectrum_clauses(rule_, {.figures = match.all,
+                                               .worst_decade = match.worst_decade,
+                                               .intensity_ratio = match.intensity_ratio,
+                                               .judged_to_s = part.input.longest_s,
+                                               .defined_to_s = part.defined_to_s})) {
+        if (part.kind.place != horizontal_kind.place) {
+            clause.name += std::string(", ") + part.kind.name;
+        }
+        clauses.push_back(std::move(clause));
+    }
+}
+
+}  // namespace overturn

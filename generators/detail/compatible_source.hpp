@@ -1,0 +1,109 @@
+/// The source behind make_spectrum_compatible, once its keys are read.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "generators/detail/spectrum_matcher.hpp"
+#include "generators/target_variability.hpp"
+#include "generators/wave_source.hpp"
+
+namespace overturn {
+
+enum class Match { each, ensemble, none };
+
+/// What the table of a further component is called, where its motion and its match go, which streams it draws from.
+struct ComponentKind {
+    char const* name;
+    std::vector<double> GroundMotion::*place;
+    MatchReport GeneratedWave::*match;
+    std::uint64_t stream;
+};
+inline constexpr ComponentKind horizontal_kind{"horizontal", &GroundMotion::horizontal_mps2, &GeneratedWave::match, 0};
+inline constexpr std::array further_kinds{
+    ComponentKind{"transverse", &GroundMotion::transverse_mps2, &GeneratedWave::transverse_match, 2},
+    ComponentKind{"vertical", &GroundMotion::vertical_mps2, &GeneratedWave::vertical_match, 1}};
+
+/// A component beside the horizontal one, as its table says.
+struct FurtherTarget {
+    ComponentKind kind;
+    TargetSpectrum target;
+    std::optional<double> correlation;
+};
+
+/// What the campaign says about all components alike.
+struct CompatibleRequest {
+    SpectrumMatcherInput input;
+    Match match = Match::each;
+    std::string rule_name = "none";
+    std::optional<TargetVariability> variability = {};
+    std::vector<GroundMotion> seeds = {};
+    std::vector<std::string> seed_labels = {};
+};
+
+class SpectrumCompatible : public WaveSource {
+  public:
+    SpectrumCompatible(CompatibleRequest request, std::vector<FurtherTarget> const& further);
+
+    [[nodiscard]] GeneratedWave make(std::uint64_t seed, std::uint64_t wave) const override {
+        return make(seed, wave, Judging::whole);
+    }
+    [[nodiscard]] GeneratedWave make_unjudged(std::uint64_t seed, std::uint64_t wave) const override {
+        return make(seed, wave, Judging::least);
+    }
+    [[nodiscard]] std::unique_ptr<NormalWaves> from_normals() const override;
+    [[nodiscard]] std::optional<std::uint64_t> available() const override {
+        return seeds_.empty() ? std::nullopt : std::optional<std::uint64_t>(seeds_.size());
+    }
+    [[nodiscard]] std::string describe() const override { return summary_; }
+    [[nodiscard]] std::string variability() const override;
+    [[nodiscard]] bool draws_targets() const override { return variability_.has_value(); }
+    [[nodiscard]] std::uint64_t waves_alike() const override {
+        return variability_ ? variability_->input().per_target * variability_->input().targets_per_event : 1;
+    }
+    [[nodiscard]] std::string acceptance() const override { return rule_name_; }
+    /// What lies beyond the target's own last period is compared with nothing that anybody stated.
+    [[nodiscard]] std::optional<double> judged_to_s() const override {
+        return std::min(parts_.front().input.longest_s, stated_to_s_);
+    }
+
+  private:
+    using Judging = SpectrumMatcher::Judging;
+
+    struct Part {
+        ComponentKind kind;
+        SpectrumMatcherInput input;
+        SpectrumMatcher matcher;
+        std::optional<double> correlation;  // stated, with the horizontal one
+        double of_horizontal;               // ratio of the targets
+        double defined_to_s;                // how far a rule asks for the target
+    };
+
+    void add(ComponentKind const& kind, SpectrumMatcherInput const& input, std::optional<double> correlation,
+             double of_horizontal);
+    void summarise(SpectrumMatcherInput const& input);
+    [[nodiscard]] GeneratedWave make(std::uint64_t seed, std::uint64_t wave, Judging judging) const;
+    [[nodiscard]] static SpectrumMatcher::Component drawn(Part const& part, SpectrumMatcher const& matcher,
+                                                          GroundMotion const& before, std::uint64_t seed,
+                                                          std::uint64_t wave, Judging judging);
+    [[nodiscard]] static SpectrumMatcher::Component mixed(Part const& part, SpectrumMatcher const& matcher,
+                                                          std::vector<double> const& horizontal, std::uint64_t seed,
+                                                          std::uint64_t wave);
+    void add_clauses(Part const& part, MatchReport const& match, std::vector<Clause>& clauses) const;
+
+    AcceptanceRule rule_;
+    std::string rule_name_;
+    Match match_;
+    double time_step_s_;
+    std::optional<TargetVariability> variability_;
+    std::vector<GroundMotion> seeds_;
+    std::vector<std::string> seed_labels_;
+    std::vector<Part> parts_;
+    double stated_to_s_;
+    std::string summary_;
+};
+
+}  // namespace overturn

@@ -1,0 +1,250 @@
+#include "generators/target_variability.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/ranges.h>
+#include <gsl/gsl_randist.h>
+
+#include "motion/pair_table.hpp"
+
+namespace overturn {
+namespace {
+
+constexpr double shortest_s = 0.01;
+constexpr double longest_s = 10;
+
+double interpolated(TargetVariability::Sigma const& table, double period_s) {
+    auto const above = std::lower_bound(table.begin(), table.end(), period_s,
+                                        [](auto const& point, double period) { return point.first < period; });
+    if (above == table.begin()) {
+        return table.front().second;
+    }
+    if (above == table.end()) {
+        return table.back().second;
+    }
+    auto const [t0, v0] = *(above - 1);
+    auto const [t1, v1] = *above;
+    return v0 + (v1 - v0) * std::log(period_s / t0) / std::log(t1 / t0);
+}
+
+// The period of a condition is one of them: what is given there is met exactly.
+std::vector<double> drawn_periods(std::optional<TargetVariability::Input::Condition> const& condition) {
+    constexpr double per_decade = 20;
+    auto const gaps = std::lround(per_decade * std::log10(longest_s / shortest_s));
+    std::vector<double> periods;
+    for (long i = 0; i <= gaps; ++i) {
+        periods.push_back(shortest_s * std::pow(10.0, static_cast<double>(i) / per_decade));
+    }
+    if (condition) {
+        auto const above = std::lower_bound(periods.begin(), periods.end(), condition->period_s);
+        constexpr double same = 1e-6;
+        if (above != periods.end() && std::abs(*above - condition->period_s) < same * *above) {
+            *above = condition->period_s;
+        } else {
+            periods.insert(above, condition->period_s);
+        }
+    }
+    return periods;
+}
+
+std::string text_of(TargetVariability::Sigma const& sigma) {
+    return sigma.size() == 1 ? fmt::format("{:g}", sigma.front().second)
+                             : fmt::format("{:g} at {:g} s to {:g} at {:g} s", sigma.front().second,
+                                           sigma.front().first, sigma.back().second, sigma.back().first);
+}
+
+}  // namespace
+
+TargetVariability::TargetVariability(Input input)
+    : input_(std::move(input)), period_s_(drawn_periods(input_.condition)), correlated_(period_s_, input_.correlation) {
+    OVERTURN_EXPECT(input_.sigma.empty() == parted() && (!parted() || !input_.condition));
+    for (double const period : period_s_) {
+        log_period_.push_back(std::log(period));
+    }
+}
+
+double TargetVariability::sigma(double period_s) const {
+    return parted() ? std::hypot(interpolated(input_.between, period_s), interpolated(input_.within, period_s))
+                    : interpolated(input_.sigma, period_s);
+}
+
+double TargetVariability::spread(double period_s) const {
+    double const rho = input_.condition ? input_.correlation(period_s, input_.condition->period_s) : 0;
+    return sigma(period_s) * std::sqrt(std::max(0.0, 1 - rho * rho));
+}
+
+double TargetVariability::mean_epsilon(double period_s) const {
+    return input_.condition ? input_.condition->epsilon * input_.correlation(period_s, input_.condition->period_s) : 0;
+}
+
+std::vector<double> TargetVariability::deviations(std::uint64_t seed, std::uint64_t number, Purpose purpose) const {
+    RandomStream stream(seed, number, purpose);
+    std::vector<double> normals(correlated_.size());
+    for (double& normal : normals) {
+        normal = gsl_ran_gaussian_ziggurat(stream.gsl(), 1);
+    }
+    return correlated_(normals);
+}
+
+double TargetVariability::at_condition(std::vector<double> const& values) const {
+    auto const place = std::find(period_s_.begin(), period_s_.end(), input_.condition->period_s);
+    return values[static_cast<std::size_t>(place - period_s_.begin())];
+}
+
+DrawnTarget TargetVariability::draw(std::uint64_t seed, std::uint64_t wave) const {
+    DrawnTarget drawn;
+    drawn.number = wave / input_.per_target;
+    drawn.event = drawn.number / input_.targets_per_event;
+    auto epsilon = deviations(seed, drawn.number, Purpose::target_spectrum);
+    if (parted()) {
+        auto const between = deviations(seed, drawn.event, Purpose::event_spectrum);
+        for (std::size_t i = 0; i < epsilon.size(); ++i) {
+            epsilon[i] = (interpolated(input_.between, period_s_[i]) * between[i]
+                          + interpolated(input_.within, period_s_[i]) * epsilon[i])
+                         / sigma(period_s_[i]);
+        }
+    }
+    if (input_.condition) {
+        // What is drawn freely, moved by what it misses: distributed as normals given one of them.
+        double const missing = input_.condition->epsilon - at_condition(epsilon);
+        for (std::size_t i = 0; i < epsilon.size(); ++i) {
+            epsilon[i] += input_.correlation(period_s_[i], input_.condition->period_s) * missing;
+        }
+    }
+    drawn.shape.log_period = log_period_;
+    for (std::size_t i = 0; i < epsilon.size(); ++i) {
+        drawn.shape.log_factor.push_back(sigma(period_s_[i]) * epsilon[i]);
+    }
+    for (std::size_t i = 0; i < epsilon_periods_s.size(); ++i) {
+        drawn.epsilon[i] = std::log(drawn.shape.factor(epsilon_periods_s[i])) / sigma(epsilon_periods_s[i]);
+    }
+    return drawn;
+}
+
+std::string TargetVariability::describe() const {
+    auto text = parted() ? fmt::format("ln Sa with sigma {} between events and {} within", text_of(input_.between),
+                                       text_of(input_.within))
+                         : fmt::format("ln Sa with sigma {}", text_of(input_.sigma));
+    text += fmt::format(", correlated by {}", input_.correlation_name);
+    if (input_.condition) {
+        text += fmt::format(", given epsilon {:g} at {:g} s", input_.condition->epsilon, input_.condition->period_s);
+    }
+    text += input_.per_target > 1 ? fmt::format(", {} waves a target", input_.per_target) : "";
+    text += input_.targets_per_event > 1 ? fmt::format(", {} targets an event", input_.targets_per_event) : "";
+    return text;
+}
+
+namespace {
+
+constexpr config::Range sigmas{.low = 0, .high = 3, .low_open = true};
+
+void check_sigma(Pair const& point, Pair const* before) {
+    auto const [period, sigma] = point;
+    validate(period > 0 && std::isfinite(period) && (before == nullptr || period > before->first),
+             "period {} s (periods are positive and rise). Sort the table", period);
+    validate(sigma > sigmas.low && sigma <= sigmas.high, "sigma {} at {} s (must be above {} and at most {}). Mend it",
+             sigma, period, sigmas.low, sigmas.high);
+}
+
+TargetVariability::Sigma read_sigma(config::Table const& table, char const* key, InputFiles& files) {
+    using config::Kind;
+    if (table.kind(key) == Kind::list) {
+        auto const points = table.pairs(key, Dimension::time, Dimension::none);
+        return table.located(key, [&] {
+            validate(!points.empty(), "empty (no standard deviation). State a number, or [[period, sigma], ...]");
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                check_sigma(points[i], i == 0 ? nullptr : &points[i - 1]);
+            }
+            return points;
+        });
+    }
+    if (table.kind(key) == Kind::text) {
+        auto const name = table.text(key);
+        return table.located(key, [&] { return read_pairs(files.read(name), name, "period and sigma", check_sigma); });
+    }
+    return {{1.0, table.number(key, Dimension::none, sigmas)}};
+}
+
+PeriodCorrelation read_correlation_model(config::Table const& table, InputFiles& files, std::string const& name) {
+    if (name == "baker-jayaram-2008") {
+        return baker_jayaram_2008;
+    }
+    if (name == "none") {
+        return [](double a, double b) { return a == b ? 1.0 : 0.0; };
+    }
+    if (name == "full") {
+        return [](double, double) { return 1.0; };
+    }
+    if (name.find('.') == std::string::npos) {
+        table.fail("correlation",
+                   fmt::format("'{}' (one of baker-jayaram-2008, none, full, or a file). Choose one", name));
+    }
+    return table.located("correlation", [&] { return TabulatedCorrelation::parse(files.read(name), name); });
+}
+
+TargetVariability::Input::Condition read_condition(config::Table const& table, TargetSpectrum const& median,
+                                                   TargetVariability::Sigma const& sigma) {
+    table.may_have({"period", "epsilon", "sa"});
+    double const period = table.number("period", Dimension::time, {.low = shortest_s, .high = longest_s});
+    constexpr double most = 4;
+    if (!table.has("sa")) {
+        double const epsilon = table.number("epsilon", Dimension::none, {.low = -most, .high = most}, 0.0);
+        table.finish();
+        return {period, epsilon};
+    }
+    if (table.has("epsilon")) {
+        table.fail("epsilon", "beside sa (one of them gives the other). Keep one");
+    }
+    double const sa = table.number("sa", Dimension::acceleration, config::Range::positive());
+    double const there = median.psa_mps2(median.model_period_s(period));
+    double const epsilon = std::log(sa / there) / interpolated(sigma, period);
+    if (std::abs(epsilon) > most) {
+        table.fail("sa", fmt::format("{:.4g} m/s2, {:.3g} standard deviations from the target's {:.4g} m/s2 (at most "
+                                     "{:g}). Scale the target",
+                                     sa, epsilon, there, most));
+    }
+    table.finish();
+    return {period, epsilon};
+}
+
+}  // namespace
+
+TargetVariability read_variability(config::Table const& table, TargetSpectrum const& median, InputFiles& files) {
+    table.may_have({"sigma", "between", "within", "targets_per_event", "correlation", "per_target", "conditional"});
+    TargetVariability::Input input;
+    bool const parts = table.has("between") || table.has("within");
+    if (parts && table.has("sigma")) {
+        table.fail("sigma", "beside between and within (their squares add up to its own). Keep one or the other");
+    }
+    if (parts) {
+        input.between = read_sigma(table, "between", files);
+        input.within = read_sigma(table, "within", files);
+    } else {
+        input.sigma = read_sigma(table, "sigma", files);
+    }
+    if (!table.has("correlation")) {
+        table.fail_missing("correlation", "State baker-jayaram-2008, none, full, or a file");
+    }
+    input.correlation_name = table.text("correlation");
+    input.correlation = read_correlation_model(table, files, input.correlation_name);
+    constexpr std::int64_t many = 1'000'000;
+    input.per_target = static_cast<std::uint64_t>(table.integer("per_target", 1, many, 1));
+    if (table.has("targets_per_event") && !parts) {
+        table.fail("targets_per_event",
+                   "without between and within (targets are independent). State both, or leave it "
+                   "out");
+    }
+    input.targets_per_event = static_cast<std::uint64_t>(table.integer("targets_per_event", 1, many, 1));
+    if (table.has("conditional")) {
+        if (parts) {
+            table.fail("conditional",
+                       "beside between and within (an event's part would have to be known). State sigma");
+        }
+        input.condition = read_condition(table.child("conditional"), median, input.sigma);
+    }
+    table.finish();
+    return table.located("correlation", [&] { return TargetVariability(std::move(input)); });
+}
+
+}  // namespace overturn

@@ -1,0 +1,148 @@
+// Requirement: rows tell which target a wave was matched to and its Sa at the campaign's periods; levels and curves can
+// be stated by Sa; waves that share a target count as one where intervals are made.
+#include <cmath>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "campaign/analysis.hpp"
+#include "campaign/warnings.hpp"
+#include "spectra/response_spectrum.hpp"
+#include "support/campaigns.hpp"
+#include "support/expect_input_error.hpp"
+
+namespace overturn {
+namespace {
+
+using testing::campaign_from;
+using testing::expect_input_error;
+
+std::string const varying_waves =
+    "[waves]\nsource='spectrum-compatible'\ncount=4\nduration='20.48 s'\ntime_step='0.02 s'\n"
+    "[waves.target]\nspectrum='mlit-ch1'\ntime_scale=0.632\nlongest='5 s'\n"
+    "[waves.envelope]\nshape='jennings'\nrise='2 s'\nlevel_end='10 s'\nend='18 s'\n"
+    "[waves.variability]\nsigma=0.6\ncorrelation='baker-jayaram-2008'\n";
+
+BlockRows rows_of(CampaignSpec const& spec) {
+    Plan const plan(spec);
+    PhaseSeconds seconds;
+    BlockRows all;
+    for (std::int64_t block = 0; block < plan.blocks(); ++block) {
+        auto const rows = run_block(spec, plan, block, seconds);
+        all.waves.insert(all.waves.end(), rows.waves.begin(), rows.waves.end());
+        all.measures.insert(all.measures.end(), rows.measures.begin(), rows.measures.end());
+        all.trials.rows.insert(all.trials.rows.end(), rows.trials.rows.begin(), rows.trials.rows.end());
+    }
+    return all;
+}
+
+std::set<std::string> columns(CampaignSpec const& spec) {
+    std::set<std::string> names;
+    for (auto const& column : wave_table(spec).columns) {
+        names.insert(column.name);
+    }
+    return names;
+}
+
+TEST(VaryingWaves, RowsTellTheDrawnTarget) {
+    auto const spec =
+        campaign_from(varying_waves + "per_target=2\n" + testing::type_b + testing::levels("values=[6]\n"));
+    auto const block = rows_of(spec);
+    ASSERT_EQ(block.waves.size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(block.waves[i].target, static_cast<std::int64_t>(i / 2));
+        auto const made = spec.source->make(spec.seed, i);
+        EXPECT_EQ(block.waves[i].epsilon[4], made.drawn->epsilon[4]);
+        EXPECT_NEAR(0.6 * made.drawn->epsilon[4], std::log(made.drawn->shape.factor(2)), 1e-12) << "2 s is the fifth";
+    }
+    auto const names = columns(spec);
+    for (auto const* name : {"target", "event", "epsilon_0.1s", "epsilon_2s", "epsilon_10s"}) {
+        EXPECT_TRUE(names.contains(name)) << name;
+    }
+    EXPECT_FALSE(names.contains("sa_1"));
+    auto const plain = columns(campaign_from(testing::quick_waves + testing::type_b + testing::levels("values=[6]\n")));
+    for (auto const* name : {"target", "event", "epsilon_1", "epsilon_2s", "sa_average", "sa_1"}) {
+        EXPECT_FALSE(plain.contains(name)) << name;
+    }
+}
+
+// Against the response spectrum of the wave that the source makes.
+TEST(VaryingWaves, SaIsMeasuredAtTheCampaignsPeriodsAndLevelsScaleByIt) {
+    auto const spec = campaign_from(testing::quick_waves + testing::type_b
+                                    + "[levels]\nmeasure='sa'\nperiod='1.5 s'\nvalues=['200 gal', '400 gal']\n"
+                                      "[measures]\nsa_periods=['0.5 s', '3 s']\nsa_band=['0.5 s', '2 s']\n");
+    EXPECT_EQ(spec.measures.sa_periods_s, (std::vector{0.5, 1.5, 3.0})) << "the levels' own is measured too";
+    auto const block = rows_of(spec);
+    auto const motion = spec.source->make(spec.seed, 1).motion;
+    auto const spectrum =
+        response_spectrum(motion.horizontal_mps2, motion.time_step_s, std::vector{0.5, 1.5, 3.0}, 0.05);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(block.waves[1].sa_mps2[i] / spectrum.psa_mps2[i], 1, 1e-12);
+    }
+    for (auto const& trial : block.trials.rows) {
+        auto const& wave = block.waves[static_cast<std::size_t>(trial.wave)];
+        EXPECT_NEAR(trial.scale * wave.sa_mps2[1], trial.amplitude, 1e-12);
+    }
+    // The geometric mean of a smooth spectrum lies within its range and is that of its logarithms.
+    auto const band = log_periods_per_decade(0.5, 2, 30);
+    auto const over = response_spectrum(motion.horizontal_mps2, motion.time_step_s, band, 0.05);
+    double logs = 0;
+    for (double const psa : over.psa_mps2) {
+        logs += std::log(psa) / static_cast<double>(band.size());
+    }
+    EXPECT_NEAR(block.waves[1].sa_average_mps2 / std::exp(logs), 1, 1e-12);
+    EXPECT_EQ(columns(spec).count("sa_1.5s"), 1U);
+    EXPECT_EQ(columns(spec).count("sa_average"), 1U);
+
+    Statistics statistics(spec);
+    statistics.add(block);
+    std::vector<std::string> labels;
+    for (auto const& fit : analyse(spec, statistics, {.confidence = 0.95, .replicates = 20}).front().fragility) {
+        labels.push_back(fit.label);
+    }
+    EXPECT_EQ(labels, (std::vector<std::string>{"sa(1.5 s)", "pga", "pgv", "sa_average", "sa(0.5 s)", "sa(3 s)",
+                                                "v_wes", "ou_v_e", "v_wes_ratio"}));
+    auto const singles = statistics.measured().singles(0, sa_measure(2));
+    ASSERT_FALSE(singles.empty());
+    EXPECT_DOUBLE_EQ(singles[0].intensity, block.trials.rows[0].scale * block.waves[0].sa_mps2[2]);
+}
+
+TEST(VaryingWaves, WavesOfATargetAreResampledTogetherAndThatIsSaid) {
+    auto const spec =
+        campaign_from(varying_waves + "per_target=2\n" + testing::type_b + testing::levels("values=[6, 12]\n"));
+    Statistics statistics(spec);
+    statistics.add(rows_of(spec));
+    std::set<std::int64_t> groups, waves;
+    for (auto const& trial : statistics.measured().singles(0, FragilityMeasure::level)) {
+        groups.insert(trial.wave);
+        waves.insert(trial.id);
+    }
+    EXPECT_EQ(groups, (std::set<std::int64_t>{0, 1}));
+    EXPECT_EQ(waves, (std::set<std::int64_t>{0, 1, 2, 3}));
+    bool said = false;
+    for (auto const& line : warnings_of(spec)) {
+        said = said || line.find("2 waves in a row share what was drawn") != std::string::npos;
+    }
+    EXPECT_TRUE(said);
+}
+
+TEST(VaryingWaves, BadPeriodsAreRefusedWithTheirPlace) {
+    auto const with = [](std::string const& levels, std::string const& measures) {
+        return testing::quick_waves + testing::type_b + levels + "[measures]\n" + measures;
+    };
+    auto const pga = testing::levels("values=[6]\n");
+    expect_input_error([&] { (void)campaign_from(with(pga, "sa_periods=[3, 1]\n")); }, "sa_periods", "rise");
+    expect_input_error([&] { (void)campaign_from(with(pga, "sa_periods=[1, 2, 3, 4, 5]\n")); }, "1 to 4");
+    expect_input_error([&] { (void)campaign_from(with(pga, "sa_band=[2, 1]\n")); }, "sa_band");
+    expect_input_error([&] { (void)campaign_from(with("[levels]\nmeasure='sa'\nvalues=[6]\n", "")); }, "period");
+    expect_input_error([&] { (void)campaign_from(with("[levels]\nmeasure='sa-average'\nvalues=[6]\n", "")); },
+                       "measures.sa_band");
+    expect_input_error(
+        [&] {
+            (void)campaign_from(with("[levels]\nmeasure='sa'\nperiod=2.5\nvalues=[6]\n", "sa_periods=[1, 2, 3, 4]\n"));
+        },
+        "none of the 4");
+}
+
+}  // namespace
+}  // namespace overturn
