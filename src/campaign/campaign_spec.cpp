@@ -223,6 +223,11 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
     spec.confidence = statistics.number("confidence", Dimension::none,
                                         {.low = 0, .high = 1, .low_open = true, .high_open = true}, spec.confidence);
     spec.limits = read_limits(root, statistics, spec.levels.independent_waves, spec.effects);
+    if (spec.rare && spec.rare->method == rare::Method::pulse_mixture && spec.limits.size() > 1) {
+        root.child("rare").fail("method", fmt::format("pulse-mixture beside limit state '{}' (its pulses are of waves "
+                                                      "that overturn). Use auto or subset",
+                                                      spec.limits[1].name));
+    }
     statistics.finish();
     root.finish();
     double const trials = static_cast<double>(spec.wave_count) * static_cast<double>(spec.bodies.size())

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,6 +13,8 @@ namespace overturn {
 namespace {
 
 using rare::Estimate;
+
+constexpr std::string_view between_tries = "; then ";
 
 template <class Value, class Get> std::vector<Value> column(std::span<Estimate const> estimates, Get get) {
     std::vector<Value> values;
@@ -78,16 +81,19 @@ void write_estimates(store::ResultsWriter& file, std::string const& group, std::
     std::vector<double> replicates;
     std::vector<std::int64_t> counts;
     std::vector<std::string> reasons;
+    std::vector<std::string> tried;
     for (auto const& estimate : estimates) {
         replicates.insert(replicates.end(), estimate.replicates.begin(), estimate.replicates.end());
         counts.push_back(static_cast<std::int64_t>(estimate.replicates.size()));
         reasons.push_back(estimate.reason);
+        tried.push_back(fmt::format("{}", fmt::join(estimate.tried, between_tries)));
     }
     file.array(group,
                {"replicates", "1", "estimates of the replicates, level by level; not to be used where not trusted"},
                replicates);
     file.array(group, {"replicate_count", "1", "replicates of each level"}, counts, "amplitude");
     file.attribute(group, "reasons", fmt::format("{}", fmt::join(reasons, "\n")));
+    file.attribute(group, "tried", fmt::format("{}", fmt::join(tried, "\n")));
     write_health(file, group, estimates);
 }
 
@@ -132,18 +138,19 @@ rare::Estimate read_estimate(store::ResultsReader const& file, std::string const
     return made;
 }
 
-// The lines of a text, as many as there are levels.
-std::vector<std::string> lines_of(std::string const& text) {
-    std::vector<std::string> lines(1);
-    for (char const c : text) {
-        if (c == '\n') {
-            lines.emplace_back();
-        } else {
-            lines.back() += c;
-        }
+// The parts of a text, at least one.
+std::vector<std::string> parts_of(std::string_view text, std::string_view between) {
+    std::vector<std::string> parts;
+    for (auto end = text.find(between); end != std::string_view::npos; end = text.find(between)) {
+        parts.emplace_back(text.substr(0, end));
+        text.remove_prefix(end + between.size());
     }
-    return lines;
+    parts.emplace_back(text);
+    return parts;
 }
+
+// The lines of a text, as many as there are levels.
+std::vector<std::string> lines_of(std::string const& text) { return parts_of(text, "\n"); }
 
 // The looks of all levels, each to its own.
 void read_health(store::ResultsReader const& file, std::string const& group, std::vector<Estimate>& estimates) {
@@ -191,12 +198,16 @@ std::vector<RareBody> read_rare_estimates(store::ResultsReader const& file, Camp
             return {};
         }
         auto const reasons = lines_of(file.note(group, "reasons"));
+        auto const tried = lines_of(file.note(group, "tried"));
         auto const counts = file.integers(group + "/replicate_count");
         auto const replicates = file.reals(group + "/replicates");
         std::size_t taken = 0;
         for (std::size_t l = 0; l < counts.size(); ++l) {
             auto estimate = read_estimate(file, group, static_cast<std::int64_t>(l));
             estimate.reason = l < reasons.size() ? reasons[l] : "";
+            if (l < tried.size() && !tried[l].empty()) {
+                estimate.tried = parts_of(tried[l], between_tries);
+            }
             auto const count = static_cast<std::size_t>(counts[l]);
             auto const own = std::span(replicates).subspan(taken, count);
             estimate.replicates.assign(own.begin(), own.end());
@@ -225,6 +236,17 @@ std::string rare_table(CampaignSpec const& spec, std::span<RareBody const> bodie
                         : fmt::format("{:>10.4g}  {:>10}  {:>22}  {:>6}  {:>13}  {:>9}  {}: {}\n", e.factor,
                                       fmt::format("< {:.2e}", e.interval_95.upper), "", "", name_of(e.method), e.runs,
                                       name_of(e.state), e.reason);
+        }
+        for (auto const& e : body.estimates) {
+            for (auto const& words : e.tried) {
+                text += fmt::format("  note: at {:.4g} tried before: {}\n", e.factor, words);
+            }
+            if (e.probability && e.cov > spec.rare->target_cov) {
+                text += fmt::format(
+                    "  note: at {:.4g} the c.o.v. {:.3f} exceeds target_cov {:g} (replicates grow up to "
+                    "four times, within max_runs). State more of them\n",
+                    e.factor, e.cov, spec.rare->target_cov);
+            }
         }
     }
     return text;

@@ -60,7 +60,8 @@ std::optional<RareSpec> read_rare(config::Table const& root, LevelSpec const& le
     constexpr std::int64_t fewest_replicates = 4;  // fewer give no interval
     constexpr std::int64_t most_replicates = 4095;
     spec.replicates = table.integer("replicates", fewest_replicates, most_replicates, spec.replicates);
-    constexpr std::int64_t fewest_runs = 1000;
+    // A first look and the first stage of an estimator; plain trials are counted however few.
+    std::int64_t const fewest_runs = spec.method == rare::Method::crude ? 1000 : 20'000;
     constexpr std::int64_t most_runs = 1'000'000'000;
     spec.max_runs = table.integer("max_runs", fewest_runs, most_runs, spec.max_runs);
     table.finish();

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "campaign/detail/rare_replayer.hpp"
+#include "campaign/rare_results.hpp"
 #include "core/units.hpp"
 
 namespace overturn {
@@ -77,6 +78,20 @@ FailingWave failing_wave(RareReplayer const& replayer, RareRow const& row, std::
     return wave;
 }
 
+// Of what was not trusted no pulse is what failing waves have in common.
+bool mixture_is_trusted(store::ResultsReader const& file, CampaignSpec const& spec, std::size_t body) {
+    auto const group = rare_group(spec, body, 0);
+    auto const methods = file.integers(group + "/method");
+    auto const states = file.integers(group + "/state");
+    for (std::size_t l = 0; l < methods.size(); ++l) {
+        if (methods[l] == static_cast<std::int64_t>(rare::Method::pulse_mixture)
+            && states[l] == static_cast<std::int64_t>(rare::State::trusted)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 }  // namespace
 
 RareWaves rare_waves(store::ResultsReader const& file, CampaignSpec const& spec, std::size_t body) {
@@ -98,7 +113,7 @@ RareWaves rare_waves(store::ResultsReader const& file, CampaignSpec const& spec,
             failed_last = static_cast<std::int64_t>(i);
         }
     }
-    if (drawn_last) {
+    if (drawn_last && mixture_is_trusted(file, spec, body)) {
         waves.pulses = pulses_of(replayer, replayer.stored(*drawn_last));
     }
     if (failed_last) {

@@ -84,6 +84,15 @@ void add_first_wave(CampaignSpec const& spec, Lines& lines) {
     }
 }
 
+void add_rare(CampaignSpec const& spec, Lines& lines) {
+    if (spec.rare && !spec.source->from_normals()->linear()) {
+        lines.push_back(
+            fmt::format("rare events of waves that differ by {}: what is rare among them says nothing of motions that "
+                        "differ by more. Read P with that",
+                        spec.source->variability()));
+    }
+}
+
 void add_alike(CampaignSpec const& spec, Lines& lines) {
     if (auto const alike = spec.source->waves_alike(); alike > 1) {
         lines.push_back(
@@ -187,6 +196,7 @@ std::vector<std::string> warnings_of(CampaignSpec const& spec) {
     add_first_wave(spec, lines);
     add_levels(spec.levels, lines);
     add_alike(spec, lines);
+    add_rare(spec, lines);
     add_motions(spec, lines);
     for (auto const& body : spec.bodies) {
         auto const more = warnings_of(body);

@@ -61,7 +61,7 @@ Json quotes_json(MeasuredFragility const& measured) {
                         {"multiple", q.quote.multiple},
                         {"amplitude", q.quote.intensity},
                         {"probability", q.probability ? Json(*q.probability) : Json(nullptr)},
-                        {"curve_probability", q.curve ? Json(*q.curve) : Json(nullptr)},
+                        {"curve_probability", q.curve && !q.bound ? Json(*q.curve) : Json(nullptr)},
                         {"lower", or_null(bounded, q.bounds.lower)},
                         {"upper", or_null(bounded, q.bounds.upper)},
                         {"bounds_from", source_name(q.source)},

@@ -155,6 +155,11 @@ int plan_campaign(std::string const& path, std::vector<std::string> const& setti
         fmt::print("probed    {}\n", text);
     }
     fmt::print("rungs     {}\n", rung_costs(seconds));
+    if (spec.rare) {
+        fmt::print("rare      {} bodies, {} limit states, {} levels beside the trials: at most {} waves an estimator; "
+                   "their time and rows are not counted here\n",
+                   spec.bodies.size(), spec.limits.size(), spec.levels.levels.size(), spec.rare->max_runs);
+    }
     fmt::print("time      about {} on one rank, {} on the {} cores here\n", duration_text(all),
                duration_text(all / cores), cores);
     fmt::print("file      about {:.2f} MB\n", static_cast<double>(file_bytes(input, spec, plan)) / 1e6);

@@ -31,7 +31,8 @@ nlohmann::ordered_json rare_json(CampaignSpec const& spec, std::span<RareBody co
                             {"runs", e.runs},
                             {"crude_runs", e.probability ? Json(e.crude_runs) : Json(nullptr)},
                             {"cov", e.probability ? Json(e.cov) : Json(nullptr)},
-                            {"replicates", e.replicates},
+                            {"tried", e.tried},
+                            {"replicates", e.probability ? Json(e.replicates) : Json::array()},
                             {"health", std::move(health)}});
         }
     }

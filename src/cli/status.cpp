@@ -96,6 +96,8 @@ int status(std::string const& path) {
                                       plan.blocks(), left.size());
     if (store::Claim::held(shards.folder())) {
         fmt::print("{}; a run is under way\n", progress);
+    } else if (left.empty() && spec.rare) {
+        fmt::print("{}; its rare events are not. Go on with: {}\n", progress, resume_command(input, path));
     } else if (left.empty()) {
         fmt::print("{}; not merged yet. Go on with: overturn merge {}\n", progress, path);
     } else {

@@ -148,7 +148,8 @@ class Choice {
 
     void subset(std::size_t f) {
         Named workers(workers_, fmt::format("factor-{}", f));
-        auto result = estimate_subset(problem_, factors_[f], request_for(f), workers);
+        auto result =
+            estimate_subset(problem_, factors_[f], request_for(f), workers, {}, plain_.empty() ? Count{} : plain_[f]);
         put({f}, {result.estimate});
         if (record_ != nullptr) {
             record_->subsets.push_back(std::move(result));
@@ -158,9 +159,14 @@ class Choice {
     // Work that was done in vain counts too.
     void put(Places const& places, std::vector<Estimate> const& estimates) {
         for (std::size_t i = 0; i < places.size(); ++i) {
-            auto const before = made_[places[i]].runs;
-            made_[places[i]] = estimates[i];
-            made_[places[i]].runs += before;
+            auto before = std::move(made_[places[i]]);
+            auto& made = made_[places[i]] = estimates[i];
+            made.runs += before.runs;
+            made.tried = std::move(before.tried);
+            if (!before.reason.empty()) {
+                made.tried.push_back(fmt::format("{}, {} waves: {}, {}", name_of(before.method), before.runs,
+                                                 name_of(before.state), before.reason));
+            }
         }
     }
 

@@ -16,11 +16,7 @@ struct CrudeRow {
     std::uint64_t failed = 0, undecided = 0;
 };
 
-void add(Count& count, Count const& more) {
-    count.failed += more.failed;
-    count.undecided += more.undecided;
-    count.trials += more.trials;
-}
+constexpr double most_undecided = 0.05;  // they could move the estimate by so much
 
 Estimate estimate_of(double factor, Count const& count) {
     Estimate estimate;
@@ -32,6 +28,15 @@ Estimate estimate_of(double factor, Count const& count) {
         distrust(estimate, State::not_resolved,
                  fmt::format("{} of {} waves failed (fewer than {})", count.failed, count.trials, fewest_failures),
                  count);
+        return estimate;
+    }
+    double const undecided = static_cast<double>(count.undecided) / static_cast<double>(count.failed);
+    estimate.health.push_back(
+        {"undecided trials per failed one", undecided, most_undecided, undecided <= most_undecided});
+    if (undecided > most_undecided) {
+        auto const interval = estimate.interval_95;
+        distrust(estimate, State::not_trusted, words_of(estimate.health), count);
+        estimate.interval_95 = interval;
         return estimate;
     }
     double const p = static_cast<double>(count.failed) / static_cast<double>(count.trials);
@@ -102,7 +107,7 @@ std::vector<Estimate> estimate_crude(Problem const& problem, std::span<double co
         auto const more =
             count_failures(problem, factors, key, done, wanted - done, fmt::format("crude-{}", round), workers);
         for (std::size_t f = 0; f < counts.size(); ++f) {
-            add(counts[f], more[f]);
+            counts[f].add(more[f]);
         }
         done = wanted;
     }

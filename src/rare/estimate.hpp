@@ -37,6 +37,7 @@ struct Estimate {
     double cov = 0;                     ///< standard error over probability; 0 without one
     std::int64_t runs = 0;              ///< waves made, those that other factors share included
     double crude_runs = 0;              ///< waves that crude Monte Carlo needs for this c.o.v.; 0 without one
+    std::vector<std::string> tried;     ///< estimators that were not trusted before: what was found of each
     std::vector<double> replicates;     ///< each one's estimate, for the eye; not to be used where it is not trusted
     std::vector<HealthCheck> health;
 };
@@ -46,6 +47,12 @@ struct Count {
     std::int64_t failed = 0;
     std::int64_t undecided = 0;
     std::int64_t trials = 0;
+
+    void add(Count const& more) {
+        failed += more.failed;
+        undecided += more.undecided;
+        trials += more.trials;
+    }
 };
 /// Undecided trials count as safe for the lower end and as failed for the upper one.
 [[nodiscard]] Interval clopper_pearson(Count const& count);

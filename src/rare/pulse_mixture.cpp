@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include <fmt/format.h>
@@ -70,7 +71,8 @@ double weight_deviation(std::vector<std::vector<MixtureStage>> const& stages) {
     }
     double const mean = sum / n;
     double const error = std::sqrt((squares / n - mean * mean) / n);
-    return error > 0 ? std::abs(mean) / error : 0;
+    // Weights that are all alike and not 1 are no scatter: nothing was drawn from the mixture that they are of.
+    return mean == 0 ? 0 : error > 0 ? std::abs(mean) / error : std::numeric_limits<double>::infinity();
 }
 
 class Judge {
@@ -112,6 +114,7 @@ class Judge {
         at_most("scatter of replicates over their own", within > 0 ? mean.standard_error / std::sqrt(within) : 0,
                 largest_scatter);
         at_most("mean weight off 1, standard errors", weight_deviation(stages), largest_deviation);
+        at_most("estimate", mean.mean, 1);
         at_most("undecided share", mean.mean > 0 ? undecided / n / replicates / mean.mean : 1, most_undecided);
         if (crude != nullptr && crude->failed >= fewest_failures) {
             auto const trials = static_cast<double>(crude->trials);
@@ -119,7 +122,11 @@ class Judge {
             double const error = std::hypot(mean.standard_error, std::sqrt(p * (1 - p) / trials));
             at_most("off plain trials, standard errors", std::abs(p - mean.mean) / error, largest_difference);
         }
-        return conclude(made, mean.mean, plain_of(stages, f), hits);
+        auto plain = plain_of(stages, f);
+        if (crude != nullptr) {
+            plain.add(*crude);
+        }
+        return conclude(made, mean.mean, plain, hits);
     }
 
   private:
@@ -151,18 +158,21 @@ class Judge {
     std::size_t fitted_;  ///< place of the fitted factor
 };
 
-std::vector<Estimate> none(std::span<double const> factors, Scouted const& scouted, PulseLadder const& ladder) {
+std::vector<Estimate> none(std::span<double const> factors, std::span<Count const> crude, Scouted const& scouted,
+                           PulseLadder const& ladder, Request const& request) {
     std::vector<Estimate> estimates;
-    for (double const factor : factors) {
+    for (std::size_t f = 0; f < factors.size(); ++f) {
         Estimate made;
-        made.factor = factor;
+        made.factor = factors[f];
         made.method = Method::pulse_mixture;
         made.runs = scouted.runs + ladder.runs();
-        distrust(made, scouted.found ? State::not_trusted : State::not_resolved,
-                 scouted.found ? "draws of the mixture hardly ever fail (waves are not linear in their normals, or "
-                                 "failures have nothing in common)"
-                               : "no factor makes failure common",
-                 {});
+        bool const broken = scouted.found && ladder.broken();
+        distrust(made, broken ? State::not_trusted : State::not_resolved,
+                 broken          ? "draws of the mixture hardly ever fail (waves are not linear in their normals, or "
+                                   "failures have nothing in common)"
+                 : scouted.found ? fmt::format("not reached in {} waves (max_runs)", request.max_runs)
+                                 : scouted.reason,
+                 crude.empty() ? Count{} : crude[f]);
         estimates.push_back(std::move(made));
     }
     return estimates;
@@ -192,13 +202,15 @@ PulseResult estimate_pulse_mixture(Problem const& problem, std::span<double cons
     if (scouted.found) {
         ladder.descend(scouted.factor, fitted_factor);
     }
-    if (!scouted.found || ladder.broken()) {
-        return {none(factors, scouted, ladder), std::move(ladder.stages())};
+    auto const final_runs = std::min(options.final_runs, (request.max_runs - ladder.runs()) / request.replicates);
+    if (!scouted.found || ladder.broken() || ladder.spent() || final_runs < std::min(options.final_runs, options.pilot_runs)) {
+        auto estimates = none(factors, crude, scouted, ladder, request);
+        return {std::move(estimates), std::move(ladder.stages())};
     }
     // The fitted factor is looked at too, whether it is asked for or not.
     std::vector<double> looked_at(factors.begin(), factors.end());
     looked_at.push_back(fitted_factor);
-    ladder.finish(looked_at, options.final_runs);
+    ladder.finish(looked_at, final_runs);
     Judge const judge(ladder, factors.size());
     PulseResult result;
     for (std::int64_t round = 0;; ++round) {

@@ -66,10 +66,18 @@ Scouted scout(Problem const& problem, double factor, Request const& request, Wor
     constexpr std::uint64_t attempts = 40;
     Scouted found{.factor = factor};
     for (std::uint64_t attempt = 0; attempt < attempts; ++attempt) {
+        if (found.runs + trials > request.max_runs) {
+            found.reason = fmt::format(
+                "failure is not common at {:.3g} times the level, and more waves are not allowed "
+                "(max_runs {})",
+                found.factor / factor, request.max_runs);
+            return found;
+        }
         DrawKey const key{.seed = request.seed, .problem = request.problem, .phase = Phase::scout, .level = attempt};
         auto const rows = look(problem, found.factor, key, trials, workers);
         found.runs += trials;
         found.count = count_of(rows);
+        found.at_first = attempt == 0 ? found.count : found.at_first;
         if (static_cast<double>(found.count.failed) >= common * static_cast<double>(trials)) {
             found.missed = missed_by_driver(rows, found.count.failed);
             found.found = true;
@@ -77,6 +85,7 @@ Scouted scout(Problem const& problem, double factor, Request const& request, Wor
         }
         found.factor *= raise;
     }
+    found.reason = fmt::format("not even {:.3g} times the level makes failure common", found.factor / factor);
     return found;
 }
 

@@ -1,6 +1,8 @@
 /// A first look at a limit state: the factor at which it is common, and whether its driver leads there.
 #pragma once
 
+#include <string>
+
 #include "rare/crude.hpp"
 
 namespace overturn::rare {
@@ -8,9 +10,11 @@ namespace overturn::rare {
 struct Scouted {
     double factor = 0;  ///< where failure is common, at least the one it began with
     Count count{};      ///< of plain trials at that factor
+    Count at_first{};   ///< of those at the factor it began with
     double missed = 0;  ///< share of failures that lie below the highest 2 x failures of the driver [-]
     std::int64_t runs = 0;
-    bool found = false;  ///< false: not even a large factor makes failure common
+    bool found = false;
+    std::string reason{};  ///< why not
 };
 
 /// Largest share of failures that a nested driver may miss. Peak energy misses none, window energy a third.

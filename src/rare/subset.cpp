@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -19,10 +20,16 @@ SubsetRow row_of(Answer const& answer) {
 
 class Simulation {
   public:
+    /// \param first number of the first replicate
     Simulation(Problem const& problem, double factor, Request const& request, Workforce& workers,
-               SubsetOptions const& options)
-        : problem_(problem), factor_(factor), options_(options), workers_(workers), normals_(problem.normals()) {
-        for (std::int64_t r = 0; r < request.replicates; ++r) {
+               SubsetOptions const& options, std::int64_t first, std::int64_t replicates)
+        : problem_(problem),
+          factor_(factor),
+          options_(options),
+          workers_(workers),
+          name_(first == 0 ? "subset" : fmt::format("more-{}", first)),
+          normals_(problem.normals()) {
+        for (std::int64_t r = first; r < first + replicates; ++r) {
             runs_.emplace_back(DrawKey{.seed = request.seed,
                                        .problem = request.problem,
                                        .replicate = static_cast<std::uint64_t>(r),
@@ -45,7 +52,7 @@ class Simulation {
         }
     }
 
-    [[nodiscard]] std::vector<SubsetRun> const& runs() const { return runs_; }
+    [[nodiscard]] std::vector<SubsetRun>& runs() { return runs_; }
     [[nodiscard]] std::int64_t trials() const { return trials_; }
     [[nodiscard]] Count const& plain() const { return plain_; }
 
@@ -59,6 +66,7 @@ class Simulation {
     double factor_;
     SubsetOptions options_;
     Workforce& workers_;
+    std::string name_;
     std::vector<double> normals_;
     std::vector<SubsetRun> runs_;
     std::int64_t trials_ = 0;
@@ -68,7 +76,7 @@ class Simulation {
 void Simulation::begin() {
     auto const each = options_.samples;
     auto const rows = workers_.map<SubsetRow>(
-        {.name = "subset-0", .items = each * replicates()}, [&](std::int64_t first, std::span<SubsetRow> out) {
+        {.name = name_ + "-0", .items = each * replicates()}, [&](std::int64_t first, std::span<SubsetRow> out) {
             for (std::size_t i = 0; i < out.size(); ++i) {
                 auto const item = first + static_cast<std::int64_t>(i);
                 runs_[static_cast<std::size_t>(item / each)].plain(item % each, normals_);
@@ -101,7 +109,7 @@ std::vector<std::size_t> Simulation::close_levels() {
 void Simulation::step_all(std::vector<std::size_t> const& going, std::int64_t step) {
     auto const chains = options_.chains;
     auto const items = chains * static_cast<std::int64_t>(going.size());
-    auto const name = fmt::format("subset-{}-{}", runs_[going.front()].result().levels, step + 1);
+    auto const name = fmt::format("{}-{}-{}", name_, runs_[going.front()].result().levels, step + 1);
     auto const rows =
         workers_.map<SubsetRow>({.name = name, .items = items}, [&](std::int64_t first, std::span<SubsetRow> out) {
             for (std::size_t i = 0; i < out.size(); ++i) {
@@ -123,54 +131,97 @@ struct Doubt {
     std::string reason;
 };
 
-Doubt doubt_of(Simulation const& simulation, Scouted const& scouted, Estimate const& estimate,
-               SubsetOptions const& options) {
+/// Replicates so far, batch by batch.
+struct Batches {
+    std::vector<SubsetRun> runs;
+    std::int64_t trials = 0;
+    Count plain;
+
+    void add(Simulation simulation) {
+        trials += simulation.trials();
+        plain.add(simulation.plain());
+        auto& more = simulation.runs();
+        std::move(more.begin(), more.end(), std::back_inserter(runs));
+    }
+    /// No level was needed: its plain trials are all there is to it.
+    [[nodiscard]] bool is_plain() const {
+        return std::ranges::all_of(runs, [](SubsetRun const& run) { return run.result().levels == 0; });
+    }
+};
+
+Doubt doubt_of(Batches const& batches, Scouted const& scouted, Estimate const& estimate, SubsetOptions const& options) {
     if (!scouted.found) {
-        return {State::not_resolved, "no factor makes failure common"};
+        return {State::not_resolved, scouted.reason};
     }
     if (auto const words = words_of(estimate.health); !words.empty()) {
         return {State::not_trusted, words};
     }
     auto const ended = [&](SubsetRun::End how) {
-        return std::count_if(simulation.runs().begin(), simulation.runs().end(),
-                             [&](SubsetRun const& run) { return run.end() == how; });
+        return std::ranges::count_if(batches.runs, [&](SubsetRun const& run) { return run.end() == how; });
     };
     if (auto const tied = ended(SubsetRun::End::plateau); tied > 0) {
         return {State::not_trusted,
                 fmt::format("the driver's threshold ties in {} of {} replicates (many trials answer "
                             "the same, so nothing leads to failure)",
-                            tied, simulation.runs().size())};
+                            tied, batches.runs.size())};
     }
     if (ended(SubsetRun::End::too_deep) > 0) {
         return {State::not_resolved, fmt::format("not reached in {} levels", options.most_levels)};
     }
     if (ended(SubsetRun::End::none) > 0) {
-        return {State::not_resolved, fmt::format("not reached in {} runs (max_runs)", simulation.trials())};
+        return {State::not_resolved, fmt::format("not reached in {} waves (max_runs)", batches.trials)};
     }
     return {};
 }
 
-void check_health(Estimate& estimate, Simulation const& simulation, Scouted const& scouted) {
+void check_health(Estimate& estimate, Batches const& batches, Scouted const& scouted) {
     auto const check = [&](std::string name, double value, double limit) {
         estimate.health.push_back({std::move(name), value, limit, value <= limit});
     };
     check("failures that the driver misses", scouted.missed, most_missed);
+    if (batches.trials == 0) {
+        return;
+    }
     std::int64_t undecided = 0;
-    for (auto const& run : simulation.runs()) {
+    for (auto const& run : batches.runs) {
         undecided += run.undecided();
     }
     constexpr double most_undecided = 0.001;
-    check("undecided trials", static_cast<double>(undecided) / static_cast<double>(simulation.trials()),
-          most_undecided);
+    check("undecided trials", static_cast<double>(undecided) / static_cast<double>(batches.trials), most_undecided);
 }
 
 // Beyond it the interval spans a decade, and the mean rests on one or two replicates.
 constexpr double largest_cov = 0.5;
 
+ReplicateMean mean_of(Batches const& batches) {
+    std::vector<double> replicates;
+    for (auto const& run : batches.runs) {
+        replicates.push_back(run.result().probability);
+    }
+    return mean_of_replicates(replicates);
+}
+
+// What is still wanted of replicates; 0: enough, or no more are allowed.
+std::int64_t more_wanted(Batches const& batches, Request const& request, SubsetOptions const& options) {
+    auto const done = static_cast<std::int64_t>(batches.runs.size());
+    auto const mean = mean_of(batches);
+    bool const ended =
+        std::ranges::all_of(batches.runs, [](SubsetRun const& run) { return run.end() == SubsetRun::End::reached; });
+    if (!ended || !(mean.mean > 0) || batches.is_plain()) {
+        return 0;
+    }
+    double const cov = mean.standard_error / mean.mean;
+    double const factor = std::min(cov * cov / (request.target_cov * request.target_cov), 2.0);
+    auto const wanted = static_cast<std::int64_t>(std::ceil(factor * static_cast<double>(done)));
+    auto const allowed = std::min(request.replicates * options.most_growth,
+                                  done + (request.max_runs - batches.trials) / (batches.trials / done + 1));
+    return std::max<std::int64_t>(0, std::min(wanted, allowed) - done);
+}
+
 }  // namespace
 
 SubsetResult estimate_subset(Problem const& problem, double factor, Request const& request, Workforce& workers,
-                             SubsetOptions const& options) {
+                             SubsetOptions const& options, Count const& plain) {
     OVERTURN_EXPECT(options.samples % options.chains == 0 && options.chains < options.samples);
     auto const scouted = scout(problem, factor, request, workers);
     SubsetResult result;
@@ -178,32 +229,40 @@ SubsetResult estimate_subset(Problem const& problem, double factor, Request cons
     auto& estimate = result.estimate;
     estimate.factor = factor;
     estimate.method = Method::subset;
-    Simulation simulation(problem, factor, request, workers, options);
-    if (scouted.found && scouted.missed <= most_missed) {
-        simulation.run(request.max_runs);
+    Batches batches;
+    bool const leads = scouted.found && scouted.missed <= most_missed;
+    for (auto more = leads ? request.replicates : 0; more > 0; more = more_wanted(batches, request, options)) {
+        Simulation simulation(problem, factor, request, workers, options,
+                              static_cast<std::int64_t>(batches.runs.size()), more);
+        simulation.run(request.max_runs - batches.trials);
+        batches.add(std::move(simulation));
     }
-    estimate.runs = scouted.runs + simulation.trials();
-    for (auto const& run : simulation.runs()) {
+    estimate.runs = scouted.runs + batches.trials;
+    for (auto const& run : batches.runs) {
         result.replicates.push_back(run.result());
         estimate.replicates.push_back(run.result().probability);
     }
-    if (simulation.trials() > 0) {
-        check_health(estimate, simulation, scouted);
-    } else {
-        estimate.health.push_back(
-            {"failures that the driver misses", scouted.missed, most_missed, scouted.missed <= most_missed});
-    }
-    auto doubt = doubt_of(simulation, scouted, estimate, options);
-    auto const mean = mean_of_replicates(estimate.replicates);
+    check_health(estimate, batches, scouted);
+    auto doubt = doubt_of(batches, scouted, estimate, options);
+    auto const mean = batches.runs.empty() ? ReplicateMean{} : mean_of(batches);
     if (doubt.state == State::trusted && !(mean.standard_error <= largest_cov * mean.mean)) {
         doubt = {State::not_trusted, "replicates disagree"};
     }
     if (doubt.state != State::trusted) {
-        distrust(estimate, doubt.state, doubt.reason, simulation.plain());
+        auto all = plain;
+        all.add(scouted.at_first);
+        all.add(batches.plain);
+        distrust(estimate, doubt.state, doubt.reason, all);
         return result;
     }
     estimate.state = State::trusted;
     estimate.probability = mean.mean;
+    if (batches.is_plain()) {
+        estimate.interval_95 = clopper_pearson(batches.plain);
+        estimate.cov = std::sqrt((1 - mean.mean) / static_cast<double>(batches.plain.failed));
+        estimate.crude_runs = static_cast<double>(batches.plain.trials);
+        return result;
+    }
     estimate.interval_95 = mean.interval_95;
     estimate.cov = mean.standard_error / mean.mean;
     estimate.crude_runs = crude_runs_for(mean.mean, estimate.cov);

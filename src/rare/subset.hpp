@@ -15,6 +15,8 @@ struct SubsetOptions {
     std::int64_t most_levels = 14;
     double first_step = 0.5;  ///< s: x' = sqrt(1 - s^2) x + s xi
     double wanted_acceptance = 0.44;
+    std::int64_t most_growth =
+        4;  ///< replicates are added up to so many times those asked for, until the c.o.v. is met
 };
 
 /// A state of a chain by its descent: x of a root is its draw, of others sqrt(1 - s^2) x(parent) + s draw, rounded to
@@ -43,9 +45,12 @@ struct SubsetResult {
 };
 
 /// At one factor. Not trusted if the driver is not nested, its thresholds tie or trials are undecided; not resolved if
-/// the last level is not reached. max_runs ends it with what it says to be not resolved.
+/// the last level is not reached. max_runs ends it with what it says to be not resolved. Replicates are added while the
+/// c.o.v. exceeds target_cov and max_runs allows. \param plain trials at this factor made before, for the bound of an
+/// estimate that is not trusted
 [[nodiscard]] SubsetResult estimate_subset(Problem const& problem, double factor, Request const& request,
-                                           Workforce& workers, SubsetOptions const& options = {});
+                                           Workforce& workers, SubsetOptions const& options = {},
+                                           Count const& plain = {});
 
 /// The normals of a node. \pre the node is one of `nodes`
 void normals_of_node(std::vector<SubsetNode> const& nodes, std::int64_t node, DrawKey key, std::span<double> normals);

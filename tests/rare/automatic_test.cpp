@@ -66,6 +66,9 @@ TEST(Automatic, ChangesItsMind) {
     ASSERT_EQ(record.mixtures.size(), 1U);
     EXPECT_NE(record.mixtures.front().estimates.front().state, State::trusted);
     EXPECT_GT(chosen.runs, record.subsets.front().estimate.runs);  // what was in vain counts too
+    ASSERT_EQ(chosen.tried.size(), 1U);                            // and what was in vain is told
+    EXPECT_NE(chosen.tried.front().find("pulse-mixture"), std::string::npos) << chosen.tried.front();
+    EXPECT_NE(chosen.tried.front().find("not-"), std::string::npos) << chosen.tried.front();
     EXPECT_EQ(insisted.state, State::not_trusted);
     EXPECT_FALSE(insisted.probability.has_value());
 }

@@ -166,6 +166,71 @@ TEST(Mixture, WeightIsTheRatioOfDensities) {
     EXPECT_NEAR(mixture.weight(x), 1 / (.1 + .9 * shifted), 1e-13);
 }
 
+// A pulse of one line with |M|^2 = square and one arrival, and what a draw x = along M weighs by the formula, in
+// logarithms.
+struct OnePulse {
+    Mixture mixture;
+    double square;
+
+    [[nodiscard]] static OnePulse of(double square) {
+        PulseFrame const frame{.lines = 3, .spacing_radps = 2 * pi / 8, .duration_s = 8, .body_period_s = 1};
+        Pulse pulse{.lines = {{std::sqrt(square), 0}, {0, 0}, {0, 0}}, .share = 1, .arrival = std::vector<double>(8)};
+        pulse.arrival[0] = 1;
+        return {Mixture(frame, {pulse}), square};
+    }
+    [[nodiscard]] double weight(double along) const {
+        return mixture.weight(std::vector<double>{along * std::sqrt(square), 0.3, 0, 0, 0, 0});
+    }
+    [[nodiscard]] double formula(double along) const {
+        long double sum = 0;
+        for (double const strength : pulse_strengths) {
+            for (double const sign : {-1.0, 1.0}) {
+                sum += std::exp(static_cast<long double>(square * (sign * strength * along - strength * strength / 2)))
+                       / 6;
+            }
+        }
+        return static_cast<double>(1 / (0.1L + 0.9L * sum));
+    }
+};
+
+// Requirement: weights are right however strong a pulse is: those of its own draws vanish, those of plain draws are
+// 1/w0, and between them, where both densities are alike, the formula holds on either side of the change of method.
+TEST(Mixture, WeightsOfStrongPulsesStayRight) {
+    for (double const square : {400.0, 749.0, 751.0, 1300.0, 5000.0}) {
+        auto const one = OnePulse::of(square);
+        EXPECT_NEAR(one.weight(0), 10, 1e-12) << square;
+        EXPECT_LT(one.weight(1), 1e-60) << square;
+        EXPECT_LT(one.weight(-1.3), 1e-60) << square;
+        for (double const along : {0.415, 0.42, 0.425, 0.43}) {
+            EXPECT_NEAR(one.weight(along) / one.formula(along), 1, 1e-9) << square << " at " << along;
+        }
+    }
+}
+
+// Requirement: where failure is next to impossible nothing above 1 is stated, and no weights that are all alike pass.
+TEST(PulseMixture, StatesNothingAbsurdWhereFailureIsNextToImpossible) {
+    RockingNoise const problem;
+    LoneWorker workers;
+    std::vector<double> const factors{0.25};
+    auto const result = estimate_pulse_mixture(problem, factors, 0.25, {.seed = 3, .replicates = 2}, workers, {},
+                                               {.pilot_runs = 400, .final_runs = 400, .most_rounds = 1});
+    auto const& made = result.estimates.front();
+    if (made.state == State::trusted) {
+        EXPECT_LT(*made.probability, 1e-20);
+    } else {
+        EXPECT_FALSE(made.probability.has_value());
+    }
+    double sum = 0;
+    double n = 0;
+    for (auto const& replicate : result.stages) {
+        for (auto const& row : replicate.back().rows) {
+            sum += row.weight;
+            ++n;
+        }
+    }
+    EXPECT_NEAR(sum / n, 1, 0.5);
+}
+
 // Requirement: without pulses the method is crude Monte Carlo, bit for bit.
 TEST(PulseMixture, WithoutPulsesIsCrude) {
     RockingNoise const problem;

@@ -69,7 +69,7 @@ class SubsetOf : public ::testing::TestWithParam<Known> {};
 TEST_P(SubsetOf, MeetsTheExactProbability) {
     LimitState const problem(dimension, GetParam().limit, GetParam().value);
     LoneWorker workers;
-    auto const result = estimate_subset(problem, 1, {.seed = 11, .replicates = 16}, workers, tuned);
+    auto const result = estimate_subset(problem, 1, {.seed = 11, .target_cov = 1, .replicates = 16}, workers, tuned);
     auto const& estimate = result.estimate;
 
     ASSERT_EQ(estimate.state, State::trusted) << estimate.reason;
@@ -85,7 +85,7 @@ TEST_P(SubsetOf, MeetsTheExactProbability) {
 TEST_P(SubsetOf, AcceptsAsOftenAsWanted) {
     LimitState const problem(dimension, GetParam().limit, GetParam().value);
     LoneWorker workers;
-    auto const result = estimate_subset(problem, 1, {.seed = 5, .replicates = 2}, workers, tuned);
+    auto const result = estimate_subset(problem, 1, {.seed = 5, .target_cov = 1, .replicates = 2}, workers, tuned);
 
     for (auto const& replicate : result.replicates) {
         for (double const acceptance : replicate.acceptance) {
@@ -112,6 +112,42 @@ TEST(Subset, IntervalHoldsTheProbability) {
         held += estimate.interval_95.lower <= 1.0001e-3 && 1.0001e-3 <= estimate.interval_95.upper ? 1 : 0;
     }
     EXPECT_GE(held, 92);
+}
+
+// Requirement: replicates are added until the wanted c.o.v. is met, as far as four times as many and max_runs go, and
+// the estimate is theirs all.
+TEST(Subset, AddsReplicatesUntilItIsPreciseEnough) {
+    auto const problem = small(3.0902);
+    LoneWorker workers;
+    SubsetOptions const options{.samples = 500, .chains = 50};
+    auto const coarse = estimate_subset(problem, 1, {.seed = 3, .target_cov = 1}, workers, options);
+    double const wanted = 0.7 * coarse.estimate.cov;
+    auto const close = estimate_subset(problem, 1, {.seed = 3, .target_cov = wanted}, workers, options);
+    auto const bounded = estimate_subset(problem, 1, {.seed = 3, .target_cov = 0.01}, workers, options);
+    EXPECT_EQ(coarse.replicates.size(), 8U);
+    EXPECT_GT(close.replicates.size(), 8U);
+    EXPECT_TRUE(close.estimate.cov <= wanted || close.replicates.size() == 32U);
+    EXPECT_EQ(bounded.replicates.size(), 32U);
+    for (std::size_t r = 0; r < 8; ++r) {
+        EXPECT_EQ(close.estimate.replicates[r], coarse.estimate.replicates[r]) << "the first ones stay";
+    }
+    EXPECT_NE(close.estimate.replicates[8], close.estimate.replicates[0]);
+    auto const few = estimate_subset(problem, 1, {.seed = 3, .target_cov = 0.01, .max_runs = 30000}, workers, options);
+    EXPECT_LE(few.estimate.runs, 30000 + 40 * 2048);
+    EXPECT_LT(few.replicates.size(), 32U);
+}
+
+// Requirement: where failure is common from the start, the interval is that of plain trials.
+TEST(Subset, CountsWhatIsCommon) {
+    auto const problem = small(-9);
+    LoneWorker workers;
+    auto const estimate = estimate_subset(problem, 1, {.seed = 1}, workers).estimate;
+    ASSERT_TRUE(estimate.probability.has_value());
+    EXPECT_EQ(*estimate.probability, 1);
+    EXPECT_EQ(estimate.interval_95.upper, 1);
+    EXPECT_LT(estimate.interval_95.lower, 1);
+    EXPECT_GT(estimate.interval_95.lower, 0.999);
+    EXPECT_GT(estimate.crude_runs, 0);
 }
 
 // Requirement: a driver that answers the same for most trials leads nowhere: nothing is stated.
@@ -156,7 +192,7 @@ TEST(Subset, DoesNotResolveWhatItDoesNotReach) {
     EXPECT_EQ(estimate.state, State::not_resolved);
     EXPECT_FALSE(estimate.probability.has_value());
     EXPECT_EQ(estimate.interval_95.lower, 0);
-    EXPECT_NEAR(estimate.interval_95.upper, 3.69 / 16000, 1e-6);
+    EXPECT_NEAR(estimate.interval_95.upper, 3.69 / (16000 + 2048), 1e-6);
 }
 
 // Requirement: moves alone, all accepted, keep the standard normal and forget by sqrt(1 - s^2) a step.

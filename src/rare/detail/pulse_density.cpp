@@ -17,13 +17,37 @@
 HWY_BEFORE_NAMESPACE();
 namespace overturn::rare::HWY_NAMESPACE {
 
+// Sums per strength kappa of arrival exp(kappa |r| - kappa^2 square / 2) where these exponents leave the range of
+// numbers: each by itself, cut where what it adds is next to nothing or beyond any weight. The pulse of the other sign,
+// exp(-2 kappa |r|) of it, is left out. `strength` and `shift` hold kappa and kappa^2 square / 2.
+void sum_far_densities(double const* arrival, double const* correlation, std::size_t count, double const* strength,
+                       double const* shift, double* sums) {
+    constexpr auto lanes = hn::MaxLanes(Real());
+    constexpr std::size_t together = 8;
+    constexpr double farthest = 690;
+    for (std::size_t lane = 0; lane < together; lane += lanes) {
+        auto sum = real(0);
+        for (std::size_t j = lane; j < count; j += together) {
+            auto const r = hn::Abs(hn::LoadU(Real(), correlation + j));
+            auto all = real(0);
+            for (std::size_t i = 0; i < pulse_strengths.size(); ++i) {
+                auto const exponent = hn::Sub(hn::Mul(r, real(strength[i])), real(shift[i]));
+                all = hn::Add(all, exp_of(hn::Clamp(exponent, real(-farthest), real(farthest))));
+            }
+            sum = hn::Add(sum, hn::Mul(hn::LoadU(Real(), arrival + j), all));
+        }
+        hn::StoreU(sum, Real(), sums + lane);
+    }
+}
+
 // With E = exp r and F = exp(step r): exp((1 - step) r) = E / F, exp((1 + step) r) = E F. `scale` holds exp(-kappa^2
 // square / 2) / 6 of the three strengths. Eight sums, whatever the registers hold.
 void sum_densities(double const* arrival, double const* correlation, std::size_t count, double const* scale,
                    double* sums) {
     constexpr auto lanes = hn::MaxLanes(Real());
     constexpr std::size_t together = 8;
-    constexpr double largest = 600;  // far beyond what normals of any draw give
+    // Beyond it a draw's weight is nothing, if square is no more than `largest_square`: exp(-largest/3) or less.
+    constexpr double largest = 600;
     for (std::size_t lane = 0; lane < together; lane += lanes) {
         auto sum = real(0);
         for (std::size_t j = lane; j < count; j += together) {
@@ -50,17 +74,31 @@ HWY_AFTER_NAMESPACE();
 namespace overturn::rare {
 
 HWY_EXPORT(sum_densities);
+HWY_EXPORT(sum_far_densities);
 
 double pulse_density(std::span<double const> arrival, std::span<double const> correlation, double square) {
     constexpr std::size_t together = 8;
     OVERTURN_EXPECT(arrival.size() == correlation.size() && arrival.size() % together == 0);
+    constexpr double largest_square = 750;  // for the largest strength, exp(-kappa^2 square / 2) is then e-215
+    std::array<double, together> sums{};
+    auto const total = [&sums] {
+        return ((sums[0] + sums[4]) + (sums[1] + sums[5])) + ((sums[2] + sums[6]) + (sums[3] + sums[7]));
+    };
+    if (square > largest_square) {
+        std::array<double, pulse_strengths.size()> shift{};
+        for (std::size_t i = 0; i < pulse_strengths.size(); ++i) {
+            shift[i] = 0.5 * pulse_strengths[i] * pulse_strengths[i] * square;
+        }
+        HWY_DYNAMIC_DISPATCH(sum_far_densities)
+        (arrival.data(), correlation.data(), arrival.size(), pulse_strengths.data(), shift.data(), sums.data());
+        return total() / (2.0 * pulse_strengths.size());
+    }
     std::array<double, pulse_strengths.size()> scale{};
     for (std::size_t i = 0; i < pulse_strengths.size(); ++i) {
         scale[i] = std::exp(-0.5 * pulse_strengths[i] * pulse_strengths[i] * square) / (2.0 * pulse_strengths.size());
     }
-    std::array<double, together> sums{};
     HWY_DYNAMIC_DISPATCH(sum_densities)(arrival.data(), correlation.data(), arrival.size(), scale.data(), sums.data());
-    return ((sums[0] + sums[4]) + (sums[1] + sums[5])) + ((sums[2] + sums[6]) + (sums[3] + sums[7]));
+    return total();
 }
 
 }  // namespace overturn::rare

@@ -95,6 +95,10 @@ void PulseLadder::run(std::string const& name, std::int64_t first, std::int64_t 
 }
 
 void PulseLadder::pilot(double factor) {
+    spent_ = spent_ || runs_ + options_.pilot_runs * request_.replicates > request_.max_runs;
+    if (spent_) {
+        return;
+    }
     auto const rung = stages_.front().size();
     for (std::size_t r = 0; r < stages_.size(); ++r) {
         stages_[r].push_back({.key = {.seed = request_.seed,
@@ -164,13 +168,13 @@ void PulseLadder::descend(double from, double to) {
     }
     double factor = from;
     pilot(factor);
-    while (!broken_ && factor > to) {
+    while (!broken_ && !spent_ && factor > to) {
         double const next = std::max(to, options_.descent * factor);
         fit(1, factor / next);
         factor = next;
         pilot(factor);
     }
-    for (std::int64_t refit = 0; !broken_ && refit < options_.refits; ++refit) {
+    for (std::int64_t refit = 0; !broken_ && !spent_ && refit < options_.refits; ++refit) {
         fit(static_cast<std::size_t>(refit) + 1, 1);
         if (refit + 1 < options_.refits) {
             pilot(factor);

@@ -24,6 +24,7 @@ class PulseLadder {
     /// Of stages after the first, the smallest share of draws that failed [-].
     [[nodiscard]] double poorest_hits() const { return poorest_hits_; }
     [[nodiscard]] bool broken() const { return broken_; }  ///< a replicate had too few failures to fit
+    [[nodiscard]] bool spent() const { return spent_; }    ///< max_runs ended the descent
 
   private:
     void pilot(double factor);
@@ -43,6 +44,7 @@ class PulseLadder {
     std::int64_t runs_ = 0;
     double poorest_hits_ = 1;
     bool broken_ = false;
+    bool spent_ = false;
 };
 
 }  // namespace overturn::rare
