@@ -5,9 +5,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "campaign/hazard_frequency.hpp"
 #include "campaign/rare_results.hpp"
 #include "campaign/telling_trials.hpp"
 #include "cli/fit_json.hpp"
+#include "cli/frequency_json.hpp"
 #include "cli/rare_json.hpp"
 #include "cli/stripe_csv.hpp"
 #include "cli/verbs.hpp"
@@ -27,6 +29,7 @@ struct Options {
     double beta_u = 0;
     std::optional<double> confidence;  ///< none: the campaign's, or 0.95
     double design_basis = 0;
+    std::string hazard;
 };
 
 void check(Options const& options) {
@@ -38,6 +41,8 @@ void check(Options const& options) {
              "--design-basis: {} (must be above 0). State it in the table's unit", options.design_basis);
     validate(options.design_basis == 0 || options.file.empty(),
              "--design-basis beside a results file (its campaign names the level). Leave it out");
+    validate(options.hazard.empty() || options.stripes.empty(),
+             "--hazard beside --stripes (a table states no measure and no unit). Fit a results file");
 }
 
 int fit_file(Options const& options) {
@@ -48,6 +53,13 @@ int fit_file(Options const& options) {
     auto const analysis = analyse(spec, statistics, {.confidence = confidence, .beta_u = options.beta_u});
     auto const rare = read_rare_estimates(file, spec);
     auto const telling = telling_trials(spec, file);
+    std::optional<HazardCurve> hazard;
+    std::vector<BodyFrequency> frequencies;
+    if (!options.hazard.empty()) {
+        InputFiles files(std::filesystem::path("."));
+        hazard = parse_hazard(files.read(options.hazard), options.hazard, spec.levels);
+        frequencies = frequencies_of(spec, statistics, analysis, *hazard, confidence);
+    }
     if (options.json) {
         auto json = fit_json(spec, statistics, analysis, confidence);
         json["levels"] = {{"measure", spec.levels.measure_name()},
@@ -59,12 +71,16 @@ int fit_file(Options const& options) {
             json["levels"]["stated"].push_back(spec.levels.shown(level.value));
         }
         json["telling_trials"] = telling_json(spec, telling);
+        if (hazard) {
+            json["frequency"] = frequency_json(frequencies, *hazard);
+        }
         if (spec.rare) {
             json["rare"] = rare_json(spec, rare);
         }
         fmt::print("{}\n", json.dump(2));
     } else {
-        fmt::print("{}{}{}{}", stripe_table(spec, statistics), analysis_table(analysis, confidence),
+        fmt::print("{}{}{}{}{}", stripe_table(spec, statistics), analysis_table(analysis, confidence),
+                   hazard ? frequency_table(spec, frequencies, *hazard, confidence) : std::string(),
                    rare_table(spec, rare), telling_table(spec, telling, options.file));
     }
     return done;
@@ -129,6 +145,8 @@ void add_fit(CommandLine& line) {
     verb.takes("--beta-u", options->beta_u, "lognormal standard deviation of what is not known, for HCLPF");
     verb.takes("--confidence", options->confidence, "of all intervals; default: the campaign's, or 0.95");
     verb.takes("--design-basis", options->design_basis, "with --stripes: quote P at multiples of this amplitude");
+    verb.takes("--hazard", options->hazard,
+               "annual frequency by this hazard curve: '<measure> [unit], annual_exceedance' (csv)");
     verb.does([options] {
         check(*options);
         return options->stripes.empty() ? fit_file(*options) : fit_stripes(*options);

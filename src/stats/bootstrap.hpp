@@ -25,6 +25,7 @@ class Bootstrap {
     /// Of the intensity at which P is `probability`; the ends may be 0 and infinite.
     [[nodiscard]] Interval intensity(double probability, double confidence) const;
     [[nodiscard]] Interval probability(double intensity, double confidence) const;
+    [[nodiscard]] std::vector<Replicate> const& replicates() const { return replicates_; }
     [[nodiscard]] std::size_t size() const { return replicates_.size(); }
     /// How many replicates held no curve.
     [[nodiscard]] std::size_t without_curve() const { return without_curve_; }

@@ -139,6 +139,7 @@ void fit_line(FragilityFit& fit, FragilityData const& data, FragilityRequest con
     fit.bootstrap = {bootstrap.intensity(0.5, request.confidence), bootstrap.beta(request.confidence),
                      lowered(bootstrap.intensity(five_percent, request.confidence))};
     fit.replicates = bootstrap.size();
+    fit.refits = bootstrap.replicates();
     fit.replicates_without_curve = bootstrap.without_curve();
     fit.goodness = goodness_of_fit(data.points, *line);
     for (double const at : request.band_at) {

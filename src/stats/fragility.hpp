@@ -131,6 +131,7 @@ struct FragilityFit {
     enum class Method { profile_likelihood, bootstrap_by_waves };
     Method method = Method::profile_likelihood;  ///< whose intervals are to be signed
     std::size_t replicates = 0, replicates_without_curve = 0;
+    std::vector<Replicate> refits;  ///< of the bootstrap, for what is computed from the curve
 
     std::optional<GoodnessOfFit> goodness;
     MonotoneTest monotone;

@@ -1,0 +1,144 @@
+#include "stats/hazard.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include <gsl/gsl_cdf.h>
+
+#include "core/error.hpp"
+#include "stats/isotonic.hpp"
+
+namespace overturn {
+
+HazardCurve::HazardCurve(std::vector<HazardPoint> points) : points_(std::move(points)) {
+    validate(points_.size() >= 2, "hazard curve of {} points (at least two). Add some", points_.size());
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        auto const& [intensity, annual] = points_[i];
+        validate(intensity > 0 && std::isfinite(intensity) && annual > 0 && std::isfinite(annual),
+                 "hazard point {}: {}, {} (both must be positive). Mend it", i + 1, intensity, annual);
+        validate(i == 0 || intensity > points_[i - 1].intensity, "intensity {} after {} (must rise). Sort the table",
+                 intensity, i == 0 ? 0.0 : points_[i - 1].intensity);
+        validate(i == 0 || annual < points_[i - 1].annual_exceedance,
+                 "annual exceedance {} after {} (stronger motions are rarer). Mend it", annual,
+                 i == 0 ? 0.0 : points_[i - 1].annual_exceedance);
+    }
+}
+
+double HazardCurve::annual_exceedance(double intensity) const {
+    OVERTURN_EXPECT(intensity >= first() && intensity <= last());
+    auto const above = std::upper_bound(points_.begin() + 1, points_.end() - 1, intensity,
+                                        [](double at, HazardPoint const& point) { return at < point.intensity; });
+    auto const& [a0, n0] = *(above - 1);
+    auto const& [a1, n1] = *above;
+    return n0 * std::pow(n1 / n0, std::log(intensity / a0) / std::log(a1 / a0));
+}
+
+double LognormalFragility::probability(double intensity) const {
+    if (!std::isfinite(median) || beta == 0) {
+        return intensity >= median ? 1 : 0;
+    }
+    return gsl_cdf_ugaussian_P(std::log(intensity / median) / beta);
+}
+
+namespace {
+
+// Phi(b) - Phi(a), without cancellation in the upper tail. \pre a <= b
+double normal_between(double a, double b) {
+    return a > 0 ? gsl_cdf_ugaussian_Q(a) - gsl_cdf_ugaussian_Q(b) : gsl_cdf_ugaussian_P(b) - gsl_cdf_ugaussian_P(a);
+}
+
+// The integral over a piece on which exceedance is n0 (a / a0)^-k.
+double over_piece(double a0, double n0, double a1, double n1, LognormalFragility const& fragility) {
+    auto const& [median, beta] = fragility;
+    double const p0 = fragility.probability(a0);
+    double const p1 = fragility.probability(a1);
+    double const k = std::log(n0 / n1) / std::log(a1 / a0);
+    if (!std::isfinite(median)) {
+        return 0;
+    }
+    if (beta == 0) {
+        double const at_step = n0 * std::pow(median / a0, -k);
+        return p0 > 0 ? n0 - n1 : p1 > 0 ? at_step - n1 : 0;
+    }
+    double const z0 = std::log(a0 / median) / beta + k * beta;
+    double const z1 = std::log(a1 / median) / beta + k * beta;
+    double const moved = n0 * std::exp(k * std::log(a0 / median) + k * k * beta * beta / 2) * normal_between(z0, z1);
+    // By parts; what is left of two large numbers is never below nothing.
+    return std::max(0.0, p0 * n0 - p1 * n1 + moved);
+}
+
+}  // namespace
+
+AnnualFrequency annual_frequency(HazardCurve const& hazard, LognormalFragility const& fragility) {
+    AnnualFrequency frequency;
+    auto const& points = hazard.points();
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        auto const& [a0, n0] = points[i - 1];
+        auto const& [a1, n1] = points[i];
+        frequency.parts.push_back({a0, a1, over_piece(a0, n0, a1, n1, fragility)});
+        frequency.annual += frequency.parts.back().annual;
+    }
+    frequency.beyond_most = points.back().annual_exceedance;
+    frequency.beyond_least = frequency.beyond_most * fragility.probability(hazard.last());
+    frequency.at_first = fragility.probability(hazard.first());
+    return frequency;
+}
+
+FrequencyShares shares_of(HazardCurve const& hazard, LognormalFragility const& fragility, double lowest,
+                          double highest) {
+    auto const within = [&](double from, double to) {
+        double const a0 = std::max(from, hazard.first());
+        double const a1 = std::min(to, hazard.last());
+        if (!(a0 < a1)) {
+            return 0.0;
+        }
+        std::vector<HazardPoint> points{{a0, hazard.annual_exceedance(a0)}};
+        for (auto const& point : hazard.points()) {
+            if (point.intensity > a0 && point.intensity < a1) {
+                points.push_back(point);
+            }
+        }
+        points.push_back({a1, hazard.annual_exceedance(a1)});
+        return annual_frequency(HazardCurve(std::move(points)), fragility).annual;
+    };
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    double const below = within(0, lowest);
+    double const between = within(lowest, highest);
+    double const above = within(highest, infinite);
+    double const all = below + between + above;
+    OVERTURN_EXPECT(all > 0);
+    return {below / all, between / all, above / all};
+}
+
+Interval annual_frequency_seen(HazardCurve const& hazard, std::span<FragilityPoint const> stripes) {
+    std::vector<double> at, pooled;
+    for (auto const& block : isotonic_estimate(stripes)) {
+        for (std::size_t i = 0; i < block.points; ++i) {
+            at.push_back(std::exp(stripes[at.size()].log_intensity));
+            pooled.push_back(block.probability());
+        }
+    }
+    auto const least = [&](double intensity) {
+        auto const above = std::upper_bound(at.begin(), at.end(), intensity);
+        return above == at.begin() ? 0.0 : pooled[static_cast<std::size_t>(above - at.begin()) - 1];
+    };
+    auto const most = [&](double intensity) {
+        auto const from = std::lower_bound(at.begin(), at.end(), intensity);
+        return from == at.end() ? 1.0 : pooled[static_cast<std::size_t>(from - at.begin())];
+    };
+    std::vector<double> ends{hazard.first(), hazard.last()};
+    std::ranges::copy_if(at, std::back_inserter(ends), [&](double x) { return x > ends[0] && x < ends[1]; });
+    std::ranges::sort(ends);
+    Interval bounds{least(hazard.last()) * hazard.annual_exceedance(hazard.last()),
+                    hazard.annual_exceedance(hazard.last())};
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+        double const motions = hazard.annual_exceedance(ends[i - 1]) - hazard.annual_exceedance(ends[i]);
+        bounds.lower += least(ends[i - 1]) * motions;
+        bounds.upper += most(ends[i]) * motions;
+    }
+    return bounds;
+}
+
+}  // namespace overturn

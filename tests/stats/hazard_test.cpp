@@ -1,0 +1,106 @@
+// Requirement: the annual frequency of passing a limit state is the integral of its fragility over a hazard curve, with
+// what lies beyond either said.
+#include "stats/hazard.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "support/expect_input_error.hpp"
+
+namespace overturn {
+namespace {
+
+using testing::expect_input_error;
+
+// A power law k0 a^-k over so many decades about 1, of so many points.
+HazardCurve power_law(double k0, double k, int points, double decades = 16) {
+    std::vector<HazardPoint> list;
+    for (int i = 0; i < points; ++i) {
+        double const a = std::pow(10.0, decades * (i / (points - 1.0) - 0.5));
+        list.push_back({a, k0 * std::pow(a, -k)});
+    }
+    return HazardCurve(std::move(list));
+}
+
+// Cornell (1996): under k0 a^-k a lognormal fragility is passed k0 median^-k exp(k^2 beta^2 / 2) times a year.
+TEST(Hazard, FrequencyUnderAPowerLawIsTheClosedForm) {
+    for (double const k : {1.5, 2.5, 4.0}) {
+        for (double const beta : {0.1, 0.4, 0.6}) {
+            for (int const points : {2, 7, 61}) {
+                auto const found = annual_frequency(power_law(1e-4, k, points), {1.7, beta});
+                double const closed = 1e-4 * std::pow(1.7, -k) * std::exp(k * k * beta * beta / 2);
+                EXPECT_NEAR(found.annual / closed, 1, 1e-6) << k << ", " << beta << ", " << points;
+                EXPECT_EQ(found.parts.size(), static_cast<std::size_t>(points - 1));
+            }
+        }
+    }
+}
+
+// Pieces of different slope against the trapezoidal sum of a million steps.
+TEST(Hazard, FrequencyOverABentCurveIsTheSumOfSmallSteps) {
+    HazardCurve const hazard({{0.5, 1e-2}, {1, 2e-3}, {3, 5e-5}, {6, 8e-7}});
+    LognormalFragility const fragility{2.4, 0.35};
+    double sum = 0;
+    constexpr int steps = 1'000'000;
+    double before = hazard.annual_exceedance(0.5);
+    for (int i = 1; i <= steps; ++i) {
+        double const a = 0.5 * std::pow(12.0, static_cast<double>(i) / steps);
+        double const now = i == steps ? 8e-7 : hazard.annual_exceedance(a);
+        sum += fragility.probability(a / std::pow(12.0, 0.5 / steps)) * (before - now);
+        before = now;
+    }
+    auto const found = annual_frequency(hazard, fragility);
+    EXPECT_NEAR(found.annual / sum, 1, 1e-9);
+    EXPECT_DOUBLE_EQ(found.beyond_most, 8e-7);
+    EXPECT_DOUBLE_EQ(found.beyond_least, 8e-7 * fragility.probability(6));
+    EXPECT_DOUBLE_EQ(found.at_first, fragility.probability(0.5));
+    auto const shares = shares_of(hazard, fragility, 1, 3);
+    EXPECT_NEAR(shares.below, found.parts[0].annual / found.annual, 1e-12);
+    EXPECT_NEAR(shares.between, found.parts[1].annual / found.annual, 1e-12);
+    EXPECT_NEAR(shares.above, found.parts[2].annual / found.annual, 1e-12);
+}
+
+// A body that falls at one intensity passes as often as motions exceed it.
+TEST(Hazard, AStepIsPassedAsOftenAsItIsExceeded) {
+    auto const hazard = power_law(1e-4, 2, 13, 4);
+    for (double const median : {0.05, 0.3, 2.0, 40.0}) {
+        auto const step = annual_frequency(hazard, {median, 0});
+        EXPECT_NEAR((step.annual + step.beyond_least) / hazard.annual_exceedance(median), 1, 1e-12);
+        EXPECT_NEAR(annual_frequency(hazard, {median, 1e-4}).annual / step.annual, 1, 1e-6);
+    }
+    EXPECT_EQ(annual_frequency(hazard, {std::numeric_limits<double>::infinity(), 0.3}).annual, 0);
+    EXPECT_EQ(annual_frequency(hazard, {1e9, 0.2}).annual, 0) << "no remainder of large numbers";
+}
+
+// Stripes of a step at 2: P is 0 up to it and 1 from it on, so both bounds are what exceeds 2 and what exceeds 1.
+TEST(Hazard, StripesBoundTheFrequencyWithoutACurve) {
+    HazardCurve const hazard({{0.5, 1e-2}, {1, 2e-3}, {2, 4e-4}, {4, 5e-5}});
+    std::vector<FragilityPoint> const stripes{
+        {std::log(1.0), 100, 0, 0}, {std::log(2.0), 100, 100, 0}, {std::log(8.0), 100, 100, 0}};
+    auto const bounds = annual_frequency_seen(hazard, stripes);
+    EXPECT_NEAR(bounds.lower, 4e-4, 1e-15);
+    EXPECT_NEAR(bounds.upper, 2e-3, 1e-15);
+    // A lognormal through finer stripes lies between its own bounds.
+    LognormalFragility const fragility{2, 0.3};
+    std::vector<FragilityPoint> fine;
+    for (double a = 0.5; a < 5; a *= 1.1) {
+        fine.push_back({std::log(a), 1000, 1000 * fragility.probability(a), 0});
+    }
+    auto const close = annual_frequency_seen(hazard, fine);
+    auto const curve = annual_frequency(hazard, fragility);
+    EXPECT_LE(close.lower, curve.annual + curve.beyond_least);
+    EXPECT_GE(close.upper, curve.annual + curve.beyond_least);
+    EXPECT_LT(close.upper - close.lower, 0.35 * curve.annual);
+}
+
+TEST(Hazard, WhatIsNoHazardCurveIsRefused) {
+    expect_input_error([] { HazardCurve({{1, 1e-3}}); }, "at least two");
+    expect_input_error([] { HazardCurve({{1, 1e-3}, {1, 1e-4}}); }, "must rise");
+    expect_input_error([] { HazardCurve({{1, 1e-3}, {2, 1e-3}}); }, "rarer");
+    expect_input_error([] { HazardCurve({{-1, 1e-3}, {2, 1e-4}}); }, "positive");
+}
+
+}  // namespace
+}  // namespace overturn
