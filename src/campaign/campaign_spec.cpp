@@ -116,6 +116,12 @@ bool CampaignSpec::has_target() const {
     return std::ranges::any_of(limits, [](LimitState const& limit) { return limit.target.asks(); });
 }
 
+std::vector<double> CampaignSpec::grid_periods_s() const {
+    auto periods = source->grid_periods_s().value_or(std::vector<double>{});
+    periods.resize(std::min(periods.size(), static_cast<std::size_t>(wave_count)));
+    return periods;
+}
+
 CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
     auto const root = Table::parse(input.text, input.name, input.settings);
     root.may_have({"title", "seed", "waves", "bodies", "scatter", "levels", "effects", "measures", "accuracy", "rare",
@@ -177,7 +183,11 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
     auto const statistics = root.child_or_empty("statistics");
     spec.confidence = statistics.number("confidence", Dimension::none,
                                         {.low = 0, .high = 1, .low_open = true, .high_open = true}, spec.confidence);
-    spec.limits = read_limits(root, statistics, spec.levels.independent_waves, spec.effects);
+    spec.limits = read_limits(root, statistics,
+                              spec.is_grid()                  ? WavesOfLevels::grid
+                              : spec.levels.independent_waves ? WavesOfLevels::independent
+                                                              : WavesOfLevels::shared,
+                              spec.effects);
     statistics.finish();
     root.finish();
     double const trials = static_cast<double>(spec.wave_count) * static_cast<double>(spec.bodies.size())

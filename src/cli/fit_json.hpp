@@ -29,8 +29,8 @@ void check_fit_options(double beta_u, std::optional<double> confidence);
 /// The trials worth a look, as `telling_trials` stands in the answer.
 [[nodiscard]] nlohmann::ordered_json telling_json(CampaignSpec const& spec, std::vector<TellingTrial> const& trials);
 
-/// All of them: limits, stripes, fragility, quantiles, criterion, response, verdict. Stripes and fragility begin with
-/// those of overturning.
+/// All of them: limits, stripes, fragility, grid (of waves that are one: a line per body and wave), quantiles,
+/// criterion, response, verdict. Stripes and fragility begin with those of overturning.
 [[nodiscard]] nlohmann::ordered_json fit_json(CampaignSpec const& spec, Statistics const& statistics,
                                               std::vector<BodyAnalysis> const& analysis, double confidence);
 

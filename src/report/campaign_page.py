@@ -143,8 +143,8 @@ class Report:
                     if said[kind]:
                         items = "".join(f"<li>{escape(line)}</li>" for line in said[kind])
                         parts.append(f"<p class=label>{title}</p><ul>{items}</ul>")
-        compared = self.figure("measures", lambda path: fragility_figures.measures(self.results, self.fits, path),
-                               "intensity measures compared")
+        compared = "" if self.fit["grid"] else self.figure(
+            "measures", lambda path: fragility_figures.measures(self.results, self.fits, path), "intensity measures compared")
         self.section("criterion", "The energy criterion on trial", table(
             head, rows, "False safe: measure below V_Ereq, yet overturned. False alarm: above it, yet stood."),
             *parts, "<h3>Which measure predicts best</h3>" if compared else "", compared)
@@ -211,8 +211,11 @@ class Report:
     def trials(self):
         parts = []
         for body in self.results.bodies:
-            for name, draw in (("ends", trial_figures.ends), ("rotations", trial_figures.rotations),
-                               ("slips", trial_figures.slips), ("reasons", trial_figures.reasons)):
+            drawn = [("ends", trial_figures.ends), ("rotations", trial_figures.rotations), ("slips", trial_figures.slips),
+                     ("reasons", trial_figures.reasons)]
+            if self.fit["grid"]:  # the map shows the ends, and a grid has no distributions
+                drawn = [drawn[0], drawn[3]]
+            for name, draw in drawn:
                 parts.append(self.figure(f"{name}-{body.name}",
                                          lambda path, draw=draw, body=body: draw(self.results, body, path),
                                          f"{name} of {body.name}"))

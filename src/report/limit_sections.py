@@ -1,6 +1,7 @@
 """What a report says of the limit states: overturning and those of the user's own, and how far bodies slide and rock."""
 
 import fragility_figures
+import grid_map
 from page_parts import escape, interval, paragraphs, table, value_of
 from style import plain
 
@@ -58,6 +59,8 @@ def slid(report, body):
 
 def answers(report):
     lines = []
+    if report.fit["grid"]:
+        return [f"{body.name}: {grid_map.answer(report, body)}." for body in report.results.bodies]
     for body in report.results.bodies:
         further = slid(report, body)
         lines.append(f"{body.name}: {further + '; ' if further else ''}{answer(report, body, OVERTURNING)}.")
@@ -183,6 +186,9 @@ def responses(report):
 
 
 def add(report):
+    if report.fit["grid"]:
+        grid_map.section(report)
+        return
     fragility(report)
     limits(report)
     responses(report)

@@ -17,6 +17,8 @@ def value_of(value, digits=4, unknown="–"):
 
 def shares(share):
     """A share and its exact interval, as two cells."""
+    if share["lower"] is None:  # nothing to count, or no sample
+        return value_of(share["share"], 3), "–"
     return value_of(share["share"], 3), interval([share["lower"], share["upper"]], 3)
 
 
