@@ -174,17 +174,17 @@ Json all_stripes_json(CampaignSpec const& spec, Statistics const& statistics, do
     return list;
 }
 
-Json all_fragility_json(std::vector<BodyAnalysis> const& analysis, double confidence) {
+Json all_fragility_json(std::vector<BodyAnalysis> const& analysis, double confidence, WarningUnits units) {
     Json list = Json::array();
     for (auto const& body : analysis) {
         for (auto const& measured : body.fragility) {
-            list.push_back(fragility_json(body.body, measured, confidence));
+            list.push_back(fragility_json(body.body, measured, confidence, units));
         }
     }
     for (auto const& body : analysis) {
         for (auto const& limit : body.limits) {
             for (auto const& measured : limit.fragility) {
-                list.push_back(fragility_json(body.body, measured, confidence));
+                list.push_back(fragility_json(body.body, measured, confidence, units));
             }
         }
     }
@@ -194,10 +194,10 @@ Json all_fragility_json(std::vector<BodyAnalysis> const& analysis, double confid
 }  // namespace
 
 Json fit_json(CampaignSpec const& spec, Statistics const& statistics, std::vector<BodyAnalysis> const& analysis,
-              double confidence) {
+              double confidence, WarningUnits units) {
     Json json{{"limits", limits_json(spec)},
               {"stripes", all_stripes_json(spec, statistics, confidence)},
-              {"fragility", all_fragility_json(analysis, confidence)},
+              {"fragility", all_fragility_json(analysis, confidence, units)},
               {"grid", Json::array()},
               {"quantiles", Json::array()},
               {"criterion", Json::array()},

@@ -3,7 +3,7 @@
 import style
 from fragility_figures import MEASURES
 from page_parts import paragraphs, table, value_of
-from style import BLUE, GREEN, INK, VERMILION, plain
+from style import BLUE, GREEN, INK, plain
 from trial_figures import ENDS
 
 import matplotlib.pyplot as plt
@@ -42,7 +42,7 @@ def draw(results, lines, path):
     """One panel a body: how each trial ended, and from which level on it lifts off, overturns and passes its limits."""
     style.use()
     bodies = results.bodies
-    figure, panels = plt.subplots(len(bodies), 1, figsize=(5.0, 0.75 + 2.3 * len(bodies)), squeeze=False, layout="constrained")
+    figure, panels = plt.subplots(len(bodies), 1, figsize=(5.0, 0.1 + 2.2 * len(bodies)), squeeze=False, layout="constrained")
     known, limits = list(ENDS), list(lines[0]["limits"])
     used = {}
     for axes, body in zip(panels[:, 0], bodies):
@@ -74,12 +74,12 @@ def draw(results, lines, path):
         axes.grid(visible=False)
         axes.set(title=style.literal(body.name), xlabel="frequency [Hz]",
                  ylabel=MEASURES[results.measure][0] + (f" [{unit}]" if unit else ""))
-    handles = [Patch(color=colour, label=name) for name, colour in used.items()]
-    handles += [Line2D([], [], color=BLUE, lw=2.2, label="lifts off from here"),
-                Line2D([], [], color=INK, lw=2.2, label="overturns from here")]
-    handles += [Line2D([], [], color=colour, lw=1.8, ls="--", label=style.literal(f"exceeds {limit} from here"))
-                for limit, colour in zip(limits, LIMITS * len(limits))]
-    panels[-1][0].legend(handles=handles, loc="upper center", bbox_to_anchor=(0.45, -0.22), ncols=3)
+    handles = {name: Patch(color=colour) for name, colour in used.items()}
+    handles["lifts off from here"] = Line2D([], [], color=BLUE, lw=2.2)
+    handles["overturns from here"] = Line2D([], [], color=INK, lw=2.2)
+    for limit, colour in zip(limits, LIMITS * len(limits)):
+        handles[style.literal(f"exceeds {limit} from here")] = Line2D([], [], color=colour, lw=1.8, ls="--")
+    style.legend_below(figure, list(handles.values()), list(handles))
     style.save(figure, path)
 
 
