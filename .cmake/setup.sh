@@ -11,7 +11,8 @@ for wish in "$@"; do
         tests) packages+=(python3-h5py python3-numpy python3-matplotlib  # another reading of our files; figures
                           python3-xarray python3-netcdf4 python3-h5netcdf hdf5-tools  # and further ones
                           slurmctld slurmd slurm-client slurm-wlm-basic-plugins munge) ;;  # a cluster to test on
-        ci) packages+=(clang-format clang-tidy libbenchmark-dev libboost-dev) ;;  # and what benchmarks compare with
+        ci) packages+=(clang-format clang-tidy libbenchmark-dev libboost-dev  # and what benchmarks compare with
+                       chromium groff-base) ;;  # pages and the manual as others see them
         *) echo "setup: '$wish' (unknown). Use tests or ci" >&2; exit 2 ;;
     esac
 done

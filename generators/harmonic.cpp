@@ -46,6 +46,8 @@ class Harmonic : public WaveSource {
     [[nodiscard]] std::string variability() const override {
         return fmt::format("a grid of {} frequencies: no random sample", input_.periods_s.size());
     }
+    [[nodiscard]] std::optional<std::vector<double>> grid_periods_s() const override { return input_.periods_s; }
+
     [[nodiscard]] std::string describe() const override {
         auto text = fmt::format("{} sinusoids of {} m/s2", input_.periods_s.size(), input_.amplitude_mps2);
         for (auto const& [component, ratio, phase_rad] : input_.further) {

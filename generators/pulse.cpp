@@ -76,6 +76,8 @@ class Pulse : public WaveSource {
     [[nodiscard]] std::string variability() const override {
         return fmt::format("a grid of {} periods: no random sample", input_.periods_s.size());
     }
+    [[nodiscard]] std::optional<std::vector<double>> grid_periods_s() const override { return input_.periods_s; }
+
     [[nodiscard]] std::string describe() const override {
         auto text = fmt::format("{} {} pulses of {} m/s2", input_.periods_s.size(), input_.name, input_.amplitude_mps2);
         for (auto const& [component, ratio, lag_s] : input_.further) {

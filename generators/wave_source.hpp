@@ -68,6 +68,9 @@ class WaveSource {
     [[nodiscard]] virtual std::unique_ptr<NormalWaves> from_normals() const { return nullptr; }
     /// How many different waves there are; nothing if as many as one likes.
     [[nodiscard]] virtual std::optional<std::uint64_t> available() const { return std::nullopt; }
+    /// Of a source whose n-th wave is the n-th point of a grid of periods: these [s]. Its waves are no random sample,
+    /// so that shares of them are no probabilities. Nothing of all others.
+    [[nodiscard]] virtual std::optional<std::vector<double>> grid_periods_s() const { return std::nullopt; }
     /// The rule its waves must meet, "none" if any will do.
     [[nodiscard]] virtual std::string acceptance() const { return "none"; }
     /// What makes its waves differ from each other, in a line that goes beside every curve drawn from them.

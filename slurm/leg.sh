@@ -3,6 +3,8 @@
 
 # What the site says, from beside this file: copy site.env.example to site.env.
 [ ! -e "$slurm/site.env" ] || . "$slurm/site.env"
+installed=$slurm/../../../bin/overturn  # where cmake --install puts both
+[ -n "${OVERTURN:-}" ] || [ ! -x "$installed" ] || OVERTURN=$(cd "$(dirname "$installed")" && pwd)/overturn
 : "${OVERTURN:=overturn}" "${OVERTURN_LAUNCH:=mpirun}" "${OVERTURN_MOST_LEGS:=100}"
 
 # Launchers lose or die of what reaches them in their first seconds; five minutes' warning has room for waiting.

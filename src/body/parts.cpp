@@ -61,7 +61,7 @@ class Lumping {
 
 }  // namespace
 
-BodyInput assemble(std::span<Part const> parts, double base_width_m) {
+BodyInput assemble(std::span<BodyPart const> parts, double base_width_m) {
     validate(!parts.empty(), "no part (a body needs mass). State at least one part");
     validate(base_width_m > 0 && std::isfinite(base_width_m),
              "base width of {} m (must be positive and finite). State the width of the base", base_width_m);

@@ -29,12 +29,12 @@ struct PointMass {
     double height_m = 0;  ///< above the base of the body [m]
 };
 
-using Part = std::variant<Cylinder, Box, PointMass>;
+using BodyPart = std::variant<Cylinder, Box, PointMass>;
 
 /// Mass, centre height and I_G (parallel-axis theorem) of the parts on a base `base_width_m` wide; the restitution is
 /// left to Housner's value. The centres of all parts lie on the body's axis.
 /// \throws InputError naming the part, counted from 1, unless masses and sizes are positive and heights at least 0, or
 /// if there is no part.
-[[nodiscard]] BodyInput assemble(std::span<Part const> parts, double base_width_m);
+[[nodiscard]] BodyInput assemble(std::span<BodyPart const> parts, double base_width_m);
 
 }  // namespace overturn

@@ -1,12 +1,15 @@
 #include "campaign/analysis.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include <fmt/format.h>
 
 #include "campaign/detail/drawn_trials.hpp"
 #include "campaign/detail/level_quantiles.hpp"
+#include "core/field.hpp"
 #include "stats/quantile.hpp"
 #include "stats/rank.hpp"
 
@@ -113,10 +116,24 @@ std::vector<double> band_over(LevelSpec const& levels, int points) {
     return at;
 }
 
+constexpr char const* grid_verdict =
+    "waves that are a grid of frequencies are no sample: shares and ranks of its trials are no chances";
+
+// Leaves the counts: shares of a grid's trials have no intervals, their ratios no quantiles.
+void keep_counts(CriterionStudy& study) {
+    study.at_overturning.reset();
+    study.first_overturning.reset();
+    study.highest_standing.reset();
+    for (auto* share : {&study.safe_but_overturned, &study.overturned_said_safe, &study.unsafe_but_stood,
+                        &study.stood_said_unsafe, &study.waves_safe_but_overturned}) {
+        share->interval = {never, never};
+    }
+}
+
 class Analyst {
   public:
     Analyst(CampaignSpec const& spec, Statistics const& statistics, AnalysisOptions const& options)
-        : spec_(spec), statistics_(statistics), options_(options) {}
+        : spec_(spec), statistics_(statistics), options_(options), is_grid_(spec.is_grid()) {}
 
     [[nodiscard]] BodyAnalysis of(std::size_t b) const {
         BodyAnalysis body;
@@ -127,17 +144,25 @@ class Analyst {
             auto const& stated = spec_.limits[limit];
             body.limits.push_back({stated.name, definition_of(stated, spec_.limits), fragility(b, limit)});
         }
-        body.quantiles = level_quantiles(spec_, statistics_.measured(), b, options_.confidence);
+        if (is_grid_) {
+            body.grid = map_of(b);
+        } else {
+            body.quantiles = level_quantiles(spec_, statistics_.measured(), b, options_.confidence);
+        }
         for (auto const measure : criteria_of(spec_)) {
             auto const unit = is_other_unit(measure) ? other(spec_.measures.radius_unit) : spec_.measures.radius_unit;
             body.criterion.push_back(
                 {measure, unit,
                  study_criterion(statistics_.measured().criterion_trials(static_cast<std::int64_t>(b), measure),
                                  options_.confidence)});
+            if (is_grid_) {
+                keep_counts(body.criterion.back().study);
+            }
         }
         if (spec_.measures.energy) {
-            body.response = response_bins(statistics_.measured().responses(static_cast<std::int64_t>(b)));
-            body.verdict = verdict_on(body, options_.confidence);
+            body.response = is_grid_ ? std::vector<ResponseBin>{}
+                                     : response_bins(statistics_.measured().responses(static_cast<std::int64_t>(b)));
+            body.verdict = is_grid_ ? CriterionVerdict{{}, {}, {grid_verdict}} : verdict_on(body, options_.confidence);
         }
         return body;
     }
@@ -148,6 +173,14 @@ class Analyst {
     }
 
   private:
+    [[nodiscard]] GridMap map_of(std::size_t b) const {
+        GridMap map{spec_.levels.measure_name(), told_unit(spec_.levels.units(), spec_.levels), {}, {}, {}};
+        std::ranges::transform(spec_.levels.levels, std::back_inserter(map.levels), &Level::value);
+        std::ranges::transform(spec_.limits, std::back_inserter(map.limits), &LimitState::name);
+        map.lines = statistics_.bodies()[b].grid;
+        return map;
+    }
+
     [[nodiscard]] FragilityFit over_levels(std::size_t b, std::size_t limit, std::vector<SingleTrial> trials,
                                            FragilityRequest request) const {
         auto data = FragilityData::of_stripes(statistics_.bodies()[b].stripes_of(limit));
@@ -224,6 +257,12 @@ class Analyst {
         result.label = label_of(measure, result.name);
         result.units = units_of(measure, spec_.levels);
         result.told = told_unit(result.units, spec_.levels);
+        if (is_grid_) {
+            result.fit.state = FragilityState::grid;
+            result.fit.passing = spec_.limits[limit].passing();
+            result.fit.waves = spec_.wave_count;
+            return result;
+        }
         // The level itself, not the scaled wave's peak, which differs from it in the last digit.
         auto trials = singles(b, levels ? FragilityMeasure::level : measure, limit);
         result.split = split_by_draws(spec_, b, trials);
@@ -244,6 +283,7 @@ class Analyst {
     CampaignSpec const& spec_;
     Statistics const& statistics_;
     AnalysisOptions const& options_;
+    bool is_grid_;
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "campaign/campaign_spec.hpp"
+#include "campaign/grid_map.hpp"
 #include "campaign/measured_trials.hpp"
 #include "campaign/results.hpp"
 #include "stats/beta_split.hpp"
@@ -70,6 +71,9 @@ struct BodyAnalysis {
     std::vector<MeasuredCriterion> criterion;
     std::vector<ResponseBin> response;  ///< V_resp over V_WES
     CriterionVerdict verdict;
+    /// Where waves are a grid: what stands in place of curves and quantiles. Fits are then all of state `grid`, of
+    /// the criterion there are counts alone, of the response nothing.
+    std::optional<GridMap> grid;
 
     /// The fit over the levels' own measure.
     [[nodiscard]] MeasuredFragility const& over_levels() const { return fragility.front(); }

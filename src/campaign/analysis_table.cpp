@@ -100,8 +100,10 @@ std::string share_line(char const* what, Share const& share) {
     if (share.of == 0) {
         return fmt::format("    {}: none to count\n", what);
     }
-    return fmt::format("    {}: {} of {} = {:.3g} [{:.3g}, {:.3g}]\n", what, share.count, share.of, share.value(),
-                       share.interval.lower, share.interval.upper);
+    auto const ends = std::isnan(share.interval.lower)
+                          ? std::string()
+                          : fmt::format(" [{:.3g}, {:.3g}]", share.interval.lower, share.interval.upper);
+    return fmt::format("    {}: {} of {} = {:.3g}{}\n", what, share.count, share.of, share.value(), ends);
 }
 
 std::string criterion_text(MeasuredCriterion const& criterion) {
@@ -155,6 +157,21 @@ std::string verdict_text(CriterionVerdict const& verdict) {
     return text.empty() ? text : "  is V_WES practical and conservative?\n" + text;
 }
 
+// Curves of all limit states, and the responses per level.
+std::string curves_text(BodyAnalysis const& body, double confidence) {
+    auto text = fmt::format("\n{}: curves from {} waves, {}\n", body.body, body.over_levels().fit.waves,
+                            body.over_levels().fit.method == FragilityFit::Method::bootstrap_by_waves
+                                ? "ends by resampling them"
+                                : "ends by profile likelihood");
+    text += fmt::format("  waves differ by {}\n", body.variability);
+    text += fragility_table(body.fragility, confidence);
+    for (auto const& limit : body.limits) {
+        text += fmt::format("  limit state {}: {}\n", limit.name, limit.definition);
+        text += fragility_table(limit.fragility, confidence);
+    }
+    return text + quantiles_text(body, confidence);
+}
+
 }  // namespace
 
 std::string fragility_table(std::vector<MeasuredFragility> const& fits, double confidence) {
@@ -185,17 +202,12 @@ std::string fragility_table(std::vector<MeasuredFragility> const& fits, double c
 std::string analysis_table(std::vector<BodyAnalysis> const& bodies, double confidence) {
     std::string text;
     for (auto const& body : bodies) {
-        text += fmt::format("\n{}: curves from {} waves, {}\n", body.body, body.over_levels().fit.waves,
-                            body.over_levels().fit.method == FragilityFit::Method::bootstrap_by_waves
-                                ? "ends by resampling them"
-                                : "ends by profile likelihood");
-        text += fmt::format("  waves differ by {}\n", body.variability);
-        text += fragility_table(body.fragility, confidence);
-        for (auto const& limit : body.limits) {
-            text += fmt::format("  limit state {}: {}\n", limit.name, limit.definition);
-            text += fragility_table(limit.fragility, confidence);
+        if (body.grid) {
+            text +=
+                fmt::format("\n{}: {}\n{}", body.body, grid_text(body.over_levels().fit.waves), grid_table(*body.grid));
+        } else {
+            text += curves_text(body, confidence);
         }
-        text += quantiles_text(body, confidence);
         for (auto const& criterion : body.criterion) {
             text += criterion_text(criterion);
         }

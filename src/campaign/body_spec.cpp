@@ -6,8 +6,8 @@
 
 #include <gsl/gsl_cdf.h>
 
-#include "body/parts.hpp"
 #include "campaign/detail/footing_spec.hpp"
+#include "campaign/detail/parts_spec.hpp"
 
 namespace overturn {
 namespace {
@@ -16,42 +16,15 @@ using config::Kind;
 using config::Range;
 using config::Table;
 
-std::vector<Part> read_parts(Table const& table) {
-    std::vector<Part> parts;
-    for (auto const& entry : table.children("parts")) {
-        auto const kind = entry.text("kind");
-        double const mass = entry.number("mass", Dimension::mass, Range::positive());
-        if (kind == "cylinder") {
-            parts.emplace_back(
-                Cylinder{.mass_kg = mass,
-                         .radius_m = 0.5 * entry.number("diameter", Dimension::length, Range::positive()),
-                         .height_m = entry.number("height", Dimension::length, Range::positive()),
-                         .bottom_height_m = entry.number("bottom", Dimension::length, Range::not_negative(), 0)});
-        } else if (kind == "box") {
-            parts.emplace_back(
-                Box{.mass_kg = mass,
-                    .width_m = entry.number("width", Dimension::length, Range::positive()),
-                    .height_m = entry.number("height", Dimension::length, Range::positive()),
-                    .bottom_height_m = entry.number("bottom", Dimension::length, Range::not_negative(), 0)});
-        } else if (kind == "point") {
-            parts.emplace_back(PointMass{.mass_kg = mass,
-                                         .height_m = entry.number("height", Dimension::length, Range::not_negative())});
-        } else {
-            entry.fail("kind", fmt::format("'{}' (unknown part). Use cylinder, box or point", kind));
-        }
-        entry.finish();
-    }
-    return parts;
-}
-
 constexpr std::string_view uniform_block = "uniform-block";
 
-BodyInput read_shape(Table const& table) {
+BodyInput read_shape(Table const& table, std::vector<BodyPart>& parts) {
     table.may_have({"name", "file", "mass", "base_width", "centre_height", "inertia", "parts", "restitution",
                     "friction", "gravity", "similarity", "axes", "base", "pad", "inertia_y", "inertia_z"});
     double const width = table.number("base_width", Dimension::length, Range::positive());
     if (table.has("parts")) {
-        return table.located("parts", [&] { return assemble(read_parts(table), width); });
+        parts = read_parts(table);
+        return table.located("parts", [&] { return assemble(parts, width); });
     }
     BodyInput input;
     input.half_width_m = 0.5 * width;
@@ -100,6 +73,10 @@ RigidBody scaled(BodyInput const& stated, std::optional<Scaling> const& scaling)
         return RigidBody(stated);
     }
     return RigidBody(scaling->to_model ? model_of(stated, scaling->law) : prototype_of(stated, scaling->law));
+}
+
+double length_factor(std::optional<Scaling> const& scaling) {
+    return !scaling ? 1 : scaling->to_model ? scaling->law.length : 1 / scaling->law.length;
 }
 
 void set_mass(BodyInput& stated, double mass_kg) {
@@ -193,11 +170,13 @@ void read_uncertain(Table const& table, BodySpec& spec) {
 }
 
 BodySpec read_stated(Table const& table, std::string name) {
-    auto stated = read_shape(table);
+    std::vector<BodyPart> parts;
+    auto stated = read_shape(table, parts);
     stated.gravity_mps2 = table.number("gravity", Dimension::acceleration, Range::positive(), g0);
     auto const scaling = read_scaling(table);
     auto const body = table.located("", [&] { return scaled(stated, scaling); });
-    BodySpec spec{std::move(name), stated, scaling, body, {}, {}, 3, {}, {}};
+    BodySpec spec{std::move(name), stated, scaling, body, {}, {}, 3, {}, {}, {}};
+    spec.parts = with_lengths(std::move(parts), length_factor(scaling));
     read_uncertain(table, spec);
     return spec;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "body/footing.hpp"
+#include "body/parts.hpp"
 #include "body/rigid_body.hpp"
 #include "body/similarity.hpp"
 #include "campaign/scatter.hpp"
@@ -39,6 +40,8 @@ struct BodySpec {
     int axes = 3;                 ///< Scene::axes
     Footing stated_footing = {};  ///< as the keys say
     Footing footing = {};         ///< of the body in force
+    /// What it is assembled from, in the size of the body in force, with the masses stated; empty: stated as a whole
+    std::vector<BodyPart> parts = {};
 
     /// Which of mass, centre_height, restitution and friction scatter, in that order.
     [[nodiscard]] std::vector<std::string> scattering() const;

@@ -160,6 +160,12 @@ bool CampaignSpec::has_target() const {
     return std::ranges::any_of(limits, [](LimitState const& limit) { return limit.target.asks(); });
 }
 
+std::vector<double> CampaignSpec::grid_periods_s() const {
+    auto periods = source->grid_periods_s().value_or(std::vector<double>{});
+    periods.resize(std::min(periods.size(), static_cast<std::size_t>(wave_count)));
+    return periods;
+}
+
 CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
     auto const root = Table::parse(input.text, input.name, input.settings);
     root.may_have({"title", "seed", "waves", "bodies", "scatter", "levels", "effects", "measures", "accuracy", "rare",
@@ -222,7 +228,11 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
     auto const statistics = root.child_or_empty("statistics");
     spec.confidence = statistics.number("confidence", Dimension::none,
                                         {.low = 0, .high = 1, .low_open = true, .high_open = true}, spec.confidence);
-    spec.limits = read_limits(root, statistics, spec.levels.independent_waves, spec.effects);
+    spec.limits = read_limits(root, statistics,
+                              spec.is_grid()                  ? WavesOfLevels::grid
+                              : spec.levels.independent_waves ? WavesOfLevels::independent
+                                                              : WavesOfLevels::shared,
+                              spec.effects);
     if (spec.rare && spec.rare->method == rare::Method::pulse_mixture && spec.limits.size() > 1) {
         root.child("rare").fail("method", fmt::format("pulse-mixture beside limit state '{}' (its pulses are of waves "
                                                       "that overturn). Use auto or subset",

@@ -49,6 +49,9 @@ struct CampaignSpec {
 
     /// Does the campaign end before all waves are done where it is precise enough?
     [[nodiscard]] bool has_target() const;
+    /// The periods of the waves where these are points of a grid, so that no share of them is a probability; else none.
+    [[nodiscard]] std::vector<double> grid_periods_s() const;
+    [[nodiscard]] bool is_grid() const { return !grid_periods_s().empty(); }
 };
 
 /// \throws InputError naming file, line and column for anything wrong

@@ -94,14 +94,23 @@ std::vector<std::string> units_of(std::vector<MeasuredFragility> const& fits) {
     return units;
 }
 
-void add_kinds(Columns& columns, Passing passing, std::vector<std::string> const& units) {
+// The unit of every row in their order, "m/s2; m/s; m/s; 1": of columns whose rows are of different measures.
+std::string units_by_row(std::vector<MeasuredFragility> const& fits) {
+    std::vector<std::string> units;
+    std::ranges::transform(fits, std::back_inserter(units), &MeasuredFragility::units);
+    return fmt::format("{}", fmt::join(units, "; "));
+}
+
+void add_kinds(Columns& columns, Passing passing, bool grid, std::vector<std::string> const& units) {
     std::vector<std::string> states;
-    for (std::int64_t s = 0; s <= static_cast<std::int64_t>(FragilityState::not_converged); ++s) {
+    auto const last = grid ? FragilityState::grid : FragilityState::not_converged;
+    for (std::int64_t s = 0; s <= static_cast<std::int64_t>(last); ++s) {
         states.push_back(name_of(static_cast<FragilityState>(s), passing));
     }
     columns.add("measure", "1", "intensity measure; level: the file's level_measure", OVERTURN_AT(measure),
                 FieldType::category, fragility_measure_names());
-    columns.add(units_column, "1", "unit of the measure, and of every column that names this one in units_from",
+    columns.add(units_column, "1",
+                "unit of the measure, and in this row of every column that names this one in units_from",
                 OVERTURN_AT(units), FieldType::category, units);
     columns.add("state", "1", "why there is a curve or none", OVERTURN_AT(state), FieldType::category, states);
     columns.add("identifiable", "1", "1: the trials hold a lognormal curve", OVERTURN_AT(identifiable),
@@ -112,10 +121,11 @@ void add_kinds(Columns& columns, Passing passing, std::vector<std::string> const
                 FieldType::category, {"profile-likelihood", "bootstrap-by-waves"});
 }
 
-store::TableSpec fragility_columns(std::string const& group, Passing passing, std::vector<std::string> const& units) {
-    std::string const own;  // by row, so that none holds for the column
+store::TableSpec fragility_columns(std::string const& group, Passing passing, bool grid,
+                                   std::vector<std::string> const& units, std::string const& by_row) {
+    std::string const own;  // marks columns whose rows are of different measures
     Columns columns{{group, sizeof(FragilityRow), {}, "measure"}};
-    add_kinds(columns, passing, units);
+    add_kinds(columns, passing, grid, units);
     columns.add("median", own, "intensity of P = 0.5; NaN: not identifiable", OVERTURN_AT(median));
     columns.add("beta", "1", "lognormal standard deviation; NaN: not identifiable", OVERTURN_AT(beta));
     columns.add("beta_r", "1", "part of it that waves make; all of it where nothing was drawn", OVERTURN_AT(beta_r));
@@ -145,8 +155,9 @@ store::TableSpec fragility_columns(std::string const& group, Passing passing, st
                     ? "chance that what exceeded the limit has the larger measure; NaN: all did alike"
                     : "chance that what overturned has the larger measure; NaN: all ended alike",
                 OVERTURN_AT(rank_area));
-    for (auto const& column : columns.spec.columns) {
-        if (column.units.empty()) {
+    for (auto& column : columns.spec.columns) {
+        if (column.units == own) {
+            column.units = by_row;
             columns.spec.notes.push_back({column.name, "units_from", units_column});
         }
     }
@@ -166,7 +177,9 @@ void write_fragility(store::ResultsWriter& file, std::string const& group, std::
         rows.back().units = std::distance(units.begin(), std::ranges::find(units, measured.units));
     }
     auto const passing = fits.front().fit.passing;
-    auto const table = file.table(fragility_columns(group, passing, units), static_cast<std::int64_t>(rows.size()));
+    bool const grid = fits.front().fit.state == FragilityState::grid;
+    auto const table = file.table(fragility_columns(group, passing, grid, units, units_by_row(fits)),
+                                  static_cast<std::int64_t>(rows.size()));
     file.append(table, std::as_bytes(std::span(rows)));
     file.attribute(group, "confidence", confidence);
     file.attribute(group, "flag_names",

@@ -28,7 +28,7 @@ template <class Value, class Get> std::vector<Value> column(std::vector<Stripe> 
 }
 
 void write_stripes(store::ResultsWriter& file, CampaignSpec const& spec, std::string const& group,
-                   std::vector<Stripe> const& stripes) {
+                   std::vector<Stripe> const& stripes, bool grid) {
     file.array(group, {"amplitude", spec.levels.units(), "value of the level"},
                column<double>(stripes, [](Stripe const& s) { return s.amplitude; }));
     auto const put = [&](char const* name, char const* description, auto const& values) {
@@ -42,12 +42,16 @@ void write_stripes(store::ResultsWriter& file, CampaignSpec const& spec, std::st
         column<std::int64_t>(stripes, [](Stripe const& s) { return s.failed; }));
     put("undecided", "further trials that do not tell; left out of the probability",
         column<std::int64_t>(stripes, [](Stripe const& s) { return s.undecided; }));
-    put("probability", "exceeded over decided trials; NaN where none is decided",
-        column<double>(stripes, [](Stripe const& s) { return s.probability(); }));
-    put("lower", "lower bound, Clopper-Pearson, undecided trials counted as within the limit",
-        column<double>(stripes, [c](Stripe const& s) { return s.interval(c).lower; }));
-    put("upper", "upper bound, Clopper-Pearson, undecided trials counted as exceeding it",
-        column<double>(stripes, [c](Stripe const& s) { return s.interval(c).upper; }));
+    auto const chance = [&](char const* name, char const* description, auto get) {
+        put(name, grid ? no_chance : description,
+            column<double>(stripes, [&](Stripe const& s) { return grid ? never : get(s); }));
+    };
+    chance("probability", "exceeded over decided trials; NaN where none is decided",
+           [](Stripe const& s) { return s.probability(); });
+    chance("lower", "lower bound, Clopper-Pearson, undecided trials counted as within the limit",
+           [c](Stripe const& s) { return s.interval(c).lower; });
+    chance("upper", "upper bound, Clopper-Pearson, undecided trials counted as exceeding it",
+           [c](Stripe const& s) { return s.interval(c).upper; });
     file.attribute(group, "confidence", c);
     file.attribute(group, "level_measure", spec.levels.measure_name());
 }
@@ -72,7 +76,7 @@ void write_limits(store::ResultsWriter& file, CampaignSpec const& spec, Statisti
         auto const& limit = spec.limits[l];
         for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
             auto const& body = statistics.bodies()[b];
-            write_stripes(file, spec, group_of(limit, "stripes", body.body), body.stripes_of(l));
+            write_stripes(file, spec, group_of(limit, "stripes", body.body), body.stripes_of(l), !body.grid.empty());
             write_fragility(file, group_of(limit, "fragility", body.body), analysis[b].limits[l - 1].fragility,
                             spec.confidence);
         }
@@ -128,10 +132,13 @@ void require_stored_limits(store::ResultsReader const& file, CampaignSpec const&
 std::string limit_stripes_text(CampaignSpec const& spec, BodyStatistics const& counted, std::size_t limit) {
     auto const& stated = spec.limits[limit];
     auto const& of = counted.limits[limit - 1];
+    bool const grid = !counted.grid.empty();
     auto text = fmt::format(
-        "\n{}, limit state {}: {}\n{:>10} {:>7} {:>8} {:>9} {:>7}  {:>8}  {:>20}\n", counted.body, stated.name,
+        "\n{}, limit state {}: {}\n{:>10} {:>7} {:>8} {:>9} {:>7}{}\n", counted.body, stated.name,
         definition_of(stated, spec.limits), fmt::format("{} {}", spec.levels.measure_name(), spec.levels.shown_units()),
-        "trials", "exceeded", "undecided", "failed", "P", fmt::format("{:g} % interval", 100 * spec.confidence));
+        "trials", "exceeded", "undecided", "failed",
+        grid ? std::string()
+             : fmt::format("  {:>8}  {:>20}", "P", fmt::format("{:g} % interval", 100 * spec.confidence)));
     for (std::size_t l = 0; l < of.stripes.size(); ++l) {
         auto const& stripe = of.stripes[l];
         auto const interval = stripe.interval(spec.confidence);
@@ -139,9 +146,10 @@ std::string limit_stripes_text(CampaignSpec const& spec, BodyStatistics const& c
                            ? std::string("-")
                            : fmt::format("{}{:.4f}", stripe.decided() < stripe.trials ? "~" : "", stripe.probability());
         auto const purpose = spec.levels.levels[l].purpose;
-        text += fmt::format("{:>10.4g} {:>7} {:>8} {:>9} {:>7}  {:>8}  [{:.6f}, {:.6f}]{}\n",
-                            spec.levels.shown(stripe.amplitude), stripe.trials, stripe.overturned, stripe.undecided,
-                            stripe.failed, p, interval.lower, interval.upper,
+        auto const chance =
+            grid ? std::string() : fmt::format("  {:>8}  [{:.6f}, {:.6f}]", p, interval.lower, interval.upper);
+        text += fmt::format("{:>10.4g} {:>7} {:>8} {:>9} {:>7}{}{}\n", spec.levels.shown(stripe.amplitude),
+                            stripe.trials, stripe.overturned, stripe.undecided, stripe.failed, chance,
                             purpose == LevelClass::ordinary ? std::string() : fmt::format("  {}", name_of(purpose)));
     }
     if (of.unknown > 0) {

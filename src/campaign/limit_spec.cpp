@@ -14,7 +14,7 @@ namespace {
 
 using config::Table;
 
-PrecisionTarget read_target(Table const& table, bool independent_waves, PrecisionTarget target) {
+PrecisionTarget read_target(Table const& table, WavesOfLevels waves, PrecisionTarget target) {
     constexpr double largest = 0.5;
     config::Range const range{.low = 0, .high = largest, .low_open = true};
     for (auto const& [key, value] : {std::pair{"target_half_width", &target.half_width},
@@ -23,7 +23,12 @@ PrecisionTarget read_target(Table const& table, bool independent_waves, Precisio
             continue;
         }
         *value = table.number(key, Dimension::none, range);
-        if (independent_waves) {
+        if (waves == WavesOfLevels::grid) {
+            table.fail(key,
+                       "of a grid of frequencies (it is no sample, so that no probability gets more precise). "
+                       "Leave it out");
+        }
+        if (waves == WavesOfLevels::independent) {
             table.fail(key,
                        "beside independent waves (they come level by level, so that the first ones are of the "
                        "lowest level only). Use levels.waves = 'shared'");
@@ -146,9 +151,9 @@ LimitState read_limit(Table const& table, std::span<LimitState const> before, Ef
 
 }  // namespace
 
-std::vector<LimitState> read_limits(config::Table const& root, config::Table const& statistics, bool independent_waves,
+std::vector<LimitState> read_limits(config::Table const& root, config::Table const& statistics, WavesOfLevels waves,
                                     EffectRequest& effects) {
-    auto const common = read_target(statistics, independent_waves, {});
+    auto const common = read_target(statistics, waves, {});
     std::vector<LimitState> limits(1);
     limits.front().name = overturning_limit;
     limits.front().target = common;
@@ -160,7 +165,7 @@ std::vector<LimitState> read_limits(config::Table const& root, config::Table con
             table.fail("name", fmt::format("more than {} limit states in one campaign. Split it", most_limits - 1));
         }
         auto limit = read_limit(table, limits, effects);
-        limit.target = read_target(table, independent_waves, common);
+        limit.target = read_target(table, waves, common);
         table.finish();
         limits.push_back(std::move(limit));
     }

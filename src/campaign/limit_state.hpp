@@ -89,11 +89,14 @@ class LimitJudge {
     std::vector<Own> own_;
 };
 
+/// Which waves the levels have: the same, each its own, or the same points of a grid.
+enum class WavesOfLevels { shared, independent, grid };
+
 /// Reads [[limits]], behind overturning, which is always there: name, quantity with above or below, or any or all of
 /// others stated before it; target_half_width and target_median_half_width, else those of [statistics].
 /// \param statistics [statistics], whose targets are read too \param effects gets what limits call for
 /// \throws InputError
 [[nodiscard]] std::vector<LimitState> read_limits(config::Table const& root, config::Table const& statistics,
-                                                  bool independent_waves, EffectRequest& effects);
+                                                  WavesOfLevels waves, EffectRequest& effects);
 
 }  // namespace overturn

@@ -94,8 +94,10 @@ void write_stripes(store::ResultsWriter& file, CampaignSpec const& spec, BodySta
                            entry.decided ? "" : "; left out of the probability"),
                body.ends[v]);
     }
+    bool const grid = !body.grid.empty();
     auto const real = [&](char const* name, char const* description, auto get) {
-        file.array(group, spec_of(name, "1", description), column<double>(s, get), "amplitude");
+        file.array(group, spec_of(name, "1", grid ? no_chance : description),
+                   column<double>(s, [&](Stripe const& x) { return grid ? never : get(x); }), "amplitude");
     };
     double const c = spec.confidence;
     real("probability", "overturned over decided trials; NaN where none is decided",
@@ -158,7 +160,8 @@ void write_criterion(store::ResultsWriter& file, CampaignSpec const& spec, BodyS
 
 // HDF5 lists groups by name, so each body's says which in the campaign's order it is of.
 void number_bodies(store::ResultsWriter& file, CampaignSpec const& spec) {
-    std::vector<std::string> places{"bodies", "stripes", "fragility", "criterion", "quantiles", "waves", "rare"};
+    std::vector<std::string> places{"bodies",    "stripes", "fragility", "criterion",
+                                    "quantiles", "waves",   "rare",      "grid"};
     for (auto const& limit : spec.limits) {
         places.push_back("limits/" + limit.name + "/stripes");
         places.push_back("limits/" + limit.name + "/fragility");
@@ -216,7 +219,11 @@ std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, Campa
         if (spec.measures.energy) {
             write_criterion(file, spec, statistics.bodies()[b]);
         }
-        write_quantiles(file, spec, analysis[b]);
+        if (analysis[b].grid) {
+            write_grid(file, spec, analysis[b]);
+        } else {
+            write_quantiles(file, spec, analysis[b]);
+        }
     }
     write_limits(file, spec, statistics, analysis);
     write_rare(file, spec, rare);

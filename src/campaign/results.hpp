@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "campaign/campaign_spec.hpp"
+#include "campaign/grid_map.hpp"
 #include "campaign/measured_trials.hpp"
 #include "campaign/plan.hpp"
 #include "campaign/rare_run.hpp"
@@ -35,6 +36,7 @@ struct BodyStatistics {
     std::vector<std::vector<std::int64_t>> ends;    ///< trials per verdict, in the order of verdicts(), and level
     std::vector<std::vector<std::int64_t>> called;  ///< trials per effect, in the order of effects(), and level
     std::vector<std::int64_t> rungs;                ///< trials per rung, in the order of rungs()
+    std::vector<GridLine> grid;                     ///< one per wave where waves are points of a grid; else none
 
     /// \param limit place of the limit state; 0: overturning
     [[nodiscard]] std::vector<Stripe> const& stripes_of(std::size_t limit) const {

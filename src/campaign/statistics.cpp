@@ -35,6 +35,10 @@ Statistics::Statistics(CampaignSpec const& spec)
         statistics.ends.assign(verdicts().size(), std::vector<std::int64_t>(levels));
         statistics.called.assign(effects().size(), std::vector<std::int64_t>(levels));
         statistics.rungs.resize(rungs().size());
+        auto const periods = spec.grid_periods_s();
+        for (std::size_t w = 0; w < periods.size(); ++w) {
+            statistics.grid.emplace_back(static_cast<std::int64_t>(w), periods[w], levels, spec.limits.size());
+        }
         bodies_.push_back(std::move(statistics));
     }
 }
@@ -61,6 +65,9 @@ void Statistics::add(TrialRow const& row, std::span<std::byte const> own) {
     measured_.add(row, limits);
     auto& body = bodies_.at(static_cast<std::size_t>(row.body));
     auto const level = static_cast<std::size_t>(row.level);
+    if (!body.grid.empty()) {
+        body.grid.at(static_cast<std::size_t>(row.wave)).add(row, limits);
+    }
     auto& stripe = body.stripes.at(level);
     auto const& end = entry_of(row.verdict);
     for (std::size_t l = 0; l < body.limits.size(); ++l) {

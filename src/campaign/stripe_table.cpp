@@ -65,8 +65,11 @@ void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& bo
     for (auto const v : shown) {
         text += fmt::format(" {:>{}}", verdicts()[v].name, width_of(v));
     }
-    text += fmt::format("  {:>8}  {:>20}{}\n", "P", fmt::format("{:g} % interval", 100 * spec.confidence),
-                        spec.measures.energy ? "  V_WES safe/wrong" : "");
+    bool const grid = !s.grid.empty();
+    if (!grid) {
+        text += fmt::format("  {:>8}  {:>20}", "P", fmt::format("{:g} % interval", 100 * spec.confidence));
+    }
+    text += spec.measures.energy ? "  V_WES safe/wrong\n" : "\n";
     for (std::size_t l = 0; l < s.stripes.size(); ++l) {
         auto const& stripe = s.stripes[l];
         auto const interval = stripe.interval(spec.confidence);
@@ -75,7 +78,9 @@ void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& bo
         for (auto const v : shown) {
             text += fmt::format(" {:>{}}", s.ends[v][l], width_of(v));
         }
-        text += fmt::format("  {:>8}  [{:.6f}, {:.6f}]", probability_text(stripe), interval.lower, interval.upper);
+        if (!grid) {
+            text += fmt::format("  {:>8}  [{:.6f}, {:.6f}]", probability_text(stripe), interval.lower, interval.upper);
+        }
         if (spec.measures.energy) {
             text += fmt::format("  {:>9} / {:<5}", s.v_wes[l].true_safe + s.v_wes[l].false_safe, s.v_wes[l].false_safe);
         }

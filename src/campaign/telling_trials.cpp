@@ -71,6 +71,30 @@ class Candidates {
 
 }  // namespace
 
+std::vector<std::size_t> share_fairly(std::span<std::size_t const> offered, std::size_t most) {
+    std::vector<std::size_t> gets(offered.size(), 0);
+    std::vector<std::size_t> wanting;
+    for (std::size_t i = 0; i < offered.size(); ++i) {
+        if (offered[i] > 0) {
+            wanting.push_back(i);
+        }
+    }
+    if (wanting.size() > most) {
+        for (std::size_t k = 0; k < most; ++k) {
+            gets[wanting[k * wanting.size() / most]] = 1;
+        }
+        return gets;
+    }
+    for (std::size_t left = most; left > 0 && !wanting.empty();) {
+        for (auto const i : wanting) {
+            gets[i] += left > 0 ? 1 : 0;
+            left -= left > 0 ? 1 : 0;
+        }
+        std::erase_if(wanting, [&](std::size_t i) { return gets[i] == offered[i]; });
+    }
+    return gets;
+}
+
 std::vector<TellingTrial> telling_trials(CampaignSpec const& spec, Plan const& plan, TrialColumns const& columns) {
     OVERTURN_EXPECT(columns.verdicts.size() == columns.peak_rotation_ratios.size()
                     && columns.verdicts.size() == columns.peak_slips_m.size());

@@ -42,6 +42,10 @@ struct TellingTrial {
     double overturned_at = std::numeric_limits<double>::quiet_NaN();
 };
 
+/// Shares `most` among several that offer so many each: everyone gets one before anyone gets two, and so on; where
+/// there are more of them than `most`, one each goes to as many evenly spread over them. \return what each gets
+[[nodiscard]] std::vector<std::size_t> share_fairly(std::span<std::size_t const> offered, std::size_t most);
+
 /// What is stored of the trials, by their numbers; all of one length, which may be less than planned.
 struct TrialColumns {
     std::span<std::int64_t const> verdicts;

@@ -43,7 +43,9 @@ report::WaveFigure campaign_wave_figure(CampaignInput const& input, CampaignSpec
     figure.target = target_of(input);
     if (figure.target) {
         figure.damping = figure.target->damping();
-        figure.bands = {report::srp_acceptance_band()};
+        if (spec.source->acceptance() == "srp-3.7.1") {
+            figure.bands = {report::srp_acceptance_band()};
+        }
     }
     for (auto const& body : spec.bodies) {
         figure.bodies.push_back(figure_body(body.name, body.body, made.motion, spec.measures));

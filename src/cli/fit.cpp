@@ -56,6 +56,9 @@ int fit_file(Options const& options) {
     std::optional<HazardCurve> hazard;
     std::vector<BodyFrequency> frequencies;
     if (!options.hazard.empty()) {
+        validate(!spec.is_grid(),
+                 "--hazard for waves on a grid of frequencies (no random sample: nothing happens so often a year). "
+                 "Leave it out");
         InputFiles files(std::filesystem::path("."));
         hazard = parse_hazard(files.read(options.hazard), options.hazard, spec.levels);
         frequencies = frequencies_of(spec, statistics, analysis, *hazard, confidence);

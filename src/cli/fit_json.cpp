@@ -16,8 +16,8 @@ Json share_json(Share const& share) {
     return {{"count", share.count},
             {"of", share.of},
             {"share", or_null(any, any ? share.value() : 0)},
-            {"lower", or_null(any, share.interval.lower)},
-            {"upper", or_null(any, share.interval.upper)}};
+            {"lower", any ? number(share.interval.lower) : nullptr},
+            {"upper", any ? number(share.interval.upper) : nullptr}};
 }
 
 Json quantiles_json(std::optional<RatioQuantiles> const& q) {
@@ -117,6 +117,27 @@ Json quantiles_json(std::string const& body, LevelQuantiles const& at) {
 
 namespace {
 
+// One frequency of a grid: amplitudes in SI, null where none that was tried did it.
+Json grid_json(std::string const& body, GridMap const& map, GridLine const& line) {
+    Json json{{"body", body},
+              {"wave", line.wave},
+              {"period_s", line.period_s},
+              {"frequency_hz", 1 / line.period_s},
+              {"uplift", number(map.value(line.uplift))},
+              {"overturning", number(map.value(line.least.front()))},
+              {"standing", number(map.value(line.standing))},
+              {"undecided", line.undecided},
+              {"limits", Json::object()},
+              {"ends", Json::array()}};
+    for (std::size_t limit = 1; limit < map.limits.size(); ++limit) {
+        json["limits"][map.limits[limit]] = number(map.value(line.least.at(limit)));
+    }
+    for (auto const end : line.ends) {
+        json["ends"].push_back(entry_of(end).name);
+    }
+    return json;
+}
+
 Json limits_json(CampaignSpec const& spec) {
     Json list = Json::array();
     for (auto const& limit : spec.limits) {
@@ -141,6 +162,9 @@ Json all_stripes_json(CampaignSpec const& spec, Statistics const& statistics, do
                 auto& stripe = list.back();
                 stripe["measure"] = spec.levels.measure_name();
                 stripe["units"] = spec.levels.units();
+                if (!body.grid.empty()) {  // no sample of anything
+                    stripe["probability"] = stripe["lower"] = stripe["upper"] = nullptr;
+                }
                 for (std::size_t v = 0; limit == 0 && v < verdicts().size(); ++v) {
                     stripe["ends"][column_of(verdicts()[v])] = body.ends[v][l];
                 }
@@ -150,17 +174,17 @@ Json all_stripes_json(CampaignSpec const& spec, Statistics const& statistics, do
     return list;
 }
 
-Json all_fragility_json(std::vector<BodyAnalysis> const& analysis, double confidence) {
+Json all_fragility_json(std::vector<BodyAnalysis> const& analysis, double confidence, WarningUnits units) {
     Json list = Json::array();
     for (auto const& body : analysis) {
         for (auto const& measured : body.fragility) {
-            list.push_back(fragility_json(body.body, measured, confidence));
+            list.push_back(fragility_json(body.body, measured, confidence, units));
         }
     }
     for (auto const& body : analysis) {
         for (auto const& limit : body.limits) {
             for (auto const& measured : limit.fragility) {
-                list.push_back(fragility_json(body.body, measured, confidence));
+                list.push_back(fragility_json(body.body, measured, confidence, units));
             }
         }
     }
@@ -170,16 +194,20 @@ Json all_fragility_json(std::vector<BodyAnalysis> const& analysis, double confid
 }  // namespace
 
 Json fit_json(CampaignSpec const& spec, Statistics const& statistics, std::vector<BodyAnalysis> const& analysis,
-              double confidence) {
+              double confidence, WarningUnits units) {
     Json json{{"variability", spec.source->variability()},
               {"limits", limits_json(spec)},
               {"stripes", all_stripes_json(spec, statistics, confidence)},
-              {"fragility", all_fragility_json(analysis, confidence)},
+              {"fragility", all_fragility_json(analysis, confidence, units)},
+              {"grid", Json::array()},
               {"quantiles", Json::array()},
               {"criterion", Json::array()},
               {"response", Json::array()},
               {"verdict", Json::array()}};
     for (auto const& body : analysis) {
+        for (std::size_t line = 0; body.grid && line < body.grid->lines.size(); ++line) {
+            json["grid"].push_back(grid_json(body.body, *body.grid, body.grid->lines[line]));
+        }
         for (auto const& at : body.quantiles) {
             json["quantiles"].push_back(quantiles_json(body.body, at));
         }

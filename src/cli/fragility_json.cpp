@@ -126,7 +126,7 @@ void add_curve(Json& json, FragilityFit const& fit) {
 
 }  // namespace
 
-Json fragility_json(std::string const& body, MeasuredFragility const& measured, double confidence) {
+Json fragility_json(std::string const& body, MeasuredFragility const& measured, double confidence, WarningUnits units) {
     auto const& fit = measured.fit;
     Json json{
         {"body", body}, {"limit", measured.limit}, {"measure", measured.name}, {"identifiable", fit.identifiable()}};
@@ -161,7 +161,8 @@ Json fragility_json(std::string const& body, MeasuredFragility const& measured, 
                                 {"lower", at.bounds.lower},
                                 {"upper", at.bounds.upper}});
     }
-    json["warnings"] = warnings_of(fit, {measured.units}, confidence);
+    json["warnings"] =
+        warnings_of(fit, units == WarningUnits::si ? IntensityUnit{measured.units} : measured.told, confidence);
     return json;
 }
 

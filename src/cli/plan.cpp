@@ -156,9 +156,10 @@ int plan_campaign(std::string const& path, std::vector<std::string> const& setti
     }
     fmt::print("rungs     {}\n", rung_costs(seconds));
     if (spec.rare) {
-        fmt::print("rare      {} bodies, {} limit states, {} levels beside the trials: at most {} waves an estimator; "
-                   "their time and rows are not counted here\n",
-                   spec.bodies.size(), spec.limits.size(), spec.levels.levels.size(), spec.rare->max_runs);
+        fmt::print(
+            "rare      {} bodies, {} limit states, {} levels beside the trials: at most {} waves an estimator; "
+            "their time and rows are not counted here\n",
+            spec.bodies.size(), spec.limits.size(), spec.levels.levels.size(), spec.rare->max_runs);
     }
     fmt::print("time      about {} on one rank, {} on the {} cores here\n", duration_text(all),
                duration_text(all / cores), cores);

@@ -73,9 +73,13 @@ int replay(Options const& options) {
         auto const place = static_cast<std::size_t>(body);
         auto const title = fmt::format("{}, trial {}: wave {} at {}, {}", spec.bodies[place].name, options.trial, wave,
                                        spec.levels.text(row.amplitude), entry_of(row.verdict).name);
-        draw_history(
-            kept, {title, spec.bodies[place], prepared.bodies[place].body, prepared.motion, row.scale, spec.measures},
-            options.plot);
+        std::optional<MeasureSpec> const measures = spec.measures.energy ? std::optional(spec.measures) : std::nullopt;
+        draw_history(kept,
+                     {title, spec.bodies[place], prepared.bodies[place].body, prepared.motion, row.scale, measures},
+                     options.plot);
+        if (!measures) {
+            note("{}: without V_WES (the campaign states [measures] energy = false)\n", options.plot);
+        }
     }
     fmt::print("trial {}: wave number {} (id {}), body {}, {} {}\n", options.trial, wave, row.wave,
                spec.bodies[static_cast<std::size_t>(body)].name, spec.levels.measure_name(),

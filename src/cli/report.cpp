@@ -4,10 +4,12 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <variant>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "body/parts.hpp"
 #include "campaign/rare_results.hpp"
 #include "campaign/results.hpp"
 #include "campaign/runtime_file.hpp"
@@ -52,18 +54,25 @@ std::string effects_text(CampaignSpec const& spec) {
     return "forced: " + text_of(spec.effects);
 }
 
-Json facts_of(CampaignSpec const& spec, Plan const& plan) {
+// What was run: all that was planned, or less of a campaign that ended once it was precise enough.
+std::string ran_text(std::int64_t ran, std::int64_t planned) {
+    return ran == planned ? fmt::format("{}", ran)
+                          : fmt::format("{} of {} planned: it ended early, precise enough", ran, planned);
+}
+
+Json facts_of(CampaignSpec const& spec, Plan const& plan, store::ResultsReader const& file) {
     auto facts = Json::array();
     auto const add = [&](char const* name, std::string value) { facts.push_back({name, std::move(value)}); };
     auto const& levels = spec.levels.levels;
-    add("waves", fmt::format("{} ({})", plan.waves(), spec.source->describe()));
+    auto const waves = static_cast<std::int64_t>(file.integers("waves/id").size());
+    add("waves", fmt::format("{} ({})", ran_text(waves, plan.waves()), spec.source->describe()));
     add("waves differ by", spec.source->variability());
     add("acceptance of waves", spec.source->acceptance());
     add("levels", fmt::format("{} of {}, {:.6g} to {}{}", levels.size(), spec.levels.measure_name(),
                               spec.levels.shown(levels.front().value), spec.levels.text(levels.back().value),
                               spec.levels.independent_waves ? ", each with waves of its own"
                                                             : ", the same waves scaled to each"));
-    add("trials", fmt::format("{}", plan.trials()));
+    add("trials", ran_text(waves * plan.trials_per_wave(), plan.trials()));
     add("effects", effects_text(spec));
     for (std::size_t l = 1; l < spec.limits.size(); ++l) {
         add("limit state", fmt::format("{}: {}", spec.limits[l].name, definition_of(spec.limits[l], spec.limits)));
@@ -74,6 +83,24 @@ Json facts_of(CampaignSpec const& spec, Plan const& plan) {
     add("T0, T1",
         fmt::format("R in {}", spec.measures.radius_unit == RadiusUnit::centimetre ? "centimetres" : "metres"));
     return facts;
+}
+
+// Outlines of what each body is assembled from, by its name: width, height and bottom [m]; a point mass has no width.
+Json parts_of(CampaignSpec const& spec) {
+    auto all = Json::object();
+    for (auto const& body : spec.bodies) {
+        auto& parts = all[body.name] = Json::array();
+        for (auto const& part : body.parts) {
+            if (auto const* const cylinder = std::get_if<Cylinder>(&part)) {
+                parts.push_back({2 * cylinder->radius_m, cylinder->height_m, cylinder->bottom_height_m});
+            } else if (auto const* const box = std::get_if<Box>(&part)) {
+                parts.push_back({box->width_m, box->height_m, box->bottom_height_m});
+            } else {
+                parts.push_back({0, 0, std::get<PointMass>(part).height_m});
+            }
+        }
+    }
+    return all;
 }
 
 // The first wave, and the one that overturned anything at the lowest level: usually the ones to look at.
@@ -166,7 +193,8 @@ int write_report(Options const& options) {
     double const confidence = options.confidence.value_or(spec.confidence);
     auto const analysis =
         analyse(spec, statistics, {.confidence = confidence, .beta_u = options.beta_u, .band_points = 61});
-    data["fit"] = fit_json(spec, statistics, analysis, confidence);
+    data["parts"] = parts_of(spec);
+    data["fit"] = fit_json(spec, statistics, analysis, confidence, WarningUnits::as_written);
     auto const telling = telling_trials(spec, file);
     data["fit"]["telling_trials"] = telling_json(spec, telling);
     data["rare"] = Json::object();
@@ -176,7 +204,7 @@ int write_report(Options const& options) {
             data["rare"][spec.bodies[b].name] = rare_waves_json(rare_waves(file, spec, b));
         }
     }
-    data["facts"] = facts_of(spec, plan);
+    data["facts"] = facts_of(spec, plan, file);
     data["facts"].push_back({"confidence", fmt::format("{:g} %", 100 * confidence)});
     if (options.beta_u > 0) {
         data["facts"].push_back({"beta_U as stated", fmt::format("{:g}", options.beta_u)});
@@ -192,7 +220,9 @@ int write_report(Options const& options) {
     for (auto const& line : warnings_of(spec)) {
         data["wave_notes"].push_back("Warning: " + line + ".");
     }
-    data["histories"] = shown_trials(spec, plan, telling, file);
+    auto const histories = shown_trials(spec, plan, telling, file);
+    data["histories"] = histories.drawn;
+    data["histories_of"] = {histories.bodies, spec.bodies.size()};
     data["cost"] = cost_of(options.file);
     auto const page = report::figure_text("campaign_page.py", data, ".html");
     store::write_durably(options.page, std::as_bytes(std::span(page)));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,7 +20,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_shown = 12;
+// Histories on a page: each takes about 60 kB of it.
+constexpr std::size_t fewest_at_most = 12;
+constexpr std::size_t most_shown = 24;
 
 // The highest peak that stood on compliant points, of each body.
 std::vector<std::optional<std::int64_t>> nearest_misses(CampaignSpec const& spec, Plan const& plan,
@@ -41,59 +44,53 @@ std::vector<std::optional<std::int64_t>> nearest_misses(CampaignSpec const& spec
     return nearest;
 }
 
-// Trials with the words for what makes each worth a look, in the order of their bodies.
-class Chosen {
-  public:
-    // One that is there already only gets a further word.
-    void add(std::int64_t body, std::int64_t trial, std::string const& word) {
-        auto const known = std::ranges::find(all_, trial, &One::trial);
-        if (known != all_.end()) {
-            known->words += ", " + word;
-        } else {
-            all_.push_back({body, trial, word});
-        }
-    }
-    [[nodiscard]] std::size_t size() const { return all_.size(); }
-    [[nodiscard]] bool holds(std::int64_t trial) const {
-        return std::ranges::find(all_, trial, &One::trial) != all_.end();
-    }
-
-    struct One {
-        std::int64_t body, trial;
-        std::string words;
-    };
-    [[nodiscard]] std::vector<One> by_body() && {
-        std::ranges::stable_sort(all_, {}, &One::body);
-        return std::move(all_);
-    }
-
-  private:
-    std::vector<One> all_;
+// A trial with the words for what makes it worth a look.
+struct Chosen {
+    std::int64_t body, trial;
+    std::string words;
 };
 
-std::vector<Chosen::One> chosen(CampaignSpec const& spec, Plan const& plan, std::span<TellingTrial const> telling,
-                                store::ResultsReader const& file) {
+// One that is there already only gets a further word.
+void add(std::vector<Chosen>& of_body, std::int64_t body, std::int64_t trial, std::string const& word) {
+    auto const known = std::ranges::find(of_body, trial, &Chosen::trial);
+    if (known != of_body.end()) {
+        known->words += ", " + word;
+    } else {
+        of_body.push_back({body, trial, word});
+    }
+}
+
+std::vector<Chosen> chosen(CampaignSpec const& spec, Plan const& plan, std::span<TellingTrial const> telling,
+                           store::ResultsReader const& file) {
     std::vector<TellingTrial> by_kind(telling.begin(), telling.end());
     std::ranges::stable_sort(by_kind, {}, &TellingTrial::kind);
-    Chosen chosen;
+    std::vector<std::vector<Chosen>> offered(spec.bodies.size());
     for (auto const& t : by_kind) {
-        if (chosen.size() < most_shown || chosen.holds(t.trial)) {
-            chosen.add(t.body, t.trial, std::string(telling_kinds.at(static_cast<std::size_t>(t.kind))));
-        }
+        add(offered.at(static_cast<std::size_t>(t.body)), t.body, t.trial,
+            std::string(telling_kinds.at(static_cast<std::size_t>(t.kind))));
     }
     for (auto const& trial : nearest_misses(spec, plan, file)) {
-        if (trial && !chosen.holds(*trial) && chosen.size() < most_shown) {
-            chosen.add(plan.trial(*trial).body, *trial, "nearest-miss on points");
+        if (trial) {
+            auto const body = plan.trial(*trial).body;
+            add(offered.at(static_cast<std::size_t>(body)), body, *trial, "nearest-miss on points");
         }
     }
-    return std::move(chosen).by_body();
+    std::vector<std::size_t> counts;
+    std::ranges::transform(offered, std::back_inserter(counts), &std::vector<Chosen>::size);
+    auto const gets = share_fairly(counts, std::clamp(spec.bodies.size(), fewest_at_most, most_shown));
+    std::vector<Chosen> all;
+    for (std::size_t b = 0; b < offered.size(); ++b) {
+        all.insert(all.end(), offered[b].begin(), offered[b].begin() + static_cast<std::ptrdiff_t>(gets[b]));
+    }
+    return all;
 }
 
 }  // namespace
 
-Json shown_trials(CampaignSpec const& spec, Plan const& plan, std::span<TellingTrial const> telling,
-                  store::ResultsReader const& file) {
-    auto shown = Json::array();
+ShownTrials shown_trials(CampaignSpec const& spec, Plan const& plan, std::span<TellingTrial const> telling,
+                         store::ResultsReader const& file) {
+    ShownTrials shown{Json::array(), 0};
+    std::int64_t last = -1;
     for (auto const& [body, number, words] : chosen(spec, plan, telling, file)) {
         auto const [wave, of, level] = plan.trial(number);
         PhaseSeconds ignored;
@@ -108,12 +105,14 @@ Json shown_trials(CampaignSpec const& spec, Plan const& plan, std::span<TellingT
         auto const title = fmt::format("{}, trial {} ({}): wave {} at {}, {}", stated.name, number, words, wave,
                                        spec.levels.text(row.amplitude), entry_of(row.verdict).name);
         std::optional<MeasureSpec> const measures = spec.measures.energy ? std::optional(spec.measures) : std::nullopt;
-        shown.push_back(history_data(
+        shown.drawn.push_back(history_data(
             kept,
             {title, stated, prepared.bodies[static_cast<std::size_t>(body)].body, prepared.motion, row.scale, measures},
             for_a_page));
-        shown.back()["body"] = stated.name;
-        shown.back()["trial"] = number;
+        shown.drawn.back()["body"] = stated.name;
+        shown.drawn.back()["trial"] = number;
+        shown.bodies += body != last ? 1 : 0;
+        last = body;
     }
     return shown;
 }

@@ -1,9 +1,10 @@
 /// Histories of the trials that a report shows.
 #pragma once
 
+#include <cstddef>
 #include <span>
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 
 #include "campaign/campaign_spec.hpp"
 #include "campaign/plan.hpp"
@@ -12,11 +13,15 @@
 
 namespace overturn::cli {
 
-/// Of the trials worth a look, and of every body that some trial took to compliant points the nearest miss there:
-/// rerun, as history_data with `body`, `trial` and `title`. At most twelve: those of one kind before the next, on
-/// points last.
-[[nodiscard]] nlohmann::ordered_json shown_trials(CampaignSpec const& spec, Plan const& plan,
-                                                  std::span<TellingTrial const> telling,
-                                                  store::ResultsReader const& file);
+struct ShownTrials {
+    nlohmann::ordered_json drawn;  ///< a list: history_data with `body`, `trial` and `title`
+    std::size_t bodies = 0;        ///< how many bodies they are of
+};
+
+/// Of the trials worth a look, and of every body that some trial took to compliant points the nearest miss there,
+/// rerun. Twelve, or as many as there are bodies up to 24, shared fairly among the bodies; of a body those of one kind
+/// before the next, on points last.
+[[nodiscard]] ShownTrials shown_trials(CampaignSpec const& spec, Plan const& plan,
+                                       std::span<TellingTrial const> telling, store::ResultsReader const& file);
 
 }  // namespace overturn::cli

@@ -203,7 +203,8 @@ PulseResult estimate_pulse_mixture(Problem const& problem, std::span<double cons
         ladder.descend(scouted.factor, fitted_factor);
     }
     auto const final_runs = std::min(options.final_runs, (request.max_runs - ladder.runs()) / request.replicates);
-    if (!scouted.found || ladder.broken() || ladder.spent() || final_runs < std::min(options.final_runs, options.pilot_runs)) {
+    if (!scouted.found || ladder.broken() || ladder.spent()
+        || final_runs < std::min(options.final_runs, options.pilot_runs)) {
         auto estimates = none(factors, crude, scouted, ladder, request);
         return {std::move(estimates), std::move(ladder.stages())};
     }

@@ -6,9 +6,9 @@ own the figures pass through that of data.json."""
 import csv
 import json
 import os
-import re
 import sys
 
+import body_figure
 import fragility_figures
 import history_figure
 import limit_sections
@@ -17,7 +17,7 @@ import trial_figures
 import wave_figure
 from fragility_figures import MEASURES
 from limit_sections import OVERTURNING
-from page_parts import escape, interval, paragraphs, shares, table, value_of
+from page_parts import escape, figure_of, fold, interval, paragraphs, shares, table, value_of
 from page_style import CSS
 from results_data import Results
 from style import plain
@@ -50,10 +50,7 @@ class Report:
             draw(os.path.join(self.folder, name + ".png"))
         with open(path, encoding="utf-8") as file:
             svg = file.read()
-        width = float(re.search(r'width="([0-9.]+)pt"', svg).group(1))
-        svg = svg[svg.index("<svg"):].replace(
-            "<svg", f'<svg role="img" aria-label="{escape(alt)}" style="width:{SCALE * width:.0f}pt"', 1)
-        return f"<figure>{svg}</figure>\n"
+        return figure_of(svg, alt, SCALE)
 
     def csv(self, name, head, rows):
         if self.keep:
@@ -83,9 +80,9 @@ class Report:
 
     def asked(self):
         facts = table(["", ""], self.data["facts"])
-        text = escape(self.results.about["campaign"])
-        self.section("asked", "What was asked", facts,
-                     f"<details><summary>the campaign file</summary><pre>{text}</pre></details>")
+        text = escape(self.results.about["campaign"])  # the line feed behind the tag is none of the text's
+        name = self.results.about["campaign_name"]
+        self.section("asked", "What was asked", facts, fold(f"The campaign file, {name}", f"<pre>\n{text}</pre>"))
 
     def bodies(self):
         rows = []
@@ -97,9 +94,9 @@ class Report:
         head = ["body", "m [kg]", "b [m]", "h [m]", "R [m]", "p [rad/s]", "e", "e Housner", "T0 [s]", "T1 [s]",
                 "V_Ereq [m/s]", "α [°]"]
         self.section("bodies", "The bodies", self.figure(
-            "bodies", lambda path: trial_figures.bodies(self.results, path), "the bodies, to one scale"),
-            table(head, rows, "Dashed outline: a block about the centre of gravity, for scale; only base and centre "
-                              "enter the equations."))
+            "bodies", lambda path: body_figure.draw(self.results, self.data["parts"], path), "the bodies, to one scale"),
+            table(head, rows, "Outline: the parts it is assembled from, or, dashed, a block about the centre of gravity, for "
+                              "scale. Only base, centre and inertia enter the equations."))
 
     def waves(self):
         parts = []
@@ -143,8 +140,8 @@ class Report:
                     if said[kind]:
                         items = "".join(f"<li>{escape(line)}</li>" for line in said[kind])
                         parts.append(f"<p class=label>{title}</p><ul>{items}</ul>")
-        compared = self.figure("measures", lambda path: fragility_figures.measures(self.results, self.fits, path),
-                               "intensity measures compared")
+        compared = "" if self.fit["grid"] else self.figure(
+            "measures", lambda path: fragility_figures.measures(self.results, self.fits, path), "intensity measures compared")
         self.section("criterion", "The energy criterion on trial", table(
             head, rows, "False safe: measure below V_Ereq, yet overturned. False alarm: above it, yet stood."),
             *parts, "<h3>Which measure predicts best</h3>" if compared else "", compared)
@@ -189,8 +186,8 @@ class Report:
                    e["crude_runs"], e["state"]] for e in rare])
         self.section("rare", "Rare events", *parts, table(head, rows, "What is not trusted or not resolved has a bound "
                      "that plain trials alone give, and no number."),
-                     f"<details><summary>health of the estimators</summary>"
-                     f"{table(['body', 'limit', 'factor', 'check', 'found', 'limit', ''], health)}</details>" if health else "")
+                     fold("Health of the estimators", table(["body", "limit", "factor", "check", "found", "limit", ""], health))
+                     if health else "")
 
     def telling(self):
         """The trials worth a look, as a table and a file."""
@@ -211,12 +208,19 @@ class Report:
     def trials(self):
         parts = []
         for body in self.results.bodies:
-            for name, draw in (("ends", trial_figures.ends), ("rotations", trial_figures.rotations),
-                               ("slips", trial_figures.slips), ("reasons", trial_figures.reasons)):
+            drawn = [("ends", trial_figures.ends), ("rotations", trial_figures.rotations), ("slips", trial_figures.slips),
+                     ("reasons", trial_figures.reasons)]
+            if self.fit["grid"]:  # the map shows the ends, and a grid has no distributions
+                drawn = [drawn[0], drawn[3]]
+            for name, draw in drawn:
                 parts.append(self.figure(f"{name}-{body.name}",
                                          lambda path, draw=draw, body=body: draw(self.results, body, path),
                                          f"{name} of {body.name}"))
         parts.append(self.telling())
+        shown, bodies = self.data["histories_of"]
+        if len(self.results.bodies) > shown:
+            parts.append(paragraphs([f"Histories are of {shown} of {bodies} bodies; overturn replay --plot draws any trial's."],
+                                    " class=quiet"))
         for shown in self.data["histories"]:
             parts.append(self.figure(f"history-{shown['body']}-{shown['trial']}",
                                      lambda path, shown=shown: history_figure.draw(shown, path), f"history of {shown['title']}"))

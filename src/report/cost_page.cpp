@@ -22,7 +22,8 @@ p { margin: .3rem 0; } .quiet { color: #666; font-size: .88rem; }
           font-size: 1.05rem; }
 section { border-top: 1px solid #ddd; margin-top: 1.6rem; padding-top: 1.1rem; display: grid; gap: .4rem 1.6rem;
           grid-template-columns: minmax(20rem, 1fr) minmax(26rem, 1.15fr); align-items: start; }
-section > header { grid-column: 1 / -1; } figure { margin: 0; } svg { width: 100%; height: auto; display: block; }
+section > header { grid-column: 1 / -1; } figure { margin: 0; overflow-x: auto; }
+svg { width: 100%; min-width: 29rem; height: auto; display: block; }  /* letters of 8 pixels at least */
 table { border-collapse: collapse; font-size: .82rem; font-variant-numeric: tabular-nums; width: 100%; }
 th { font-weight: 600; color: #666; } th, td { text-align: right; padding: .16rem .45rem; white-space: nowrap; }
 th:first-child, td:first-child { text-align: left; } tbody tr { border-top: 1px solid #eee; }
@@ -30,7 +31,14 @@ tr.here td { background: #fdf3ec; font-weight: 600; } tr.front td:first-child::b
 tr.here td:first-child::before { content: "\25c6\00a0"; color: #d55e00; }
 tr.plain td:first-child::before { content: "\25cb\00a0"; color: #888; }
 .scroll { overflow-x: auto; } code { font-size: .92em; }
-@media (max-width: 60rem) { section { grid-template-columns: 1fr; } }
+@media (max-width: 60rem) { section { grid-template-columns: minmax(0, 1fr); } }
+@media (max-width: 40rem) { body { padding: 1rem .8rem 3rem; } }
+@media print {
+  @page { margin: 16mm 14mm; }
+  body { font-size: 10pt; max-width: none; padding: 0; } section { grid-template-columns: minmax(0, 1fr); }
+  figure, .scroll { overflow: visible; } svg { min-width: 0; } figure, tr, .answer { break-inside: avoid; }
+  table { font-size: 8pt; } th, td { white-space: normal; }
+}
 )css";
 
 std::string number(Json const& value, char const* unknown = "&ndash;") {

@@ -1,7 +1,7 @@
 """Figures of how likely a body is to overturn: fragility, and the energy criterion on trial."""
 
 import style
-from style import BLUE, BODIES, GREY, INK, ORANGE, PURPLE, VERMILION
+from style import BLUE, GREY, INK, ORANGE, PURPLE, VERMILION
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -21,84 +21,138 @@ def probit_curve(x, median, beta):
     return np.array([0.5 * erfc(-(np.log(v / median)) / (beta * sqrt(2))) for v in x])
 
 
-def draw_curve(axes, results, fit):
-    """The fitted curve, solid where there are data and dashed beyond them, with its band."""
-    lowest, highest = fit["data_range"]
-    x = np.geomspace(0.5 * lowest, 1.6 * highest, 240)
-    p = probit_curve(x, fit["median"], fit["beta"])
-    inside = (x >= lowest) & (x <= highest)
-    shown, _ = results.in_units(x)
-    if fit.get("band"):
-        at, _ = results.in_units([point["amplitude"] for point in fit["band"]])
-        axes.fill_between(at, [point["lower"] for point in fit["band"]], [point["upper"] for point in fit["band"]],
-                          color=BLUE, alpha=0.15, lw=0, zorder=1)
-    axes.plot(shown[inside], p[inside], color=BLUE, zorder=3)
-    for outside in (x < lowest, x > highest):
-        axes.plot(shown[outside], p[outside], color=BLUE, ls=(0, (4, 3)), lw=0.9, zorder=3)
-
-
 def numbers(rows, key):
     """A column of rows of JSON, NaN where nothing is known."""
     return np.array([np.nan if row[key] is None else row[key] for row in rows], dtype=float)
 
 
+BAND = 0.15  # opacity
+MOST_COMPARED = 10  # bodies in one picture: more lines are not told apart
+
+
+def curve_points(results, fit):
+    """The fitted curve at amplitudes from half the lowest to 1.6 times the highest that was tried, and which of these lie
+    within the data."""
+    lowest, highest = fit["data_range"]
+    x = np.geomspace(0.5 * lowest, 1.6 * highest, 240)
+    return results.in_units(x)[0], probit_curve(x, fit["median"], fit["beta"]), (x >= lowest) & (x <= highest), x < lowest, x > highest
+
+
+def draw_curve(axes, results, fit, colour=BLUE, line="-", label=None):
+    """Solid where there are data and dashed beyond them."""
+    shown, p, inside, below, above = curve_points(results, fit)
+    axes.plot(shown[inside], p[inside], color=colour, ls=line, zorder=3, label=label)
+    for outside in (below, above):
+        axes.plot(shown[outside], p[outside], color=colour, ls=(0, (4, 3)), lw=0.9, zorder=3)
+
+
+def draw_band(axes, results, fit, floor):
+    at, _ = results.in_units([point["amplitude"] for point in fit["band"]])
+    axes.fill_between(at, [max(point["lower"], floor) for point in fit["band"]],
+                      [max(point["upper"], floor) for point in fit["band"]], color=BLUE, alpha=BAND, lw=0, zorder=1)
+
+
+def draw_stripes(axes, results, mine, floor, colour=INK):
+    """Shares with their exact intervals; on a logarithmic axis a triangle at the upper bound where nothing was seen."""
+    amplitude, _ = results.in_units(numbers(mine, "amplitude"))
+    p, lower, upper = (numbers(mine, key) for key in ("probability", "lower", "upper"))
+    shown = np.isfinite(p) & (p > floor)
+    bars = np.abs(np.array([p - np.maximum(lower, floor), upper - p]))[:, shown]
+    axes.errorbar(amplitude[shown], p[shown], yerr=bars, fmt="o", ms=3.4, color=colour, elinewidth=0.8, capsize=2, zorder=4)
+    bound = np.isfinite(p) & ~shown & (floor > 0)
+    axes.plot(amplitude[bound], upper[bound], "v", ms=4, mfc="white", color=colour, zorder=4)
+
+
+def log_floor(stripes, fits):
+    """The bottom of a logarithmic axis: below the least share that these stripes could show."""
+    trials = [stripe["trials"] for stripe in stripes if stripe["trials"]]
+    return 0.3 / max(trials, default=10)
+
+
+def level_axis(axes, results, stripes, floor):
+    amplitude, unit = results.in_units(numbers(stripes, "amplitude"))
+    axes.set_xlabel(f"{MEASURES[results.measure][0]}" + (f" [{unit}]" if unit else ""))
+    axes.set_xlim(0, 1.06 * float(np.max(amplitude)))
+    if floor > 0:
+        axes.set_yscale("log")
+        axes.set_ylim(floor, 1.3)
+    else:
+        axes.set_ylim(-0.03, 1.03)
+
+
 def fragility(results, fits, stripes, what, path):
-    """Stripes with their exact intervals, the lognormal curve, the isotonic estimate, design basis and HCLPF."""
+    """A row a body: stripes with their exact intervals, the lognormal curve, the isotonic estimate, design basis and HCLPF,
+    over a linear axis and, for the tail, over a logarithmic one."""
     style.use()
     bodies = results.bodies
-    figure, panels = plt.subplots(1, len(bodies), figsize=(1.6 + 3.0 * len(bodies), 3.1), sharey=True,
-                                  squeeze=False, layout="constrained")
-    for axes, body in zip(panels[0], bodies):
+    figure, panels = plt.subplots(len(bodies), 2, figsize=(5.8, 0.1 + 2.1 * len(bodies)), squeeze=False, layout="constrained")
+    handles = {"stripe, exact interval": Line2D([], [], color=INK, marker="o", ms=3.4, lw=0.8)}
+    for row, body in zip(panels, bodies):
         mine = [s for s in stripes if s["body"] == body.name]
-        amplitude, unit = results.in_units(numbers(mine, "amplitude"))
-        p, lower, upper = (numbers(mine, key) for key in ("probability", "lower", "upper"))
-        known = np.isfinite(p)
-        p = p[known]
-        bars = np.abs(np.array([p - lower[known], upper[known] - p]))
-        axes.errorbar(amplitude[known], p, yerr=bars, fmt="o", ms=3.6, color=INK, elinewidth=0.8, capsize=2, zorder=4)
         fit = fits.get((body.name, results.measure))
-        if fit and fit["identifiable"]:
-            draw_curve(axes, results, fit)
-        if fit and fit.get("isotonic"):
-            for block in fit["isotonic"]:
+        for axes, floor in zip(row, (0, log_floor(mine, fits))):
+            draw_stripes(axes, results, mine, floor)
+            if any(s["probability"] is not None and s["probability"] <= floor for s in mine) and floor:
+                handles["bound where none was seen"] = Line2D([], [], color=INK, marker="v", ms=4, mfc="white", ls="")
+            if fit and fit["identifiable"]:
+                draw_curve(axes, results, fit)
+                handles["lognormal fit"] = Line2D([], [], color=BLUE)
+                handles["beyond the data"] = Line2D([], [], color=BLUE, ls=(0, (4, 3)))
+                if fit.get("band"):
+                    draw_band(axes, results, fit, floor)
+                    handles[f"its {100 * fit['confidence']:g} % band"] = Patch(color=BLUE, alpha=BAND, lw=0)
+            for block in (fit or {}).get("isotonic") or []:
                 ends, _ = results.in_units([block["from"], block["to"]])
-                axes.plot(ends, [block["probability"]] * 2, color=ORANGE, lw=1.6, marker="_", ms=9, zorder=2)
-        lines = [(results.design_basis(body), "design basis", "-")]
-        if fit and fit.get("hclpf"):
-            lines.append((fit["hclpf"], "HCLPF", "-."))
-        for value, label, dash in lines:
-            if value is not None:
-                at, _ = results.in_units(value)
-                axes.axvline(at, color=GREY, lw=0.8, ls=dash, zorder=1)
-                axes.annotate(label, (at, 0.97), xytext=(2, 0), textcoords="offset points", rotation=90, va="top",
-                              fontsize=6.5, color=GREY)
-        axes.set_title(style.literal(body.name))
-        axes.set_xlabel(f"{MEASURES[results.measure][0]}" + (f" [{unit}]" if unit else ""))
-        axes.set_ylim(-0.03, 1.03)
-        axes.set_xlim(0, 1.06 * float(np.max(amplitude)))
-    panels[0][0].set_ylabel(style.literal(f"probability of {what}"))
-    handles = [Line2D([], [], color=INK, marker="o", ms=3.6, lw=0.8, label="stripe, exact interval"),
-               Line2D([], [], color=BLUE, label="lognormal fit"),
-               Line2D([], [], color=BLUE, ls=(0, (4, 3)), label="beyond the data"),
-               Patch(color=BLUE, alpha=0.15, lw=0, label="its band"),
-               Line2D([], [], color=ORANGE, lw=1.6, marker="_", ms=9, label="isotonic estimate")]
-    panels[0][-1].legend(handles=handles, loc="center left", bbox_to_anchor=(1.02, 0.5))
+                if block["probability"] > floor or not floor:
+                    axes.plot(ends, [block["probability"]] * 2, color=ORANGE, lw=1.6, marker="_", ms=9, zorder=2)
+                    handles["isotonic estimate"] = Line2D([], [], color=ORANGE, lw=1.6, marker="_", ms=9)
+            for value, label, look in ((results.design_basis(body), "design basis", "-"),
+                                       ((fit or {}).get("hclpf"), "HCLPF", "-.")):
+                if value is not None:
+                    axes.axvline(results.in_units(value)[0], color=GREY, lw=0.8, ls=look, zorder=1)
+                    handles[label] = Line2D([], [], color=GREY, lw=0.8, ls=look)
+            level_axis(axes, results, mine, floor)
+        row[0].set_title(style.literal(body.name))
+        row[0].set_ylabel(style.literal(f"P of {what}"))
+    style.legend_below(figure, list(handles.values()), list(handles))
     style.save(figure, path)
+
+
+def compared(results, fits, stripes, what, path):
+    """The curves of all bodies in one picture, with their stripes; False where there is nothing to compare."""
+    bodies = results.bodies
+    if not 1 < len(bodies) <= MOST_COMPARED:
+        return False
+    style.use()
+    figure, panels = plt.subplots(1, 2, figsize=(5.8, 2.6), layout="constrained")
+    for axes, floor in zip(panels, (0, log_floor(stripes, fits))):
+        for body, (colour, line) in zip(bodies, style.looks(len(bodies))):
+            fit = fits.get((body.name, results.measure))
+            label = style.literal(body.name)
+            if fit and fit["identifiable"]:
+                draw_curve(axes, results, fit, colour, line, label)
+            else:
+                axes.plot([], [], color=colour, ls=line, marker="o", ms=3.4, label=f"{label} (no curve)")
+            draw_stripes(axes, results, [s for s in stripes if s["body"] == body.name], floor, colour)
+        level_axis(axes, results, stripes, floor)
+    panels[0].set_ylabel(style.literal(f"P of {what}"))
+    panels[0].set_title("all bodies")
+    style.legend_below(figure, *panels[0].get_legend_handles_labels(), columns=2)
+    style.save(figure, path)
+    return True
 
 
 def responses(results, rows, limits, path):
     """Median, 84 % and 95 % of a response over the levels with their intervals, and the limits set to it."""
     style.use()
-    figure, axes = plt.subplots(figsize=(5.6, 2.8), layout="constrained")
+    figure, axes = plt.subplots(figsize=(5.2, 2.6), layout="constrained")
     amplitude, unit = results.in_units(numbers(rows, "amplitude"))
     for (key, label), colour in zip((("median", "median"), ("p84", "84 %"), ("p95", "95 %")), (BLUE, ORANGE, VERMILION)):
         value, lower, upper = (numbers([row[key] for row in rows], end) for end in ("value", "lower", "upper"))
         bars = np.nan_to_num(np.abs(np.array([value - lower, upper - value])))
         axes.errorbar(amplitude, value, yerr=bars, fmt="o-", ms=3, color=colour, elinewidth=0.8, capsize=2, label=label)
-    for limit in limits:
-        axes.axhline(limit["threshold"], color=GREY, lw=0.8, ls="--")
-        axes.annotate(style.literal(limit["name"]), (1, limit["threshold"]), xycoords=("axes fraction", "data"),
-                      xytext=(-2, 2), textcoords="offset points", ha="right", fontsize=6.5, color=GREY)
+    for n, limit in enumerate(limits):
+        axes.axhline(limit["threshold"], color=GREY, lw=0.9, ls=("--", "-.", ":")[n % 3], label=style.literal(f"limit {limit['name']}"))
     quantity, units = rows[0]["quantity"], rows[0]["units"]
     label = {"peak_slip": "peak slip", "peak_rotation_ratio": "peak rotation / α"}[quantity]
     axes.set(xlabel=MEASURES[results.measure][0] + (f" [{unit}]" if unit else ""),
@@ -106,7 +160,7 @@ def responses(results, rows, limits, path):
     axes.set_xlim(0, 1.06 * float(np.max(amplitude)))
     axes.set_ylim(0, 1.25 if quantity == "peak_rotation_ratio" and np.nanmax(numbers([r["p95"] for r in rows], "value")) > 1.25
                   else None)
-    axes.legend(loc="upper left")
+    axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))
     style.save(figure, path)
 
 
@@ -126,7 +180,7 @@ def said(axes, name, ratio, stood, fell, top):
 def criterion(results, body, path):
     """V_resp against V_WES, the paper's figure 12, and what V_WES and ouV_E said: where they are wrong, on which side."""
     style.use()
-    figure, axes = plt.subplot_mosaic([["response", "window"], ["response", "whole"]], figsize=(6.8, 3.8),
+    figure, axes = plt.subplot_mosaic([["response", "response"], ["window", "whole"]], figsize=(5.6, 5.2), height_ratios=[1.5, 1],
                                       layout="constrained")
     left = axes["response"]
     lost = body.ended("moved") & ~body.ended("decided")  # neither stood nor fell
@@ -145,17 +199,15 @@ def criterion(results, body, path):
                       rasterized=len(at) > 1000)
     whole = body.trials("ou_v_e") / limit
     top, whole_top = (max(1.2, float(np.nanmax(x[moved])) if moved.any() else 1.2) for x in (ratio, whole))
-    left.plot([0, 1], [0, 1], color=GREY, lw=0.8)
-    left.axvline(1, color=GREY, lw=0.8, ls="--")
+    left.plot([0, 1], [0, 1], color=INK, lw=0.9, label="1 : 1")
+    left.axvline(1, color=GREY, lw=0.8, ls="--", label="criterion: V_WES = V_Ereq")
     left.set(xlim=(0, 1.03 * top), ylim=(-0.02, 1.08), xlabel="V_WES / V_Ereq", ylabel="V_resp / V_Ereq",
              title="response against energy offered")
-    left.legend(loc="lower right", markerscale=1.6)
     said(axes["window"], "V_WES", ratio, moved & ~fell, fell, top)
     said(axes["whole"], "ouV_E", whole, moved & ~fell, fell, whole_top)
-    axes["window"].annotate("criterion", (1, 0.98), xycoords=("data", "axes fraction"), xytext=(3, 0), va="top",
-                            textcoords="offset points", color=GREY, fontsize=7)
     axes["window"].set_title("what the energy measures said")
-    axes["window"].legend(loc="upper left")
+    shown = [axes[panel].get_legend_handles_labels() for panel in ("response", "window")]
+    style.legend_below(figure, shown[0][0] + shown[1][0], [*shown[0][1], *(f"trials that {w}" for w in shown[1][1])])
     style.save(figure, path)
 
 
@@ -163,13 +215,13 @@ def measures(results, fits, path):
     """How far each intensity measure tells overturning from standing: dispersion of its fragility, and ranks (AUC)."""
     style.use()
     names = [name for name in MEASURES if any((body.name, name) in fits for body in results.bodies)]
-    figure, (left, right) = plt.subplots(1, 2, figsize=(6.8, 0.9 + 0.34 * len(names)), sharey=True,
+    figure, (left, right) = plt.subplots(1, 2, figsize=(5.6, 0.8 + 0.34 * len(names)), sharey=True,
                                          layout="constrained")
     drawn = 0
-    for b, (body, (colour, _)) in enumerate(zip(results.bodies, BODIES * len(results.bodies))):
+    for b, (body, (colour, _)) in enumerate(zip(results.bodies, style.looks(len(results.bodies)))):
         for n, name in enumerate(names):
             fit = fits.get((body.name, name))
-            y = n + 0.22 * (b - (len(results.bodies) - 1) / 2)
+            y = n + min(0.22, 0.8 / len(results.bodies)) * (b - (len(results.bodies) - 1) / 2)
             if fit and fit["identifiable"]:
                 low, high = fit["beta_interval"]
                 reach = [[fit["beta"] - low], [(high if high is not None else fit["beta"]) - fit["beta"]]]
@@ -184,9 +236,8 @@ def measures(results, fits, path):
     left.set(xlabel="beta of the fit", title="dispersion: less is better")
     left.set_xlim(left=0)
     right.set(xlabel="AUC", title="rank: more is better", xlim=(0.45, 1.02))
-    right.legend(handles=[Line2D([], [], color=colour, marker="o", ls="", label=style.literal(body.name))
-                          for body, (colour, _) in zip(results.bodies, BODIES)],
-                 loc="center left", bbox_to_anchor=(1.02, 0.5))
+    style.legend_below(figure, [Line2D([], [], color=colour, marker="o", ls="") for colour, _ in style.looks(len(results.bodies))],
+                       [style.literal(body.name) for body in results.bodies])
     if drawn:
         style.save(figure, path)
     else:

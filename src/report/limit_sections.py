@@ -1,7 +1,8 @@
 """What a report says of the limit states: overturning and those of the user's own, and how far bodies slide and rock."""
 
 import fragility_figures
-from page_parts import escape, interval, paragraphs, table, value_of
+import grid_map
+from page_parts import escape, fold, interval, paragraphs, table, value_of
 from style import plain
 
 OVERTURNING = "overturning"  # the limit state that every campaign has
@@ -10,8 +11,9 @@ LIMIT_KEYS = ["limit", "body", "level", "amplitude", "trials", "exceeded", "fail
               "upper"]
 FIT_KEYS = ["body", "measure", "units", "identifiable", "median", "beta", "median_interval", "beta_interval", "hclpf",
             "hclpf_interval", "flags"]
-MOST_OPEN_ROWS = 40  # of the stripes: longer tables are folded away
+MOST_OPEN_ROWS = 40  # of the stripes: longer tables scroll in a box
 QUANTILES = [("median", "median"), ("p84", "84 %"), ("p95", "95 %")]
+LEAST_SLIP = 1e-4  # [m] that is worth a word
 RESPONSES = {"peak_slip": ("peak slip", "m"), "peak_rotation_ratio": ("peak rotation / α", "")}
 
 
@@ -46,7 +48,7 @@ def answer(report, body, limit):
 def slid(report, body):
     """How far it slides: at the design basis, or at the highest level, where it is the further one."""
     rows = [q for q in report.fit["quantiles"] if q["body"] == body.name and q["quantity"] == "peak_slip"]
-    rows = [q for q in rows if q["p95"]["value"]]
+    rows = [q for q in rows if (q["p95"]["value"] or 0) >= LEAST_SLIP]
     if not rows:
         return ""
     basis = report.results.design_basis(body)
@@ -58,6 +60,8 @@ def slid(report, body):
 
 def answers(report):
     lines = []
+    if report.fit["grid"]:
+        return [f"{body.name}: {grid_map.answer(report, body)}." for body in report.results.bodies]
     for body in report.results.bodies:
         further = slid(report, body)
         lines.append(f"{body.name}: {further + '; ' if further else ''}{answer(report, body, OVERTURNING)}.")
@@ -115,15 +119,16 @@ def curves(report, limit):
             for s in stripes]
     name = "fragility" if limit == OVERTURNING else f"fragility-{limit}"
     what = "overturning" if limit == OVERTURNING else f"exceeding {limit}"
-    return [report.figure(name, lambda path: fragility_figures.fragility(report.results, fits, stripes, what, path),
+    return [report.figure(f"{name}-compared", lambda path: fragility_figures.compared(report.results, fits, stripes, what, path),
+                          f"probability of {what} of all bodies"),
+            report.figure(name, lambda path: fragility_figures.fragility(report.results, fits, stripes, what, path),
                           f"probability of {what} against amplitude"),
             table(["body", "median", "interval", "beta", "interval", "HCLPF", "interval", "flags"], fitted),
             table(["body", "beta", "beta_R (waves)", "beta_U (body)", "change of ln median per deviation of"], split)
             if split else "",
             table(["body", "at", "amplitude", "P", "lower", "upper", ""], quoted) if quoted else "",
             paragraphs((f"{f['body']}: {line}" for f in mine for line in f["warnings"]), " class=warning"),
-            f"<details{' open' if len(rows) <= MOST_OPEN_ROWS else ''}><summary>all stripes</summary>{table(head, rows)}"
-            "</details>"]
+            fold("All stripes", table(head, rows)) if len(rows) > MOST_OPEN_ROWS else table(head, rows)]
 
 
 def fragility(report):
@@ -183,6 +188,9 @@ def responses(report):
 
 
 def add(report):
+    if report.fit["grid"]:
+        grid_map.section(report)
+        return
     fragility(report)
     limits(report)
     responses(report)

@@ -1,8 +1,12 @@
 """Pieces of a page: numbers, intervals, tables and paragraphs as HTML."""
 
 import html
+import re
 
 from style import plain
+
+
+MOST_SHORT = 26  # letters
 
 
 def escape(value):
@@ -17,6 +21,8 @@ def value_of(value, digits=4, unknown="–"):
 
 def shares(share):
     """A share and its exact interval, as two cells."""
+    if share["lower"] is None:  # nothing to count, or no sample
+        return value_of(share["share"], 3), "–"
     return value_of(share["share"], 3), interval([share["lower"], share["upper"]], 3)
 
 
@@ -27,11 +33,31 @@ def interval(ends, digits=4):
     return f"{value_of(low, digits, 'open')} – {value_of(high, digits, 'open')}"
 
 
+def cell_of(value):
+    """What is short keeps to one line."""
+    text = str(value)
+    return f"<td{' class=short' if len(text) <= MOST_SHORT else ''}>{escape(text)}</td>"
+
+
 def table(head, rows, note=""):
     cells = "".join(f"<th>{escape(name)}</th>" for name in head)
-    body = "".join("<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in row) + "</tr>\n" for row in rows)
+    body = "".join("<tr>" + "".join(cell_of(cell) for cell in row) + "</tr>\n" for row in rows)
     note = f"<p class=quiet>{escape(note)}</p>" if note else ""
     return f"<div class=scroll><table><thead><tr>{cells}</tr></thead><tbody>\n{body}</tbody></table></div>{note}\n"
+
+
+def fold(title, content):
+    """What is long: a box that scrolls on a screen, and is whole in print."""
+    return f'<p class=label>{escape(title)}</p><div class=fold tabindex=0>{content}</div>\n'
+
+
+def figure_of(svg, alt, scale):
+    """A drawing on a page: as wide as drawn, times `scale`, where there is room; where there is less it shrinks until its
+    letters of 8 points are 8 pixels high, and then scrolls."""
+    width = float(re.search(r'width="([0-9.]+)pt"', svg).group(1))
+    svg = svg[svg.index("<svg"):].replace(
+        "<svg", f'<svg role="img" aria-label="{escape(alt)}" style="width:{scale * width:.0f}pt;--least:{0.75 * width:.0f}pt"', 1)
+    return f"<figure>{svg}</figure>\n"
 
 
 def paragraphs(lines, kind=""):

@@ -12,17 +12,20 @@ p { margin: .3rem 0; } ul { margin: .1rem 0 .6rem; padding-left: 1.2rem; }
 .quiet { color: #666; font-size: .86rem; } .label { font-weight: 600; margin-top: .6rem; }
 nav { font-size: .9rem; color: #888; } nav a { color: #0072b2; text-decoration: none; }
 section { border-top: 1px solid #ddd; margin-top: 1.5rem; padding-top: 1rem; }
-figure { margin: .6rem 0; overflow-x: auto; } svg { max-width: 100%; height: auto; display: block; }
+figure { margin: .6rem 0; overflow-x: auto; } svg { max-width: 100%; min-width: var(--least); height: auto; display: block; }
 .scroll { overflow-x: auto; margin: .5rem 0; }
 table { border-collapse: collapse; font-size: .84rem; font-variant-numeric: tabular-nums; }
 th { font-weight: 600; color: #666; } th, td { text-align: right; padding: .16rem .6rem; vertical-align: top; }
 th:first-child, td:first-child { text-align: left; padding-left: 0; white-space: nowrap; } tbody tr { border-top: 1px solid #eee; }
-#asked td, #provenance td { text-align: left; overflow-wrap: anywhere; } #asked thead, #provenance thead { display: none; }
-details { margin: .6rem 0; } summary { cursor: pointer; color: #0072b2; font-size: .9rem; }
-pre { font-size: .78rem; background: #f6f6f6; padding: .8rem; overflow-x: auto; white-space: pre-wrap; }
+.short { white-space: nowrap; } #asked td, #provenance td { text-align: left; overflow-wrap: anywhere; } #asked thead, #provenance thead { display: none; }
+.fold { max-height: 26rem; overflow: auto; border: 1px solid #e4e4e4; padding: 0 .8rem; margin: .2rem 0 .6rem; }
+pre { font-size: .78rem; background: #f6f6f6; padding: .8rem; margin: 0 -.8rem; white-space: pre-wrap; overflow-wrap: anywhere; }
+@media (max-width: 40rem) { body { padding: 1rem .8rem 3rem; } h1 { font-size: 1.35rem; } }
 @media print {
   body { font-size: 10pt; max-width: none; padding: 0; } nav { display: none; } h2, h3 { break-after: avoid; }
-  figure, tr, .answer { break-inside: avoid; } figure svg { max-height: 215mm; } .scroll { overflow: visible; } table { font-size: 8pt; }
+  figure, tr, .answer { break-inside: avoid; } figure { overflow: visible; } figure svg { min-width: 0; max-height: 215mm; }
+  .scroll { overflow: visible; } .fold { max-height: none; overflow: visible; border: 0; padding: 0; } pre { margin: 0; font-size: 7.5pt; }
+  table { font-size: 7.5pt; } .short { white-space: normal; } th, td { padding: .1rem .32rem; overflow-wrap: anywhere; } th:first-child, td:first-child { white-space: normal; }
   @page { margin: 16mm 14mm; }
 }
 """

@@ -15,7 +15,7 @@ def tail(results, body, rare, fit, path):
     """P on a logarithmic axis: stripes, the lognormal curve, estimates with their replicates, bounds where there is no
     more than one."""
     style.use()
-    figure, axes = plt.subplots(figsize=(5.6, 3.4), layout="constrained")
+    figure, axes = plt.subplots(figsize=(5.8, 3.4), layout="constrained")
     stripes = body.stripes
     seen = stripes["probability"] > 0
     amplitude = stripes["amplitude"]

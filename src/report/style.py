@@ -1,6 +1,7 @@
 """How every figure of overturn looks: one palette, one type size, the same bytes for the same data."""
 
 import sys
+import textwrap
 
 
 def require(*modules):
@@ -31,6 +32,12 @@ SERIES = [BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY]
 BODIES = [(VERMILION, "-"), (GREEN, "--"), (PURPLE, "-."), (ORANGE, ":"), (SKY, (0, (5, 1, 1, 1)))]
 
 
+def looks(count):
+    """As many colours with dashes as there are bodies: the dashes go on where colours begin again."""
+    dashes = [line for _, line in BODIES]
+    return [(BODIES[n % len(BODIES)][0], dashes[(n + n // len(BODIES)) % len(dashes)]) for n in range(count)]
+
+
 def use():
     """The house's settings, whatever the reader's own matplotlibrc says."""
     matplotlib.rcdefaults()
@@ -45,6 +52,20 @@ def use():
         "lines.solid_joinstyle": "round", "figure.facecolor": "white", "savefig.dpi": 150,
         "svg.hashsalt": "overturn", "svg.fonttype": "path", "path.simplify_threshold": 0.1,
     })
+
+
+def name(figure, text):
+    """Heads a figure with a user's own words, on one line."""
+    figure.suptitle(literal(textwrap.shorten(text, 70)), x=0.012, ha="left", fontsize=9.5, fontweight="bold")
+
+
+def legend_below(figure, handles, labels, columns=3):
+    """A legend under everything, in room of its own, so that no panel shrinks for it."""
+    room = 0.18 * -(-len(labels) // columns) + 0.08
+    height = figure.get_figheight() + room
+    figure.set_figheight(height)
+    figure.get_layout_engine().set(rect=(0, room / height, 1, 1 - room / height))
+    figure.legend(handles, labels, loc="lower center", bbox_to_anchor=(0.5, 0), ncols=columns)
 
 
 def save(figure, path):

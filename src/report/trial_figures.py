@@ -1,4 +1,4 @@
-"""Figures of what the trials did: the body itself, peak rotation, slip, effects that ran, and the waves' quality."""
+"""Figures of what the trials did: peak rotation, slip, effects that ran, and the waves' quality."""
 
 import style
 from fragility_figures import MEASURES
@@ -7,45 +7,11 @@ from style import BLUE, GREEN, GREY, INK, ORANGE, PALE, PURPLE, SKY, VERMILION
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib import colormaps
-from matplotlib.patches import Rectangle
 
 RUNG_COLOURS = [PALE, SKY, ORANGE, PURPLE, GREEN, BLUE]  # the first is rest
 ENDS = {"at-rest": PALE, "slid": ORANGE, "rocked": SKY, "overturned": VERMILION, "contact-lost": PURPLE, "failed": INK}
+LEAST_SLIP = 1e-4  # [m] that anyone asks about
 MOST_STEPS = 400  # of a distribution function: finer than print
-
-
-def bodies(results, path):
-    """Each body to one scale: base, centre of gravity, critical angle. The outline is only a block about that centre."""
-    style.use()
-    count = len(results.bodies)
-    widest = max(2 * body.numbers["half_width"] for body in results.bodies)
-    tallest = max(2 * body.numbers["centre_height"] for body in results.bodies)
-    pitch = 1.9 * max(widest, 0.75 * tallest)
-    across, up = (count + 0.1) * pitch, 1.32 * tallest
-    width = min(6.8, 2.6 * count)
-    figure, axes = plt.subplots(figsize=(width, width * up / across))
-    figure.subplots_adjust(left=0, right=1, bottom=0, top=1)
-    for k, body in enumerate(results.bodies):
-        b, h, alpha = (body.numbers[key] for key in ("half_width", "centre_height", "alpha"))
-        x = k * pitch
-        axes.add_patch(Rectangle((x - b, 0), 2 * b, 2 * h, facecolor="#eef2f5", edgecolor=GREY, lw=0.8, ls=(0, (4, 3))))
-        axes.plot([x - b, x + b], [0, 0], color=INK, lw=2.4, solid_capstyle="butt")
-        axes.plot([x, x + b], [h, 0], color=BLUE, lw=1)
-        axes.plot([x + b, x + b], [0, 1.25 * h], color=BLUE, lw=0.7, ls="--")
-        axes.plot(x, h, "o", ms=5, color=VERMILION, zorder=5)
-        axes.annotate(f"h {h:.4g} m", (x, h), xytext=(0, 6), textcoords="offset points", ha="center", va="bottom")
-        axes.annotate(f"R {np.hypot(b, h):.4g} m", (x + 0.45 * b, 0.5 * h), xytext=(-2, -2), ha="right", va="top",
-                      textcoords="offset points", color=BLUE)
-        axes.annotate(f"α {np.degrees(alpha):.1f}°", (x + b, 1.25 * h), xytext=(3, 0), textcoords="offset points",
-                      color=BLUE)
-        axes.annotate(f"2b {2 * b:.3g} m", (x, 0), xytext=(0, -11), textcoords="offset points", ha="center")
-        axes.annotate(style.literal(body.name), (x, 2 * h), xytext=(0, 5), textcoords="offset points", ha="center", weight="bold")
-    axes.set_xlim(-0.55 * pitch, (count - 0.45) * pitch)
-    axes.set_ylim(-0.17 * tallest, 1.15 * tallest)
-    axes.axhline(0, color=GREY, lw=0.6, zorder=0)
-    axes.set_aspect("equal")
-    axes.set_axis_off()
-    style.save(figure, path)
 
 
 def steps_of(values):
@@ -81,10 +47,15 @@ def chosen_levels(body, most=7):
     return [int(level) for level in levels[np.unique(places.round().astype(int))]]
 
 
+def of_levels(body, drawn):
+    """Which part of the levels is shown."""
+    return f", {len(drawn)} of {len(body.stripes['amplitude'])} levels"
+
+
 def rotations(results, body, path, confidence=0.95):
     """Distribution of the peak rotation per level with the Dvoretzky-Kiefer-Wolfowitz band of the middle one."""
     style.use()
-    figure, axes = plt.subplots(figsize=(5.6, 3.1), layout="constrained")
+    figure, axes = plt.subplots(figsize=(5.4, 3.1), layout="constrained")
     ratio = np.where(body.ended("fell"), np.inf, body.trials("peak_rotation_ratio"))
     ratio = np.where(body.ended("decided"), ratio, np.nan)
     shown = np.where(np.isinf(ratio), 1.2, np.minimum(ratio, 1.2))  # what overturns leaves the picture on the right
@@ -93,14 +64,14 @@ def rotations(results, body, path, confidence=0.95):
         number, count = drawn[len(drawn) // 2]
         x, share = steps_of(shown[(body.trials("level") == number) & np.isfinite(shown)])
         reach = np.sqrt(np.log(2 / (1 - confidence)) / (2 * count))
-        axes.fill_between(x, np.clip(share - reach, 0, 1), np.clip(share + reach, 0, 1), step="post", color=GREY,
-                          alpha=0.25, lw=0, label=f"{100 * confidence:g} % band (DKW)")
-    axes.axvline(1, color=GREY, lw=0.8, ls="--")
-    axes.annotate("critical angle", (1, 0.02), xytext=(-3, 0), textcoords="offset points", ha="right", fontsize=7,
-                  color=GREY)
+        amplitude, unit = results.in_units(body.stripes["amplitude"][number])
+        axes.fill_between(x, np.clip(share - reach, 0, 1), np.clip(share + reach, 0, 1), step="post", color=GREY, alpha=0.25,
+                          lw=0, label=f"{100 * confidence:g} % band (DKW)\nof {float(amplitude):.4g} {unit}".strip())
+    axes.axvline(1, color=GREY, lw=0.8, ls="--", label="critical angle")
     axes.set(xlim=(0, 1.15), ylim=(0, 1.02), xlabel="peak rotation / α", ylabel="share of trials",
-             title=f"{style.literal(body.name)}: peak rotation per level")
+             title=f"peak rotation{of_levels(body, drawn)}")
     axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))
+    style.name(figure, body.name)
     style.save(figure, path)
 
 
@@ -110,13 +81,15 @@ def slips(results, body, path):
     if not np.any(slip > 0):
         return False
     style.use()
-    figure, axes = plt.subplots(figsize=(5.6, 3.1), layout="constrained")
-    by_level(results, body, axes, slip, chosen_levels(body))
-    axes.set(ylim=(0, 1.02), xlabel="peak slip [m]", ylabel="share of trials", title=f"{style.literal(body.name)}: peak slip per level")
-    smallest = np.percentile(slip[slip > 0], 5)
-    axes.set_xscale("symlog", linthresh=max(smallest, 1e-6))
-    axes.set_xlim(left=0)
+    figure, axes = plt.subplots(figsize=(5.4, 3.1), layout="constrained")
+    least = max(np.min(slip[slip > 0]), min(LEAST_SLIP, 0.1 * np.nanmax(slip)))
+    drawn = by_level(results, body, axes, np.where(np.isfinite(slip), np.maximum(slip, 0.5 * least), np.nan), chosen_levels(body))
+    axes.set(ylim=(0, 1.02), xlabel=f"peak slip [m]; at the left edge: below {style.plain(least, 1)} m", ylabel="share of trials",
+             title=f"peak slip{of_levels(body, drawn)}")
+    axes.set_xscale("log")
+    axes.set_xlim(left=least)
     axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))
+    style.name(figure, body.name)
     style.save(figure, path)
     return True
 
@@ -135,21 +108,22 @@ def shares(axes, results, body, title, parts):
     every = max(1, -(-count // 7))
     axes.set_xticks(places[::every], [f"{value:.4g}" for value in amplitude[::every]])
     measure = MEASURES[results.measure][0]
-    axes.set(title=f"{style.literal(body.name)}: {title}", ylim=(0, 1), xlabel=f"{measure} [{unit}]" if unit else measure)
+    axes.set(title=title, ylim=(0, 1), xlabel=f"{measure} [{unit}]" if unit else measure)
     axes.grid(axis="x", visible=False)
 
 
 def ends(results, body, path):
     """How the trials of each level ended, and the rung of the ladder they needed."""
     style.use()
-    figure, (left, right) = plt.subplots(1, 2, figsize=(6.8, 2.6), sharey=True, layout="constrained")
+    figure, (left, right) = plt.subplots(1, 2, figsize=(5.8, 2.8), sharey=True, layout="constrained")
     shares(left, results, body, "verdicts",
            [(name, which, ENDS.get(name, GREEN)) for name, which in body.kinds("verdict")])
     shares(right, results, body, "simulated up to",
            [(name, which, RUNG_COLOURS[n % len(RUNG_COLOURS)]) for n, (name, which) in enumerate(body.kinds("rung"))])
     for axes in (left, right):
-        axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.24), ncols=3)
+        axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.24), ncols=2)
     left.set_ylabel("share of trials")
+    style.name(figure, body.name)
     style.save(figure, path)
 
 
@@ -162,9 +136,9 @@ def wave_quality(results, path):
     if not matched.any():
         return False
     style.use()
-    figure, panels = plt.subplots(1, 3, figsize=(6.8, 2.2), layout="constrained")
+    figure, panels = plt.subplots(1, 3, figsize=(5.8, 2.1), layout="constrained")
     kinds = [("match_mean_misfit", "mean misfit [%]", 100, BLUE), ("match_worst_decade", "worst decade [%]", 100, BLUE),
-             ("duration_5_75", "strong motion 5–75 % [s]", 1, GREEN)]
+             ("duration_5_75", "5–75 % duration [s]", 1, GREEN)]
     for axes, (column, label, factor, colour) in zip(panels, kinds):
         axes.hist(factor * waves[column][matched], bins=24, color=colour)
         axes.set(xlabel=label)
@@ -183,7 +157,7 @@ def axes_compared(results, path):
         return False
     style.use()
     names = {1: "one axis", 2: "two axes", 3: "three axes"}
-    figure, panels = plt.subplots(1, len(shaken), figsize=(6.8, 3.0), sharex=True, sharey=True, layout="constrained")
+    figure, panels = plt.subplots(1, len(shaken), figsize=(5.8, 3.0), sharex=True, sharey=True, layout="constrained")
     for axes, (count, bodies_of_it) in zip(np.atleast_1d(panels), sorted(shaken.items())):
         for n, body in enumerate(bodies_of_it):
             known = np.isfinite(body.trials("v_resp"))
@@ -207,10 +181,11 @@ def reasons(results, body, path):
     if not kinds:
         return False
     style.use()
-    figure, axes = plt.subplots(figsize=(4.6, 2.2), layout="constrained")
+    figure, axes = plt.subplots(figsize=(5.2, 2.4), layout="constrained")
     shares(axes, results, body, "what called for a dearer model",
            [(name, which, style.SERIES[n % len(style.SERIES)]) for n, (name, which) in enumerate(kinds)])
     axes.set_ylabel("share of trials")
     axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))
+    style.name(figure, body.name)
     style.save(figure, path)
     return True

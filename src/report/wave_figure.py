@@ -37,7 +37,7 @@ def draw_history(axes, time, values, name, unit, peak):
     axes.axhline(0, color=GREY, lw=0.5)
     axes.plot(time, values, color=BLUE, lw=0.6)
     axes.set_ylabel(f"{name}\n{unit}")
-    limit = 1.32 * max(np.max(np.abs(values)), 1e-12)
+    limit = 1.75 * max(np.max(np.abs(values)), 1e-12)  # room for the peak's words
     axes.set_ylim(-limit, limit)
     mark_peak(axes, time, values, peak)
 
@@ -48,13 +48,10 @@ def draw_window_energy(axes, time, bodies, pga_mps2):
         v = np.array(body["v_wes_mps"])
         peak, limit = v.max(), body["v_ereq_mps"]
         gal = 100 * pga_mps2
-        reach = f"$V_{{Ereq}}$ at {number(limit / peak)} times this wave, PGA {gal * limit / peak:.0f} gal" if peak > 0 else ""
+        reach = f"reached at {number(limit / peak)} times this wave, PGA {gal * limit / peak:.0f} gal" if peak > 0 else ""
         axes.plot((time[1] - time[0]) * np.arange(len(v)) if len(time) > 1 else [time[0]] * len(v), v, color=colour, ls=line, lw=1.2,
-                  label=f"{body['name']}: at most {number(peak)} m/s, {reach}")
+                  label=f"{body['name']}: at most {number(peak)} m/s; level line: $V_{{Ereq}}$ {number(limit)} m/s, {reach}")
         axes.axhline(limit, color=colour, ls=line, lw=0.8, alpha=0.75)
-        axes.annotate(f"$V_{{Ereq}}$ {number(limit)} m/s, {body['name']}", (1, limit),
-                      xycoords=("axes fraction", "data"), xytext=(-2, 2), textcoords="offset points", ha="right",
-                      va="bottom", color=colour, fontsize=7)
     top = max([max(np.max(b["v_wes_mps"]), b["v_ereq_mps"]) for b in bodies])
     axes.set_ylim(0, top * (1.2 + 0.12 * len(bodies)))
     axes.set_ylabel("$V_{WES}$\nm/s")

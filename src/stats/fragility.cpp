@@ -216,6 +216,8 @@ void judge(FragilityFit& fit) {
         case FragilityState::not_converged:
             fit.flags |= bit(FragilityFlag::not_converged);
             break;
+        case FragilityState::grid:  // says itself why there is nothing
+            break;
         case FragilityState::fitted: {
             double const median = std::exp(fit.line->log_median());
             raise_if(fit, fit.goodness->p_value < chance, FragilityFlag::poor_fit);

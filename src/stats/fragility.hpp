@@ -165,6 +165,8 @@ struct FragilityFit {
 
 [[nodiscard]] FragilityFit fit_fragility(FragilityData const& data, FragilityRequest const& request);
 
+/// "a grid of 15 frequencies is no sample: no curve"
+[[nodiscard]] std::string grid_text(std::int64_t waves);
 /// "fitted", "nothing-overturned" ("nothing-exceeded"), ...
 [[nodiscard]] std::string name_of(FragilityState state, Passing passing = Passing::overturned);
 /// Names of the flags that are set.

@@ -58,6 +58,7 @@ enum class FragilityState : std::uint8_t {
     separated = 5,      ///< all that stood below all that overturned: the likelihood grows for ever as beta -> 0
     not_rising = 6,     ///< the most likely curve falls, or its rise may be chance
     not_converged = 7,  ///< the solver gave up: ours to mend
+    grid = 8,           ///< the waves are points of a grid and no sample: nothing was fitted
 };
 
 /// What the data alone say, before any fit: fitted or not_rising remain to be told apart.

@@ -83,6 +83,9 @@ void add_state(std::vector<std::string>& texts, FragilityFit const& fit, Intensi
         case FragilityState::not_converged:
             texts.emplace_back("the fit did not converge: no curve is given");
             break;
+        case FragilityState::grid:
+            texts.push_back(grid_text(fit.waves));
+            break;
         case FragilityState::fitted:
             break;
     }
@@ -93,6 +96,10 @@ void add_state(std::vector<std::string>& texts, FragilityFit const& fit, Intensi
 std::string IntensityUnit::text(double intensity) const {
     return symbol.empty() || symbol == "1" ? fmt::format("{:.4g}", of(intensity))
                                            : fmt::format("{:.4g} {}", of(intensity), symbol);
+}
+
+std::string grid_text(std::int64_t waves) {
+    return fmt::format("a grid of {} {} is no sample: no curve", waves, waves == 1 ? "frequency" : "frequencies");
 }
 
 std::string name_of(FragilityState state, Passing passing) {
@@ -111,6 +118,8 @@ std::string name_of(FragilityState state, Passing passing) {
             return "separated";
         case FragilityState::not_rising:
             return "not-rising";
+        case FragilityState::grid:
+            return "grid";
         case FragilityState::not_converged:
             break;
     }

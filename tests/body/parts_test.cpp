@@ -14,7 +14,9 @@ using testing::exact_formula;
 using testing::expect_input_error;
 using testing::near;
 
-BodyInput assembled(std::vector<Part> const& parts, double base_width_m = 1.0) { return assemble(parts, base_width_m); }
+BodyInput assembled(std::vector<BodyPart> const& parts, double base_width_m = 1.0) {
+    return assemble(parts, base_width_m);
+}
 
 TEST(Parts, OneBoxIsTheUniformRectangle) {
     auto const body = assembled({Box{.mass_kg = 300, .width_m = 1.0, .height_m = 4.0}});

@@ -93,5 +93,16 @@ TEST(TellingTrials, TellHowToReplayThem) {
     EXPECT_EQ(telling_table(spec, {}, "some.h5"), "");
 }
 
+// Everyone gets one before anyone gets two, no one more than offered; of too many as many evenly spread get one.
+TEST(TellingTrials, AreSharedFairly) {
+    using Counts = std::vector<std::size_t>;
+    EXPECT_EQ(share_fairly(Counts{5, 1, 0, 4}, 12), (Counts{5, 1, 0, 4}));
+    EXPECT_EQ(share_fairly(Counts{5, 1, 0, 4}, 6), (Counts{3, 1, 0, 2}));
+    EXPECT_EQ(share_fairly(Counts(14, 6), 14), Counts(14, 1));
+    EXPECT_EQ(share_fairly(Counts{3, 3, 0, 3, 3, 3}, 2), (Counts{1, 0, 0, 1, 0, 0}));
+    EXPECT_EQ(share_fairly(Counts{}, 12), Counts{});
+    EXPECT_EQ(share_fairly(Counts{2, 2}, 0), (Counts{0, 0}));
+}
+
 }  // namespace
 }  // namespace overturn

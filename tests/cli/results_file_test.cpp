@@ -20,11 +20,13 @@ assert (text.decode() if isinstance(text, bytes) else text) == open('c.toml').re
 def told(name, o):
     if isinstance(o, h5py.Dataset):
         assert len(o.attrs['description']) > 0 and o.attrs['long_name'] == o.attrs['description'], name
-        if 'units_from' in o.attrs:  # row by row, so that no unit is the column's
-            assert 'units' not in o.attrs and name.split('/')[0] in ('fragility', 'limits'), name
-            assert o.attrs['units_from'] == b'measure_units' or o.attrs['units_from'] == 'measure_units'
-        else:
-            assert len(o.attrs['units']) > 0 and b'unit' not in np.bytes_(o.attrs['units']), name
+        units = np.bytes_(o.attrs['units']).decode()
+        assert len(units) > 0 and 'unit' not in units, name
+        if 'units_from' in o.attrs:  # rows are of different measures: the unit of each, in their order
+            assert name.split('/')[0] in ('fragility', 'limits') and np.bytes_(o.attrs['units_from']) == b'measure_units', name
+            of_rows = o.parent['measure_units']
+            names = {v: k for k, v in h5py.check_enum_dtype(of_rows.dtype).items()}
+            assert units.split('; ') == [names[u] for u in of_rows], name
 f.visititems(told)
 assert bytes(f['inputs/0000'][:]) == open('target.csv', 'rb').read()
 

@@ -1,0 +1,49 @@
+/// What becomes of a body over a grid of frequencies and levels: the answer in place of a fragility curve where waves
+/// are points of a grid and no random sample.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "campaign/limit_state.hpp"
+#include "campaign/rows.hpp"
+#include "stats/fragility.hpp"
+
+namespace overturn {
+
+/// One frequency of the grid, over all levels; places of levels count from the lowest.
+struct GridLine {
+    GridLine(std::int64_t wave_number, double wave_period_s, std::size_t levels, std::size_t limits);
+
+    /// Counts a trial of this wave; in any order.
+    void add(TrialRow const& row, LimitOutcomes const& limits);
+
+    std::int64_t wave;
+    double period_s;
+    std::vector<Verdict> ends;                      ///< by level
+    std::optional<std::size_t> uplift;              ///< least level that lifted it off
+    std::vector<std::optional<std::size_t>> least;  ///< by limit state, overturning first: least level that passed it
+    std::optional<std::size_t>
+        standing;                ///< highest level at which it stood: above the least that overturned it, maybe
+    std::int64_t undecided = 0;  ///< levels without a verdict
+};
+
+/// All of them of one body.
+struct GridMap {
+    std::string measure;              ///< of the levels
+    IntensityUnit told;               ///< in which levels were written
+    std::vector<double> levels;       ///< [SI]
+    std::vector<std::string> limits;  ///< names of the limit states, overturning first
+    std::vector<GridLine> lines;      ///< in the order of the waves
+
+    /// The value of a level; NaN: none.
+    [[nodiscard]] double value(std::optional<std::size_t> level) const;
+};
+
+/// The table for the terminal: least level that lifts the body off, overturns it and passes its other limits.
+[[nodiscard]] std::string grid_table(GridMap const& map);
+
+}  // namespace overturn

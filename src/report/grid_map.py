@@ -1,0 +1,126 @@
+"""What waves on a grid of frequencies did: the map of outcomes over frequency and level, in place of fragility curves."""
+
+import style
+from fragility_figures import MEASURES
+from page_parts import paragraphs, table, value_of
+from style import BLUE, GREEN, INK, plain
+from trial_figures import ENDS
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.colors import ListedColormap
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
+
+LIMITS = [GREEN, style.PURPLE, style.ORANGE]  # boundaries of the campaign's own limit states, in turn
+
+
+def edges(values):
+    """Where cells around rising values end."""
+    if len(values) == 1:
+        return np.array([values[0] - 0.5, values[0] + 0.5])
+    middle = (values[1:] + values[:-1]) / 2
+    return np.concatenate([[2 * values[0] - middle[0]], middle, [2 * values[-1] - middle[-1]]])
+
+
+def distinct(lines):
+    """By rising frequency, one each: of several at a frequency the one that overturns first."""
+    order = sorted(lines, key=lambda line: (line["frequency_hz"], np.inf if line["overturning"] is None else line["overturning"]))
+    return [line for k, line in enumerate(order) if k == 0 or line["frequency_hz"] != order[k - 1]["frequency_hz"]]
+
+
+def boundary(axes, across, up, levels, lines, value, **look):
+    """The lower edge of the cells of the least level, frequency by frequency; none where no level did it."""
+    for k, line in enumerate(lines):
+        if value(line) is not None:
+            at = up[int(np.argmin(np.abs(levels - value(line))))]
+            axes.plot(across[k:k + 2], [at, at], solid_capstyle="butt", **look)
+
+
+def draw(results, lines, path):
+    """One panel a body: how each trial ended, and from which level on it lifts off, overturns and passes its limits."""
+    style.use()
+    bodies = results.bodies
+    figure, panels = plt.subplots(len(bodies), 1, figsize=(5.0, 0.1 + 2.2 * len(bodies)), squeeze=False, layout="constrained")
+    known, limits = list(ENDS), list(lines[0]["limits"])
+    used = {}
+    for axes, body in zip(panels[:, 0], bodies):
+        mine = distinct([line for line in lines if line["body"] == body.name])
+        levels, unit = results.in_units(body.stripes["amplitude"])
+        names = [name for name in known if any(name in line["ends"] for line in mine)]
+        names += sorted({end for line in mine for end in line["ends"]} - set(known))
+        colours = [ENDS.get(name, GREEN) for name in names]
+        cells = np.array([[names.index(end) for end in line["ends"]] for line in mine]).T
+        frequency = np.array([line["frequency_hz"] for line in mine])
+        across, up = np.exp(edges(np.log(frequency))), edges(levels)
+        axes.pcolormesh(across, up, cells, cmap=ListedColormap(colours), vmin=-0.5, vmax=len(names) - 0.5, edgecolors="white",
+                        linewidth=0.6)
+        used.update(zip(names, colours))
+
+        def shown(key, limit=None):
+            return lambda line: (lambda v: None if v is None else float(results.in_units(v)[0]))(
+                line[key] if limit is None else line[key][limit])
+        boundary(axes, across, up, levels, mine, shown("uplift"), color=BLUE, lw=2.2)
+        for limit, colour in zip(limits, LIMITS * len(limits)):
+            boundary(axes, across, up, levels, mine, shown("limits", limit), color=colour, lw=1.8, ls="--")
+        boundary(axes, across, up, levels, mine, shown("overturning"), color=INK, lw=2.2)
+        axes.set_xscale("log")
+        axes.set_xlim(across[0], across[-1])
+        axes.set_ylim(up[0], up[-1])
+        axes.xaxis.set_major_locator(FixedLocator(frequency[::max(1, -(-len(frequency) // 9))]))
+        axes.xaxis.set_minor_locator(NullLocator())
+        axes.xaxis.set_major_formatter(FuncFormatter(lambda f, _: f"{f:.3g}"))
+        axes.grid(visible=False)
+        axes.set(title=style.literal(body.name), xlabel="frequency [Hz]",
+                 ylabel=MEASURES[results.measure][0] + (f" [{unit}]" if unit else ""))
+    handles = {name: Patch(color=colour) for name, colour in used.items()}
+    handles["lifts off from here"] = Line2D([], [], color=BLUE, lw=2.2)
+    handles["overturns from here"] = Line2D([], [], color=INK, lw=2.2)
+    for limit, colour in zip(limits, LIMITS * len(limits)):
+        handles[style.literal(f"exceeds {limit} from here")] = Line2D([], [], color=colour, lw=1.8, ls="--")
+    style.legend_below(figure, list(handles.values()), list(handles))
+    style.save(figure, path)
+
+
+def reached(report, value, line):
+    """The least level; the highest that was tried where none did it."""
+    tried = report.results.bodies[0].stripes["amplitude"]
+    if value is None:
+        return "–" if line["undecided"] else f"above {report.amplitude(float(tried[-1]))}"
+    return ("at most " if value <= tried[0] else "") + report.amplitude(value)
+
+
+def answer(report, body):
+    """One sentence on a body: from which level on it overturns, and where."""
+    lines = [line for line in report.fit["grid"] if line["body"] == body.name]
+    why = report.fits[(body.name, report.results.measure)]["warnings"][0]
+    fell = [line for line in lines if line["overturning"] is not None]
+    if not fell:
+        return f"overturns at no frequency up to {report.amplitude(float(body.stripes['amplitude'][-1]))}; {why}"
+    first = min(fell, key=lambda line: line["overturning"])
+    return (f"overturns from {report.amplitude(first['overturning'])} on at {plain(first['frequency_hz'], 3)} Hz, at "
+            f"{len(fell)} of {len(lines)} frequencies in all; {why}")
+
+
+def section(report):
+    lines = report.fit["grid"]
+    limits = list(lines[0]["limits"])
+    rows = [[line["body"], plain(line["frequency_hz"], 4), plain(line["period_s"], 4), reached(report, line["uplift"], line),
+             reached(report, line["overturning"], line), report.amplitude(line["standing"]),
+             *(reached(report, line["limits"][limit], line) for limit in limits), line["undecided"]] for line in lines]
+    head = ["body", "frequency [Hz]", "period [s]", "lifts off from", "overturns from", "stood up to",
+            *(f"{limit} from" for limit in limits), "undecided"]
+    keys = ["body", "wave", "frequency_hz", "period_s", "uplift", "overturning", "standing", "undecided"]
+    report.csv("grid", keys + [f"limit_{limit}" for limit in limits],
+               [[line[key] for key in keys] + [line["limits"][limit] for limit in limits] for line in lines])
+    stripes = report.stripes["overturning"]
+    ends = list(stripes[0]["ends"])
+    report.csv("ends", ["body", "level", "amplitude", "trials", *ends],
+               [[s["body"], s["level"], s["amplitude"], s["trials"], *(s["ends"][end] for end in ends)] for s in stripes])
+    why = report.fits[(report.results.bodies[0].name, report.results.measure)]["warnings"][0]
+    report.section(
+        "grid", "What overturns at which frequency and level",
+        paragraphs([why[0].upper() + why[1:] + ", no probability and no quantile."]),
+        report.figure("grid", lambda path: draw(report.results, lines, path), "outcomes over frequency and level"),
+        table(head, rows, "Stood up to: the highest level at which it stood; it may lie above the least that overturned it."))

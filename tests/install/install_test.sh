@@ -1,0 +1,70 @@
+#!/bin/bash
+# Requirement: cmake --install gives a tree that works alone: program, campaigns, batch scripts, man page and completion,
+# without the source or build tree.
+# install_test.sh BUILD_TREE SOURCE_TREE
+set -euo pipefail
+build=$1 source=$2
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+fail() { echo "install: $1" >&2; exit 1; }
+
+cmake --install "$build" --prefix "$scratch/prefix" > "$scratch/log" || fail "$(tail -3 "$scratch/log")"
+prefix=$scratch/prefix data=$scratch/prefix/share/overturn
+for file in bin/overturn share/man/man1/overturn.1 share/bash-completion/completions/overturn share/overturn/campaigns/quickstart.toml \
+            share/overturn/campaigns/bodies/cask_prototype.toml share/overturn/slurm/campaign.sbatch share/overturn/slurm/overturn.def \
+            share/overturn/slurm/spack.yaml share/doc/overturn/LICENSE; do
+    [ -s "$prefix/$file" ] || fail "$file is missing"
+done
+[ ! -e "$data/slurm/site.env" ] || fail "site.env of this machine came along"
+for script in array.sbatch scan.sh; do [ -x "$data/slurm/$script" ] || fail "slurm/$script cannot be executed"; done
+! grep -rqF "$source" "$prefix/share" || fail "$(grep -rlF "$source" "$prefix/share" | head -1) names the source tree"
+
+# The man page: every verb and option of the program, nothing that groff would complain of.
+overturn=$prefix/bin/overturn
+for verb in $("$overturn" --help | awk '/^Subcommands:/ { on = 1; next } on && NF { print $1 }'); do
+    grep -qx ".SS $verb" "$prefix/share/man/man1/overturn.1" || fail "the man page does not know $verb"
+    for option in $("$overturn" "$verb" --help | grep -oE '^  (-.,)?--[a-z-]+' | grep -oE -e '--[a-z-]+'); do
+        tr -d '\\' < "$prefix/share/man/man1/overturn.1" | sed -n "/^.SS $verb\$/,/^.S[SH]/p" | grep -qE -- "$option( |\$)" ||
+            fail "the man page does not know $verb $option"
+    done
+done
+if command -v groff >/dev/null; then
+    said=$(groff -man -Tutf8 -ww -z "$prefix/share/man/man1/overturn.1" 2>&1)
+    [ -z "$said" ] || fail "the man page: $said"
+fi
+
+# The completion, as bash calls it.
+complete_words() {
+    bash -c '. "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _overturn; echo "${COMPREPLY[*]}"' _ \
+        "$prefix/share/bash-completion/completions/overturn" "$@"
+}
+[ "$(complete_words overturn rep)" = "replay report" ] || fail "completion of 'rep': $(complete_words overturn rep)"
+[ "$(complete_words overturn run --max)" = --max-walltime ] || fail "completion of 'run --max'"
+[ -z "$(complete_words overturn fit c.h)" ] || fail "completion of a file's name is bash's own"
+
+# Work, in a world without the source tree where the kernel lets us make one.
+mkdir "$scratch/work"
+cat > "$scratch/work.sh" <<'END'
+set -eu
+cd "$1"
+export PATH=$2/bin:/usr/bin:/bin HOME=$1
+[ "$4" = visible ] || [ ! -e "$3/CMakeLists.txt" ]
+overturn list > list.txt
+overturn run "$2/share/overturn/campaigns/quickstart.toml" --set waves.count=3 -o q.h5 > run.txt 2> said.txt
+overturn status q.h5
+overturn fit q.h5 --json > fit.json
+overturn replay q.h5 --trial 5 | grep -q 'bit-equal to the stored row'
+for campaign in design_basis slip_limit; do overturn plan "$2/share/overturn/campaigns/$campaign.toml" > plan.txt; done
+if /usr/bin/python3 -c 'import matplotlib, h5py' 2>/dev/null; then overturn report q.h5 -o q.html 2>> said.txt; fi
+slurm=$2/share/overturn/slurm
+. "$slurm/leg.sh"
+[ "$OVERTURN" = "$2/bin/overturn" ]
+END
+hide='mount -t tmpfs none "$3"; exec bash /dev/fd/9 "$1" "$2" "$3" hidden'
+if unshare -rm bash -c 'mount -t tmpfs none "$1"' _ "$source" 2>/dev/null; then
+    unshare -rm bash -c "$hide" _ "$scratch/work" "$prefix" "$source" 9< "$scratch/work.sh" || fail "nothing works without the source tree: $(cat "$scratch/work/said.txt")"
+else
+    echo "install: this kernel hides no folder; the source tree stays visible"
+    env -i bash "$scratch/work.sh" "$scratch/work" "$prefix" "$source" visible || fail "the installed program does not work"
+fi
+echo "install: all is well"

@@ -1,0 +1,147 @@
+"""Opens a page in headless Chromium and says what is wrong with it, one line each; nothing where all is well.
+
+Arguments: the browser, the page, a stem for screenshots (none: none are taken). It must load nothing but itself, say nothing to the
+console, show every figure, reach beyond neither a phone's nor a desk's window, and have every table and text whole in
+print. Talks to the browser over its debugging pipe, so that no port and no package is needed."""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+
+class Browser:
+    def __init__(self, program, folder):
+        hear, say = os.pipe(), os.pipe()
+
+        def wire():  # the browser reads its orders from 3 and answers on 4
+            theirs = os.dup(hear[0]), os.dup(say[1])
+            os.dup2(theirs[0], 3)
+            os.dup2(theirs[1], 4)
+        options = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--remote-debugging-pipe",
+                   "--no-first-run", "--disable-extensions", "--disable-background-networking", f"--user-data-dir={folder}"]
+        self.process = subprocess.Popen([program, *options, "about:blank"], preexec_fn=wire, close_fds=False,
+                                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(hear[0])
+        os.close(say[1])
+        self.orders, self.answers = os.fdopen(hear[1], "wb", 0), os.fdopen(say[0], "rb", 0)
+        self.number, self.rest, self.events, self.session = 0, b"", [], None
+
+    def read(self):
+        while b"\0" not in self.rest:
+            more = self.answers.read(1 << 16)
+            if not more:
+                sys.exit("the browser ended")
+            self.rest += more
+        message, self.rest = self.rest.split(b"\0", 1)
+        return json.loads(message)
+
+    def ask(self, method, **parameters):
+        self.number += 1
+        order = {"id": self.number, "method": method, "params": parameters}
+        if self.session:
+            order["sessionId"] = self.session
+        self.orders.write(json.dumps(order).encode() + b"\0")
+        while True:
+            message = self.read()
+            if message.get("id") == self.number:
+                if "error" in message:
+                    sys.exit(f"{method}: {message['error']['message']}")
+                return message["result"]
+            self.events.append(message)
+
+    def wait_for(self, event):
+        while not any(message.get("method") == event for message in self.events):
+            self.events.append(self.read())
+
+    def value(self, script):
+        return self.ask("Runtime.evaluate", expression=script, returnByValue=True)["result"].get("value")
+
+
+FIGURES = """[...document.querySelectorAll('svg')].filter(e => !e.parentElement.closest('svg')).map(e => {
+    const r = e.getBoundingClientRect(); return [e.getAttribute('aria-label') || '', r.width, r.height] })"""
+
+# What reaches beyond the window and lies in no box that scrolls.
+BEYOND = """(() => { const wide = document.documentElement.clientWidth, found = [];
+    for (const e of document.body.querySelectorAll('*')) {
+        if (e.closest('svg') && e.tagName !== 'svg') continue;
+        const r = e.getBoundingClientRect();
+        let boxed = false;
+        for (let p = e.parentElement; p && !boxed; p = p.parentElement)
+            boxed = ['auto', 'scroll', 'hidden'].includes(getComputedStyle(p).overflowX) && p.getBoundingClientRect().right <= wide + 1;
+        if (r.width && r.right > wide + 1 && !boxed) found.push(e.tagName + ' ' + (e.id || e.className || e.textContent.slice(0, 40)));
+    }
+    if (document.documentElement.scrollWidth > wide) found.push('the page itself');
+    return found })()"""
+
+# Tables and texts that print would cut: not shown, or clipped by a box.
+CUT = """[...document.querySelectorAll('table, pre, svg')].filter(e => !e.parentElement.closest('svg')).filter(e => {
+    const r = e.getBoundingClientRect();
+    if (!r.width || !r.height || !e.checkVisibility()) return true;
+    for (let p = e.parentElement; p; p = p.parentElement) {
+        const q = p.getBoundingClientRect(), s = getComputedStyle(p);
+        if (s.overflowX !== 'visible' && p !== document.body && (r.right > q.right + 1 || r.bottom > q.bottom + 1)) return true;
+    }
+    return r.right > document.documentElement.clientWidth + 1;
+}).map(e => e.tagName + ' ' + e.textContent.trim().slice(0, 60))"""
+
+PRINT_WIDTH = 688  # of A4 between margins of 14 mm [px]
+
+
+def faults(browser, page):
+    for room in ("Page", "Network", "Log", "Runtime"):
+        browser.ask(f"{room}.enable")
+    browser.ask("Page.navigate", url=page.as_uri())
+    browser.wait_for("Page.loadEventFired")
+    for width in (400, 1400):
+        browser.ask("Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1, mobile=False)
+        figures = browser.value(FIGURES)
+        if not figures:
+            yield f"at {width} px: no figure"
+        for name, across, up in figures:
+            if across < 100 or up < 50:
+                yield f"at {width} px: figure {name!r} is {across:.0f} x {up:.0f} px"
+        for what in browser.value(BEYOND):
+            yield f"at {width} px: {what} reaches beyond the window"
+        if len(sys.argv) > 3:
+            shot = browser.ask("Page.captureScreenshot", captureBeyondViewport=True, clip={
+                "x": 0, "y": 0, "width": width, "height": browser.value("document.documentElement.scrollHeight"), "scale": 1})
+            import base64
+            Path(f"{sys.argv[3]}-{width}.png").write_bytes(base64.b64decode(shot["data"]))
+    tables = browser.value("document.querySelectorAll('table').length")
+    browser.ask("Emulation.setEmulatedMedia", media="print")
+    browser.ask("Emulation.setDeviceMetricsOverride", width=PRINT_WIDTH, height=1000, deviceScaleFactor=1, mobile=False)
+    if not tables:
+        yield "no table"
+    for what in browser.value(CUT):
+        yield f"in print: {what} is cut"
+    if not browser.ask("Page.printToPDF")["data"]:
+        yield "it cannot be printed"
+    for event in browser.events:
+        parameters = event.get("params", {})
+        if event.get("method") == "Network.requestWillBeSent" and parameters["request"]["url"] != page.as_uri():
+            yield f"loads {parameters['request']['url'][:100]}"
+        if event.get("method") == "Log.entryAdded":
+            yield f"console: {parameters['entry']['text']}"
+        if event.get("method") in ("Runtime.consoleAPICalled", "Runtime.exceptionThrown"):
+            yield f"console: {json.dumps(parameters)[:200]}"
+
+
+def main():
+    page = Path(sys.argv[2]).resolve()
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+        browser = Browser(sys.argv[1], folder)
+        try:
+            target = browser.ask("Target.createTarget", url="about:blank")["targetId"]
+            browser.session = browser.ask("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+            for fault in faults(browser, page):
+                print(fault)
+        finally:
+            browser.session = None
+            browser.process.terminate()
+            browser.process.wait()
+
+
+main()
