@@ -62,7 +62,8 @@ std::optional<std::string> merge_blocks(std::filesystem::path const& output, Cam
     }
     shards.remove();
     return stripe_table(spec, statistics) + analysis_table(analysis, spec.confidence) + rare_table(spec, rare)
-           + telling_table(spec, telling_trials(spec, store::ResultsReader(output)), output.string());
+           + telling_table(spec, telling_trials(spec, store::ResultsReader(output, store::Trust::unverified)),
+                           output.string());
 }
 
 std::string resume_command(CampaignInput const& input, std::filesystem::path const& output) {

@@ -27,6 +27,7 @@ struct Options {
     double beta_u = 0;
     std::optional<double> confidence;  ///< none: the campaign's, or 0.95
     double design_basis = 0;
+    Unverified unverified;
 };
 
 void check(Options const& options) {
@@ -41,7 +42,7 @@ void check(Options const& options) {
 }
 
 int fit_file(Options const& options) {
-    store::ResultsReader const file(options.file);
+    store::ResultsReader const file(options.file, options.unverified.trust());
     auto const spec = parse_campaign(input_of(file));
     auto const statistics = recount(file, spec);
     double const confidence = options.confidence.value_or(spec.confidence);
@@ -129,6 +130,7 @@ void add_fit(CommandLine& line) {
     verb.takes("--beta-u", options->beta_u, "lognormal standard deviation of what is not known, for HCLPF");
     verb.takes("--confidence", options->confidence, "of all intervals; default: the campaign's, or 0.95");
     verb.takes("--design-basis", options->design_basis, "with --stripes: quote P at multiples of this amplitude");
+    options->unverified.offered_by(verb);
     verb.does([options] {
         check(*options);
         return options->stripes.empty() ? fit_file(*options) : fit_stripes(*options);

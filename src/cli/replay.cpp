@@ -24,6 +24,7 @@ struct Options {
     std::string history, plot;
     std::string rare;
     std::string limit = overturning_limit;
+    Unverified unverified;
 };
 
 int tell_difference(Options const& options, store::ResultsReader const& file, std::vector<std::string> const& different,
@@ -45,7 +46,7 @@ int replay(Options const& options) {
         report::check_figure_name(options.plot);
         validate(options.rare.empty(), "--plot beside --rare (only rows of /trials are drawn). Leave one of them out");
     }
-    store::ResultsReader const file(options.file);
+    store::ResultsReader const file(options.file, options.unverified.trust());
     auto const input = input_of(file);
     auto const spec = parse_campaign(input);
     if (!options.rare.empty()) {
@@ -103,6 +104,7 @@ void add_replay(CommandLine& line) {
     verb.takes("--limit", options->limit, "beside --rare: the limit state; default: overturning");
     verb.takes("--history", options->history, "write the trial's history to this csv file");
     verb.takes("--plot", options->plot, "draw wave, rotation, energy and contact over time, .svg, .png or .pdf");
+    options->unverified.offered_by(verb);
     verb.does([options] { return replay(*options); });
 }
 

@@ -34,6 +34,7 @@ struct Options {
     std::string file, page, figures;
     double beta_u = 0;
     std::optional<double> confidence;  ///< none: the campaign's
+    Unverified unverified;
 };
 
 std::string effects_text(CampaignSpec const& spec) {
@@ -150,7 +151,7 @@ int write_report(Options const& options) {
         store::require_writable(fs::path(options.figures) / "fragility.svg");
     }
     check_fit_options(options.beta_u, options.confidence);
-    store::ResultsReader const file(options.file);
+    store::ResultsReader const file(options.file, options.unverified.trust());
     auto const input = input_of(file);
     auto const spec = parse_campaign(input);
     Plan const plan(spec);
@@ -211,6 +212,7 @@ void add_report(CommandLine& line) {
                "DIR");
     verb.takes("--beta-u", options->beta_u, "lognormal standard deviation of what is not known of the body");
     verb.takes("--confidence", options->confidence, "of the intervals; default: the campaign's");
+    options->unverified.offered_by(verb);
     verb.does([options] { return write_report(*options); });
 }
 

@@ -16,8 +16,8 @@
 namespace overturn::cli {
 namespace {
 
-int status_of_file(std::string const& path) {
-    store::ResultsReader const file(path);
+int status_of_file(std::string const& path, store::Trust trust) {
+    store::ResultsReader const file(path, trust);
     auto const spec = parse_campaign(input_of(file));
     auto const verdicts = file.integers("trials/verdict");
     auto const waves = recount(file, spec).waves().text(file.text("wave_acceptance"));
@@ -73,9 +73,9 @@ void tell_so_far(CampaignSpec const& spec, Plan const& plan, store::ShardFolder 
     fmt::print("{}", failed.text());
 }
 
-int status(std::string const& path) {
+int status(std::string const& path, store::Trust trust) {
     if (std::filesystem::exists(path)) {
-        return status_of_file(path);
+        return status_of_file(path, trust);
     }
     store::ShardFolder const unnamed(path, "");
     require_begun(unnamed, path);
@@ -109,8 +109,10 @@ int status(std::string const& path) {
 void add_status(CommandLine& line) {
     auto verb = line.verb("status", "is a run complete? exit 0: yes, 3: resumable");
     auto path = std::make_shared<std::string>();
+    auto unverified = std::make_shared<Unverified>();
     verb.needs("file", *path, "results file");
-    verb.does([path] { return status(*path); });
+    unverified->offered_by(verb);
+    verb.does([path, unverified] { return status(*path, unverified->trust()); });
 }
 
 }  // namespace overturn::cli

@@ -2,8 +2,19 @@
 #pragma once
 
 #include "cli/command_line.hpp"
+#include "store/results_file.hpp"
 
 namespace overturn::cli {
+
+/// Of verbs that read a finished file: with this it is read whatever became of it since.
+struct Unverified {
+    bool wished = false;
+
+    void offered_by(Verb& verb) {
+        verb.takes("--unverified", wished, "read a file that was edited or damaged since overturn wrote it, as it is");
+    }
+    [[nodiscard]] store::Trust trust() const { return wished ? store::Trust::unverified : store::Trust::sealed; }
+};
 
 void add_run(CommandLine& line);
 void add_plan(CommandLine& line);

@@ -155,6 +155,10 @@ bool create_durably(std::filesystem::path const& path, std::span<std::byte const
     return made;
 }
 
+void append(std::filesystem::path const& path, std::span<std::byte const> content) {
+    Descriptor(path, O_WRONLY | O_APPEND).write(content);
+}
+
 std::string read_file(std::filesystem::path const& path) {
     Descriptor const file(path, O_RDONLY);
     return file.read();

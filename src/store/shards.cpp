@@ -6,10 +6,10 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <openssl/evp.h>
 
 #include "core/error.hpp"
 #include "store/durable.hpp"
+#include "store/sha256.hpp"
 
 namespace overturn::store {
 namespace {
@@ -44,19 +44,6 @@ bool is_unfinished(std::string_view name) { return name.find(unfinished_mark) !=
 std::string_view finished_name(std::string_view name) { return name.substr(0, name.find(unfinished_mark)); }
 
 }  // namespace
-
-std::string sha256(std::string_view content) {
-    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-    unsigned length = 0;
-    if (EVP_Digest(content.data(), content.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1) {
-        throw SystemError("OpenSSL cannot compute SHA-256 (a restricted build?). Install libssl");
-    }
-    std::string text;
-    for (unsigned i = 0; i < length; ++i) {
-        text += fmt::format("{:02x}", digest.at(i));
-    }
-    return text;
-}
 
 ShardFolder::ShardFolder(std::filesystem::path output, std::string campaign)
     : folder_(std::move(output)), campaign_(std::move(campaign)) {

@@ -13,9 +13,6 @@
 
 namespace overturn::store {
 
-/// SHA-256 of some bytes, as 64 hexadecimal digits.
-[[nodiscard]] std::string sha256(std::string_view content);
-
 /// The folder `OUTPUT.parts` with one checked file per finished block.
 class ShardFolder {
   public:
