@@ -8,6 +8,7 @@
 #include "campaign/rare_results.hpp"
 #include "campaign/results.hpp"
 #include "cli/history.hpp"
+#include "cli/other_bits.hpp"
 #include "cli/trial_history.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
@@ -34,10 +35,7 @@ int tell_difference(Options const& options, store::ResultsReader const& file, st
         return done;
     }
     fmt::print("NOT bit-equal to the stored row: {} differ\n", fmt::join(different, ", "));
-    note(
-        "overturn: {}: {} is not what this program computes (the file was made by {}, revision {}). "
-        "Replay it with that one\n",
-        options.file, what, file.text("program_version"), file.text("git_revision"));
+    note("overturn: {}: {} is not what this program computes {}\n", options.file, what, why_bits_differ(file));
     return other_failure;
 }
 
