@@ -153,11 +153,7 @@ store::TableSpec fragility_columns(std::string const& group, Passing passing, st
     return columns.spec;
 }
 
-}  // namespace
-
-void write_fragility(store::ResultsWriter& file, std::string const& group, std::vector<MeasuredFragility> const& fits,
-                     double confidence) {
-    OVERTURN_EXPECT(!fits.empty());
+std::vector<FragilityRow> rows_of(std::vector<MeasuredFragility> const& fits) {
     std::vector<FragilityRow> rows;
     rows.reserve(fits.size());
     auto const units = units_of(fits);
@@ -165,12 +161,53 @@ void write_fragility(store::ResultsWriter& file, std::string const& group, std::
         rows.push_back(row_of(measured));
         rows.back().units = std::distance(units.begin(), std::ranges::find(units, measured.units));
     }
+    return rows;
+}
+
+double relative_difference(double a, double b) {
+    if (a == b || (std::isnan(a) && std::isnan(b))) {
+        return 0;
+    }
+    auto const difference = std::abs(a - b) / std::max(std::abs(a), std::abs(b));
+    return std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
+}
+
+}  // namespace
+
+void write_fragility(store::ResultsWriter& file, std::string const& group, std::vector<MeasuredFragility> const& fits,
+                     double confidence) {
+    OVERTURN_EXPECT(!fits.empty());
+    auto const rows = rows_of(fits);
     auto const passing = fits.front().fit.passing;
+    auto const units = units_of(fits);
     auto const table = file.table(fragility_columns(group, passing, units), static_cast<std::int64_t>(rows.size()));
     file.append(table, std::as_bytes(std::span(rows)));
     file.attribute(group, "confidence", confidence);
     file.attribute(group, "flag_names",
                    fmt::format("{}", fmt::join(names_of((1U << fragility_flags) - 1, passing), " ")));
+}
+
+RefitDifference refit_difference(store::ResultsReader const& file, std::string const& group,
+                                 std::vector<MeasuredFragility> const& fits) {
+    auto const again = rows_of(fits);
+    auto const table = fragility_columns(group, fits.front().fit.passing, units_of(fits));
+    std::vector<FragilityRow> stored(again.size());
+    file.rows(table, static_cast<std::int64_t>(stored.size()), 0, std::as_writable_bytes(std::span(stored)));
+    RefitDifference largest;
+    for (auto const& column : table.columns) {
+        for (std::size_t r = 0; r < again.size(); ++r) {
+            auto const a = bytes_of(stored[r]);
+            auto const b = bytes_of(again[r]);
+            auto const difference =
+                column.type == FieldType::real ? relative_difference(real_at(a, column), real_at(b, column))
+                : integer_at(a, column) == integer_at(b, column) ? 0
+                                                                 : std::numeric_limits<double>::infinity();
+            if (difference > largest.relative) {
+                largest = {difference, group + "/" + column.name};
+            }
+        }
+    }
+    return largest;
 }
 
 }  // namespace overturn

@@ -9,6 +9,7 @@
 #include "campaign/detail/stopping.hpp"
 #include "campaign/output_place.hpp"
 #include "campaign/rare_results.hpp"
+#include "campaign/runtime_file.hpp"
 #include "campaign/telling_trials.hpp"
 #include "core/note.hpp"
 #include "store/durable.hpp"
@@ -125,7 +126,9 @@ MergeEnd merge_parts(std::filesystem::path const& output) {
              shards.folder().string(), resume_command(input, output));
         return MergeEnd::missing;
     }
+    auto const legs = shards.legs();
     auto const tables = merge_blocks(output, input, spec, plan, shards, [] { return true; });
+    write_runtime(output, legs);
     fmt::print("{}results: {}\n", *tables, output.string());
     return MergeEnd::complete;
 }

@@ -7,12 +7,15 @@
 
 #include "campaign/rare_results.hpp"
 #include "campaign/telling_trials.hpp"
+#include "campaign/version.hpp"
 #include "cli/fit_json.hpp"
+#include "cli/other_bits.hpp"
 #include "cli/rare_json.hpp"
 #include "cli/stripe_csv.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
 #include "core/input_files.hpp"
+#include "core/note.hpp"
 #include "stats/rank.hpp"
 
 namespace overturn::cli {
@@ -39,6 +42,28 @@ void check(Options const& options) {
              "--design-basis: {} (must be above 0). State it in the table's unit", options.design_basis);
     validate(options.design_basis == 0 || options.file.empty(),
              "--design-basis beside a results file (its campaign names the level). Leave it out");
+}
+
+// Curves are fitted by the program that runs; those that the file holds may be another's.
+int tell_refit(Options const& options, store::ResultsReader const& file, CampaignSpec const& spec,
+               Statistics const& statistics) {
+    if (is_of_this_program(file)) {
+        return done;
+    }
+    constexpr double same = 1e-9;
+    RefitDifference largest;
+    auto const analysis = analyse(spec, statistics, {.confidence = spec.confidence});
+    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+        auto const one = refit_difference(file, "fragility/" + spec.bodies[b].name, analysis[b].fragility);
+        largest = one.relative > largest.relative ? one : largest;
+    }
+    bool const differs = largest.relative > same;
+    note("overturn: {}: refitted by overturn {} (the file holds the fit of {}, {}). {}\n", options.file,
+         program_identity(), maker_of(file),
+         differs ? fmt::format("another one: {} differs by {:.2g}", largest.column, largest.relative)
+                 : std::string("equal to 1e-9"),
+         differs ? "Quote either with its program" : "Either may be quoted");
+    return differs ? refitted_otherwise : done;
 }
 
 int fit_file(Options const& options) {
@@ -68,7 +93,7 @@ int fit_file(Options const& options) {
         fmt::print("{}{}{}{}", stripe_table(spec, statistics), analysis_table(analysis, confidence),
                    rare_table(spec, rare), telling_table(spec, telling, options.file));
     }
-    return done;
+    return tell_refit(options, file, spec, statistics);
 }
 
 std::string stripes_text(std::vector<Stripe> const& stripes, double confidence) {

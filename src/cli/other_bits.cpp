@@ -6,12 +6,20 @@
 
 namespace overturn::cli {
 
+bool is_of_this_program(store::ResultsReader const& file) {
+    return file.text("program_version") == program_version() && file.text("sources_sha256") == sources_sha256();
+}
+
+std::string maker_of(store::ResultsReader const& file) {
+    constexpr std::size_t enough = 12;
+    return fmt::format("overturn {} ({}, sources {})", file.text("program_version"), file.text("git_revision"),
+                       file.text("sources_sha256").substr(0, enough));
+}
+
 std::string why_bits_differ(store::ResultsReader const& file) {
-    auto const version = file.text("program_version");
-    auto const revision = file.text("git_revision");
-    if (version != program_version() || revision != git_revision()) {
-        return fmt::format("(the file was made by overturn {}, revision {}; this is {}). Replay it with that one",
-                           version, revision, program_identity());
+    if (!is_of_this_program(file)) {
+        return fmt::format("(the file was made by {}; this is {}). Replay it with that one", maker_of(file),
+                           program_identity());
     }
     if (auto const libraries = file.text("library_versions"); libraries != library_versions()) {
         return fmt::format("(this very program made it, with other libraries: {}; here {}). Replay it with those",

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -114,8 +115,14 @@ Json waves_of(CampaignInput const& input, CampaignSpec const& spec, Plan const& 
 
 Json cost_lines(Json const& runtime, fs::path const& path) {
     auto lines = Json::array();
-    lines.push_back(fmt::format("Took {:.3g} s on {} ranks, {:.3g} trials a second (beside the results, in {}).",
-                                runtime.at("wall_s").get<double>(), runtime.at("ranks").size(),
+    auto const& legs = runtime.at("legs");
+    std::int64_t most_ranks = 0;
+    for (auto const& leg : legs) {
+        most_ranks = std::max(most_ranks, leg.at("ranks").get<std::int64_t>());
+    }
+    lines.push_back(fmt::format("Took {:.3g} s on {} ranks{}, {:.3g} trials a second (beside the results, in {}).",
+                                runtime.at("wall_s").get<double>(), most_ranks,
+                                legs.size() > 1 ? fmt::format(" in {} legs", legs.size()) : "",
                                 runtime.at("trials_per_s").get<double>(), path.filename().string()));
     std::vector<std::string> ranks;
     for (auto const& rank : runtime.at("ranks")) {

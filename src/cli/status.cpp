@@ -10,6 +10,7 @@
 #include "campaign/results.hpp"
 #include "cli/failed_trials.hpp"
 #include "cli/verbs.hpp"
+#include "store/format_versions.hpp"
 #include "store/results_file.hpp"
 #include "store/shards.hpp"
 
@@ -48,6 +49,9 @@ int status_of_file(std::string const& path, store::Trust trust) {
         }
     }
     fmt::print("{}", failed.text());
+    if (auto const known = store::known_errors_of(file.integer("format_version")); !known.empty()) {
+        fmt::print("{}\n", known.substr(1));
+    }
     return done;
 }
 

@@ -130,6 +130,7 @@ class ResultsReader {
     [[nodiscard]] std::string note(std::string const& object, std::string const& name) const;
 
   private:
+    [[nodiscard]] std::string text_or(std::string const& name) const;
     void open(std::string_view format);
     [[noreturn]] void refuse(Seal seal, std::string_view format);
     [[nodiscard]] std::string what_changed() const;

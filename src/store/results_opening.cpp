@@ -9,6 +9,7 @@
 #include "core/error.hpp"
 #include "store/detail/apart.hpp"
 #include "store/detail/objects.hpp"
+#include "store/format_versions.hpp"
 #include "store/results_file.hpp"
 #include "store/sha256.hpp"
 
@@ -81,15 +82,22 @@ void ResultsReader::open(std::string_view format) {
              "{}: format version {} (this program knows up to {}). Use a newer overturn", path, version,
              format_version);
     if (format == format_name && version < format_version) {
-        throw InputError(
-            fmt::format("{}: format version {} (this program reads {}). Read it with overturn {}, "
-                        "revision {}",
-                        path, version, format_version, text("program_version"), text("git_revision")));
+        throw InputError(fmt::format(
+            "{}: format version {} (this program reads {}). Read it with overturn {}, revision {}.{}", path, version,
+            format_version, text_or("program_version"), text_or("git_revision"), known_errors_of(version)));
     }
     try {
         each_object(file_, [](std::string const&, Object const&) {});
     } catch (InputError const& error) {
         throw InputError(fmt::format("{}: {}", path, error.what()));
+    }
+}
+
+std::string ResultsReader::text_or(std::string const& name) const {
+    try {
+        return text(name);
+    } catch (SystemError const&) {
+        return "unknown";
     }
 }
 

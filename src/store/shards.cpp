@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::string_view magic = "overturn-block 1\n";
 constexpr std::string_view ending = ".block";
+constexpr std::string_view leg_ending = ".leg";
 constexpr std::string_view record_name = "campaign.record";
 constexpr std::size_t hash_length = 64;
 
@@ -171,6 +172,30 @@ bool ShardFolder::holds_foreign_blocks() const {
 
 bool ShardFolder::holds_blocks() const { return !block_files(nullptr).empty(); }
 
+void ShardFolder::keep_leg(std::string const& text) const {
+    int number = 1;
+    while (!create_durably(folder_ / fmt::format("{:06}{}", number, leg_ending), bytes_of(text))) {
+        ++number;
+    }
+}
+
+std::vector<std::string> ShardFolder::legs() const {
+    std::vector<std::filesystem::path> files;
+    std::error_code ignored;
+    for (auto const& entry : std::filesystem::directory_iterator(folder_, ignored)) {
+        if (entry.path().filename().string().ends_with(leg_ending)) {
+            files.push_back(entry.path());
+        }
+    }
+    std::sort(files.begin(), files.end());
+    std::vector<std::string> texts;
+    texts.reserve(files.size());
+    for (auto const& file : files) {
+        texts.push_back(read_file(file));
+    }
+    return texts;
+}
+
 void ShardFolder::remove_unfinished(BlockRange range) const {
     std::error_code ignored;
     for (auto const& entry : std::filesystem::directory_iterator(folder_, ignored)) {
@@ -192,7 +217,8 @@ void ShardFolder::remove() const {
     }
     for (auto const& entry : std::filesystem::directory_iterator(folder_, ignored)) {
         auto const file = entry.path().filename().string();
-        if (finished_name(file) == record_name || file == Claim::file_name) {
+        if (finished_name(file) == record_name || finished_name(file).ends_with(leg_ending)
+            || file == Claim::file_name) {
             std::filesystem::remove(entry.path(), ignored);
         }
     }

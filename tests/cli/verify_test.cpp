@@ -90,10 +90,10 @@ TEST_F(Verify, WhatDiffersIsCountedAndTheFirstIsNamed) {
         EXPECT_NE(ended.err.find("it was edited"), std::string::npos) << ended.err;
         EXPECT_EQ(ended.err.find("Replay it with that one"), std::string::npos) << ended.err;
     }
-    edit("f.attrs['git_revision'] = 'abcdef012345'");
+    edit("f.attrs['git_revision'] = 'abcdef012345'; f.attrs['sources_sha256'] = 'f' * 64");
     auto const other = overturn(folder, {"replay", "c.h5", "--trial", "7", "--unverified"});
     EXPECT_EQ(other.code, 1);
-    EXPECT_NE(other.err.find("revision abcdef012345; this is"), std::string::npos) << other.err;
+    EXPECT_NE(other.err.find("(abcdef012345, sources ffffffffffff); this is"), std::string::npos) << other.err;
 }
 
 TEST_F(Verify, ASampleFindsWhatItMeets) {
