@@ -33,6 +33,15 @@ struct MeasuredFragility {
     Interval rank_interval{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 };
 
+/// How far stored curves are from the same fitted again.
+struct RefitDifference {
+    double relative = 0;  ///< the largest of all columns; infinite where one is known and the other is not
+    std::string column;   ///< where: "fragility/type-a/median"
+};
+/// \param fits at the confidence that the file's were made at
+[[nodiscard]] RefitDifference refit_difference(store::ResultsReader const& file, std::string const& group,
+                                               std::vector<MeasuredFragility> const& fits);
+
 /// One criterion of one body, measure < V_Ereq.
 struct MeasuredCriterion {
     FragilityMeasure measure = FragilityMeasure::v_wes;

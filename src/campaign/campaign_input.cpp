@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/campaign_spec.hpp"
-#include "store/shards.hpp"
+#include "store/sha256.hpp"
 
 namespace overturn {
 namespace {

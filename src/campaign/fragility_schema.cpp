@@ -164,11 +164,7 @@ store::TableSpec fragility_columns(std::string const& group, Passing passing, bo
     return columns.spec;
 }
 
-}  // namespace
-
-void write_fragility(store::ResultsWriter& file, std::string const& group, std::vector<MeasuredFragility> const& fits,
-                     double confidence) {
-    OVERTURN_EXPECT(!fits.empty());
+std::vector<FragilityRow> rows_of(std::vector<MeasuredFragility> const& fits) {
     std::vector<FragilityRow> rows;
     rows.reserve(fits.size());
     auto const units = units_of(fits);
@@ -176,14 +172,58 @@ void write_fragility(store::ResultsWriter& file, std::string const& group, std::
         rows.push_back(row_of(measured));
         rows.back().units = std::distance(units.begin(), std::ranges::find(units, measured.units));
     }
+    return rows;
+}
+
+store::TableSpec table_of(std::string const& group, std::vector<MeasuredFragility> const& fits) {
+    auto const& first = fits.front().fit;
+    return fragility_columns(group, first.passing, first.state == FragilityState::grid, units_of(fits),
+                             units_by_row(fits));
+}
+
+double relative_difference(double a, double b) {
+    if (a == b || (std::isnan(a) && std::isnan(b))) {
+        return 0;
+    }
+    auto const difference = std::abs(a - b) / std::max(std::abs(a), std::abs(b));
+    return std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
+}
+
+}  // namespace
+
+void write_fragility(store::ResultsWriter& file, std::string const& group, std::vector<MeasuredFragility> const& fits,
+                     double confidence) {
+    OVERTURN_EXPECT(!fits.empty());
+    auto const rows = rows_of(fits);
     auto const passing = fits.front().fit.passing;
-    bool const grid = fits.front().fit.state == FragilityState::grid;
-    auto const table = file.table(fragility_columns(group, passing, grid, units, units_by_row(fits)),
-                                  static_cast<std::int64_t>(rows.size()));
+    auto const table = file.table(table_of(group, fits), static_cast<std::int64_t>(rows.size()));
     file.append(table, std::as_bytes(std::span(rows)));
     file.attribute(group, "confidence", confidence);
     file.attribute(group, "flag_names",
                    fmt::format("{}", fmt::join(names_of((1U << fragility_flags) - 1, passing), " ")));
+}
+
+RefitDifference refit_difference(store::ResultsReader const& file, std::string const& group,
+                                 std::vector<MeasuredFragility> const& fits) {
+    auto const again = rows_of(fits);
+    auto const table = table_of(group, fits);
+    std::vector<FragilityRow> stored(again.size());
+    file.rows(table, static_cast<std::int64_t>(stored.size()), 0, std::as_writable_bytes(std::span(stored)));
+    RefitDifference largest;
+    for (auto const& column : table.columns) {
+        for (std::size_t r = 0; r < again.size(); ++r) {
+            auto const a = bytes_of(stored[r]);
+            auto const b = bytes_of(again[r]);
+            auto const difference =
+                column.type == FieldType::real ? relative_difference(real_at(a, column), real_at(b, column))
+                : integer_at(a, column) == integer_at(b, column) ? 0
+                                                                 : std::numeric_limits<double>::infinity();
+            if (difference > largest.relative) {
+                largest = {difference, group + "/" + column.name};
+            }
+        }
+    }
+    return largest;
 }
 
 }  // namespace overturn

@@ -9,6 +9,7 @@
 #include "campaign/detail/stopping.hpp"
 #include "campaign/output_place.hpp"
 #include "campaign/rare_results.hpp"
+#include "campaign/runtime_file.hpp"
 #include "campaign/telling_trials.hpp"
 #include "core/note.hpp"
 #include "store/durable.hpp"
@@ -62,7 +63,8 @@ std::optional<std::string> merge_blocks(std::filesystem::path const& output, Cam
     }
     shards.remove();
     return stripe_table(spec, statistics) + analysis_table(analysis, spec.confidence) + rare_table(spec, rare)
-           + telling_table(spec, telling_trials(spec, store::ResultsReader(output)), output.string());
+           + telling_table(spec, telling_trials(spec, store::ResultsReader(output, store::Trust::unverified)),
+                           output.string());
 }
 
 std::string resume_command(CampaignInput const& input, std::filesystem::path const& output) {
@@ -124,7 +126,9 @@ MergeEnd merge_parts(std::filesystem::path const& output) {
              shards.folder().string(), resume_command(input, output));
         return MergeEnd::missing;
     }
+    auto const legs = shards.legs();
     auto const tables = merge_blocks(output, input, spec, plan, shards, [] { return true; });
+    write_runtime(output, legs);
     fmt::print("{}results: {}\n", *tables, output.string());
     return MergeEnd::complete;
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -26,11 +27,12 @@ std::string duration_text(double seconds) {
     return fmt::format("{} h {:02} min", whole / hour, whole % hour / minute);
 }
 
-Progress::Progress(std::int64_t total, std::int64_t done, double trials_per_block)
+Progress::Progress(std::int64_t total, std::int64_t done, double trials_per_block, std::string counted)
     : terminal_(isatty(STDERR_FILENO) != 0),
       total_(total),
       before_(done),
       trials_per_block_(trials_per_block),
+      counted_(std::move(counted)),
       begin_(std::chrono::steady_clock::now()) {}
 
 double Progress::elapsed_s() const {
@@ -52,7 +54,8 @@ void Progress::show(std::int64_t fresh) {
     auto const done = before_ + fresh;
     double const per_second = static_cast<double>(fresh) * trials_per_block_ / seconds;
     double const left_s = seconds / static_cast<double>(fresh) * static_cast<double>(total_ - done);
-    auto const line = fmt::format("{} of {} blocks, {:.0f} trials/s, {}", done, total_, per_second,
+    auto const line = fmt::format("{} of {} {}, {}{}", done, total_, counted_,
+                                  trials_per_block_ > 0 ? fmt::format("{:.0f} trials/s, ", per_second) : "",
                                   done == total_ ? "took " + duration_text(seconds) : duration_text(left_s) + " left");
     note("{}{:<70}{}", terminal_ ? "\r" : "", line, terminal_ ? "" : "\n");
 }

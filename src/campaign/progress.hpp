@@ -11,7 +11,8 @@ class Progress {
   public:
     /// \param total blocks in all; \param done blocks that an earlier run left behind; \param trials per block, on
     /// average
-    Progress(std::int64_t total, std::int64_t done, double trials_per_block);
+    /// \param counted what is counted, where it is not blocks
+    Progress(std::int64_t total, std::int64_t done, double trials_per_block, std::string counted = "blocks");
 
     /// Is it time to show something again?
     [[nodiscard]] bool is_due() const;
@@ -25,6 +26,7 @@ class Progress {
     bool terminal_;
     std::int64_t total_, before_;
     double trials_per_block_;
+    std::string counted_;
     std::chrono::steady_clock::time_point begin_;
     double shown_s_ = -1;
 };

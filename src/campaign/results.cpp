@@ -19,6 +19,7 @@ void write_provenance(store::ResultsWriter& file, CampaignInput const& input, Ca
     file.attribute("format_version", store::format_version);
     file.attribute("program_version", program_version());
     file.attribute("git_revision", git_revision());
+    file.attribute("sources_sha256", sources_sha256());
     file.attribute("library_versions", library_versions());
     file.attribute("title", spec.title);
     file.attribute("campaign", input.text);

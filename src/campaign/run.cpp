@@ -161,6 +161,7 @@ class Run {
     RunEnd merge() {
         auto const table = from_root(comm_, [&] {
             auto const begin = std::chrono::steady_clock::now();
+            earlier_legs_ = shards_.legs();
             auto const tables = merge_blocks(
                 options_.output, input_, spec_, plan_, shards_, [&] { return leave_.may_merge(); },
                 rare_.value_or(std::vector<RareBody>{}));
@@ -177,8 +178,23 @@ class Run {
         auto const ranks = comm_.gather(seconds_text(comm_, done_.seconds));
         if (comm_.is_root()) {
             note("cost: {}\n", rung_costs(sum_of_rungs(ranks)));
-            write_runtime(options_.output, options_.part, ranks, wall_s_,
-                          done_.committed * plan_.trials() / plan_.blocks());
+            tell_legs(leg_text(options_.part, ranks, wall_s_, done_.committed * plan_.trials() / plan_.blocks()));
+        }
+    }
+
+    // What is not merged yet goes on with the legs so far; a part's are told by merge.
+    void tell_legs(std::string const& leg) {
+        auto legs = shards_.exists() ? shards_.legs() : earlier_legs_;
+        legs.push_back(leg);
+        if (shards_.exists()) {
+            try {
+                shards_.keep_leg(leg);
+            } catch (SystemError const& error) {
+                note("the times of this run are not kept: {}\n", error.what());
+            }
+        }
+        if (options_.part.is_whole()) {
+            write_runtime(options_.output, legs);
         }
     }
 
@@ -192,6 +208,7 @@ class Run {
     std::optional<store::Claim> claim_;
     WorkDone done_;
     std::optional<std::vector<RareBody>> rare_;
+    std::vector<std::string> earlier_legs_;  ///< of blocks that are merged; known on rank 0
     double wall_s_ = 0;
     std::int64_t next_ = 0;  ///< blocks below it are done with
 };

@@ -1,7 +1,8 @@
-/// FILE.runtime.json: what a run took, per rank; nothing of it is in the results.
+/// FILE.runtime.json: what an output took, leg by leg and rank by rank, and on what; nothing of it is in the results.
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,15 +12,17 @@
 
 namespace overturn {
 
-/// One rank's seconds, to be gathered.
+/// One rank's seconds and what its numbers hang on (libm, vector lanes), to be gathered.
 [[nodiscard]] std::string seconds_text(parallel::Communicator const& comm, PhaseSeconds const& seconds);
 
 /// The rungs of all ranks, from their seconds_text.
 [[nodiscard]] PhaseSeconds sum_of_rungs(std::vector<std::string> const& ranks);
 
-/// Beside `output`: FILE.runtime.json, or FILE.part-2-of-8.runtime.json. A failure is said on stderr and no more: the
-/// results do not depend on it.
-void write_runtime(std::filesystem::path const& output, Part part, std::vector<std::string> const& ranks, double wall_s,
-                   std::int64_t trials);
+/// What one run, or one part, did: program, compiler, libraries, and all its ranks.
+[[nodiscard]] std::string leg_text(Part part, std::vector<std::string> const& ranks, double wall_s,
+                                   std::int64_t trials);
+
+/// Beside `output`, of all its legs. A failure is said on stderr and no more: the results do not depend on it.
+void write_runtime(std::filesystem::path const& output, std::span<std::string const> legs);
 
 }  // namespace overturn

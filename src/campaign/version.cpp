@@ -14,7 +14,18 @@ namespace overturn {
 
 std::string program_version() { return OVERTURN_VERSION; }
 std::string git_revision() { return OVERTURN_GIT_REVISION; }
-std::string program_identity() { return fmt::format("{} ({})", program_version(), git_revision()); }
+std::string sources_sha256() { return OVERTURN_SOURCES_SHA256; }
+std::string program_identity() {
+    constexpr std::size_t enough = 12;
+    return fmt::format("{} ({}, sources {})", program_version(), git_revision(), sources_sha256().substr(0, enough));
+}
+std::string compiler() {
+#if defined(__clang__)
+    return "Clang " __clang_version__;
+#else
+    return "GCC " __VERSION__;
+#endif
+}
 std::string library_versions() {
     std::string_view const fftw(fftw_version);  // fftw-3.3.10-sse2-avx
     return fmt::format("GSL {}, FFTW {}, HDF5 {}, Eigen {}.{}.{}, fmt {}", gsl_version, fftw.substr(fftw.find('-') + 1),

@@ -7,8 +7,12 @@ namespace overturn {
 
 [[nodiscard]] std::string program_version();
 [[nodiscard]] std::string git_revision();
-/// "0.1.0 (f46588f980a6)"
+/// SHA-256 over all that was compiled, whether git knows it or not.
+[[nodiscard]] std::string sources_sha256();
+/// "0.1.0 (f46588f980a6, sources 1b2c3d4e5f60)": equal for equal sources only.
 [[nodiscard]] std::string program_identity();
+/// "GCC 12.2.0"
+[[nodiscard]] std::string compiler();
 /// "GSL 2.7.1, HDF5 1.10.8, ..."
 [[nodiscard]] std::string library_versions();
 

@@ -13,7 +13,13 @@ class App;
 namespace overturn::cli {
 
 /// Exit codes that scripts depend on.
-enum ExitCode { done = 0, other_failure = 1, bad_input = 2, resumable = 3 };
+enum ExitCode {
+    done = 0,
+    other_failure = 1,
+    bad_input = 2,
+    resumable = 3,
+    refitted_otherwise = 4  ///< `fit` of another program's file, whose stored curves are others
+};
 
 /// What a verb does once its options are read: throws on failure, returns the exit code.
 using Action = std::function<int()>;

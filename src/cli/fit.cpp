@@ -8,13 +8,16 @@
 #include "campaign/hazard_frequency.hpp"
 #include "campaign/rare_results.hpp"
 #include "campaign/telling_trials.hpp"
+#include "campaign/version.hpp"
 #include "cli/fit_json.hpp"
 #include "cli/frequency_json.hpp"
+#include "cli/other_bits.hpp"
 #include "cli/rare_json.hpp"
 #include "cli/stripe_csv.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
 #include "core/input_files.hpp"
+#include "core/note.hpp"
 #include "stats/rank.hpp"
 
 namespace overturn::cli {
@@ -30,6 +33,7 @@ struct Options {
     std::optional<double> confidence;  ///< none: the campaign's, or 0.95
     double design_basis = 0;
     std::string hazard;
+    Unverified unverified;
 };
 
 void check(Options const& options) {
@@ -45,8 +49,30 @@ void check(Options const& options) {
              "--hazard beside --stripes (a table states no measure and no unit). Fit a results file");
 }
 
+// Curves are fitted by the program that runs; those that the file holds may be another's.
+int tell_refit(Options const& options, store::ResultsReader const& file, CampaignSpec const& spec,
+               Statistics const& statistics) {
+    if (is_of_this_program(file)) {
+        return done;
+    }
+    constexpr double same = 1e-9;
+    RefitDifference largest;
+    auto const analysis = analyse(spec, statistics, {.confidence = spec.confidence});
+    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+        auto const one = refit_difference(file, "fragility/" + spec.bodies[b].name, analysis[b].fragility);
+        largest = one.relative > largest.relative ? one : largest;
+    }
+    bool const differs = largest.relative > same;
+    note("overturn: {}: refitted by overturn {} (the file holds the fit of {}, {}). {}\n", options.file,
+         program_identity(), maker_of(file),
+         differs ? fmt::format("another one: {} differs by {:.2g}", largest.column, largest.relative)
+                 : std::string("equal to 1e-9"),
+         differs ? "Quote either with its program" : "Either may be quoted");
+    return differs ? refitted_otherwise : done;
+}
+
 int fit_file(Options const& options) {
-    store::ResultsReader const file(options.file);
+    store::ResultsReader const file(options.file, options.unverified.trust());
     auto const spec = parse_campaign(input_of(file));
     auto const statistics = recount(file, spec);
     double const confidence = options.confidence.value_or(spec.confidence);
@@ -86,7 +112,7 @@ int fit_file(Options const& options) {
                    hazard ? frequency_table(spec, frequencies, *hazard, confidence) : std::string(),
                    rare_table(spec, rare), telling_table(spec, telling, options.file));
     }
-    return done;
+    return tell_refit(options, file, spec, statistics);
 }
 
 std::string stripes_text(std::vector<Stripe> const& stripes, double confidence) {
@@ -150,6 +176,7 @@ void add_fit(CommandLine& line) {
     verb.takes("--design-basis", options->design_basis, "with --stripes: quote P at multiples of this amplitude");
     verb.takes("--hazard", options->hazard,
                "annual frequency by this hazard curve: '<measure> [unit], annual_exceedance' (csv)");
+    options->unverified.offered_by(verb);
     verb.does([options] {
         check(*options);
         return options->stripes.empty() ? fit_file(*options) : fit_stripes(*options);

@@ -28,6 +28,7 @@ int start(int argc, char** argv) {
     cli::add_merge(line);
     cli::add_status(line);
     cli::add_replay(line);
+    cli::add_verify(line);
     cli::add_fit(line);
     cli::add_report(line);
     cli::add_cost(line);

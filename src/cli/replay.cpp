@@ -8,6 +8,7 @@
 #include "campaign/rare_results.hpp"
 #include "campaign/results.hpp"
 #include "cli/history.hpp"
+#include "cli/other_bits.hpp"
 #include "cli/trial_history.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
@@ -24,6 +25,7 @@ struct Options {
     std::string history, plot;
     std::string rare;
     std::string limit = overturning_limit;
+    Unverified unverified;
 };
 
 int tell_difference(Options const& options, store::ResultsReader const& file, std::vector<std::string> const& different,
@@ -33,10 +35,7 @@ int tell_difference(Options const& options, store::ResultsReader const& file, st
         return done;
     }
     fmt::print("NOT bit-equal to the stored row: {} differ\n", fmt::join(different, ", "));
-    note(
-        "overturn: {}: {} is not what this program computes (the file was made by {}, revision {}). "
-        "Replay it with that one\n",
-        options.file, what, file.text("program_version"), file.text("git_revision"));
+    note("overturn: {}: {} is not what this program computes {}\n", options.file, what, why_bits_differ(file));
     return other_failure;
 }
 
@@ -45,7 +44,7 @@ int replay(Options const& options) {
         report::check_figure_name(options.plot);
         validate(options.rare.empty(), "--plot beside --rare (only rows of /trials are drawn). Leave one of them out");
     }
-    store::ResultsReader const file(options.file);
+    store::ResultsReader const file(options.file, options.unverified.trust());
     auto const input = input_of(file);
     auto const spec = parse_campaign(input);
     if (!options.rare.empty()) {
@@ -107,6 +106,7 @@ void add_replay(CommandLine& line) {
     verb.takes("--limit", options->limit, "beside --rare: the limit state; default: overturning");
     verb.takes("--history", options->history, "write the trial's history to this csv file");
     verb.takes("--plot", options->plot, "draw wave, rotation, energy and contact over time, .svg, .png or .pdf");
+    options->unverified.offered_by(verb);
     verb.does([options] { return replay(*options); });
 }
 

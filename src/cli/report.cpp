@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -36,6 +37,7 @@ struct Options {
     std::string file, page, figures;
     double beta_u = 0;
     std::optional<double> confidence;  ///< none: the campaign's
+    Unverified unverified;
 };
 
 std::string effects_text(CampaignSpec const& spec) {
@@ -141,8 +143,14 @@ Json waves_of(CampaignInput const& input, CampaignSpec const& spec, Plan const& 
 
 Json cost_lines(Json const& runtime, fs::path const& path) {
     auto lines = Json::array();
-    lines.push_back(fmt::format("Took {:.3g} s on {} ranks, {:.3g} trials a second (beside the results, in {}).",
-                                runtime.at("wall_s").get<double>(), runtime.at("ranks").size(),
+    auto const& legs = runtime.at("legs");
+    std::int64_t most_ranks = 0;
+    for (auto const& leg : legs) {
+        most_ranks = std::max(most_ranks, leg.at("ranks").get<std::int64_t>());
+    }
+    lines.push_back(fmt::format("Took {:.3g} s on {} ranks{}, {:.3g} trials a second (beside the results, in {}).",
+                                runtime.at("wall_s").get<double>(), most_ranks,
+                                legs.size() > 1 ? fmt::format(" in {} legs", legs.size()) : "",
                                 runtime.at("trials_per_s").get<double>(), path.filename().string()));
     std::vector<std::string> ranks;
     for (auto const& rank : runtime.at("ranks")) {
@@ -178,7 +186,7 @@ int write_report(Options const& options) {
         store::require_writable(fs::path(options.figures) / "fragility.svg");
     }
     check_fit_options(options.beta_u, options.confidence);
-    store::ResultsReader const file(options.file);
+    store::ResultsReader const file(options.file, options.unverified.trust());
     auto const input = input_of(file);
     auto const spec = parse_campaign(input);
     Plan const plan(spec);
@@ -242,6 +250,7 @@ void add_report(CommandLine& line) {
                "DIR");
     verb.takes("--beta-u", options->beta_u, "lognormal standard deviation of what is not known of the body");
     verb.takes("--confidence", options->confidence, "of the intervals; default: the campaign's");
+    options->unverified.offered_by(verb);
     verb.does([options] { return write_report(*options); });
 }
 

@@ -5,9 +5,8 @@
 #include <memory>
 #include <optional>
 
-#include "campaign/agreement.hpp"
 #include "campaign/stop.hpp"
-#include "cli/say.hpp"
+#include "cli/collective.hpp"
 #include "cli/verbs.hpp"
 #include "cli/walltime.hpp"
 #include "core/error.hpp"
@@ -50,44 +49,22 @@ Part read_part(std::string const& text) {
     return part;
 }
 
-int run(Options const& options) {
-    stop_on_signals();  // first: what comes while MPI starts or records are read must not kill
-    parallel::Environment const environment;
-    parallel::Communicator const comm;
-    // Errors that every rank knows of are thrown by every rank and told by one; all others end the whole job.
-    try {
-        auto const input = load_campaign_everywhere(options.campaign, options.settings, comm);
-        RunOptions run_options;
-        run_options.output =
-            options.output.empty() ? default_output(options.campaign) : std::filesystem::path(options.output);
-        if (std::filesystem::is_symlink(run_options.output)) {
-            run_options.output = std::filesystem::weakly_canonical(run_options.output);  // or it would be replaced
-        }
-        run_options.resume = options.resume;
-        if (options.max_walltime) {
-            run_options.max_walltime_s = read_walltime(*options.max_walltime);
-        }
-        if (options.part) {
-            run_options.part = read_part(*options.part);
-        }
-        return run_campaign(input, run_options, comm) == RunEnd::complete ? done : resumable;
-    } catch (InputError const& error) {
-        if (comm.is_root()) {
-            say(error.what());
-        }
-        return bad_input;
-    } catch (AgreedError const& error) {
-        if (comm.is_root()) {
-            say(error.what());
-        }
-        return other_failure;
-    } catch (std::exception const& error) {
-        say(error.what());
-        if (comm.size() > 1) {
-            comm.abort(other_failure);
-        }
-        return other_failure;
+int run(Options const& options, parallel::Communicator const& comm) {
+    auto const input = load_campaign_everywhere(options.campaign, options.settings, comm);
+    RunOptions run_options;
+    run_options.output =
+        options.output.empty() ? default_output(options.campaign) : std::filesystem::path(options.output);
+    if (std::filesystem::is_symlink(run_options.output)) {
+        run_options.output = std::filesystem::weakly_canonical(run_options.output);  // or it would be replaced
     }
+    run_options.resume = options.resume;
+    if (options.max_walltime) {
+        run_options.max_walltime_s = read_walltime(*options.max_walltime);
+    }
+    if (options.part) {
+        run_options.part = read_part(*options.part);
+    }
+    return run_campaign(input, run_options, comm) == RunEnd::complete ? done : resumable;
 }
 
 }  // namespace
@@ -101,7 +78,10 @@ void add_run(CommandLine& line) {
     verb.takes("--set", options->settings, "override a key: waves.count=50, bodies.0.friction=0.4");
     verb.takes("--max-walltime", options->max_walltime, "stop in time to be resumed, \"50 min\", 01:00:00, 1-00:00:00");
     verb.takes("--part", options->part, "I/N: only the I-th of N parts, for array jobs; merge puts them together");
-    verb.does([options] { return run(*options); });
+    verb.does([options] {
+        stop_on_signals();  // first: what comes while MPI starts or records are read must not kill
+        return on_all_ranks([&](auto const& comm) { return run(*options, comm); });
+    });
 }
 
 }  // namespace overturn::cli

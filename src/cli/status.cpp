@@ -10,14 +10,15 @@
 #include "campaign/results.hpp"
 #include "cli/failed_trials.hpp"
 #include "cli/verbs.hpp"
+#include "store/format_versions.hpp"
 #include "store/results_file.hpp"
 #include "store/shards.hpp"
 
 namespace overturn::cli {
 namespace {
 
-int status_of_file(std::string const& path) {
-    store::ResultsReader const file(path);
+int status_of_file(std::string const& path, store::Trust trust) {
+    store::ResultsReader const file(path, trust);
     auto const spec = parse_campaign(input_of(file));
     auto const verdicts = file.integers("trials/verdict");
     auto const waves = recount(file, spec).waves().text(file.text("wave_acceptance"));
@@ -48,6 +49,9 @@ int status_of_file(std::string const& path) {
         }
     }
     fmt::print("{}", failed.text());
+    if (auto const known = store::known_errors_of(file.integer("format_version")); !known.empty()) {
+        fmt::print("{}\n", known.substr(1));
+    }
     return done;
 }
 
@@ -73,9 +77,9 @@ void tell_so_far(CampaignSpec const& spec, Plan const& plan, store::ShardFolder 
     fmt::print("{}", failed.text());
 }
 
-int status(std::string const& path) {
+int status(std::string const& path, store::Trust trust) {
     if (std::filesystem::exists(path)) {
-        return status_of_file(path);
+        return status_of_file(path, trust);
     }
     store::ShardFolder const unnamed(path, "");
     require_begun(unnamed, path);
@@ -111,8 +115,10 @@ int status(std::string const& path) {
 void add_status(CommandLine& line) {
     auto verb = line.verb("status", "is a run complete? exit 0: yes, 3: resumable");
     auto path = std::make_shared<std::string>();
+    auto unverified = std::make_shared<Unverified>();
     verb.needs("file", *path, "results file");
-    verb.does([path] { return status(*path); });
+    unverified->offered_by(verb);
+    verb.does([path, unverified] { return status(*path, unverified->trust()); });
 }
 
 }  // namespace overturn::cli

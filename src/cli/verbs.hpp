@@ -2,14 +2,26 @@
 #pragma once
 
 #include "cli/command_line.hpp"
+#include "store/results_file.hpp"
 
 namespace overturn::cli {
+
+/// Of verbs that read a finished file: with this it is read whatever became of it since.
+struct Unverified {
+    bool wished = false;
+
+    void offered_by(Verb& verb) {
+        verb.takes("--unverified", wished, "read a file that was edited or damaged since overturn wrote it, as it is");
+    }
+    [[nodiscard]] store::Trust trust() const { return wished ? store::Trust::unverified : store::Trust::sealed; }
+};
 
 void add_run(CommandLine& line);
 void add_plan(CommandLine& line);
 void add_merge(CommandLine& line);
 void add_status(CommandLine& line);
 void add_replay(CommandLine& line);
+void add_verify(CommandLine& line);
 void add_fit(CommandLine& line);
 void add_report(CommandLine& line);
 void add_cost(CommandLine& line);

@@ -126,6 +126,7 @@ void write_study(std::filesystem::path const& path, CampaignInput const& input, 
     file.attribute("format_version", format_version);
     file.attribute("program_version", program_version());
     file.attribute("git_revision", git_revision());
+    file.attribute("sources_sha256", sources_sha256());
     file.attribute("library_versions", library_versions());
     file.attribute("title", study.title);
     file.attribute("campaign", input.text);

@@ -44,6 +44,14 @@ std::string Communicator::host() const {
     return {name.data(), static_cast<std::size_t>(length)};
 }
 
+std::string Communicator::library() {
+    std::array<char, MPI_MAX_LIBRARY_VERSION_STRING> name{};
+    int length = 0;
+    check(MPI_Get_library_version(name.data(), &length), "asking for its version");
+    std::string const text(name.data(), static_cast<std::size_t>(length));
+    return text.substr(0, text.find_first_of(",\n"));
+}
+
 void Communicator::broadcast(std::string& text) const {
     auto size = static_cast<std::int64_t>(text.size());
     check(MPI_Bcast(&size, 1, MPI_INT64_T, 0, MPI_COMM_WORLD), "broadcasting");

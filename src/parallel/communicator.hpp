@@ -31,6 +31,9 @@ class Communicator {
     /// The machine this rank runs on; for the reader only.
     [[nodiscard]] std::string host() const;
 
+    /// "Open MPI v4.1.4"; for the reader only.
+    [[nodiscard]] static std::string library();
+
     /// Rank 0's text, on every rank. Collective.
     void broadcast(std::string& text) const;
     /// The texts of all ranks in rank order on rank 0, empty elsewhere. Collective.

@@ -33,7 +33,7 @@ int open_lock(std::filesystem::path const& folder) {
             fmt::format("cannot make {} ({}). Choose another place with -o", folder.string(), error.message()));
     }
     auto const file = folder / Claim::file_name;
-    int const fd = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    int const fd = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (fd < 0 && errno != ENOENT) {
         throw SystemError(
             fmt::format("cannot open {} ({}). Choose another place with -o", file.string(), std::strerror(errno)));

@@ -7,12 +7,15 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/types.h>
 #include <unistd.h>
 
 #include "core/error.hpp"
 
 namespace overturn::store {
 namespace {
+
+constexpr ::mode_t open_mode = 0666;  // less what the umask takes
 
 char const* advice_on(int reason) {
     switch (reason) {
@@ -41,7 +44,8 @@ char const* advice_on(int reason) {
 
 class Descriptor {
   public:
-    Descriptor(std::filesystem::path const& path, int flags) : path_(path), fd_(::open(path.c_str(), flags, 0644)) {
+    Descriptor(std::filesystem::path const& path, int flags)
+        : path_(path), fd_(::open(path.c_str(), flags, open_mode)) {
         if (fd_ < 0) {
             fail("open", path_);
         }
@@ -155,6 +159,10 @@ bool create_durably(std::filesystem::path const& path, std::span<std::byte const
     return made;
 }
 
+void append(std::filesystem::path const& path, std::span<std::byte const> content) {
+    Descriptor(path, O_WRONLY | O_APPEND).write(content);
+}
+
 std::string read_file(std::filesystem::path const& path) {
     Descriptor const file(path, O_RDONLY);
     return file.read();
@@ -163,7 +171,7 @@ std::string read_file(std::filesystem::path const& path) {
 void require_writable(std::filesystem::path const& path) {
     auto probe = path;
     probe += own_ending();
-    int const fd = ::open(probe.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0644);
+    int const fd = ::open(probe.c_str(), O_WRONLY | O_CREAT | O_EXCL, open_mode);
     if (fd < 0 && errno != EEXIST) {
         int const reason = errno;
         auto const text = fmt::format("output {} (cannot write there: {}). ", path.string(), std::strerror(reason));

@@ -24,6 +24,9 @@ void write_durably(std::filesystem::path const& path, std::span<std::byte const>
 /// did
 bool create_durably(std::filesystem::path const& path, std::span<std::byte const> content);
 
+/// Adds to the end of a file that is there. \throws SystemError
+void append(std::filesystem::path const& path, std::span<std::byte const> content);
+
 /// The bytes of a file. \throws SystemError
 [[nodiscard]] std::string read_file(std::filesystem::path const& path);
 

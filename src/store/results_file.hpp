@@ -13,11 +13,12 @@
 #include "core/field.hpp"
 #include "store/columns.hpp"
 #include "store/h5.hpp"
+#include "store/seal.hpp"
 
 namespace overturn::store {
 
 inline constexpr char const* format_name = "overturn-results";
-inline constexpr std::int64_t format_version = 2;
+inline constexpr std::int64_t format_version = 3;
 
 /// A column is a field of rows; a group of them is appended row by row.
 struct TableSpec {
@@ -72,12 +73,13 @@ class ResultsWriter {
     void bytes(std::string const& where, std::string const& name, std::string const& description,
                std::string const& content);
 
-    /// Closes the file, makes it durable and gives it its name.
+    /// Adds the digest of every object, closes the file, seals it, makes it durable and gives it its name.
     void finish();
 
   private:
     struct Table;
     void abandon();
+    void add_digests();
     Group& group(std::string const& path);
     Dataset create(std::string const& where, Field const& spec, std::int64_t rows);
     [[nodiscard]] Dataset open(std::string const& path) const;
@@ -94,11 +96,22 @@ class ResultsWriter {
     bool finished_ = false;
 };
 
+/// Is a file held against what was written?
+enum class Trust {
+    sealed,     ///< every byte must be as it was written
+    unverified  ///< whatever it says: for those who edit on purpose, and who have just written it
+};
+
 /// A finished results file, read only. Names in messages are those of the file.
 class ResultsReader {
   public:
-    /// \throws InputError if it is missing, not of this format, or of a newer version of it
-    explicit ResultsReader(std::filesystem::path const& path, std::string_view format = format_name);
+    /// \throws InputError if it is missing, not of this format, of another version of it, not as it was written (what
+    /// changed is named), or not all inside the file
+    explicit ResultsReader(std::filesystem::path const& path, Trust trust = Trust::sealed,
+                           std::string_view format = format_name);
+
+    /// Is it as it was written?
+    [[nodiscard]] bool is_sealed() const { return trust_ == Trust::sealed; }
 
     [[nodiscard]] std::string text(std::string const& name) const;
     [[nodiscard]] std::int64_t integer(std::string const& name) const;
@@ -117,7 +130,13 @@ class ResultsReader {
     [[nodiscard]] std::string note(std::string const& object, std::string const& name) const;
 
   private:
+    [[nodiscard]] std::string text_or(std::string const& name) const;
+    void open(std::string_view format);
+    [[noreturn]] void refuse(Seal seal, std::string_view format);
+    [[nodiscard]] std::string what_changed() const;
+
     std::filesystem::path path_;
+    Trust trust_;
     Quiet quiet_;
     File file_;
 };

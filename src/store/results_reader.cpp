@@ -1,11 +1,7 @@
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include "core/error.hpp"
 #include "store/results_file.hpp"
@@ -92,64 +88,7 @@ bool names(Field const& column, std::int64_t value) {
     return std::ranges::any_of(column.categories, [&](auto const& category) { return category.value == value; });
 }
 
-bool is_ours(File const& file, std::string_view format) {
-    if (H5Aexists(file.id(), "format") <= 0 || H5Aexists(file.id(), "format_version") <= 0) {
-        return false;
-    }
-    try {
-        return read_text_attribute(file.id(), "format") == format;
-    } catch (SystemError const&) {
-        return false;  // no text, so somebody else's
-    }
-}
-
-std::int64_t version_of(File const& file) {
-    try {
-        return read_integer_attribute(file.id(), "format_version");
-    } catch (SystemError const&) {
-        return 0;
-    }
-}
-
-// Told apart from damage: no right to read, and somebody writing. A file system without locks hinders nobody.
-void require_readable(std::filesystem::path const& path) {
-    int const fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    validate(fd >= 0, "{}: cannot be read ({}). Make it readable", path.string(), std::strerror(errno));
-    bool const written = ::flock(fd, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-    ::close(fd);
-    validate(!written, "{}: another program has it open for writing (h5py?). Close it there", path.string());
-}
-
 }  // namespace
-
-ResultsReader::ResultsReader(std::filesystem::path const& path, std::string_view format) : path_(path) {
-    auto const parts = path.string() + ".parts";
-    validate(std::filesystem::exists(path) || !std::filesystem::is_directory(parts),
-             "{}: not there yet (its run is unfinished, {} holds what is done). Ask overturn status {}, and go on with "
-             "overturn run --resume",
-             path.string(), parts, path.string());
-    validate(std::filesystem::exists(path), "{}: no such file (nothing to read). Check the name", path.string());
-    require_readable(path);
-    PropertyList const access(checked(H5Pcreate(H5P_FILE_ACCESS), "make file properties"));
-    checked(H5Pset_file_locking(access.id(), false, true), "leave locks out");
-    auto const id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id());
-    validate(id >= 0, "{}: not an HDF5 file (or damaged). Give a results file of overturn run", path.string());
-    file_ = File(id);
-    bool const ours = is_ours(file_, format);
-    validate(ours, "{}: not a results file (its format is not '{}'). Give a file of overturn run", path.string(),
-             format);
-    auto const version = version_of(file_);
-    validate(version >= 1, "{}: damaged (no format version). Give a whole file of overturn run", path.string());
-    if (format == format_name) {
-        validate(version <= format_version, "{}: format version {} (this program knows up to {}). Use a newer overturn",
-                 path.string(), version, format_version);
-        if (version < format_version) {
-            throw InputError(
-                fmt::format("{}: format version {} (this program reads {}). Read it with overturn {}, revision {}",
-                            path.string(), version, format_version, text("program_version"), text("git_revision")));
-        }
-    }
-}
 
 std::string ResultsReader::text(std::string const& name) const { return read_text_attribute(file_.id(), name); }
 std::int64_t ResultsReader::integer(std::string const& name) const { return read_integer_attribute(file_.id(), name); }

@@ -9,8 +9,11 @@
 #include <unistd.h>
 
 #include "core/error.hpp"
+#include "store/detail/objects.hpp"
 #include "store/durable.hpp"
 #include "store/results_file.hpp"
+#include "store/seal.hpp"
+#include "store/sha256.hpp"
 
 namespace overturn::store {
 
@@ -247,18 +250,27 @@ void ResultsWriter::bytes(std::string const& where, std::string const& name, std
     }
 }
 
+void ResultsWriter::add_digests() {
+    auto const text = text_of(digests_of(file_));
+    attribute(digest_of_all, sha256(text));
+    bytes(digest_group, digest_list,
+          "SHA-256 of every object's type, shape, attributes and content: lines of digest and path", text);
+}
+
 void ResultsWriter::finish() {
     for (auto const& table : tables_) {
         if (table.written != table.rows) {
             throw ContractError(fmt::format("table {} got {} of {} rows", table.spec.group, table.written, table.rows));
         }
     }
+    add_digests();
     // First everything goes to disk, where a failure is heard of; then closing has nothing left to write.
     checked(H5Fflush(file_.id(), H5F_SCOPE_GLOBAL), "write " + growing_.string());
     tables_.clear();
     groups_.clear();
     types_.close();
     checked(H5Fclose(file_.release()), "close " + growing_.string());
+    seal(growing_);
     make_durable(growing_);
     rename_durably(growing_, path_);
     finished_ = true;

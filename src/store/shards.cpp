@@ -6,16 +6,17 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <openssl/evp.h>
 
 #include "core/error.hpp"
 #include "store/durable.hpp"
+#include "store/sha256.hpp"
 
 namespace overturn::store {
 namespace {
 
 constexpr std::string_view magic = "overturn-block 1\n";
 constexpr std::string_view ending = ".block";
+constexpr std::string_view leg_ending = ".leg";
 constexpr std::string_view record_name = "campaign.record";
 constexpr std::size_t hash_length = 64;
 
@@ -44,19 +45,6 @@ bool is_unfinished(std::string_view name) { return name.find(unfinished_mark) !=
 std::string_view finished_name(std::string_view name) { return name.substr(0, name.find(unfinished_mark)); }
 
 }  // namespace
-
-std::string sha256(std::string_view content) {
-    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-    unsigned length = 0;
-    if (EVP_Digest(content.data(), content.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1) {
-        throw SystemError("OpenSSL cannot compute SHA-256 (a restricted build?). Install libssl");
-    }
-    std::string text;
-    for (unsigned i = 0; i < length; ++i) {
-        text += fmt::format("{:02x}", digest.at(i));
-    }
-    return text;
-}
 
 ShardFolder::ShardFolder(std::filesystem::path output, std::string campaign)
     : folder_(std::move(output)), campaign_(std::move(campaign)) {
@@ -184,6 +172,30 @@ bool ShardFolder::holds_foreign_blocks() const {
 
 bool ShardFolder::holds_blocks() const { return !block_files(nullptr).empty(); }
 
+void ShardFolder::keep_leg(std::string const& text) const {
+    int number = 1;
+    while (!create_durably(folder_ / fmt::format("{:06}{}", number, leg_ending), bytes_of(text))) {
+        ++number;
+    }
+}
+
+std::vector<std::string> ShardFolder::legs() const {
+    std::vector<std::filesystem::path> files;
+    std::error_code ignored;
+    for (auto const& entry : std::filesystem::directory_iterator(folder_, ignored)) {
+        if (entry.path().filename().string().ends_with(leg_ending)) {
+            files.push_back(entry.path());
+        }
+    }
+    std::sort(files.begin(), files.end());
+    std::vector<std::string> texts;
+    texts.reserve(files.size());
+    for (auto const& file : files) {
+        texts.push_back(read_file(file));
+    }
+    return texts;
+}
+
 void ShardFolder::remove_unfinished(BlockRange range) const {
     std::error_code ignored;
     for (auto const& entry : std::filesystem::directory_iterator(folder_, ignored)) {
@@ -205,7 +217,8 @@ void ShardFolder::remove() const {
     }
     for (auto const& entry : std::filesystem::directory_iterator(folder_, ignored)) {
         auto const file = entry.path().filename().string();
-        if (finished_name(file) == record_name || file == Claim::file_name) {
+        if (finished_name(file) == record_name || finished_name(file).ends_with(leg_ending)
+            || file == Claim::file_name) {
             std::filesystem::remove(entry.path(), ignored);
         }
     }

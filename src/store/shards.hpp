@@ -13,9 +13,6 @@
 
 namespace overturn::store {
 
-/// SHA-256 of some bytes, as 64 hexadecimal digits.
-[[nodiscard]] std::string sha256(std::string_view content);
-
 /// The folder `OUTPUT.parts` with one checked file per finished block.
 class ShardFolder {
   public:
@@ -44,6 +41,10 @@ class ShardFolder {
     [[nodiscard]] bool holds_blocks() const;
     /// The rows of a committed block. \throws SystemError if it is missing or damaged
     [[nodiscard]] std::vector<std::byte> read(std::int64_t block) const;
+    /// Keeps a text about one leg of the work (a run, a part) beside its blocks. \throws SystemError
+    void keep_leg(std::string const& text) const;
+    /// All of them, in the order in which they were kept.
+    [[nodiscard]] std::vector<std::string> legs() const;
     /// Removes what killed writers of these blocks left half done. \pre nobody else writes them now
     void remove_unfinished(BlockRange range) const;
     /// Removes the folder and everything this class put into it.

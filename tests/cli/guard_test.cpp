@@ -4,6 +4,7 @@
 
 #include "campaign/campaign_input.hpp"
 #include "cli/campaign_files.hpp"
+#include "store/sha256.hpp"
 #include "store/shards.hpp"
 #include "support/command.hpp"
 

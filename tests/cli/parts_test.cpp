@@ -1,5 +1,7 @@
 // Requirement: one campaign split over array tasks and merged gives the bytes of one run; what is missing, foreign or
 // in use is said.
+#include <nlohmann/json.hpp>
+
 #include "cli/campaign_files.hpp"
 #include "support/command.hpp"
 
@@ -35,12 +37,17 @@ TEST_F(Parts, MergedAreTheBytesOfOneRun) {
     expect_part_done(part("2/3"));
     expect_part_done(execute(folder, mpirun(2, {"run", "c.toml", "--part", "3/3"})));
     expect_part_done(part("1/3"));
-    EXPECT_TRUE(folder.has("c.part-2-of-3.runtime.json"));
+    EXPECT_FALSE(folder.has("c.runtime.json"));
 
     auto const merged = merge();
     EXPECT_EQ(merged.code, 0) << merged.err;
     EXPECT_NE(merged.out.find("results: c.h5"), std::string::npos) << merged.out;
     EXPECT_FALSE(folder.has("c.h5.parts"));
+    auto const runtime = nlohmann::json::parse(folder.read("c.runtime.json"));
+    ASSERT_EQ(runtime.at("legs").size(), 3U) << "one file tells of all parts";
+    EXPECT_EQ(runtime.at("legs")[1].at("part"), "3/3");
+    EXPECT_EQ(runtime.at("ranks").size(), 4U);
+    EXPECT_EQ(runtime.at("trials"), 42);
     expect_as_one_run();
 
     auto const again = merge();  // a job that is requeued

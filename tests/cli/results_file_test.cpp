@@ -8,7 +8,7 @@ namespace {
 char const* const check = R"python(
 import h5py, hashlib, numpy as np
 f = h5py.File('c.h5')
-need = ['format', 'format_version', 'program_version', 'git_revision', 'library_versions', 'campaign', 'input_sha256',
+need = ['format', 'format_version', 'program_version', 'git_revision', 'sources_sha256', 'library_versions', 'campaign', 'input_sha256',
         'seed', 'complete']
 for name in need:
     assert name in f.attrs, name

@@ -21,7 +21,7 @@ std::filesystem::path const& place() {
 void read() {
     using namespace overturn;
     try {
-        store::ResultsReader const file(place());
+        store::ResultsReader const file(place(), store::Trust::unverified);
         auto const input = input_of(file);
         (void)file.text("wave_acceptance");
         auto const spec = parse_campaign(input);

@@ -374,11 +374,14 @@ TEST_F(Results, ReaderRefusesOtherFormats) {
     expect_input_error([&] { (void)ResultsReader(path()); }, "not a results file", format_name);
 
     write_claim(path(), {format_name, format_version + 1});
-    expect_input_error([&] { (void)ResultsReader(path()); }, "format version 3", "newer overturn");
+    expect_input_error([&] { (void)ResultsReader(path()); }, "format version 4", "newer overturn");
 
     write_claim(path(), {format_name, format_version - 1});
-    expect_input_error([&] { (void)ResultsReader(path()); }, "format version 1", "reads 2",
+    expect_input_error([&] { (void)ResultsReader(path()); }, "format version 2", "reads 3",
                        "overturn 0.0.9, revision abc");
+
+    write_claim(path(), {format_name, 1});
+    expect_input_error([&] { (void)ResultsReader(path()); }, "format version 1", "Known of its version: impacts");
 
     write_claim(path(), {format_name, 0});
     expect_input_error([&] { (void)ResultsReader(path()); }, "not a results file");

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "store/sha256.hpp"
 #include "support/expect_system_error.hpp"
 #include "support/full_disk.hpp"
 #include "support/temporary_folder.hpp"

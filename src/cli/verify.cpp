@@ -1,0 +1,67 @@
+#include "campaign/verify.hpp"
+
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "campaign/agreement.hpp"
+#include "campaign/results.hpp"
+#include "cli/collective.hpp"
+#include "cli/other_bits.hpp"
+#include "cli/verbs.hpp"
+#include "core/note.hpp"
+
+namespace overturn::cli {
+namespace {
+
+struct Options {
+    std::string file;
+    VerifyWish wish;
+    Unverified unverified;
+};
+
+std::string counted(Verified const& found) {
+    return fmt::format("{} trials, {} waves{}", found.trials, found.waves,
+                       found.rare > 0 ? fmt::format(", {} rows of rare events", found.rare) : "");
+}
+
+int tell(Options const& options, store::ResultsReader const& file, Verified const& found) {
+    if (found.all_equal()) {
+        fmt::print("{}: {} recomputed, all bit-equal to the stored rows\n", options.file, counted(found));
+        return done;
+    }
+    fmt::print("{}: {} recomputed, NOT all bit-equal: {} trials, {} waves{} differ; first {}\n", options.file,
+               counted(found), found.differing_trials, found.differing_waves,
+               found.rare > 0 ? fmt::format(", {} rows of rare events", found.differing_rare) : "", found.first);
+    note("overturn: {}: not what this program computes {}\n", options.file, why_bits_differ(file));
+    return other_failure;
+}
+
+int verify(Options const& options, parallel::Communicator const& comm) {
+    // One rank holds the file against its seal for all.
+    (void)from_root(comm, [&] {
+        store::ResultsReader const file(options.file, options.unverified.trust());
+        return std::string();
+    });
+    store::ResultsReader const file(options.file, store::Trust::unverified);
+    auto const spec = parse_campaign(input_of(file));
+    auto const found = verify_rows(file, spec, options.wish, comm);
+    return std::stoi(from_root(comm, [&] {
+        store::ResultsReader const told(options.file, options.unverified.trust());
+        return fmt::format("{}", tell(options, told, found));
+    }));
+}
+
+}  // namespace
+
+void add_verify(CommandLine& line) {
+    auto verb = line.verb("verify", "recompute rows of a results file, alone or under mpirun, and compare every bit");
+    auto options = std::make_shared<Options>();
+    verb.needs("file", options->file, "results file");
+    verb.takes("--sample", options->wish.sample, "so many rows drawn at random; default: all");
+    verb.takes("--seed", options->wish.seed, "of that drawing; another one draws other rows");
+    options->unverified.offered_by(verb);
+    verb.does([options] { return on_all_ranks([&](auto const& comm) { return verify(*options, comm); }); });
+}
+
+}  // namespace overturn::cli

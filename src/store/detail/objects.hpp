@@ -1,0 +1,35 @@
+/// Every object of an HDF5 file, and what each one is and holds as one digest.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "store/h5.hpp"
+
+namespace overturn::store {
+
+using Object = Handle<H5Oclose>;
+
+/// Calls `visit` with each object's path ("/", "/trials/verdict"). Only hard links to what lies inside the file are
+/// followed. \throws InputError, beginning with the path of what is none: a link to elsewhere, a group that is reached
+/// twice, a column that is stored elsewhere or through a filter that HDF5 does not bring along
+void each_object(File const& file, std::function<void(std::string const&, Object const&)> const& visit);
+
+/// By path: SHA-256 over type, shape, attributes (and which axes it lies along) and content. Empty where it cannot be
+/// read. Without what `is_digest` names.
+[[nodiscard]] std::map<std::string, std::string> digests_of(File const& file);
+
+/// Where the digests of all objects are kept, as text; and the digest of that text, an attribute of the root.
+inline constexpr char const* digest_group = "digests";
+inline constexpr char const* digest_list = "objects";
+inline constexpr char const* digest_of_all = "content_sha256";
+
+/// "<digest>  <path>" line by line, as sha256sum writes them.
+[[nodiscard]] std::string text_of(std::map<std::string, std::string> const& digests);
+
+/// "/trials/v_wes changed, /trials/x is gone": objects that differ from those a text_of tells of; empty if none does.
+[[nodiscard]] std::string differences(std::string const& told, std::map<std::string, std::string> const& found);
+
+}  // namespace overturn::store

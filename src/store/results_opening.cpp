@@ -1,0 +1,143 @@
+#include <cerrno>
+#include <cstring>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include "core/error.hpp"
+#include "store/detail/apart.hpp"
+#include "store/detail/objects.hpp"
+#include "store/format_versions.hpp"
+#include "store/results_file.hpp"
+#include "store/sha256.hpp"
+
+namespace overturn::store {
+namespace {
+
+bool is_ours(File const& file, std::string_view format) {
+    if (H5Aexists(file.id(), "format") <= 0 || H5Aexists(file.id(), "format_version") <= 0) {
+        return false;
+    }
+    try {
+        return read_text_attribute(file.id(), "format") == format;
+    } catch (SystemError const&) {
+        return false;  // no text, so somebody else's
+    }
+}
+
+std::int64_t version_of(File const& file) {
+    try {
+        return read_integer_attribute(file.id(), "format_version");
+    } catch (SystemError const&) {
+        return 0;
+    }
+}
+
+constexpr char said_by_itself = '!';  // before a message that needs nothing added
+
+// Told apart from damage: no right to read, and somebody writing. A file system without locks hinders nobody.
+void require_readable(std::filesystem::path const& path) {
+    int const fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    validate(fd >= 0, "{}: cannot be read ({}). Make it readable", path.string(), std::strerror(errno));
+    bool const written = ::flock(fd, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    ::close(fd);
+    validate(!written, "{}: another program has it open for writing (h5py?). Close it there", path.string());
+}
+
+}  // namespace
+
+ResultsReader::ResultsReader(std::filesystem::path const& path, Trust trust, std::string_view format)
+    : path_(path), trust_(trust) {
+    auto const parts = path.string() + ".parts";
+    validate(std::filesystem::exists(path) || !std::filesystem::is_directory(parts),
+             "{}: not there yet (its run is unfinished, {} holds what is done). Ask overturn status {}, and go on with "
+             "overturn run --resume",
+             path.string(), parts, path.string());
+    validate(std::filesystem::exists(path), "{}: no such file (nothing to read). Check the name", path.string());
+    validate(std::filesystem::is_regular_file(path),
+             "{}: not an HDF5 file (nor any file: a folder or a pipe). Give a results file of overturn run",
+             path.string());
+    require_readable(path);
+    if (auto const seal = trust == Trust::sealed ? seal_of(path) : Seal::intact; seal != Seal::intact) {
+        refuse(seal, format);
+    }
+    open(format);
+}
+
+void ResultsReader::open(std::string_view format) {
+    PropertyList const access(checked(H5Pcreate(H5P_FILE_ACCESS), "make file properties"));
+    checked(H5Pset_file_locking(access.id(), false, true), "leave locks out");
+    checked(H5PLset_loading_state(0), "leave plugins out");
+    auto const id = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, access.id());
+    auto const path = path_.string();
+    validate(id >= 0, "{}: not an HDF5 file (or damaged). Give a results file of overturn run", path);
+    file_ = File(id);
+    validate(is_ours(file_, format), "{}: not a results file (its format is not '{}'). Give a file of overturn run",
+             path, format);
+    auto const version = version_of(file_);
+    validate(version >= 1, "{}: damaged (no format version). Give a whole file of overturn run", path);
+    validate(format != format_name || version <= format_version,
+             "{}: format version {} (this program knows up to {}). Use a newer overturn", path, version,
+             format_version);
+    if (format == format_name && version < format_version) {
+        throw InputError(fmt::format(
+            "{}: format version {} (this program reads {}). Read it with overturn {}, revision {}.{}", path, version,
+            format_version, text_or("program_version"), text_or("git_revision"), known_errors_of(version)));
+    }
+    try {
+        each_object(file_, [](std::string const&, Object const&) {});
+    } catch (InputError const& error) {
+        throw InputError(fmt::format("{}: {}", path, error.what()));
+    }
+}
+
+std::string ResultsReader::text_or(std::string const& name) const {
+    try {
+        return text(name);
+    } catch (SystemError const&) {
+        return "unknown";
+    }
+}
+
+// A file with a broken seal is one of ours, whatever it says of itself now; one without may be of an older version.
+void ResultsReader::refuse(Seal seal, std::string_view format) {
+    auto const why = looked_at_apart([&]() -> std::string {
+        try {
+            open(format);
+        } catch (InputError const& error) {
+            if (seal == Seal::missing) {
+                return std::string(1, said_by_itself) + error.what();
+            }
+            return "what it says of itself changed";
+        }
+        return what_changed();
+    });
+    if (why && why->starts_with(said_by_itself)) {
+        throw InputError(why->substr(1));
+    }
+    throw InputError(fmt::format(
+        "{}: damaged or edited ({}). Restore it or run the campaign again; as it is, it is read with --unverified",
+        path_.string(), why.value_or("so that HDF5 cannot read it")));
+}
+
+std::string ResultsReader::what_changed() const {
+    auto const list = fmt::format("{}/{}", digest_group, digest_list);
+    if (!has(list)) {
+        return fmt::format("/{} is gone", list);
+    }
+    try {
+        auto const told = content(list);
+        if (text(digest_of_all) != sha256(told)) {
+            return fmt::format("/{} is not as it was written", list);
+        }
+        auto const changed = differences(told, digests_of(file_));
+        return changed.empty() ? "no value changed, but bytes between them did, or another program wrote to it"
+                               : changed;
+    } catch (SystemError const&) {
+        return fmt::format("/{} or what it lists cannot be read", list);
+    }
+}
+
+}  // namespace overturn::store

@@ -1,0 +1,184 @@
+// Requirement: a version of the format names one set of columns, files of it stay readable for ever, and whose curves
+// fit tells is said.
+#include <cstdlib>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "campaign/version.hpp"
+#include "cli/campaign_files.hpp"
+#include "store/detail/objects.hpp"
+#include "store/results_file.hpp"
+#include "support/command.hpp"
+
+namespace overturn::testing {
+namespace {
+
+using nlohmann::json;
+
+class Format : public ::testing::Test {
+  protected:
+    void run(std::string const& campaign, std::string const& output) const {
+        folder.write("target.csv", target_csv);
+        folder.write("c.toml", campaign);
+        auto const ended = overturn(folder, {"run", "c.toml", "-o", output});
+        ASSERT_EQ(ended.code, 0) << ended.err;
+    }
+    void edit(std::string const& statement) const {
+        auto const script = "import h5py\nwith h5py.File('c.h5', 'r+') as f: " + statement;
+        ASSERT_EQ(execute(folder, {OVERTURN_PYTHON, "-c", script}).code, 0) << statement;
+    }
+    [[nodiscard]] bool has_h5py() const { return execute(folder, {OVERTURN_PYTHON, "-c", "import h5py"}).code == 0; }
+
+    Folder folder;
+};
+
+std::string kind_of(hid_t dataset) {
+    store::Datatype const type(H5Dget_type(dataset));
+    auto const bits = 8 * H5Tget_size(type.id());
+    switch (H5Tget_class(type.id())) {
+        case H5T_FLOAT:
+            return fmt::format("real{}", bits);
+        case H5T_INTEGER:
+            return fmt::format("integer{}", bits);
+        case H5T_ENUM:
+            return "names";
+        default:
+            return "other";
+    }
+}
+
+// "/trials/v_wes real64 m/s" by line, in the order of names.
+std::string columns_of(std::filesystem::path const& path) {
+    store::Quiet const quiet;
+    store::File const file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
+    std::map<std::string, std::string> columns;
+    store::each_object(file, [&](std::string const& name, store::Object const& object) {
+        if (H5Iget_type(object.id()) == H5I_DATASET) {
+            auto const units =
+                H5Aexists(object.id(), "units") > 0 ? store::read_text_attribute(object.id(), "units") : "-";
+            columns[name] = fmt::format("{} {} {}\n", name, kind_of(object.id()), units);
+        }
+    });
+    std::string text;
+    for (auto const& [name, line] : columns) {
+        text += line;
+    }
+    return text;
+}
+
+// With OVERTURN_UPDATE_GOLDEN=1 in the environment it is written instead.
+void expect_golden(std::string const& name, std::string const& now) {
+    auto const path = std::filesystem::path(OVERTURN_GOLDEN) / name;
+    if (char const* update = std::getenv("OVERTURN_UPDATE_GOLDEN"); update != nullptr && *update != '\0') {
+        std::ofstream(path, std::ios::binary) << now;
+    }
+    EXPECT_EQ(now, read_text(path)) << "the columns are not those of format version " << store::format_version
+                                    << ": give the format its next number (store/results_file.hpp), and keep " << path
+                                    << " as it is";
+}
+
+std::string rare_campaign() {
+    return "seed=7\n[waves]\nsource='filtered-noise'\nrms='1 m/s2'\nmodel='clough-penzien'\nground_frequency='0.5 Hz'\n"
+           "ground_damping=0.5\nfilter_frequency='0.1 Hz'\ncount=2\nduration='10.23 s'\ntime_step='0.02 s'\n"
+           "[[bodies]]\nname='block'\nmass='12.6 t'\nbase_width='0.9 m'\ncentre_height='1.045 m'\n"
+           "inertia='uniform-block'\nrestitution=0.85\n[levels]\nmeasure='factor'\nvalues=[1.25]\n"
+           "[rare]\nmethod='subset'\nreplicates=4\n";
+}
+
+TEST_F(Format, OneVersionHasOneTableOfColumns) {
+    run(campaign_on_points(2) + "[measures]\nboth_radius_units=true\n[[limits]]\nname='touches'\nquantity='peak_slip'\n"
+                                "above='0.1 m'\n",
+        "c.h5");
+    expect_golden(fmt::format("columns-{}.txt", store::format_version), columns_of(folder / "c.h5"));
+    run(rare_campaign(), "rare.h5");
+    expect_golden(fmt::format("columns-rare-{}.txt", store::format_version), columns_of(folder / "rare.h5"));
+}
+
+/// A file of each version that this program reads, as it was written when the version was new.
+TEST_F(Format, FilesStayReadable) {
+    for (std::string const version : {"3"}) {
+        auto const packed = std::filesystem::path(OVERTURN_GOLDEN) / ("results-" + version + ".h5.gz");
+        ASSERT_EQ(execute(folder, {"/bin/sh", "-c", "gzip -dc '" + packed.string() + "' > old.h5"}).code, 0);
+
+        auto const status = overturn(folder, {"status", "old.h5"});
+        EXPECT_EQ(status.code, 0) << status.err;
+        EXPECT_EQ(status.out, "old.h5: complete, 6 trials of 'kept for ever'\n");
+        auto const fit = overturn(folder, {"fit", "old.h5", "--json"});
+        EXPECT_TRUE(fit.code == 0 || fit.code == 4) << fit.err;
+        auto const stripes = json::parse(fit.out).at("stripes");
+        ASSERT_EQ(stripes.size(), 3U);
+        EXPECT_EQ(stripes[0].at("overturned"), 0);
+        EXPECT_EQ(stripes[2].at("overturned"), 2);
+    }
+}
+
+TEST_F(Format, WhoseCurvesAreToldIsSaid) {
+    if (!has_h5py()) {
+        GTEST_SKIP() << "no h5py to write with (install python3-h5py)";
+    }
+    run(small_campaign("shared", 6), "c.h5");
+    auto const own = overturn(folder, {"fit", "c.h5"});
+    EXPECT_EQ(own.code, 0);
+    EXPECT_EQ(own.err, "");
+
+    edit("f.attrs['sources_sha256'] = 'f' * 64");
+    auto const same = overturn(folder, {"fit", "c.h5", "--unverified"});
+    EXPECT_EQ(same.code, 0) << same.err;
+    EXPECT_TRUE(is_one_error_line(same.err)) << same.err;
+    EXPECT_NE(same.err.find("refitted by overturn " + program_identity()), std::string::npos) << same.err;
+    EXPECT_NE(same.err.find("sources ffffffffffff), equal to 1e-9"), std::string::npos) << same.err;
+    EXPECT_EQ(same.out, own.out);
+
+    edit("f['fragility/type-b/rank_area'][0] *= 1 + 3e-8");
+    auto const other = overturn(folder, {"fit", "c.h5", "--unverified", "--confidence", "0.9"});
+    EXPECT_EQ(other.code, 4) << other.err;
+    EXPECT_TRUE(is_one_error_line(other.err)) << other.err;
+    EXPECT_NE(other.err.find("fragility/type-b/rank_area differs by 3e-08"), std::string::npos) << other.err;
+}
+
+/// Outside git the revision tells nobody apart; the sources do.
+TEST(Program, IsIdentifiedByItsSources) {
+    EXPECT_EQ(sources_sha256().size(), 64U);
+    EXPECT_EQ(sources_sha256().find_first_not_of("0123456789abcdef"), std::string::npos);
+    EXPECT_NE(program_identity().find("sources " + sources_sha256().substr(0, 12)), std::string::npos);
+    EXPECT_FALSE(compiler().empty());
+}
+
+/// What decides last bits, for whoever compares two machines; not in the results.
+TEST_F(Format, TheTimesSayOnWhatTheyWereTaken) {
+    run(small_campaign("shared", 2), "c.h5");
+    auto const runtime = json::parse(folder.read("c.runtime.json"));
+
+    ASSERT_EQ(runtime.at("legs").size(), 1U);
+    auto const& leg = runtime.at("legs")[0];
+    EXPECT_EQ(leg.at("program"), program_identity());
+    EXPECT_EQ(leg.at("compiler"), compiler());
+    EXPECT_NE(leg.at("libraries").get<std::string>().find("FFTW"), std::string::npos);
+    EXPECT_FALSE(leg.at("mpi").get<std::string>().empty());
+    EXPECT_EQ(leg.at("ranks"), 1);
+    for (char const* key : {"host", "glibc", "lanes"}) {
+        EXPECT_FALSE(runtime.at("ranks")[0].at(key).get<std::string>().empty()) << key;
+    }
+}
+
+/// Legs that were told to leave are told of, too.
+TEST_F(Format, EveryLegIsTold) {
+    folder.write("target.csv", target_csv);
+    folder.write("c.toml", small_campaign("shared", 12));
+    EXPECT_EQ(overturn(folder, {"run", "c.toml", "--max-walltime", "0.001"}).code, 3);
+    EXPECT_EQ(json::parse(folder.read("c.runtime.json")).at("legs").size(), 1U);
+    EXPECT_EQ(overturn(folder, {"run", "c.toml", "--resume", "--max-walltime", "0.001"}).code, 3);
+    EXPECT_EQ(execute(folder, mpirun(2, {"run", "c.toml", "--resume"})).code, 0);
+
+    auto const runtime = json::parse(folder.read("c.runtime.json"));
+    ASSERT_EQ(runtime.at("legs").size(), 3U);
+    EXPECT_EQ(runtime.at("legs")[2].at("ranks"), 2);
+    EXPECT_EQ(runtime.at("ranks").size(), 4U);
+    EXPECT_EQ(runtime.at("ranks")[3].at("leg"), 2);
+    EXPECT_EQ(runtime.at("trials"), 72);
+    EXPECT_FALSE(folder.has("c.h5.parts"));
+}
+
+}  // namespace
+}  // namespace overturn::testing

@@ -1,0 +1,117 @@
+// Requirement: whoever reads a finished file holds it against what was written: no flipped bit and no edit passes, what
+// changed is named, and --unverified reads it all the same.
+#include <random>
+
+#include "cli/campaign_files.hpp"
+#include "support/command.hpp"
+
+namespace overturn::testing {
+namespace {
+
+class SealedFile : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        folder.write("target.csv", target_csv);
+        folder.write("c.toml", small_campaign("shared", 4));
+        ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
+        sound = folder.read("c.h5");
+    }
+
+    [[nodiscard]] bool has_h5py() const { return execute(folder, {OVERTURN_PYTHON, "-c", "import h5py"}).code == 0; }
+    void expect_refused(std::vector<std::string> const& arguments, std::string const& why) const {
+        auto const told = overturn(folder, arguments);
+        EXPECT_EQ(told.code, 2) << arguments[0] << why;
+        EXPECT_TRUE(is_one_error_line(told.err)) << arguments[0] << why;
+        EXPECT_NE(told.err.find(why), std::string::npos) << arguments[0] << why << told.err;
+    }
+
+    Folder folder;
+    std::string sound;
+};
+
+struct Edit {
+    char const* statement;
+    char const* named;
+};
+
+constexpr Edit edits[] = {
+    {"f['trials/v_wes'][5] *= 2", "/trials/v_wes changed"},
+    {"f['trials/v_wes'][...] = f['trials/v_wes'][...] * 1.1", "/trials/v_wes changed"},
+    {"f['trials/v_wes'][3] = float('nan')", "/trials/v_wes changed"},
+    {"f['trials/scale'][3] *= 2", "/trials/scale changed"},
+    {"f['trials/amplitude'][3] *= 2", "/trials/amplitude changed"},
+    {"f['trials/wave'][3] = 2", "/trials/wave changed"},
+    {"v = f['trials/verdict'][...]; f['trials/verdict'][...] = v[::-1]", "/trials/verdict changed"},
+    {"f['trials/v_resp'][3] += 1", "/trials/v_resp changed"},
+    {"f['trials/peak_rotation'][3] += 1", "/trials/peak_rotation changed"},
+    {"f['waves/pga'][1] *= 2", "/waves/pga changed"},
+    {"f['stripes/type-a/probability'][0] = 0.5", "/stripes/type-a/probability changed"},
+    {"f['fragility/type-b/median'][...] = 3", "/fragility/type-b/median changed"},
+    {"f['trials/verdict'][5] = (f['trials/verdict'][5] + 1) % 6", "/trials/verdict changed"},
+    {"f['bodies/type-a/mass'].attrs['units'] = 't'", "/bodies/type-a/mass changed"},
+    {"f.attrs['seed'] = 1", "(/ changed)"},
+    {"del f['criterion']", "/criterion is gone"},
+};
+
+TEST_F(SealedFile, EditsAreNamed) {
+    if (!has_h5py()) {
+        GTEST_SKIP() << "no h5py to write with (install python3-h5py)";
+    }
+    for (auto const& [statement, named] : edits) {
+        folder.write("c.h5", sound);
+        auto const script = std::string("import h5py\nwith h5py.File('c.h5', 'r+') as f: ") + statement;
+        ASSERT_EQ(execute(folder, {OVERTURN_PYTHON, "-c", script}).code, 0) << statement;
+        for (std::string const verb : {"status", "fit"}) {
+            expect_refused({verb, "c.h5"}, named);
+        }
+    }
+}
+
+TEST_F(SealedFile, EveryReaderLooks) {
+    if (!has_h5py()) {
+        GTEST_SKIP() << "no h5py to write with (install python3-h5py)";
+    }
+    std::string const script =
+        "import h5py\nwith h5py.File('c.h5', 'r+') as f: f['trials/v_wes'][...] = f['trials/v_wes'][...] * 1.1";
+    ASSERT_EQ(execute(folder, {OVERTURN_PYTHON, "-c", script}).code, 0);
+    std::string const why = "c.h5: damaged or edited (/trials/v_wes changed). Restore it or run the campaign again";
+
+    expect_refused({"report", "c.h5", "-o", "page.html"}, why);
+    EXPECT_FALSE(folder.has("page.html"));
+    expect_refused({"replay", "c.h5", "--trial", "3"}, why);
+    expect_refused({"merge", "c.h5"}, why);
+    expect_refused({"run", "c.toml", "--resume"}, why);
+    EXPECT_EQ(overturn(folder, {"status", "c.h5", "--unverified"}).code, 0);
+    EXPECT_EQ(overturn(folder, {"fit", "c.h5", "--unverified", "--json"}).code, 0);
+    auto const replayed = overturn(folder, {"replay", "c.h5", "--trial", "3", "--unverified"});
+    EXPECT_EQ(replayed.code, 1);
+    EXPECT_NE(replayed.out.find("NOT bit-equal to the stored row: v_wes differ"), std::string::npos) << replayed.out;
+}
+
+/// Where no reader of HDF5 would ever look, too.
+TEST_F(SealedFile, FlippedBitsAreNoticed) {
+    std::mt19937_64 random(2013);
+    for (int i = 0; i < 30; ++i) {  // 300 of them in store/Seals.EveryFlippedBitIsNoticed
+        auto const bit = random() % (8 * sound.size());
+        auto changed = sound;
+        changed[bit / 8] = static_cast<char>(changed[bit / 8] ^ (1 << bit % 8));
+        folder.write("c.h5", changed);
+        expect_refused({i % 2 == 0 ? "status" : "fit", "c.h5"}, "c.h5: ");
+    }
+}
+
+/// A campaign may be read as it is after a verdict was set by hand: curves are those of the rows.
+TEST_F(SealedFile, UnverifiedFitsWhatTheRowsSay) {
+    if (!has_h5py()) {
+        GTEST_SKIP() << "no h5py to write with (install python3-h5py)";
+    }
+    std::string const script = "import h5py\nwith h5py.File('c.h5', 'r+') as f: f['trials/verdict'][...] = 3";
+    ASSERT_EQ(execute(folder, {OVERTURN_PYTHON, "-c", script}).code, 0);
+    auto const fit = overturn(folder, {"fit", "c.h5", "--unverified"});
+
+    EXPECT_EQ(fit.code, 0) << fit.err;
+    EXPECT_NE(fit.out.find("1.0000"), std::string::npos) << fit.out;
+}
+
+}  // namespace
+}  // namespace overturn::testing
