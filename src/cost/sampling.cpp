@@ -79,6 +79,12 @@ Sampling study_sampling(CampaignSpec const& spec, Plan const& plan, std::vector<
         point.root_n_width =
             sampling.subsets.back().width * std::sqrt(static_cast<double>(most) / static_cast<double>(point.waves));
     }
+    if (spec.is_grid()) {  // no sample: what it takes is known, what it is worth is nothing
+        for (auto& point : sampling.subsets) {
+            point.width = point.root_n_width = not_known;
+        }
+        sampling.probability = sampling.half_width = not_known;
+    }
     return sampling;
 }
 
@@ -109,6 +115,10 @@ std::string sentence_of(Balance const& balance, Comparison const& defaults, Camp
                           defaults.trials, balance.numerical)
             : fmt::format("{} of {} verdicts flip against the reference, a numerical error of {:.2g}",
                           defaults.overturning_flips, defaults.trials, balance.numerical);
+    if (spec.is_grid()) {
+        return fmt::format("A grid of {} {} is no sample, so that there is no P(overturn) to be sampled; {}.",
+                           spec.wave_count, spec.wave_count == 1 ? "frequency" : "frequencies", numerical);
+    }
     switch (balance.dominates) {
         case Dominates::sampling:
             return fmt::format(

@@ -48,6 +48,7 @@ struct Study {
     std::optional<RareCost> rare;  ///< where the campaign asks for rare events
     Balance balance;
     std::string sentence;
+    bool is_grid = false;  ///< its waves are a grid and no sample: nothing is said of sampling
 };
 
 struct StudyOptions {

@@ -93,12 +93,21 @@ Json study_json(Study const& study) {
                 {"flips", study.rounding.flips},
                 {"ks_distance", number(study.rounding.ks)}}},
               {"knobs", Json::array()},
-              {"sampling", waves_json(study)}};
+              {"sampling", study.is_grid ? Json(nullptr) : waves_json(study)}};
     for (auto const& result : study.knobs) {
         json["knobs"].push_back(knob_json(result));
     }
     if (study.rare) {
         json["rare"] = rare_json(*study.rare);
+    }
+    if (study.is_grid) {
+        json["balance"] = {{"dominates", nullptr},
+                           {"numerical", study.balance.numerical},
+                           {"numerical_is_bound", study.balance.is_bound},
+                           {"sampling", nullptr},
+                           {"factor", nullptr},
+                           {"sentence", study.sentence}};
+        return json;
     }
     json["balance"] = {{"dominates", dominates.at(static_cast<std::size_t>(study.balance.dominates))},
                        {"numerical", study.balance.numerical},

@@ -78,7 +78,9 @@ std::string study_table(Study const& study) {
     for (auto const& result : study.knobs) {
         append_knob(text, result);
     }
-    append_sampling(text, study);
+    if (!study.is_grid) {
+        append_sampling(text, study);
+    }
     if (study.rare) {
         append_rare(text, *study.rare);
     }

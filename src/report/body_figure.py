@@ -10,6 +10,7 @@ import numpy as np
 from matplotlib import patheffects
 from matplotlib.patches import Rectangle
 
+MOST_ON_A_PAGE = 8
 MOST_IN_A_ROW = 2  # of bodies, so that they can be told on a phone
 
 
@@ -50,20 +51,20 @@ def top_of(body, parts):
     return max((bottom + height for _, height, bottom in parts), default=2 * body.numbers["centre_height"])
 
 
-def draw(results, parts, path):
+def draw(bodies, parts, path):
     """Each body to one scale: base, outline, centre of gravity, critical angle."""
     style.use()
-    all_parts = [parts.get(body.name, []) for body in results.bodies]
-    widest = max(max([2 * body.numbers["half_width"], *(width for width, _, _ in own)]) for body, own in zip(results.bodies, all_parts))
-    tallest = max(top_of(body, own) for body, own in zip(results.bodies, all_parts))
-    columns = min(len(results.bodies), MOST_IN_A_ROW)
-    rows = -(-len(results.bodies) // columns)
+    all_parts = [parts.get(body.name, []) for body in bodies]
+    widest = max(max([2 * body.numbers["half_width"], *(width for width, _, _ in own)]) for body, own in zip(bodies, all_parts))
+    tallest = max(top_of(body, own) for body, own in zip(bodies, all_parts))
+    columns = min(len(bodies), MOST_IN_A_ROW)
+    rows = -(-len(bodies) // columns)
     pitch, step = 2.1 * max(widest, 0.75 * tallest), 1.5 * tallest
     across, up = columns * pitch, rows * step
     width = 2.7 * columns
     figure, axes = plt.subplots(figsize=(width, width * up / across))
     figure.subplots_adjust(left=0, right=1, bottom=0, top=1)
-    for k, (body, own) in enumerate(zip(results.bodies, all_parts)):
+    for k, (body, own) in enumerate(zip(bodies, all_parts)):
         b, h, alpha = (body.numbers[key] for key in ("half_width", "centre_height", "alpha"))
         x, y = (k % columns) * pitch, -(k // columns) * step
         shifted = Shifted(axes, y)

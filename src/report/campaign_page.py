@@ -17,7 +17,7 @@ import trial_figures
 import wave_figure
 from fragility_figures import MEASURES
 from limit_sections import OVERTURNING
-from page_parts import escape, figure_of, fold, interval, paragraphs, shares, table, value_of
+from page_parts import escape, figure_of, fold, in_pages, interval, paragraphs, shares, table, value_of
 from page_style import CSS
 from results_data import Results
 from style import plain
@@ -93,8 +93,10 @@ class Report:
                          "t0", "t1", "v_ereq")] + [value_of(n["alpha"] * 57.29577951308232)])
         head = ["body", "m [kg]", "b [m]", "h [m]", "R [m]", "p [rad/s]", "e", "e Housner", "T0 [s]", "T1 [s]",
                 "V_Ereq [m/s]", "α [°]"]
-        self.section("bodies", "The bodies", self.figure(
-            "bodies", lambda path: body_figure.draw(self.results, self.data["parts"], path), "the bodies, to one scale"),
+        drawn = [self.figure("bodies" + part, lambda path, shown=shown: body_figure.draw(shown, self.data["parts"], path),
+                             "bodies to one scale")
+                 for part, shown in in_pages(self.results.bodies, body_figure.MOST_ON_A_PAGE)]
+        self.section("bodies", "The bodies", *drawn,
             table(head, rows, "Outline: the parts it is assembled from, or, dashed, a block about the centre of gravity, for "
                               "scale. Only base, centre and inertia enter the equations."))
 

@@ -192,7 +192,8 @@ std::string cost_page(Json const& study) {
         "{0}</title>\n"
         "<style>{1}</style></head><body>\n<h1>What accuracy costs</h1>\n<p>{0}</p>\n<p class=\"answer\">{2}</p>\n",
         title, style, escaped(balance.at("sentence").get<std::string>()));
-    page += "<div style=\"max-width:44rem\">" + figure_of("balance", balance) + "</div>\n";
+    bool const sampled = !study.at("sampling").is_null();
+    page += sampled ? "<div style=\"max-width:44rem\">" + figure_of("balance", balance) + "</div>\n" : "";
     page += fmt::format(
         "<p class=\"quiet\">{} trials of {} on {} waves, spread over the campaign. Every setting ran the same waves "
         "and was "
@@ -213,7 +214,7 @@ std::string cost_page(Json const& study) {
     for (auto const& knob : study.at("knobs")) {
         page += section_of(knob);
     }
-    page += waves_section(study.at("sampling"));
+    page += sampled ? waves_section(study.at("sampling")) : "";
     page += study.contains("rare") ? rare_section(study.at("rare")) : "";
     return page + "</body></html>\n";
 }

@@ -27,6 +27,7 @@ def numbers(rows, key):
 
 
 BAND = 0.15  # opacity
+MOST_ON_A_PAGE = 4  # bodies, a row each
 MOST_COMPARED = 10  # bodies in one picture: more lines are not told apart
 
 
@@ -80,11 +81,10 @@ def level_axis(axes, results, stripes, floor):
         axes.set_ylim(-0.03, 1.03)
 
 
-def fragility(results, fits, stripes, what, path):
+def fragility(results, bodies, fits, stripes, what, path):
     """A row a body: stripes with their exact intervals, the lognormal curve, the isotonic estimate, design basis and HCLPF,
     over a linear axis and, for the tail, over a logarithmic one."""
     style.use()
-    bodies = results.bodies
     figure, panels = plt.subplots(len(bodies), 2, figsize=(5.8, 0.1 + 2.1 * len(bodies)), squeeze=False, layout="constrained")
     handles = {"stripe, exact interval": Line2D([], [], color=INK, marker="o", ms=3.4, lw=0.8)}
     for row, body in zip(panels, bodies):

@@ -2,7 +2,7 @@
 
 import style
 from fragility_figures import MEASURES
-from page_parts import paragraphs, table, value_of
+from page_parts import in_pages, paragraphs, table, value_of
 from style import BLUE, GREEN, INK, plain
 from trial_figures import ENDS
 
@@ -13,6 +13,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 
+MOST_ON_A_PAGE = 4  # bodies, a panel each
 LIMITS = [GREEN, style.PURPLE, style.ORANGE]  # boundaries of the campaign's own limit states, in turn
 
 
@@ -38,10 +39,9 @@ def boundary(axes, across, up, levels, lines, value, **look):
             axes.plot(across[k:k + 2], [at, at], solid_capstyle="butt", **look)
 
 
-def draw(results, lines, path):
+def draw(results, bodies, lines, path):
     """One panel a body: how each trial ended, and from which level on it lifts off, overturns and passes its limits."""
     style.use()
-    bodies = results.bodies
     figure, panels = plt.subplots(len(bodies), 1, figsize=(5.0, 0.1 + 2.2 * len(bodies)), squeeze=False, layout="constrained")
     known, limits = list(ENDS), list(lines[0]["limits"])
     used = {}
@@ -122,5 +122,7 @@ def section(report):
     report.section(
         "grid", "What overturns at which frequency and level",
         paragraphs([why[0].upper() + why[1:] + ", no probability and no quantile."]),
-        report.figure("grid", lambda path: draw(report.results, lines, path), "outcomes over frequency and level"),
+        *(report.figure("grid" + part, lambda path, shown=shown: draw(report.results, shown, lines, path),
+                        "outcomes over frequency and level")
+          for part, shown in in_pages(report.results.bodies, MOST_ON_A_PAGE)),
         table(head, rows, "Stood up to: the highest level at which it stood; it may lie above the least that overturned it."))

@@ -2,7 +2,7 @@
 
 import fragility_figures
 import grid_map
-from page_parts import escape, fold, interval, paragraphs, table, value_of
+from page_parts import escape, fold, in_pages, interval, paragraphs, table, value_of
 from style import plain
 
 OVERTURNING = "overturning"  # the limit state that every campaign has
@@ -121,8 +121,9 @@ def curves(report, limit):
     what = "overturning" if limit == OVERTURNING else f"exceeding {limit}"
     return [report.figure(f"{name}-compared", lambda path: fragility_figures.compared(report.results, fits, stripes, what, path),
                           f"probability of {what} of all bodies"),
-            report.figure(name, lambda path: fragility_figures.fragility(report.results, fits, stripes, what, path),
-                          f"probability of {what} against amplitude"),
+            *(report.figure(name + part, lambda path, shown=shown: fragility_figures.fragility(
+                report.results, shown, fits, stripes, what, path), f"probability of {what} against amplitude")
+              for part, shown in in_pages(report.results.bodies, fragility_figures.MOST_ON_A_PAGE)),
             table(["body", "median", "interval", "beta", "interval", "HCLPF", "interval", "flags"], fitted),
             table(["body", "beta", "beta_R (waves)", "beta_U (body)", "change of ln median per deviation of"], split)
             if split else "",

@@ -60,5 +60,10 @@ def figure_of(svg, alt, scale):
     return f"<figure>{svg}</figure>\n"
 
 
+def in_pages(bodies, most):
+    """Bodies in turn, as many as a figure of one page shows, with what tells its name from the first one's."""
+    return [(f"-{start // most + 1}" if start else "", bodies[start:start + most]) for start in range(0, len(bodies), most)]
+
+
 def paragraphs(lines, kind=""):
     return "".join(f"<p{kind}>{escape(line)}</p>\n" for line in lines)

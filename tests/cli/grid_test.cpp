@@ -164,6 +164,20 @@ TEST_F(Grid, RefusesToEndOncePrecise) {
     EXPECT_TRUE(is_one_error_line(refused.err.substr(refused.err.find("overturn: "))));
 }
 
+// What accuracy costs is told without an interval of P(overturn).
+TEST_F(Grid, HasNoCostOfSampling) {
+    folder.write("c.toml", campaign());
+    auto const text = overturn(folder, {"cost", "c.toml", "--waves", "2", "-o", "cost.h5"}).out;
+    EXPECT_NE(text.find("A grid of 2 frequencies is no sample, so that there is no P(overturn) to be sampled; "),
+              std::string::npos)
+        << text;
+    EXPECT_EQ(text.find("Clopper-Pearson"), std::string::npos) << text;
+    auto const study = json::parse(overturn(folder, {"cost", "c.toml", "--waves", "1", "--json"}).out);
+    EXPECT_TRUE(study.at("sampling").is_null());
+    EXPECT_TRUE(study.at("balance").at("sampling").is_null());
+    EXPECT_FALSE(study.at("balance").at("numerical").is_null());
+}
+
 // Records are a sample, however few: nothing is taken from them.
 TEST_F(Grid, IsNoneOfDrawnWaves) {
     folder.write(

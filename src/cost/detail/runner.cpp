@@ -241,6 +241,7 @@ void Runner::conclude() {
         result.advice = advice_of(result);
     }
     study_.balance = balance_of(study_.defaults, study_.sampling.half_width, spec_.confidence);
+    study_.is_grid = spec_.is_grid();
     study_.sentence = sentence_of(study_.balance, study_.defaults, spec_, study_.sampling.stripes);
 }
 
