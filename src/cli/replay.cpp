@@ -72,11 +72,11 @@ int replay(Options const& options) {
         auto const place = static_cast<std::size_t>(body);
         auto const title = fmt::format("{}, trial {}: wave {} at {}, {}", spec.bodies[place].name, options.trial, wave,
                                        spec.levels.text(row.amplitude), entry_of(row.verdict).name);
-        std::optional<MeasureSpec> const measures = spec.measures.energy ? std::optional(spec.measures) : std::nullopt;
+        MeasureSpec const* const measures = spec.measures.energy ? &spec.measures : nullptr;
         draw_history(kept,
                      {title, spec.bodies[place], prepared.bodies[place].body, prepared.motion, row.scale, measures},
                      options.plot);
-        if (!measures) {
+        if (measures == nullptr) {
             note("{}: without V_WES (the campaign states [measures] energy = false)\n", options.plot);
         }
     }

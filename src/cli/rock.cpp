@@ -154,7 +154,8 @@ int rock(Options const& options) {
         auto const title = fmt::format(
             "{} under {}{}: {}", spec.name, std::filesystem::path(options.record.wave).filename().string(),
             options.scale == 1 ? "" : fmt::format(" times {:g}", options.scale), entry_of(response.verdict).name);
-        draw_history(kept, {title, spec, spec.body, motion, options.scale, MeasureSpec{}}, options.plot);
+        MeasureSpec const usual;
+        draw_history(kept, {title, spec, spec.body, motion, options.scale, &usual}, options.plot);
     }
     (options.json ? print_json : print_text)(spec, record, drift_of(motion), response, ladder, own);
     if (response.verdict == Verdict::failed) {

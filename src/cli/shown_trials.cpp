@@ -104,7 +104,7 @@ ShownTrials shown_trials(CampaignSpec const& spec, Plan const& plan, std::span<T
         auto const& stated = spec.bodies[static_cast<std::size_t>(body)];
         auto const title = fmt::format("{}, trial {} ({}): wave {} at {}, {}", stated.name, number, words, wave,
                                        spec.levels.text(row.amplitude), entry_of(row.verdict).name);
-        std::optional<MeasureSpec> const measures = spec.measures.energy ? std::optional(spec.measures) : std::nullopt;
+        MeasureSpec const* const measures = spec.measures.energy ? &spec.measures : nullptr;
         shown.drawn.push_back(history_data(
             kept,
             {title, stated, prepared.bodies[static_cast<std::size_t>(body)].body, prepared.motion, row.scale, measures},

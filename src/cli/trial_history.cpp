@@ -150,7 +150,7 @@ Json history_data(KeptHistory const& history, HistoryOf const& of, std::size_t m
               {"outline", outline_of(of.spec)},
               {"channels", channels_of(history, of.body, most)},
               {"wave", wave_of(of.motion, of.scale, most)}};
-    if (of.measures) {
+    if (of.measures != nullptr) {
         auto const band = rocking_period_band(of.body.radius_m(), of.measures->radius_unit);
         auto const energy = window_energy(of.motion.horizontal_mps2, of.motion.time_step_s, band,
                                           {.reading = of.measures->window,

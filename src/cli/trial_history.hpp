@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -43,8 +42,8 @@ struct HistoryOf {
     BodySpec const& spec;   ///< whose base it is
     RigidBody const& body;  ///< as it was drawn
     GroundMotion const& motion;
-    double scale = 1;                     ///< of every component of the motion
-    std::optional<MeasureSpec> measures;  ///< how V_WES is measured; empty: not wanted
+    double scale = 1;             ///< of every component of the motion
+    MeasureSpec const* measures;  ///< how V_WES is measured; null: not wanted
 };
 
 /// How many values of a quantity over time a figure is made of at most.
