@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/shown_levels.hpp"
 #include "core/error.hpp"
 #include "core/field.hpp"
 
@@ -132,7 +133,7 @@ std::string limit_stripes_text(CampaignSpec const& spec, BodyStatistics const& c
         "\n{}, limit state {}: {}\n{:>10} {:>7} {:>8} {:>9} {:>7}  {:>8}  {:>20}\n", counted.body, stated.name,
         definition_of(stated, spec.limits), fmt::format("{} {}", spec.levels.measure_name(), spec.levels.shown_units()),
         "trials", "exceeded", "undecided", "failed", "P", fmt::format("{:g} % interval", 100 * spec.confidence));
-    for (std::size_t l = 0; l < of.stripes.size(); ++l) {
+    for (auto const l : shown_levels(spec.levels)) {
         auto const& stripe = of.stripes[l];
         auto const interval = stripe.interval(spec.confidence);
         auto const p = stripe.decided() == 0
@@ -144,6 +145,7 @@ std::string limit_stripes_text(CampaignSpec const& spec, BodyStatistics const& c
                             stripe.failed, p, interval.lower, interval.upper,
                             purpose == LevelClass::ordinary ? std::string() : fmt::format("  {}", name_of(purpose)));
     }
+    text += left_out_levels(spec.levels);
     if (of.unknown > 0) {
         text += fmt::format("note: {} trials with a verdict do not tell what {} asks for and are left out\n",
                             of.unknown, stated.name);
@@ -161,7 +163,15 @@ std::string quantiles_text(BodyAnalysis const& body, double confidence) {
     std::string text;
     std::string quantity;
     auto const& levels = body.over_levels();
+    std::size_t count = 0;
     for (auto const& at : body.quantiles) {
+        count = std::max(count, at.level + 1);
+    }
+    auto const shown = spread_places(count);
+    for (auto const& at : body.quantiles) {
+        if (!std::ranges::binary_search(shown, at.level)) {
+            continue;
+        }
         auto const of_it = [&](LevelQuantiles const& other) { return other.quantity == at.quantity; };
         auto const moves = [&](LevelQuantiles const& other) {
             return of_it(other) && other.quantiles.back().value > 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <thread>
 
@@ -90,6 +91,31 @@ std::vector<std::int64_t> sound_blocks(store::ShardFolder const& shards, Plan co
         put_note(note + "\n");
     }
     return committed;
+}
+
+void warn_of_little_space(std::filesystem::path const& output, Plan const& plan, Part part,
+                          std::vector<std::int64_t> const& committed) {
+    constexpr double page = 4096;       // what a file is rounded up to
+    constexpr double overhead = 400e3;  // groups, attributes and statistics of a small campaign
+    double left = 0;
+    double all = overhead;
+    auto const range = plan.blocks_of(part);
+    for (auto block = range.first; block < range.last; ++block) {
+        auto const bytes = static_cast<double>(BlockRows::packed_size(plan, block));
+        all += bytes;
+        left += std::ranges::binary_search(committed, block) ? 0 : page * std::ceil(bytes / page);
+    }
+    double const needed = left + (part.is_whole() ? all : 0);
+    std::error_code error;
+    auto const space = std::filesystem::space(output.has_parent_path() ? output.parent_path() : ".", error);
+    constexpr double mega = 1e6;
+    if (!error && static_cast<double>(space.available) < needed) {
+        note(
+            "warning: {}: {:.1f} MB are free there, blocks and the merged file need about {:.1f} MB. Free space now, "
+            "or "
+            "go on with --resume when the disk is full\n",
+            output.string(), static_cast<double>(space.available) / mega, needed / mega);
+    }
 }
 
 void check_complete(std::filesystem::path const& output, CampaignInput const& input, bool claimed) {

@@ -33,6 +33,11 @@ struct OutputWish {
                                       CampaignInput const& input, Plan const& plan, OutputWish const& wish,
                                       std::optional<store::Claim>& claim);
 
+/// One line on stderr where the disk has less room than what is still to be written: blocks, and the file that they are
+/// merged into while they lie there.
+void warn_of_little_space(std::filesystem::path const& output, Plan const& plan, Part part,
+                          std::vector<std::int64_t> const& committed);
+
 /// The blocks of `range` that are committed and sound, in rising order; what is not is named on stderr.
 [[nodiscard]] std::vector<std::int64_t> sound_blocks(store::ShardFolder const& shards, Plan const& plan,
                                                      store::BlockRange range);

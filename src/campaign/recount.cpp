@@ -26,7 +26,11 @@ CampaignInput input_of(store::ResultsReader const& file) {
         begin = end + 1;
     }
     for (auto const& place : file.members("inputs")) {
-        input.files.emplace(file.note("inputs/" + place, "description"), file.content("inputs/" + place));
+        try {
+            input.files.emplace(file.note("inputs/" + place, "description"), file.content("inputs/" + place));
+        } catch (SystemError const&) {
+            require(false, "inputs/" + place + " cannot be read");
+        }
     }
     require(file.integer("complete") == 1, "it is not marked as complete");
     require(!file.is_sealed() || file.text("input_sha256") == input.sha256(),

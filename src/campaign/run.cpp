@@ -82,6 +82,9 @@ class Run {
         auto const found = nlohmann::json::parse(from_root(comm_, [&] {
             auto const state =
                 take_output(options_.output, shards_, input_, plan_, {options_.resume, options_.part}, claim_);
+            if (!state.complete) {
+                warn_of_little_space(options_.output, plan_, options_.part, state.committed);
+            }
             return nlohmann::json{{"complete", state.complete}, {"committed", state.committed}}.dump();
         }));
         if (found.at("complete").get<bool>()) {

@@ -1,6 +1,7 @@
 #include "campaign/stop.hpp"
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <ctime>
 
@@ -23,6 +24,9 @@ volatile std::sig_atomic_t urgent = 0;
 long volatile requested_ms = 0;
 long volatile urgent_ms = 0;
 
+constexpr std::array heeded{SIGUSR1, SIGTERM, SIGINT};
+std::array<void (*)(int), heeded.size()> before{SIG_DFL, SIG_DFL, SIG_DFL};
+
 void request(int signal) {
     auto const now = now_ms();
     if (requested != 0 && now - requested_ms >= grace_ms) {
@@ -32,7 +36,7 @@ void request(int signal) {
     }
     if (requested == 0) {
         requested_ms = now;
-        requested = 1;
+        requested = signal;
     }
     if (signal != SIGUSR1 && urgent == 0) {
         urgent_ms = now;
@@ -43,8 +47,18 @@ void request(int signal) {
 }  // namespace
 
 void stop_on_signals() {
-    for (int const signal : {SIGUSR1, SIGTERM, SIGINT}) {
-        std::signal(signal, &request);
+    for (std::size_t i = 0; i < heeded.size(); ++i) {
+        auto* const earlier = std::signal(heeded[i], &request);
+        before[i] = earlier == &request ? before[i] : earlier;
+    }
+}
+
+void leave_on_signals() {
+    for (std::size_t i = 0; i < heeded.size(); ++i) {
+        std::signal(heeded[i], before[i] == SIG_ERR ? SIG_DFL : before[i]);
+    }
+    if (requested != 0) {
+        std::raise(requested);
     }
 }
 

@@ -10,6 +10,9 @@ namespace overturn {
 /// more, kills: launchers may deliver one request twice.
 void stop_on_signals();
 
+/// What held before stop_on_signals() does again; a signal that came meanwhile comes again.
+void leave_on_signals();
+
 /// Tells one rank when to stop. SIGUSR1 and the time limit let the block in hand be finished; SIGTERM and SIGINT give
 /// it half a second more, because mpirun and batch systems kill soon after.
 class Leave {

@@ -5,6 +5,7 @@
 
 #include "campaign/detail/limit_results.hpp"
 #include "campaign/results.hpp"
+#include "campaign/shown_levels.hpp"
 #include "response/registry.hpp"
 
 namespace overturn {
@@ -67,7 +68,7 @@ void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& bo
     }
     text += fmt::format("  {:>8}  {:>20}{}\n", "P", fmt::format("{:g} % interval", 100 * spec.confidence),
                         spec.measures.energy ? "  V_WES safe/wrong" : "");
-    for (std::size_t l = 0; l < s.stripes.size(); ++l) {
+    for (auto const l : shown_levels(spec.levels)) {
         auto const& stripe = s.stripes[l];
         auto const interval = stripe.interval(spec.confidence);
         auto const purpose = spec.levels.levels[l].purpose;
@@ -81,6 +82,7 @@ void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& bo
         }
         text += purpose == LevelClass::ordinary ? "\n" : fmt::format(" {}\n", name_of(purpose));
     }
+    text += left_out_levels(spec.levels);
     text += "rungs:";
     for (std::size_t r = 0; r < s.rungs.size(); ++r) {
         text += fmt::format("{} {} {}", r == 0 ? "" : ",", s.rungs[r], rungs()[r].name);

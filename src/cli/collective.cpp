@@ -1,6 +1,9 @@
 #include "cli/collective.hpp"
 
+#include <cstdlib>
 #include <exception>
+
+#include <fmt/format.h>
 
 #include "campaign/agreement.hpp"
 #include "cli/command_line.hpp"
@@ -9,9 +12,32 @@
 
 namespace overturn::cli {
 
+namespace {
+
+// "PMI_SIZE says 4 ranks": a launcher that our MPI does not understand starts every rank as a world of its own, and all
+// would write the same output. Not SLURM_NTASKS, which a batch script has too.
+std::string other_launcher() {
+    for (char const* const name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_STEP_NUM_TASKS"}) {
+        char const* const size = std::getenv(name);
+        if (size != nullptr && std::atoi(size) > 1) {
+            return fmt::format("{} says {} ranks", name, std::atoi(size));
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
 int on_all_ranks(std::function<int(parallel::Communicator const&)> const& action) {
     parallel::Environment const environment;
     parallel::Communicator const comm;
+    if (auto const other = other_launcher(); comm.size() == 1 && !other.empty()) {
+        say_once(
+            fmt::format("this process is alone, but {} (the launcher of another MPI?). Start it with the mpirun of "
+                        "{}",
+                        other, parallel::Communicator::library()));
+        return bad_input;
+    }
     try {
         return action(comm);
     } catch (InputError const& error) {
@@ -24,12 +50,13 @@ int on_all_ranks(std::function<int(parallel::Communicator const&)> const& action
             say(error.what());
         }
         return other_failure;
-    } catch (std::exception const& error) {
-        say(error.what());
+    } catch (std::exception const&) {
+        auto const [message, code] = current_failure();
+        say(message);
         if (comm.size() > 1) {
-            comm.abort(other_failure);
+            comm.abort(code);
         }
-        return other_failure;
+        return code;
     }
 }
 

@@ -18,7 +18,8 @@ namespace overturn::cli {
 namespace {
 
 struct Options {
-    std::string campaign, output, page;
+    std::string campaign, page;
+    std::optional<std::string> output;
     std::vector<std::string> settings;
     std::optional<std::int64_t> waves;
     bool json = false;
@@ -48,10 +49,11 @@ class Remaining {
 void check(Options const& options) {
     validate(options.waves.value_or(1) > 0, "--waves {} (no sample). Give 1 or more, or leave it out",
              options.waves.value_or(1));
-    if (!options.output.empty()) {
-        validate(!std::filesystem::exists(options.output),
-                 "-o {}: there already (it would be lost). Choose another name, or remove it", options.output);
-        store::require_writable(options.output);
+    if (options.output) {
+        validate(!options.output->empty(), "-o '' (no name: an unset variable?). Name a file");
+        validate(!std::filesystem::exists(*options.output),
+                 "-o {}: there already (it would be lost). Choose another name, or remove it", *options.output);
+        store::require_writable(*options.output);
     }
     if (!options.page.empty()) {
         report::check_page_name(options.page);
@@ -66,9 +68,9 @@ int study(Options const& options) {
     auto const found = cost::run_study(input, {.waves = options.waves.value_or(0)},
                                        [&](double done, double left_s) { remaining(done, left_s); });
     fmt::print("{}", options.json ? cost::study_json(found).dump(2) + "\n" : cost::study_table(found));
-    if (!options.output.empty()) {
-        cost::write_study(options.output, input, found);
-        note("study: {}\n", options.output);
+    if (options.output) {
+        cost::write_study(*options.output, input, found);
+        note("study: {}\n", *options.output);
     }
     if (!options.page.empty()) {
         auto const page = report::cost_page(cost::study_json(found));

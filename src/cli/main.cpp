@@ -1,9 +1,11 @@
 #include <csignal>
 #include <exception>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <gsl/gsl_errno.h>
 
+#include "campaign/stop.hpp"
 #include "campaign/version.hpp"
 #include "cli/command_line.hpp"
 #include "cli/say.hpp"
@@ -16,7 +18,14 @@ namespace {
 
 using namespace overturn;
 
+// Before any library is set up, let alone MPI: a signal to leave that comes then must not kill a run.
+void hear_signals(int /*argc*/, char** /*argv*/, char** /*environment*/) { stop_on_signals(); }
+[[gnu::section(".preinit_array"), gnu::used]] void (*const first_of_all)(int, char**, char**) = &hear_signals;
+
 int start(int argc, char** argv) {
+    if (argc < 2 || std::string_view(argv[1]) != "run") {
+        leave_on_signals();
+    }
     keep_standard_streams();
     keep_freed_memory();
     std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error like a full disk, not a death
@@ -44,11 +53,10 @@ int start(int argc, char** argv) {
 int main(int argc, char** argv) {
     try {
         return start(argc, argv);
-    } catch (InputError const& error) {
-        cli::say_once(error.what());
-        return cli::bad_input;
-    } catch (std::exception const& error) {
-        cli::say_once(error.what());
+    } catch (std::exception const&) {
+        auto const [message, code] = cli::current_failure();
+        cli::say_once(message);
+        return code;
     } catch (...) {
         return cli::other_failure;
     }

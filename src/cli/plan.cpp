@@ -10,6 +10,7 @@
 
 #include "campaign/progress.hpp"
 #include "campaign/results.hpp"
+#include "campaign/shown_levels.hpp"
 #include "campaign/warnings.hpp"
 #include "cli/verbs.hpp"
 #include "contact/matching.hpp"
@@ -119,9 +120,13 @@ int plan_campaign(std::string const& path, std::vector<std::string> const& setti
             fmt::print("stands    {}: {}\n", body.name, footing_text(body));
         }
     }
-    for (auto const& level : spec.levels.levels) {
+    for (auto const place : shown_levels(spec.levels)) {
+        auto const& level = spec.levels.levels[place];
         fmt::print("level     {} {}{}\n", spec.levels.measure_name(), spec.levels.text(level.value),
                    level.purpose == LevelClass::ordinary ? "" : "  " + name_of(level.purpose));
+    }
+    if (auto const more = left_out_levels(spec.levels); !more.empty()) {
+        fmt::print("levels    {}", more);
     }
     tell_limits(spec);
     for (auto const& line : warnings_of(spec)) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -147,6 +148,15 @@ Json cost_of(fs::path path) {
     }
 }
 
+// JSON is UTF-8, names of files are any bytes.
+std::string hexadecimal(std::string_view bytes) {
+    std::string text;
+    for (char const c : bytes) {
+        text += fmt::format("{:02x}", static_cast<unsigned char>(c));
+    }
+    return text;
+}
+
 int write_report(Options const& options) {
     report::check_page_name(options.page);
     store::require_writable(options.page);
@@ -164,8 +174,8 @@ int write_report(Options const& options) {
     Plan const plan(spec);
     auto const statistics = recount(file, spec);
     Json data;
-    data["file"] = fs::absolute(options.file).string();
-    data["figures"] = options.figures.empty() ? "" : fs::absolute(options.figures).string();
+    data["file"] = hexadecimal(fs::absolute(options.file).string());
+    data["figures"] = options.figures.empty() ? "" : hexadecimal(fs::absolute(options.figures).string());
     data["bodies"] = Json::array();
     for (auto const& body : spec.bodies) {
         data["bodies"].push_back(body.name);

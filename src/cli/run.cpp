@@ -16,7 +16,7 @@ namespace {
 
 struct Options {
     std::string campaign;
-    std::string output;
+    std::optional<std::string> output;
     std::vector<std::string> settings;
     std::optional<std::string> max_walltime;  // given and empty is no wish to leave it out
     std::optional<std::string> part;
@@ -49,14 +49,27 @@ Part read_part(std::string const& text) {
     return part;
 }
 
+// Where the results go: through links to what they name, there or not yet, or the link would be replaced.
+std::filesystem::path output_of(Options const& options) {
+    namespace fs = std::filesystem;
+    validate(!options.output || !options.output->empty(), "-o '' (no name: an unset variable?). Name a file");
+    fs::path output = options.output ? fs::path(*options.output) : default_output(options.campaign);
+    std::error_code error;
+    constexpr int most_links = 40;  // as the kernel
+    for (int i = 0; i < most_links && fs::is_symlink(fs::symlink_status(output, error)); ++i) {
+        output = output.parent_path() / fs::read_symlink(output, error);  // an absolute one takes the place of all
+    }
+    auto const found = fs::status(output, error);
+    validate(fs::status_known(found) && !fs::is_symlink(fs::symlink_status(output, error)),
+             "output {} (links in a circle, or a folder that may not be entered). Name another with -o",
+             output.string());
+    return output;
+}
+
 int run(Options const& options, parallel::Communicator const& comm) {
     auto const input = load_campaign_everywhere(options.campaign, options.settings, comm);
     RunOptions run_options;
-    run_options.output =
-        options.output.empty() ? default_output(options.campaign) : std::filesystem::path(options.output);
-    if (std::filesystem::is_symlink(run_options.output)) {
-        run_options.output = std::filesystem::weakly_canonical(run_options.output);  // or it would be replaced
-    }
+    run_options.output = output_of(options);
     run_options.resume = options.resume;
     if (options.max_walltime) {
         run_options.max_walltime_s = read_walltime(*options.max_walltime);
@@ -79,7 +92,7 @@ void add_run(CommandLine& line) {
     verb.takes("--max-walltime", options->max_walltime, "stop in time to be resumed, \"50 min\", 01:00:00, 1-00:00:00");
     verb.takes("--part", options->part, "I/N: only the I-th of N parts, for array jobs; merge puts them together");
     verb.does([options] {
-        stop_on_signals();  // first: what comes while MPI starts or records are read must not kill
+        stop_on_signals();  // what came earlier, or comes while MPI starts or records are read, is not lost
         return on_all_ranks([&](auto const& comm) { return run(*options, comm); });
     });
 }

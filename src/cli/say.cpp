@@ -3,10 +3,15 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <new>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "cli/command_line.hpp"
+#include "core/error.hpp"
 #include "core/note.hpp"
 
 namespace overturn::cli {
@@ -28,7 +33,31 @@ void say(std::string message) {
     for (char& c : message) {
         c = c == '\n' || c == '\r' ? ' ' : c;
     }
+    constexpr std::size_t longest = 1000;
+    constexpr std::size_t end = 300;  // what to do stands there
+    if (message.size() > longest) {
+        message = message.substr(0, longest - end) + " [...] " + message.substr(message.size() - end);
+    }
     note("overturn: {}\n", message);
+}
+
+Failure current_failure() {
+    try {
+        throw;
+    } catch (InputError const& error) {
+        return {error.what(), bad_input};
+    } catch (std::filesystem::filesystem_error const& error) {
+        return {fmt::format("{}: cannot be looked at ({}). Name another place", error.path1().string(),
+                            error.code().message()),
+                bad_input};
+    } catch (std::bad_alloc const&) {
+        return {
+            "out of memory (a limit of the batch system or of ulimit -v, or too many ranks on a node?). Allow more, "
+            "or start fewer ranks a node; what is finished is kept, go on with --resume",
+            other_failure};
+    } catch (std::exception const& error) {
+        return {error.what(), other_failure};
+    }
 }
 
 void say_once(std::string message) {

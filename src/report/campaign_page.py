@@ -26,14 +26,19 @@ from style import plain
 SCALE = 1.2  # of figures on the page: type of 8 points beside text of 15 pixels
 
 
+def path_of(hexadecimal):
+    """A path of any bytes."""
+    return os.fsdecode(bytes.fromhex(hexadecimal))
+
+
 class Report:
     def __init__(self, data, scratch):
         self.data, self.fit = data, data["fit"]
-        self.results = Results(data["file"], data["bodies"])
+        self.results = Results(path_of(data["file"]), data["bodies"])
         self.stripes = {limit["name"]: [s for s in self.fit["stripes"] if s["limit"] == limit["name"]]
                         for limit in self.fit["limits"]}
         self.fits = self.fits_of(OVERTURNING)
-        self.folder = data["figures"] or scratch
+        self.folder = path_of(data["figures"]) or scratch
         self.keep = bool(data["figures"])
         self.sections, self.contents = [], []
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -67,6 +69,36 @@ std::string interpreter() {
     return ::access(system_python, X_OK) == 0 ? system_python : "python3";
 }
 
+/// While it lives, signals that end a process are noted instead, and waiting ends.
+class Stopped {
+  public:
+    Stopped() {
+        seen_ = 0;
+        struct sigaction action {};
+        action.sa_handler = [](int signal) { seen_ = signal; };
+        for (std::size_t i = 0; i < signals.size(); ++i) {
+            ::sigaction(signals.at(i), &action, &before_.at(i));
+        }
+    }
+    ~Stopped() {
+        for (std::size_t i = 0; i < signals.size(); ++i) {
+            ::sigaction(signals.at(i), &before_.at(i), nullptr);
+        }
+    }
+    Stopped(Stopped const&) = delete;
+    Stopped& operator=(Stopped const&) = delete;
+    Stopped(Stopped&&) = delete;
+    Stopped& operator=(Stopped&&) = delete;
+
+    /// The signal, 0 if there was none.
+    [[nodiscard]] static int by() { return seen_; }
+
+  private:
+    static constexpr std::array signals{SIGTERM, SIGINT, SIGHUP};
+    static inline volatile std::sig_atomic_t seen_ = 0;  // a handler reaches nothing else
+    std::array<struct sigaction, signals.size()> before_{};
+};
+
 /// The exit code; standard error goes to `errors`.
 int run(std::vector<std::string> arguments, std::string const& errors) {
     posix_spawn_file_actions_t actions;
@@ -89,7 +121,15 @@ int run(std::vector<std::string> arguments, std::string const& errors) {
         return not_found;
     }
     int status = 0;
-    ::waitpid(child, &status, 0);
+    Stopped const stopped;  // else a signal would end this process before its folder is removed
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+        if (Stopped::by() != 0) {
+            ::kill(child, SIGTERM);
+        }
+    }
+    if (Stopped::by() != 0) {
+        throw SystemError(fmt::format("stopped by signal {} (no figure). Ask again", Stopped::by()));
+    }
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
@@ -143,7 +183,8 @@ fs::path drawn_in(TemporaryFolder const& folder, std::string_view script, nlohma
         program = each.name == script ? std::move(path) : program;
     }
     OVERTURN_EXPECT(!program.empty());
-    auto const input = folder.write("data.json", data.dump());
+    auto const input =
+        folder.write("data.json", data.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     auto drawn = folder / ("figure" + extension);
     run_script({interpreter(), "-B", program, input, drawn.string()}, (folder / "errors").string());
     return drawn;

@@ -27,6 +27,16 @@ template <class T> Buffer<T> buffer(std::size_t count) {
     return made;
 }
 
+// FFTW aborts, with pages of stack, where its planner gets no memory: so that much is asked for first, and given back.
+void require_room(std::size_t length) {
+    constexpr std::size_t each = 64;  // twiddles and buffers of a point
+    constexpr std::size_t planner_takes = 4U << 20U;
+    std::unique_ptr<char, Freed> const room(static_cast<char*>(fftw_malloc(planner_takes + each * length)));
+    if (!room) {
+        throw std::bad_alloc();
+    }
+}
+
 fftw_complex* raw(Complex* p) { return reinterpret_cast<fftw_complex*>(p); }  // as the standard allows
 
 // FFTW plans one thing at a time.
@@ -77,6 +87,7 @@ template <class Kind> class Plan {
     explicit Plan(std::size_t length)
         : length_(length), in_(buffer<In>(Kind::lines(length))), out_(buffer<Out>(Kind::outs(length))) {
         std::scoped_lock const alone(planner());
+        require_room(length);
         plan_ = Kind::plan(static_cast<int>(length), in_.get(), out_.get());
     }
     Plan(Plan const&) = delete;
