@@ -19,7 +19,7 @@ namespace {
 using namespace overturn;
 
 // Before any library is set up, let alone MPI: a signal to leave that comes then must not kill a run.
-void hear_signals(int, char**, char**) { stop_on_signals(); }
+void hear_signals(int /*argc*/, char** /*argv*/, char** /*environment*/) { stop_on_signals(); }
 [[gnu::section(".preinit_array"), gnu::used]] void (*const first_of_all)(int, char**, char**) = &hear_signals;
 
 int start(int argc, char** argv) {

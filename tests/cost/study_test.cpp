@@ -149,7 +149,7 @@ TEST_F(StudyOfThree, FileHoldsWhatWasFound) {
     write_study(folder / "cost.h5", input_from(text), study());
 
     testing::expect_input_error([&] { store::ResultsReader const wrong(folder / "cost.h5"); }, "not a results file");
-    store::ResultsReader const file(folder / "cost.h5", format_name);
+    store::ResultsReader const file(folder / "cost.h5", store::Trust::sealed, format_name);
     for (auto const& result : study().knobs) {
         auto const group = "cost/" + result.knob.name + "/";
         auto const times = file.reals(group + "cpu");
