@@ -87,7 +87,7 @@ class Report:
         facts = table(["", ""], self.data["facts"])
         text = escape(self.results.about["campaign"])  # the line feed behind the tag is none of the text's
         name = self.results.about["campaign_name"]
-        self.section("asked", "What was asked", facts, fold(f"The campaign file, {name}", f"<pre>\n{text}</pre>"))
+        self.section("asked", "What was asked", facts, fold(f"the campaign file, {name}", f"<pre>\n{text}</pre>"))
 
     def bodies(self):
         rows = []
@@ -193,7 +193,7 @@ class Report:
                    e["crude_runs"], e["state"]] for e in rare])
         self.section("rare", "Rare events", *parts, table(head, rows, "What is not trusted or not resolved has a bound "
                      "that plain trials alone give, and no number."),
-                     fold("Health of the estimators", table(["body", "limit", "factor", "check", "found", "limit", ""], health))
+                     fold("health of the estimators", table(["body", "limit", "factor", "check", "found", "limit", ""], health))
                      if health else "")
 
     def telling(self):

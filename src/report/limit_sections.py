@@ -129,7 +129,7 @@ def curves(report, limit):
             if split else "",
             table(["body", "at", "amplitude", "P", "lower", "upper", ""], quoted) if quoted else "",
             paragraphs((f"{f['body']}: {line}" for f in mine for line in f["warnings"]), " class=warning"),
-            fold("All stripes", table(head, rows)) if len(rows) > MOST_OPEN_ROWS else table(head, rows)]
+            fold("all stripes", table(head, rows)) if len(rows) > MOST_OPEN_ROWS else table(head, rows)]
 
 
 def fragility(report):
