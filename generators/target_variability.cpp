@@ -150,7 +150,7 @@ void check_sigma(Pair const& point, Pair const* before) {
 TargetVariability::Sigma read_sigma(config::Table const& table, char const* key, InputFiles& files) {
     using config::Kind;
     if (table.kind(key) == Kind::list) {
-        auto const points = table.pairs(key, Dimension::time, Dimension::none);
+        auto points = table.pairs(key, Dimension::time, Dimension::none);
         return table.located(key, [&] {
             validate(!points.empty(), "empty (no standard deviation). State a number, or [[period, sigma], ...]");
             for (std::size_t i = 0; i < points.size(); ++i) {

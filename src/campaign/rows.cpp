@@ -82,6 +82,7 @@ Fields fields_of_waves() {
         field<&W::sa_average_mps2>("sa_average", "m/s2",
                                    "geometric mean of the pseudo-acceleration spectrum over measures.sa_band")};
     std::vector<std::string> at_periods;
+    at_periods.reserve(epsilon_periods_s.size());
     for (double const period : epsilon_periods_s) {
         at_periods.push_back(
             fmt::format("standard deviations of the drawn target above the median at {:g} s of the "

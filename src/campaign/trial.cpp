@@ -4,10 +4,9 @@
 #include <chrono>
 #include <cmath>
 
+#include "campaign/detail/wave_rows.hpp"
 #include "campaign/wave_check.hpp"
 #include "core/error.hpp"
-#include "core/units.hpp"
-#include "spectra/response_spectrum.hpp"
 
 namespace overturn {
 namespace {
@@ -25,116 +24,6 @@ class Stopwatch {
     double& seconds_;
     std::chrono::steady_clock::time_point begin_;
 };
-
-void describe_match(WaveRow& row, GeneratedWave const& wave) {
-    auto const& match = wave.match;
-    row.matched = match.matched ? 1 : 0;
-    row.match_iterations = match.iterations;
-    row.match_mean_misfit = match.all.mean_misfit;
-    row.match_max_misfit = match.all.max_misfit;
-    row.match_max_misfit_period_s = match.all.max_misfit_period_s;
-    row.match_mean_ratio = match.all.mean_ratio;
-    row.match_ratio_cov = match.all.cov;
-    row.match_long_mean_misfit = match.long_period.mean_misfit;
-    row.match_long_max_misfit = match.long_period.max_misfit;
-    row.match_lowest_ratio = match.all.lowest_ratio;
-    row.match_highest_ratio = match.all.highest_ratio;
-    row.match_longest_below = match.all.longest_below;
-    row.match_worst_decade = match.worst_decade;
-    row.si_ratio = match.intensity_ratio;
-    row.psd_lowest_ratio = match.psd_lowest_ratio;
-    row.psd_lowest_hz = match.psd_lowest_hz;
-    row.transverse_match_mean_misfit = wave.transverse_match.all.mean_misfit;
-    row.transverse_match_worst_decade = wave.transverse_match.worst_decade;
-    row.vertical_match_mean_misfit = wave.vertical_match.all.mean_misfit;
-    row.vertical_match_worst_decade = wave.vertical_match.worst_decade;
-}
-
-void describe_motion(WaveRow& row, GroundMotion const& motion, Intensity const& intensity) {
-    row.duration_s = motion.duration_s();
-    row.pga_mps2 = intensity.pga_mps2;
-    row.pgv_mps = intensity.pgv_mps;
-    row.pgd_m = intensity.pgd_m;
-    row.arias_mps = intensity.arias_mps;
-    row.vector_pga_mps2 = intensity.vector_pga_mps2;
-    row.transverse_pga_mps2 = peak_of(motion.transverse_mps2);
-    row.vertical_pga_mps2 = peak_of(motion.vertical_mps2);
-}
-
-// Sa at the campaign's periods and over its band; the levels' own goes to the intensity too.
-void measure_sa(CampaignSpec const& spec, PreparedWave& wave) {
-    constexpr double damping = 0.05;
-    constexpr double per_decade = 30;
-    auto const& measures = spec.measures;
-    auto const psa_at = [&](std::vector<double> const& periods_s) {
-        auto values = displacement_spectrum(wave.motion.horizontal_mps2, wave.motion.time_step_s, periods_s, damping);
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            double const w = 2 * pi / periods_s[i];
-            values[i] *= w * w;
-        }
-        return values;
-    };
-    if (!measures.sa_periods_s.empty()) {
-        std::ranges::copy(psa_at(measures.sa_periods_s), wave.row.sa_mps2.begin());
-        auto const place = std::ranges::find(measures.sa_periods_s, spec.levels.sa_period_s);
-        if (place != measures.sa_periods_s.end()) {
-            wave.intensity.sa_mps2 = wave.row.sa_mps2[static_cast<std::size_t>(place - measures.sa_periods_s.begin())];
-        }
-    }
-    if (measures.sa_band) {
-        double sum = 0;
-        auto const values = psa_at(log_periods_per_decade(measures.sa_band->t0_s, measures.sa_band->t1_s, per_decade));
-        for (double const value : values) {
-            sum += std::log(value);
-        }
-        // A wave of silence has none.
-        double const mean = std::exp(sum / static_cast<double>(values.size()));
-        wave.row.sa_average_mps2 = wave.intensity.sa_average_mps2 = mean;
-    }
-}
-
-void describe_drawn(WaveRow& row, DrawnTarget const& drawn) {
-    row.target = static_cast<std::int64_t>(drawn.number);
-    row.event = static_cast<std::int64_t>(drawn.event);
-    row.epsilon = drawn.epsilon;
-}
-
-void describe_check(PreparedWave& wave, WaveCheck const& check) {
-    auto& row = wave.row;
-    row.duration_5_75_s = check.quality.duration_5_75_s;
-    row.duration_5_95_s = check.quality.duration_5_95_s;
-    row.residual_velocity_mps = check.quality.residual_velocity_mps;
-    row.residual_displacement_m = check.quality.residual_displacement_m;
-    row.correlation = check.quality.correlation;
-    if (!check.clauses.empty()) {
-        row.accepted = all_passed(check.clauses) ? Accepted::yes : Accepted::no;
-        row.acceptance_failures = failed_clauses(check.clauses);
-    }
-    for (std::size_t b = 0; b < wave.measures.size(); ++b) {
-        auto const& band = check.bands[b];
-        wave.measures[b].band_mean_misfit = band.mean_misfit;
-        wave.measures[b].band_max_misfit = band.max_misfit;
-        wave.measures[b].band_mean_ratio = band.mean_ratio;
-        wave.measures[b].band_ratio_cov = band.cov;
-    }
-}
-
-void measure_energy(MeasureSpec const& spec, GroundMotion const& motion, double radius_m, MeasureRow& row) {
-    WindowOptions const options{
-        .reading = spec.window, .smoothed = true, .keep_history = false, .panel_phase_rad = spec.panel_phase_rad};
-    auto const energy_over = [&](RadiusUnit unit) {
-        return window_energy(motion.horizontal_mps2, motion.time_step_s, rocking_period_band(radius_m, unit), options);
-    };
-    auto const energy = energy_over(spec.radius_unit);
-    row.ou_v_e_mps = energy.ou_v_e_mps;
-    row.v_wes_max_mps = energy.v_wes_max_mps;
-    row.v_wes_time_s = energy.v_wes_time_s;
-    if (spec.both_radius_units) {
-        auto const with_other = energy_over(other(spec.radius_unit));
-        row.other_unit_ou_v_e_mps = with_other.ou_v_e_mps;
-        row.other_unit_v_wes_max_mps = with_other.v_wes_max_mps;
-    }
-}
 
 }  // namespace
 

@@ -1,5 +1,7 @@
 // Requirement: one campaign split over array tasks and merged gives the bytes of one run; what is missing, foreign or
 // in use is said.
+#include <csignal>
+
 #include <nlohmann/json.hpp>
 
 #include "cli/campaign_files.hpp"
@@ -140,9 +142,10 @@ TEST_F(Parts, OthersAreRefused) {
 
 // Requirement: of two campaigns that write one output at once, the second is refused in one line.
 TEST_F(Parts, TheSecondRunOnOneOutputIsRefused) {
-    folder.write("c.toml", small_campaign("independent", 500));  // longer than what is tried beside it
-    Running first(folder, mpirun(2, {"run", "c.toml"}));
+    folder.write("c.toml", small_campaign("independent", 500));
+    Running first(folder, {OVERTURN_PROGRAM, "run", "c.toml"});
     ASSERT_TRUE(comes_true([&] { return blocks_done(folder, "c.h5") > 2; }));
+    first.signal(SIGSTOP);  // it holds its output for as long as others are tried beside it
 
     for (auto const& second : {overturn(folder, {"run", "c.toml"}), overturn(folder, {"run", "c.toml", "--resume"}),
                                part("2/2"), execute(folder, mpirun(2, {"run", "c.toml", "--resume"})), merge()}) {
@@ -153,6 +156,7 @@ TEST_F(Parts, TheSecondRunOnOneOutputIsRefused) {
     auto const status = overturn(folder, {"status", "c.h5"});
     EXPECT_EQ(status.code, 3);
     EXPECT_NE(status.out.find("a run is under way"), std::string::npos) << status.out;
+    first.signal(SIGCONT);
     EXPECT_EQ(first.wait().code, 0);
     expect_as_one_run();
 }

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "rare/normals.hpp"
+#include "rare/subset.hpp"
 #include "support/rocking_noise.hpp"
 
 namespace overturn::rare {
@@ -76,9 +77,11 @@ TEST(TestProblem, HasTheStatedSpectrum) {
     EXPECT_NEAR(OscillatorAtATime(4, .1).sigma(), .5637664, 5e-8);
 }
 
+class Oscillators : public ::testing::TestWithParam<std::pair<double, double>> {};
+
 // Requirement: P(|y| > 4.5 sigma) of an oscillator at a fixed time, known in closed form, within 3 errors.
-TEST(PulseMixture, MeetsTheExactProbabilityOfAnOscillator) {
-    OscillatorAtATime const problem(2, .05);
+TEST_P(Oscillators, MixtureMeetsTheExactProbability) {
+    OscillatorAtATime const problem(GetParam().first, GetParam().second);
     LoneWorker workers;
     double const exact = 2 * gsl_cdf_ugaussian_Q(OscillatorAtATime::limit);
     std::vector<double> const factors{1.0};
@@ -94,6 +97,8 @@ TEST(PulseMixture, MeetsTheExactProbabilityOfAnOscillator) {
     EXPECT_NEAR(*estimate.probability, exact, 3 * estimate.cov * exact);
     EXPECT_LT(estimate.cov, 0.12);
 }
+
+INSTANTIATE_TEST_SUITE_P(Known, Oscillators, ::testing::Values(std::pair{2.0, 0.05}, std::pair{4.0, 0.1}));
 
 // Requirement: one set of waves gives the whole tail: the values of 8 million plain trials and of earlier samplings, at
 // P 1e-2, 1e-3 and 2.8e-6, and at least 500 times fewer waves than crude Monte Carlo at the last.
@@ -114,6 +119,32 @@ TEST(PulseMixture, GivesTheTailOfTheTestProblem) {
         EXPECT_LT(made.cov, 0.2) << factors[f];
     }
     EXPECT_GT(estimates.back().crude_runs, 500.0 * static_cast<double>(estimates.back().runs));
+}
+
+// Requirement: waves of twice the length, whose failures come at more times, are as well met: 2.56e-3 +- 4 % at 1.25.
+TEST(PulseMixture, GivesTheProbabilityUnderLongerWaves) {
+    RockingNoise const problem(8192);
+    LoneWorker workers;
+    std::vector<double> const factors{1.25};
+
+    auto const made = estimate_pulse_mixture(problem, factors, 1.25, request(3), workers, {},
+                                             {.pilot_runs = 1000, .final_runs = 2000})
+                          .estimates.front();
+
+    ASSERT_EQ(made.state, State::trusted) << made.reason;
+    EXPECT_NEAR(*made.probability, 2.56e-3, 3 * std::hypot(made.cov, 0.04) * 2.56e-3);
+    EXPECT_LT(made.cov, 0.15);
+}
+
+// Requirement: subset simulation meets the same block's probability, 1.003e-3 +- 1.1 % at 1.25.
+TEST(TestProblem, SubsetSimulationMeetsTheSameProbability) {
+    RockingNoise const problem;
+    LoneWorker workers;
+
+    auto const made = estimate_subset(problem, 1.25, request(2), workers, {.samples = 1000, .chains = 100}).estimate;
+
+    ASSERT_EQ(made.state, State::trusted) << made.reason;
+    EXPECT_NEAR(*made.probability, 1.003e-3, 3 * std::hypot(made.cov, 0.011) * 1.003e-3);
 }
 
 // Requirement: the mean of all weights is 1, and none exceeds 1 / the share of plain draws.
@@ -269,7 +300,7 @@ TEST(PulseMixture, DoesNotTrustItselfWhereEachWaveIsScaled) {
 TEST(TestProblem, MirroredWavesEndTheSame) {
     RockingNoise const problem;
     std::vector<double> x(problem.normals());
-    for (std::uint64_t i = 0; i < 300; ++i) {
+    for (std::uint64_t i = 0; i < 20'000; ++i) {
         draw_normals({.seed = 8, .index = i}, x);
         auto const one = respond_at(problem, x, 2.5);
         for (double& value : x) {

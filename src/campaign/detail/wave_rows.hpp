@@ -1,0 +1,24 @@
+/// A wave's row and its measures, from what was made of it.
+#pragma once
+
+#include "campaign/trial.hpp"
+#include "campaign/wave_check.hpp"
+#include "generators/drawn_target.hpp"
+#include "generators/wave_source.hpp"
+
+namespace overturn {
+
+/// How it follows its target.
+void describe_match(WaveRow& row, GeneratedWave const& wave);
+/// Which target was drawn for it.
+void describe_drawn(WaveRow& row, DrawnTarget const& drawn);
+/// How long, how strong.
+void describe_motion(WaveRow& row, GroundMotion const& motion, Intensity const& intensity);
+/// Its quality, and for each body its match where that body rocks.
+void describe_check(PreparedWave& wave, WaveCheck const& check);
+/// Sa at the campaign's periods and over its band, 5 % damping; the levels' own goes to the intensity too.
+void measure_sa(CampaignSpec const& spec, PreparedWave& wave);
+/// V_WES and ouV_E for a body of this radius [m].
+void measure_energy(MeasureSpec const& spec, GroundMotion const& motion, double radius_m, MeasureRow& row);
+
+}  // namespace overturn
