@@ -180,7 +180,8 @@ std::string frequency_table(CampaignSpec const& spec, std::vector<BodyFrequency>
                 "says nothing, are left out. State the curve from lower on\n",
                 name, f.mean->at_first);
         }
-        if (f.interval.lower > f.seen.upper || f.interval.upper < f.seen.lower) {
+        // Stripes know nothing of a beta_U that is stated beside them.
+        if (!f.fractiles && (f.interval.lower > f.seen.upper || f.interval.upper < f.seen.lower)) {
             text += fmt::format(
                 "  note: {}: the curve's frequency lies outside what the stripes alone allow: believe "
                 "the stripes\n",
