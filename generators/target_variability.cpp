@@ -74,10 +74,6 @@ double TargetVariability::spread(double period_s) const {
     return sigma(period_s) * std::sqrt(std::max(0.0, 1 - rho * rho));
 }
 
-double TargetVariability::mean_epsilon(double period_s) const {
-    return input_.condition ? input_.condition->epsilon * input_.correlation(period_s, input_.condition->period_s) : 0;
-}
-
 std::vector<double> TargetVariability::deviations(std::uint64_t seed, std::uint64_t number, Purpose purpose) const {
     RandomStream stream(seed, number, purpose);
     std::vector<double> normals(correlated_.size());

@@ -39,9 +39,8 @@ class TargetVariability {
     explicit TargetVariability(Input input);
 
     [[nodiscard]] DrawnTarget draw(std::uint64_t seed, std::uint64_t wave) const;
-    /// Standard deviation of ln Sa of the targets, and the mean of their epsilon, as conditions leave them.
+    /// Standard deviation of ln Sa of the targets, as conditions leave it.
     [[nodiscard]] double spread(double period_s) const;
-    [[nodiscard]] double mean_epsilon(double period_s) const;
     [[nodiscard]] bool parted() const { return !input_.between.empty(); }
     [[nodiscard]] Input const& input() const { return input_; }
     /// "ln Sa with sigma 0.6, correlated by baker-jayaram-2008".

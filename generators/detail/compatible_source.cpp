@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "generators/detail/components.hpp"
 #include "generators/detail/matched_normals.hpp"
 #include "generators/wave_quality.hpp"
 
@@ -53,13 +52,13 @@ void SpectrumCompatible::summarise(SpectrumMatcherInput const& input) {
 }
 
 std::string SpectrumCompatible::variability() const {
+    auto const* const phases = seeds_.empty() ? "random phases" : "records' phases";
     if (variability_) {
-        return fmt::format("targets drawn, {}; random phases", variability_->describe());
+        return fmt::format("targets drawn, {}; {}", variability_->describe(), phases);
     }
     switch (match_) {
         case Match::each:
-            return fmt::format("{} alone: every wave has the one target's spectrum",
-                               seeds_.empty() ? "random phases" : "records' phases");
+            return fmt::format("{} alone: every wave has the one target's spectrum", phases);
         case Match::ensemble:
             return "noise about one median spectrum: no event, path or site differs";
         case Match::none:

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "generators/detail/components.hpp"
 #include "generators/detail/spectrum_matcher.hpp"
 #include "generators/target_variability.hpp"
 #include "generators/wave_source.hpp"
@@ -15,17 +16,14 @@ namespace overturn {
 
 enum class Match { each, ensemble, none };
 
-/// What the table of a further component is called, where its motion and its match go, which streams it draws from.
-struct ComponentKind {
-    char const* name;
-    std::vector<double> GroundMotion::*place;
+/// A component, and where its match goes.
+struct ComponentKind : FurtherComponent {
     MatchReport GeneratedWave::*match;
-    std::uint64_t stream;
 };
-inline constexpr ComponentKind horizontal_kind{"horizontal", &GroundMotion::horizontal_mps2, &GeneratedWave::match, 0};
-inline constexpr std::array further_kinds{
-    ComponentKind{"transverse", &GroundMotion::transverse_mps2, &GeneratedWave::transverse_match, 2},
-    ComponentKind{"vertical", &GroundMotion::vertical_mps2, &GeneratedWave::vertical_match, 1}};
+inline constexpr ComponentKind horizontal_kind{{"horizontal", &GroundMotion::horizontal_mps2, 0},
+                                               &GeneratedWave::match};
+inline constexpr std::array further_kinds{ComponentKind{further_components[0], &GeneratedWave::transverse_match},
+                                          ComponentKind{further_components[1], &GeneratedWave::vertical_match}};
 
 /// A component beside the horizontal one, as its table says.
 struct FurtherTarget {

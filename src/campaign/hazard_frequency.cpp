@@ -14,15 +14,6 @@
 namespace overturn {
 namespace {
 
-Dimension dimension_of(LevelSpec const& levels) {
-    for (auto const& entry : level_measures()) {
-        if (entry.value.measure == levels.measure) {
-            return entry.value.dimension;
-        }
-    }
-    return Dimension::none;
-}
-
 // SI value of the unit that the first column's name states; the name itself has to be the levels' measure.
 double unit_of(PairTable const& table, LevelSpec const& levels, Location const& where) {
     auto const measure = levels.measure_name();
@@ -31,13 +22,11 @@ double unit_of(PairTable const& table, LevelSpec const& levels, Location const& 
         throw InputError(where, fmt::format("hazard over '{}' (the levels are {}). State it over {}", table.first_name,
                                             measure, measure));
     }
-    auto const dimension = dimension_of(levels);
+    auto const dimension = levels.dimension();
     if (dimension == Dimension::none) {
         return 1;
     }
-    auto const [text, bracketed] = unit_text_in_name(table.first_name);
-    bool const in_g = dimension == Dimension::acceleration && text == "g";
-    auto const unit = in_g ? std::optional(g0) : unit_in_name(table.first_name, dimension);
+    auto const unit = unit_of_values(table.first_name, dimension);
     if (!unit) {
         throw InputError(
             where, fmt::format("'{}' states no unit of {} (one of {}). Write for example '{} [{}]'", table.first_name,

@@ -79,6 +79,10 @@ void name_level(std::vector<Level>& levels, double value, LevelClass purpose) {
     }
 }
 
+config::Entry<Measure> const& entry_of(LevelMeasure measure) {
+    return *std::ranges::find(measures, measure, [](auto const& entry) { return entry.value.measure; });
+}
+
 }  // namespace
 
 std::span<config::Entry<LevelMeasureEntry> const> level_measures() { return measures; }
@@ -100,23 +104,13 @@ std::int64_t Level::key() const {
     return std::llround(value * millionths);
 }
 
-std::string LevelSpec::measure_name() const {
-    for (auto const& entry : measures) {
-        if (entry.value.measure == measure) {
-            return std::string(entry.name);
-        }
-    }
-    return "";
-}
+std::string LevelSpec::measure_name() const { return std::string(entry_of(measure).name); }
+
+Dimension LevelSpec::dimension() const { return entry_of(measure).value.dimension; }
 
 std::string LevelSpec::units() const {
-    for (auto const& entry : measures) {
-        if (entry.value.measure == measure) {
-            auto const symbol = si_symbol(entry.value.dimension);
-            return symbol.empty() ? "1" : std::string(symbol);
-        }
-    }
-    return "";
+    auto const symbol = si_symbol(dimension());
+    return symbol.empty() ? "1" : std::string(symbol);
 }
 
 std::string LevelSpec::text(double value) const {

@@ -47,6 +47,7 @@ struct LevelSpec {
     [[nodiscard]] std::string measure_label() const {
         return measure == LevelMeasure::sa ? fmt::format("sa({:g} s)", sa_period_s) : measure_name();
     }
+    [[nodiscard]] Dimension dimension() const;
     [[nodiscard]] std::string units() const;
     /// As the user wrote values: the unit, a value in it, and both.
     [[nodiscard]] std::string shown_units() const { return stated_unit.empty() ? units() : stated_unit; }

@@ -78,6 +78,11 @@ std::optional<double> unit_in_name(std::string_view name, Dimension dimension) {
     return bracketed || text.size() >= telling ? unit_spelled(text, dimension) : std::nullopt;
 }
 
+std::optional<double> unit_of_values(std::string_view name, Dimension dimension) {
+    bool const in_g = dimension == Dimension::acceleration && unit_text_in_name(name).text == "g";
+    return in_g ? std::optional(g0) : unit_in_name(name, dimension);
+}
+
 std::string name_of_acceleration_unit(double si) {
     constexpr double same = 1e-9;
     static constexpr std::array names{"m/s2", "gal", "g", "mm/s2"};

@@ -25,6 +25,10 @@ struct UnitText {
 /// the name says none; a bare suffix "_g" or "_s" says none either: it is as often the ground or a spectrum.
 [[nodiscard]] std::optional<double> unit_in_name(std::string_view name, Dimension dimension = Dimension::acceleration);
 
+/// The same of a column of values whose quantity is known: there a letter g of its own, "Sa_g", is the unit, for no
+/// ground can be meant.
+[[nodiscard]] std::optional<double> unit_of_values(std::string_view name, Dimension dimension);
+
 /// "gal", "g", "m/s2", or the SI value where it is another one.
 [[nodiscard]] std::string name_of_acceleration_unit(double si);
 

@@ -149,13 +149,6 @@ Dimension dimension_of(TargetKind kind) {
 
 namespace {
 
-/// "Sa_g": beside "gal" and "m/s2" a letter of its own is the unit here, where no ground can be meant.
-std::optional<double> unit_of_values(std::string_view name, Dimension dimension) {
-    auto const [text, bracketed] = unit_text_in_name(name);
-    bool const in_g = dimension == Dimension::acceleration && text == "g";
-    return in_g ? std::optional(g0) : unit_in_name(name, dimension);
-}
-
 double period_unit(PairTable const& table, Location const& where) {
     auto const [text, bracketed] = unit_text_in_name(table.first_name);
     auto const lower = lowered(table.first_name);
