@@ -34,9 +34,8 @@ Estimate estimate_of(double factor, Count const& count) {
     estimate.health.push_back(
         {"undecided trials per failed one", undecided, most_undecided, undecided <= most_undecided});
     if (undecided > most_undecided) {
-        auto const interval = estimate.interval_95;
         distrust(estimate, State::not_trusted, words_of(estimate.health), count);
-        estimate.interval_95 = interval;
+        estimate.interval_95 = clopper_pearson(count);  // its lower end rests on no assumption either
         return estimate;
     }
     double const p = static_cast<double>(count.failed) / static_cast<double>(count.trials);

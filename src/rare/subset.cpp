@@ -193,18 +193,19 @@ void check_health(Estimate& estimate, Batches const& batches, Scouted const& sco
 // Beyond it the interval spans a decade, and the mean rests on one or two replicates.
 constexpr double largest_cov = 0.5;
 
-ReplicateMean mean_of(Batches const& batches) {
-    std::vector<double> replicates;
+std::vector<double> probabilities_of(Batches const& batches) {
+    std::vector<double> probabilities;
+    probabilities.reserve(batches.runs.size());
     for (auto const& run : batches.runs) {
-        replicates.push_back(run.result().probability);
+        probabilities.push_back(run.result().probability);
     }
-    return mean_of_replicates(replicates);
+    return probabilities;
 }
 
 // What is still wanted of replicates; 0: enough, or no more are allowed.
 std::int64_t more_wanted(Batches const& batches, Request const& request, SubsetOptions const& options) {
     auto const done = static_cast<std::int64_t>(batches.runs.size());
-    auto const mean = mean_of(batches);
+    auto const mean = mean_of_replicates(probabilities_of(batches));
     bool const ended =
         std::ranges::all_of(batches.runs, [](SubsetRun const& run) { return run.end() == SubsetRun::End::reached; });
     if (!ended || !(mean.mean > 0) || batches.is_plain()) {
@@ -240,11 +241,11 @@ SubsetResult estimate_subset(Problem const& problem, double factor, Request cons
     estimate.runs = scouted.runs + batches.trials;
     for (auto const& run : batches.runs) {
         result.replicates.push_back(run.result());
-        estimate.replicates.push_back(run.result().probability);
     }
+    estimate.replicates = probabilities_of(batches);
     check_health(estimate, batches, scouted);
     auto doubt = doubt_of(batches, scouted, estimate, options);
-    auto const mean = batches.runs.empty() ? ReplicateMean{} : mean_of(batches);
+    auto const mean = batches.runs.empty() ? ReplicateMean{} : mean_of_replicates(estimate.replicates);
     if (doubt.state == State::trusted && !(mean.standard_error <= largest_cov * mean.mean)) {
         doubt = {State::not_trusted, "replicates disagree"};
     }

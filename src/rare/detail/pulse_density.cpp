@@ -80,25 +80,24 @@ double pulse_density(std::span<double const> arrival, std::span<double const> co
     constexpr std::size_t together = 8;
     OVERTURN_EXPECT(arrival.size() == correlation.size() && arrival.size() % together == 0);
     constexpr double largest_square = 750;  // for the largest strength, exp(-kappa^2 square / 2) is then e-215
-    std::array<double, together> sums{};
-    auto const total = [&sums] {
-        return ((sums[0] + sums[4]) + (sums[1] + sums[5])) + ((sums[2] + sums[6]) + (sums[3] + sums[7]));
-    };
-    if (square > largest_square) {
-        std::array<double, pulse_strengths.size()> shift{};
-        for (std::size_t i = 0; i < pulse_strengths.size(); ++i) {
-            shift[i] = 0.5 * pulse_strengths[i] * pulse_strengths[i] * square;
-        }
-        HWY_DYNAMIC_DISPATCH(sum_far_densities)
-        (arrival.data(), correlation.data(), arrival.size(), pulse_strengths.data(), shift.data(), sums.data());
-        return total() / (2.0 * pulse_strengths.size());
-    }
+    constexpr double shares = 2.0 * pulse_strengths.size();
+    std::array<double, pulse_strengths.size()> shift{};
     std::array<double, pulse_strengths.size()> scale{};
     for (std::size_t i = 0; i < pulse_strengths.size(); ++i) {
-        scale[i] = std::exp(-0.5 * pulse_strengths[i] * pulse_strengths[i] * square) / (2.0 * pulse_strengths.size());
+        shift[i] = 0.5 * pulse_strengths[i] * pulse_strengths[i] * square;
+        scale[i] = std::exp(-shift[i]) / shares;
     }
-    HWY_DYNAMIC_DISPATCH(sum_densities)(arrival.data(), correlation.data(), arrival.size(), scale.data(), sums.data());
-    return total();
+    bool const far = square > largest_square;
+    std::array<double, together> sums{};
+    if (far) {
+        HWY_DYNAMIC_DISPATCH(sum_far_densities)
+        (arrival.data(), correlation.data(), arrival.size(), pulse_strengths.data(), shift.data(), sums.data());
+    } else {
+        HWY_DYNAMIC_DISPATCH(sum_densities)
+        (arrival.data(), correlation.data(), arrival.size(), scale.data(), sums.data());
+    }
+    double const sum = ((sums[0] + sums[4]) + (sums[1] + sums[5])) + ((sums[2] + sums[6]) + (sums[3] + sums[7]));
+    return far ? sum / shares : sum;
 }
 
 }  // namespace overturn::rare
