@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "campaign/detail/drawn_trials.hpp"
+#include "campaign/detail/fitted_measures.hpp"
 #include "campaign/detail/level_quantiles.hpp"
 #include "core/field.hpp"
 #include "stats/quantile.hpp"
@@ -15,70 +16,6 @@
 
 namespace overturn {
 namespace {
-
-// The levels' own measure comes first; levels of a measure that no fit has by itself add one.
-std::vector<FragilityMeasure> measures_of(CampaignSpec const& spec) {
-    using enum FragilityMeasure;
-    std::vector<FragilityMeasure> measures;
-    switch (spec.levels.measure) {
-        case LevelMeasure::pga:
-            measures = {pga, pgv};
-            break;
-        case LevelMeasure::pgv:
-            measures = {pgv, pga};
-            break;
-        default:
-            measures = {level, pga, pgv};
-    }
-    if (spec.measures.sa_band && spec.levels.measure != LevelMeasure::sa_average) {
-        measures.push_back(sa_average);
-    }
-    for (std::size_t i = 0; i < spec.measures.sa_periods_s.size(); ++i) {
-        if (spec.levels.measure != LevelMeasure::sa || spec.measures.sa_periods_s[i] != spec.levels.sa_period_s) {
-            measures.push_back(sa_measure(i));
-        }
-    }
-    if (spec.measures.energy) {
-        measures.insert(measures.end(), {v_wes, ou_v_e, v_wes_ratio});
-    }
-    if (spec.measures.both_radius_units) {
-        measures.insert(measures.end(), {v_wes_other_unit, ou_v_e_other_unit});
-    }
-    return measures;
-}
-
-std::vector<FragilityMeasure> criteria_of(CampaignSpec const& spec) {
-    using enum FragilityMeasure;
-    if (!spec.measures.energy) {
-        return {};
-    }
-    if (spec.measures.both_radius_units) {
-        return {v_wes, ou_v_e, v_wes_other_unit, ou_v_e_other_unit};
-    }
-    return {v_wes, ou_v_e};
-}
-
-// As the levels were written, also for other measures of their dimension: V_WES in kine beside levels in kine.
-IntensityUnit told_unit(std::string const& units, LevelSpec const& levels) {
-    return units == levels.units() ? IntensityUnit{levels.shown_units(), levels.stated_unit_si} : IntensityUnit{units};
-}
-
-std::string units_of(FragilityMeasure measure, LevelSpec const& levels) {
-    if (sa_place(measure)) {
-        return "m/s2";
-    }
-    switch (measure) {
-        case FragilityMeasure::pga:
-        case FragilityMeasure::sa_average:
-            return "m/s2";
-        case FragilityMeasure::v_wes_ratio:
-            return "1";
-        case FragilityMeasure::level:
-            return levels.units();
-        default:
-            return "m/s";
-    }
-}
 
 std::vector<Quote> quotes_of(LevelSpec const& levels) {
     std::vector<Quote> quotes;
@@ -223,20 +160,6 @@ class Analyst {
         return fit_fragility(data, request);
     }
 
-    [[nodiscard]] std::string label_of(FragilityMeasure measure, std::string const& name) const {
-        if (auto const place = sa_place(measure)) {
-            return fmt::format("sa({:g} s)", spec_.measures.sa_periods_s[*place]);
-        }
-        if (measure == FragilityMeasure::level) {
-            return spec_.levels.measure_label();
-        }
-        if (!is_other_unit(measure)) {
-            return name;
-        }
-        return fmt::format("{}(R in {})", fragility_measure_names()[static_cast<std::size_t>(in_any_unit(measure))],
-                           name_of(other(spec_.measures.radius_unit)));
-    }
-
     [[nodiscard]] std::vector<MeasuredFragility> fragility(std::size_t b, std::size_t limit) const {
         std::vector<MeasuredFragility> fits;
         auto const measures = measures_of(spec_);
@@ -252,9 +175,8 @@ class Analyst {
         MeasuredFragility result;
         result.limit = spec_.limits[limit].name;
         result.measure = measure;
-        result.name = measure == FragilityMeasure::level ? spec_.levels.measure_name()
-                                                         : fragility_measure_names()[static_cast<std::size_t>(measure)];
-        result.label = label_of(measure, result.name);
+        result.name = name_of(measure, spec_);
+        result.label = label_of(measure, spec_);
         result.units = units_of(measure, spec_.levels);
         result.told = told_unit(result.units, spec_.levels);
         if (is_grid_) {

@@ -41,8 +41,6 @@ void MeasuredTrials::add(TrialRow const& row, LimitOutcomes const& limits) {
         return;
     }
     auto const& verdict = entry_of(row.verdict);
-    auto const& peaks = wave->second;
-    auto const other = peaks.other_unit.empty() ? OtherUnit{} : peaks.other_unit.at(static_cast<std::size_t>(row.body));
     Trial trial{};
     trial.wave = row.wave;
     trial.body = static_cast<std::int32_t>(row.body);
@@ -57,29 +55,27 @@ void MeasuredTrials::add(TrialRow const& row, LimitOutcomes const& limits) {
         trial.peak_rotation_ratio = std::numeric_limits<double>::infinity();
     }
     trial.amplitude = row.amplitude;
-    trial.pga_mps2 = row.scale * peaks.pga_mps2;
-    trial.pgv_mps = row.scale * peaks.pgv_mps;
-    trial.sa_average_mps2 = row.scale * peaks.sa_average_mps2;
-    for (std::size_t i = 0; i < most_sa_periods; ++i) {
-        trial.sa_mps2[i] = row.scale * peaks.sa_mps2[i];
-    }
+    trial.scale = row.scale;
+    trial.peaks = &wave->second;
     trial.v_wes_mps = row.v_wes_mps;
     trial.ou_v_e_mps = row.ou_v_e_mps;
     trial.v_ereq_mps = row.v_ereq_mps;
     trial.v_resp_mps = row.response_velocity_mps;
-    trial.other_unit = {row.scale * other.v_wes_mps, row.scale * other.ou_v_e_mps};
     trials_.push_back(trial);
 }
 
 double MeasuredTrials::Trial::value(FragilityMeasure measure) const {
     if (auto const place = sa_place(measure)) {
-        return sa_mps2.at(*place);
+        return scale * peaks->sa_mps2.at(*place);
     }
+    auto const other = [this] {
+        return peaks->other_unit.empty() ? OtherUnit{} : peaks->other_unit.at(static_cast<std::size_t>(body));
+    };
     switch (measure) {
         case FragilityMeasure::pga:
-            return pga_mps2;
+            return scale * peaks->pga_mps2;
         case FragilityMeasure::pgv:
-            return pgv_mps;
+            return scale * peaks->pgv_mps;
         case FragilityMeasure::v_wes:
             return v_wes_mps;
         case FragilityMeasure::ou_v_e:
@@ -87,11 +83,11 @@ double MeasuredTrials::Trial::value(FragilityMeasure measure) const {
         case FragilityMeasure::v_wes_ratio:
             return v_wes_mps / v_ereq_mps;
         case FragilityMeasure::v_wes_other_unit:
-            return other_unit.v_wes_mps;
+            return scale * other().v_wes_mps;
         case FragilityMeasure::ou_v_e_other_unit:
-            return other_unit.ou_v_e_mps;
+            return scale * other().ou_v_e_mps;
         case FragilityMeasure::sa_average:
-            return sa_average_mps2;
+            return scale * peaks->sa_average_mps2;
         default:
             break;
     }

@@ -64,6 +64,13 @@ class MeasuredTrials {
   public:
     /// \param waves_alike so many in a row are no independent samples: they are resampled together
     explicit MeasuredTrials(std::uint64_t waves_alike = 1) : waves_alike_(static_cast<std::int64_t>(waves_alike)) {}
+    // Trials point to their waves, which a map keeps in place when it is moved, not when it is copied.
+    MeasuredTrials(MeasuredTrials const&) = delete;
+    MeasuredTrials& operator=(MeasuredTrials const&) = delete;
+    MeasuredTrials(MeasuredTrials&&) = default;
+    MeasuredTrials& operator=(MeasuredTrials&&) = default;
+    ~MeasuredTrials() = default;
+
     /// \param measures one per body
     void add(WaveRow const& row, std::span<MeasureRow const> measures);
     /// Ignored if the trial's wave was not added before, or no more are held.
@@ -99,10 +106,8 @@ class MeasuredTrials {
         std::int32_t body;
         bool decided, moved, slipped;
         double peak_slip_m, peak_rotation_ratio;  ///< NaN: unknown; infinite: it fell
-        double amplitude, pga_mps2, pgv_mps, v_wes_mps, ou_v_e_mps, v_ereq_mps, v_resp_mps;
-        OtherUnit other_unit;
-        double sa_average_mps2;
-        std::array<double, most_sa_periods> sa_mps2;
+        double amplitude, scale, v_wes_mps, ou_v_e_mps, v_ereq_mps, v_resp_mps;
+        Peaks const* peaks;  ///< of its wave before scaling: an entry of waves_
 
         [[nodiscard]] double value(FragilityMeasure measure) const;
         [[nodiscard]] bool overturned() const { return limits.has_passed(0); }

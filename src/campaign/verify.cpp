@@ -86,25 +86,26 @@ class Verifier {
             for (std::int64_t first = 0; first < waves_; first += plan_.block_size()) {
                 units_.push_back({first, std::min(plan_.block_size(), waves_ - first), {}});
             }
+            for (auto row = trials_; row < all; ++row) {
+                add_rare(row - trials_);
+            }
+            return;
         }
         std::vector<std::int64_t> rows(static_cast<std::size_t>(all));
         std::iota(rows.begin(), rows.end(), 0);
-        if (wish.sample) {
-            std::vector<std::int64_t> drawn;
-            std::mt19937_64 random(static_cast<std::uint64_t>(wish.seed));
-            std::ranges::sample(rows, std::back_inserter(drawn), *wish.sample, random);
-            rows = std::move(drawn);
-        }
-        for (auto const row : rows) {
+        std::vector<std::int64_t> drawn;
+        std::mt19937_64 random(static_cast<std::uint64_t>(wish.seed));
+        std::ranges::sample(rows, std::back_inserter(drawn), *wish.sample, random);
+        for (auto const row : drawn) {
             if (row >= trials_) {
                 add_rare(row - trials_);
-            } else if (wish.sample) {
-                auto const wave = row / plan_.trials_per_wave();
-                if (units_.empty() || units_.back().first != wave) {
-                    units_.push_back({wave, 1, {}});
-                }
-                units_.back().drawn.push_back(row);
+                continue;
             }
+            auto const wave = row / plan_.trials_per_wave();
+            if (units_.empty() || units_.back().first != wave) {
+                units_.push_back({wave, 1, {}});
+            }
+            units_.back().drawn.push_back(row);
         }
     }
 

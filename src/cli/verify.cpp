@@ -25,7 +25,7 @@ std::string counted(Verified const& found) {
                        found.rare > 0 ? fmt::format(", {} rows of rare events", found.rare) : "");
 }
 
-int tell(Options const& options, store::ResultsReader const& file, Verified const& found) {
+int tell(Options const& options, Verified const& found) {
     if (found.all_equal()) {
         fmt::print("{}: {} recomputed, all bit-equal to the stored rows\n", options.file, counted(found));
         return done;
@@ -33,6 +33,7 @@ int tell(Options const& options, store::ResultsReader const& file, Verified cons
     fmt::print("{}: {} recomputed, NOT all bit-equal: {} trials, {} waves{} differ; first {}\n", options.file,
                counted(found), found.differing_trials, found.differing_waves,
                found.rare > 0 ? fmt::format(", {} rows of rare events", found.differing_rare) : "", found.first);
+    store::ResultsReader const file(options.file, options.unverified.trust());
     note("overturn: {}: not what this program computes {}\n", options.file, why_bits_differ(file));
     return other_failure;
 }
@@ -46,10 +47,7 @@ int verify(Options const& options, parallel::Communicator const& comm) {
     store::ResultsReader const file(options.file, store::Trust::unverified);
     auto const spec = parse_campaign(input_of(file));
     auto const found = verify_rows(file, spec, options.wish, comm);
-    return std::stoi(from_root(comm, [&] {
-        store::ResultsReader const told(options.file, options.unverified.trust());
-        return fmt::format("{}", tell(options, told, found));
-    }));
+    return std::stoi(from_root(comm, [&] { return fmt::format("{}", tell(options, found)); }));
 }
 
 }  // namespace

@@ -31,6 +31,14 @@ def log_time_axis(axes, label):
     axes.set_xlabel(label)
 
 
+def plain_log_axis(axes, label):
+    """A logarithmic y axis of plain numbers."""
+    axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    axes.yaxis.set_minor_formatter(NullFormatter())
+    axes.set_ylabel(label)
+
+
 def widen(values, share):
     """Limits around positive values, `share` of their span in the logarithm to both sides."""
     low, high = np.log10(min(values)), np.log10(max(values))
@@ -119,11 +127,8 @@ def draw_waves(axes, sampling):
     axes.set_yscale("log")
     axes.set_xlim(*widen([*time, whole[0]], 0.14))
     axes.set_ylim(*widen([*width, whole[1]], 0.16))
-    axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
-    axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-    axes.yaxis.set_minor_formatter(NullFormatter())
+    plain_log_axis(axes, "width")
     log_time_axis(axes, "CPU time")
-    axes.set_ylabel("width")
     axes.legend(loc="lower left")
     place_labels(axes, points)
 
@@ -146,11 +151,8 @@ def draw_rare(axes, rare):
     axes.set_xscale("log")
     axes.set_xlim(*widen([p["cpu_s"] for p in known], 0.1))
     axes.set_ylim(*widen([p["cov"] for p in known], 0.1))
-    axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
-    axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-    axes.yaxis.set_minor_formatter(NullFormatter())
+    plain_log_axis(axes, "standard error / P")
     log_time_axis(axes, "CPU time")
-    axes.set_ylabel("standard error / P")
     axes.legend(loc="best")
 
 

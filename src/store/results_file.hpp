@@ -82,6 +82,8 @@ class ResultsWriter {
     void add_digests();
     Group& group(std::string const& path);
     Dataset create(std::string const& where, Field const& spec, std::int64_t rows);
+    void write_array(std::string const& where, Field const& spec, hid_t memory_type, void const* values,
+                     std::size_t count, std::string const& scale);
     [[nodiscard]] Dataset open(std::string const& path) const;
     void lay_along(std::string const& where, Dataset const& dataset, std::string const& name, std::string const& axis);
     void number_rows(TableSpec const& spec, std::int64_t rows);

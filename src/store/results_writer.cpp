@@ -208,20 +208,21 @@ void ResultsWriter::append(std::size_t number, std::span<std::byte const> rows) 
 
 void ResultsWriter::array(std::string const& where, Field const& spec, std::vector<double> const& values,
                           std::string const& scale) {
-    auto const size = static_cast<std::int64_t>(values.size());
-    auto const dataset = create(where, spec, size);
-    write_rows(dataset, H5T_NATIVE_DOUBLE, values.data(), 0, size, spec.name);
-    checked(H5Dflush(dataset.id()), "write " + spec.name);
-    lay_along(where, dataset, spec.name, scale);
+    write_array(where, spec, H5T_NATIVE_DOUBLE, values.data(), values.size(), scale);
 }
 
 void ResultsWriter::array(std::string const& where, Field const& spec, std::vector<std::int64_t> const& values,
                           std::string const& scale) {
     auto integer = spec;
     integer.type = FieldType::integer;
-    auto const size = static_cast<std::int64_t>(values.size());
-    auto const dataset = create(where, integer, size);
-    write_rows(dataset, H5T_NATIVE_INT64, values.data(), 0, size, spec.name);
+    write_array(where, integer, H5T_NATIVE_INT64, values.data(), values.size(), scale);
+}
+
+void ResultsWriter::write_array(std::string const& where, Field const& spec, hid_t memory_type, void const* values,
+                                std::size_t count, std::string const& scale) {
+    auto const size = static_cast<std::int64_t>(count);
+    auto const dataset = create(where, spec, size);
+    write_rows(dataset, memory_type, values, 0, size, spec.name);
     checked(H5Dflush(dataset.id()), "write " + spec.name);
     lay_along(where, dataset, spec.name, scale);
 }

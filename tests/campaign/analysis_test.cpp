@@ -64,7 +64,7 @@ class AnalysisOfRows : public ::testing::Test {
 
 TEST_F(AnalysisOfRows, EveryMeasureSeesItsOwnValues) {
     fill();
-    auto const trials = statistics.measured();
+    auto const& trials = statistics.measured();
 
     EXPECT_EQ(trials.singles(1, FragilityMeasure::pga)[2].intensity, 9);
     EXPECT_EQ(trials.singles(1, FragilityMeasure::pgv)[5].intensity, 4.5 * 0.51);
