@@ -8,6 +8,7 @@
 #include "campaign/analysis.hpp"
 #include "campaign/warnings.hpp"
 #include "spectra/response_spectrum.hpp"
+#include "support/campaign_rows.hpp"
 #include "support/campaigns.hpp"
 #include "support/expect_input_error.hpp"
 
@@ -16,25 +17,13 @@ namespace {
 
 using testing::campaign_from;
 using testing::expect_input_error;
+using testing::rows_of;
 
 std::string const varying_waves =
     "[waves]\nsource='spectrum-compatible'\ncount=4\nduration='20.48 s'\ntime_step='0.02 s'\n"
     "[waves.target]\nspectrum='mlit-ch1'\ntime_scale=0.632\nlongest='5 s'\n"
     "[waves.envelope]\nshape='jennings'\nrise='2 s'\nlevel_end='10 s'\nend='18 s'\n"
     "[waves.variability]\nsigma=0.6\ncorrelation='baker-jayaram-2008'\n";
-
-BlockRows rows_of(CampaignSpec const& spec) {
-    Plan const plan(spec);
-    PhaseSeconds seconds;
-    BlockRows all;
-    for (std::int64_t block = 0; block < plan.blocks(); ++block) {
-        auto const rows = run_block(spec, plan, block, seconds);
-        all.waves.insert(all.waves.end(), rows.waves.begin(), rows.waves.end());
-        all.measures.insert(all.measures.end(), rows.measures.begin(), rows.measures.end());
-        all.trials.rows.insert(all.trials.rows.end(), rows.trials.rows.begin(), rows.trials.rows.end());
-    }
-    return all;
-}
 
 std::set<std::string> columns(CampaignSpec const& spec) {
     std::set<std::string> names;

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "campaign/results.hpp"
+#include "support/campaign_rows.hpp"
 #include "support/campaigns.hpp"
 #include "support/expect_input_error.hpp"
 #include "support/tolerance.hpp"
@@ -21,28 +22,9 @@ std::string waves(std::string const& keys) {
 
 std::string const rest = testing::type_a + testing::type_b + testing::levels("values=['600 gal']\n");
 
-struct Rows {
-    std::vector<WaveRow> waves;
-    std::vector<MeasureRow> measures;
-    TrialRows trials;
-};
-
-Rows rows_of(CampaignSpec const& spec) {
-    Plan const plan(spec);
-    Rows rows;
-    PhaseSeconds seconds;
-    for (std::int64_t wave = 0; wave < plan.waves(); ++wave) {
-        auto const prepared = prepare_wave(spec, plan, wave, seconds);
-        rows.waves.push_back(prepared.row);
-        rows.measures.insert(rows.measures.end(), prepared.measures.begin(), prepared.measures.end());
-        append_trials(spec, plan, std::span(&prepared, 1), rows.trials, seconds);
-    }
-    return rows;
-}
-
 TEST(WaveCheck, AcceptedWavesAreUsed) {
     auto const spec = testing::campaign_from(waves("acceptance='srp-3.7.1'\n") + rest);
-    auto const rows = rows_of(spec);
+    auto const rows = testing::rows_of(spec);
 
     Statistics statistics(spec);
     for (std::size_t w = 0; w < rows.waves.size(); ++w) {
@@ -69,7 +51,7 @@ TEST(WaveCheck, AcceptedWavesAreUsed) {
 
 TEST(WaveCheck, OthersAreFailedRowsWithTheirReason) {
     auto const spec = testing::campaign_from(waves("acceptance='srp-3.7.1'\nmatch_iterations=1\n") + rest);
-    auto const rows = rows_of(spec);
+    auto const rows = testing::rows_of(spec);
 
     Statistics statistics(spec);
     for (std::size_t w = 0; w < rows.waves.size(); ++w) {
@@ -93,7 +75,7 @@ TEST(WaveCheck, OthersAreFailedRowsWithTheirReason) {
 
 TEST(WaveCheck, WithoutARuleNoWaveIsRefused) {
     auto const spec = testing::campaign_from(waves("match_iterations=1\n") + rest);
-    for (auto const& row : rows_of(spec).waves) {
+    for (auto const& row : testing::rows_of(spec).waves) {
         EXPECT_EQ(row.accepted, Accepted::not_asked);
         EXPECT_GT(row.match_mean_misfit, 0.02) << "and is reported on all the same";
     }

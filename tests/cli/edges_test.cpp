@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include "cli/campaign_files.hpp"
+#include "cli/python.hpp"
 #include "support/command.hpp"
 
 namespace overturn::testing {
@@ -21,9 +22,6 @@ class Edges : public ::testing::Test {
 
     [[nodiscard]] Ended shell(std::string const& line) const { return execute(folder, {"/bin/sh", "-c", line}); }
     void make() const { ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0); }
-    [[nodiscard]] bool has_python(std::string const& modules) const {
-        return execute(folder, {OVERTURN_PYTHON, "-c", "import " + modules}).code == 0;
-    }
     static void expect_refused(Ended const& ended, std::string const& why) {
         EXPECT_EQ(ended.code, 2) << ended.err;
         EXPECT_TRUE(is_one_error_line(ended.err)) << ended.err;
@@ -70,7 +68,7 @@ TEST_F(Edges, APipeIsNoResultsFile) {
 }
 
 TEST_F(Edges, PathsNeedNotBeText) {
-    if (!has_python("h5py, matplotlib")) {
+    if (!has_python(folder, "h5py, matplotlib")) {
         GTEST_SKIP() << "no h5py and matplotlib to draw with";
     }
     std::string const place = "not \xFF text";
@@ -114,7 +112,7 @@ TEST_F(Edges, SignalsCountFromTheFirstInstant) {
 }
 
 TEST_F(Edges, AKilledReportLeavesNothing) {
-    if (!has_python("h5py, matplotlib")) {
+    if (!has_python(folder, "h5py, matplotlib")) {
         GTEST_SKIP() << "no h5py and matplotlib to draw with";
     }
     make();
@@ -169,7 +167,7 @@ TEST_F(Edges, OfManyLevelsSomeAreShown) {
 }
 
 TEST_F(Edges, DamagedInputsAreBadInput) {
-    if (!has_python("h5py")) {
+    if (!has_python(folder, "h5py")) {
         GTEST_SKIP() << "no h5py to look for them with (install python3-h5py)";
     }
     make();

@@ -7,6 +7,7 @@
 
 #include "campaign/version.hpp"
 #include "cli/campaign_files.hpp"
+#include "cli/python.hpp"
 #include "store/detail/objects.hpp"
 #include "store/results_file.hpp"
 #include "support/command.hpp"
@@ -25,10 +26,8 @@ class Format : public ::testing::Test {
         ASSERT_EQ(ended.code, 0) << ended.err;
     }
     void edit(std::string const& statement) const {
-        auto const script = "import h5py\nwith h5py.File('c.h5', 'r+') as f: " + statement;
-        ASSERT_EQ(execute(folder, {OVERTURN_PYTHON, "-c", script}).code, 0) << statement;
+        ASSERT_EQ(edit_results(folder, "c.h5", statement).code, 0) << statement;
     }
-    [[nodiscard]] bool has_h5py() const { return execute(folder, {OVERTURN_PYTHON, "-c", "import h5py"}).code == 0; }
 
     Folder folder;
 };
@@ -114,7 +113,7 @@ TEST_F(Format, FilesStayReadable) {
 }
 
 TEST_F(Format, WhoseCurvesAreToldIsSaid) {
-    if (!has_h5py()) {
+    if (!has_python(folder, "h5py")) {
         GTEST_SKIP() << "no h5py to write with (install python3-h5py)";
     }
     run(small_campaign("shared", 6), "c.h5");

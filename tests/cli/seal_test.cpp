@@ -3,6 +3,7 @@
 #include <random>
 
 #include "cli/campaign_files.hpp"
+#include "cli/python.hpp"
 #include "support/command.hpp"
 
 namespace overturn::testing {
@@ -17,7 +18,6 @@ class SealedFile : public ::testing::Test {
         sound = folder.read("c.h5");
     }
 
-    [[nodiscard]] bool has_h5py() const { return execute(folder, {OVERTURN_PYTHON, "-c", "import h5py"}).code == 0; }
     void expect_refused(std::vector<std::string> const& arguments, std::string const& why) const {
         auto const told = overturn(folder, arguments);
         EXPECT_EQ(told.code, 2) << arguments[0] << why;
@@ -54,13 +54,12 @@ constexpr Edit edits[] = {
 };
 
 TEST_F(SealedFile, EditsAreNamed) {
-    if (!has_h5py()) {
+    if (!has_python(folder, "h5py")) {
         GTEST_SKIP() << "no h5py to write with (install python3-h5py)";
     }
     for (auto const& [statement, named] : edits) {
         folder.write("c.h5", sound);
-        auto const script = std::string("import h5py\nwith h5py.File('c.h5', 'r+') as f: ") + statement;
-        ASSERT_EQ(execute(folder, {OVERTURN_PYTHON, "-c", script}).code, 0) << statement;
+        ASSERT_EQ(edit_results(folder, "c.h5", statement).code, 0) << statement;
         for (std::string const verb : {"status", "fit"}) {
             expect_refused({verb, "c.h5"}, named);
         }
@@ -68,12 +67,10 @@ TEST_F(SealedFile, EditsAreNamed) {
 }
 
 TEST_F(SealedFile, EveryReaderLooks) {
-    if (!has_h5py()) {
+    if (!has_python(folder, "h5py")) {
         GTEST_SKIP() << "no h5py to write with (install python3-h5py)";
     }
-    std::string const script =
-        "import h5py\nwith h5py.File('c.h5', 'r+') as f: f['trials/v_wes'][...] = f['trials/v_wes'][...] * 1.1";
-    ASSERT_EQ(execute(folder, {OVERTURN_PYTHON, "-c", script}).code, 0);
+    ASSERT_EQ(edit_results(folder, "c.h5", "f['trials/v_wes'][...] = f['trials/v_wes'][...] * 1.1").code, 0);
     std::string const why = "c.h5: damaged or edited (/trials/v_wes changed). Restore it or run the campaign again";
 
     expect_refused({"report", "c.h5", "-o", "page.html"}, why);
@@ -102,11 +99,10 @@ TEST_F(SealedFile, FlippedBitsAreNoticed) {
 
 /// A campaign may be read as it is after a verdict was set by hand: curves are those of the rows.
 TEST_F(SealedFile, UnverifiedFitsWhatTheRowsSay) {
-    if (!has_h5py()) {
+    if (!has_python(folder, "h5py")) {
         GTEST_SKIP() << "no h5py to write with (install python3-h5py)";
     }
-    std::string const script = "import h5py\nwith h5py.File('c.h5', 'r+') as f: f['trials/verdict'][...] = 3";
-    ASSERT_EQ(execute(folder, {OVERTURN_PYTHON, "-c", script}).code, 0);
+    ASSERT_EQ(edit_results(folder, "c.h5", "f['trials/verdict'][...] = 3").code, 0);
     auto const fit = overturn(folder, {"fit", "c.h5", "--unverified"});
 
     EXPECT_EQ(fit.code, 0) << fit.err;

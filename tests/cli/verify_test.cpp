@@ -1,6 +1,7 @@
 // Requirement: verify recomputes any rows of a file, on any ranks, and says which differ; a difference is never blamed
 // on another version that is the very one running.
 #include "cli/campaign_files.hpp"
+#include "cli/python.hpp"
 #include "support/command.hpp"
 
 namespace overturn::testing {
@@ -15,10 +16,8 @@ class Verify : public ::testing::Test {
         ASSERT_EQ(ended.code, 0) << ended.err;
     }
     void edit(std::string const& statement) const {
-        auto const script = "import h5py\nwith h5py.File('c.h5', 'r+') as f: " + statement;
-        ASSERT_EQ(execute(folder, {OVERTURN_PYTHON, "-c", script}).code, 0) << statement;
+        ASSERT_EQ(edit_results(folder, "c.h5", statement).code, 0) << statement;
     }
-    [[nodiscard]] bool has_h5py() const { return execute(folder, {OVERTURN_PYTHON, "-c", "import h5py"}).code == 0; }
 
     Folder folder;
 };
@@ -69,7 +68,7 @@ TEST_F(Verify, RareEventsAreRowsToo) {
 
 TEST_F(Verify, WhatDiffersIsCountedAndTheFirstIsNamed) {
     make(small_campaign("shared", 4));
-    if (!has_h5py()) {
+    if (!has_python(folder, "h5py")) {
         GTEST_SKIP() << "no h5py to write with (install python3-h5py)";
     }
     EXPECT_EQ(overturn(folder, {"verify", "c.h5"}).code, 0);
@@ -98,7 +97,7 @@ TEST_F(Verify, WhatDiffersIsCountedAndTheFirstIsNamed) {
 
 TEST_F(Verify, ASampleFindsWhatItMeets) {
     make(small_campaign("shared", 2));
-    if (!has_h5py()) {
+    if (!has_python(folder, "h5py")) {
         GTEST_SKIP() << "no h5py to write with (install python3-h5py)";
     }
     edit("f['trials/peak_rotation'][...] = 1");

@@ -1,0 +1,23 @@
+/// All rows of a campaign, block after block.
+#pragma once
+
+#include "campaign/trial.hpp"
+
+namespace overturn::testing {
+
+[[nodiscard]] inline BlockRows rows_of(CampaignSpec const& spec) {
+    Plan const plan(spec);
+    PhaseSeconds seconds;
+    BlockRows all;
+    auto const append = [](auto& rows, auto const& more) { rows.insert(rows.end(), more.begin(), more.end()); };
+    for (std::int64_t block = 0; block < plan.blocks(); ++block) {
+        auto const rows = run_block(spec, plan, block, seconds);
+        append(all.waves, rows.waves);
+        append(all.measures, rows.measures);
+        append(all.trials.rows, rows.trials.rows);
+        append(all.trials.own, rows.trials.own);
+    }
+    return all;
+}
+
+}  // namespace overturn::testing
