@@ -132,6 +132,22 @@ TEST(Plan, BlocksAreFewAndShort) {
     }
 }
 
+// Requirement: where a wave costs less than its commit, many share one; but for a campaign that looks at a target.
+TEST(Plan, BlocksOfWhatIsNotMeasuredAreLong) {
+    auto spec = campaign(4000, "[3]");
+    ASSERT_EQ(Plan(spec).block_size(), 15);
+    spec.measures.energy = false;
+    EXPECT_EQ(Plan(spec).block_size(), 15);
+    spec.measures.wave_quality = false;
+    EXPECT_EQ(Plan(spec).block_size(), 128);
+    spec.limits.front().target.half_width = 0.1;
+    EXPECT_EQ(Plan(spec).block_size(), 15);
+
+    auto few = campaign(5, "[3]");
+    few.measures.energy = few.measures.wave_quality = false;
+    EXPECT_EQ(Plan(few).block_size(), 5);
+}
+
 // Bodies, levels and seed do not enter the block size, and nothing from outside can: it is a function of the campaign.
 TEST(Plan, BlockSizeFollowsTheWavesOnly) {
     auto const one = campaign(600, "[3]", false, false);
