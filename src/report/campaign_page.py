@@ -168,10 +168,7 @@ class Report:
             return
         parts = []
         for body in self.results.bodies:
-            own = [e for e in self.fit["rare"] if e["body"] == body.name and e["limit"] == OVERTURNING]
-            fit = self.fits.get((body.name, self.results.measure))
-            parts.append(self.figure(f"tail-{body.name}", lambda path, body=body, own=own, fit=fit: rare_figures.tail(
-                self.results, body, own, fit, path), f"rare overturning of {body.name}"))
+            parts += [self.tail(body.name, limit["name"]) for limit in self.fit["limits"]]
             waves = self.data["rare"].get(body.name, {})
             if waves.get("pulses"):
                 parts.append(self.figure(f"pulses-{body.name}", lambda path, body=body, waves=waves: rare_figures.pulses(
@@ -195,6 +192,14 @@ class Report:
                      "that plain trials alone give, and no number."),
                      fold("health of the estimators", table(["body", "limit", "factor", "check", "found", "limit", ""], health))
                      if health else "")
+
+    def tail(self, body, limit):
+        rare = [e for e in self.fit["rare"] if e["body"] == body and e["limit"] == limit]
+        stripes = [s for s in self.stripes[limit] if s["body"] == body]
+        fit = self.fits_of(limit).get((body, self.results.measure))
+        name = f"tail-{body}" if limit == OVERTURNING else f"tail-{limit}-{body}"
+        return self.figure(name, lambda path: rare_figures.tail(body, limit, stripes, rare, fit, path),
+                           f"{body}: rare events of {limit}")
 
     def telling(self):
         """The trials worth a look, as a table and a file."""

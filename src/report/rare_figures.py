@@ -11,18 +11,17 @@ METHODS = {"crude": ("o", INK), "subset": ("s", VERMILION), "pulse-mixture": ("D
 MOST_PULSES = 4
 
 
-def tail(results, body, rare, fit, path):
-    """P on a logarithmic axis: stripes, the lognormal curve, estimates with their replicates, bounds where there is no
-    more than one."""
+def tail(name, limit, stripes, rare, fit, path):
+    """P of a limit state on a logarithmic axis: stripes (as `fit --json` has them), the lognormal curve, estimates with
+    their replicates, bounds where there is no more than one."""
     style.use()
     figure, axes = plt.subplots(figsize=(5.8, 3.4), layout="constrained")
-    stripes = body.stripes
-    seen = stripes["probability"] > 0
-    amplitude = stripes["amplitude"]
-    p = stripes["probability"][seen]
-    if seen.any():
-        axes.errorbar(amplitude[seen], p, yerr=[p - stripes["lower"][seen], stripes["upper"][seen] - p], fmt="_", ms=9,
-                      color=GREY, elinewidth=0.8, capsize=2, label=f"stripe, {stripes['trials'].max()} trials", zorder=2)
+    amplitude = np.array([s["amplitude"] for s in stripes])
+    seen = [s for s in stripes if s["probability"]]
+    if seen:
+        p, low, high = (np.array([s[key] for s in seen]) for key in ("probability", "lower", "upper"))
+        axes.errorbar([s["amplitude"] for s in seen], p, yerr=[p - low, high - p], fmt="_", ms=9, color=GREY, elinewidth=0.8,
+                      capsize=2, label=f"stripe, {max(s['trials'] for s in stripes)} trials", zorder=2)
     lowest = [1e-3]
     labelled = set()
     for e in rare:
@@ -51,8 +50,8 @@ def tail(results, body, rare, fit, path):
         axes.plot(x[y > bottom], y[y > bottom], color=BLUE, lw=1, ls=(0, (4, 3)), label="lognormal curve of the stripes",
                   zorder=1)
     axes.set_yscale("log")
-    axes.set(ylim=(bottom, 1.5), xlabel="factor on all waves", ylabel="probability of overturning",
-             title=f"{style.literal(body.name)}: the tail")
+    axes.set(ylim=(bottom, 1.5), xlabel="factor on all waves", ylabel=f"probability of {style.literal(limit)}",
+             title=f"{style.literal(name)}: the tail")
     axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))
     style.save(figure, path)
 

@@ -81,7 +81,8 @@ TEST_F(Rare, IsReported) {
         GTEST_SKIP() << "nothing to draw with (install python3-matplotlib python3-h5py)";
     }
     folder.write("p.toml", campaign("method='pulse-mixture'\ntarget_cov=1"));
-    folder.write("s.toml", campaign("method='subset'"));
+    folder.write("s.toml", campaign("method='subset'")
+                               + "[[limits]]\nname='half'\nquantity='peak_rotation_ratio'\nabove=0.5\n");
     for (std::string const name : {"p", "s"}) {
         ASSERT_EQ(overturn(folder, {"run", name + ".toml"}).code, 0);
         auto const ended = overturn(folder, {"report", name + ".h5", "-o", name + ".html", "--figures", name});
@@ -93,6 +94,7 @@ TEST_F(Rare, IsReported) {
     }
     EXPECT_TRUE(folder.has("p/pulses-block.svg"));
     EXPECT_TRUE(folder.has("s/failing-block.svg"));
+    EXPECT_TRUE(folder.has("s/tail-half-block.svg"));
     auto const subset = answers("s.h5")[0];
     EXPECT_EQ(subset.at("replicates").size(), 4U);
     ASSERT_FALSE(subset.at("health").empty());
