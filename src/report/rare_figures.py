@@ -26,7 +26,7 @@ def tail(name, limit, stripes, rare, fit, path):
     labelled = set()
     for e in rare:
         marker, colour = METHODS[e["method"]]
-        name = None if e["method"] in labelled else f"{e['method']}, 95 %"
+        label = None if e["method"] in labelled else f"{e['method']}, 95 %"
         x = e["amplitude"]
         if e["probability"] is None:
             low = e["interval_95"][1]
@@ -38,7 +38,7 @@ def tail(name, limit, stripes, rare, fit, path):
         low, high = e["interval_95"]
         value = e["probability"]
         axes.errorbar(x, value, yerr=[[max(0, value - low)], [max(0, high - value)]], fmt=marker, ms=4.5, color=colour,
-                      elinewidth=1, capsize=3, label=name, zorder=5)
+                      elinewidth=1, capsize=3, label=label, zorder=5)
         labelled.add(e["method"])
         dots = [r for r in e["replicates"] if r > 0]
         axes.plot([x] * len(dots), dots, ".", ms=3, color=colour, alpha=0.55, zorder=3)

@@ -81,7 +81,7 @@ TEST_F(Rare, IsReported) {
         GTEST_SKIP() << "nothing to draw with (install python3-matplotlib python3-h5py)";
     }
     folder.write("p.toml", campaign("method='pulse-mixture'\ntarget_cov=1"));
-    folder.write("s.toml", campaign("method='subset'")
+    folder.write("s.toml", campaign("method='subset'", "measure='factor'\nvalues=[1.25,1.8]")
                                + "[[limits]]\nname='half'\nquantity='peak_rotation_ratio'\nabove=0.5\n");
     for (std::string const name : {"p", "s"}) {
         ASSERT_EQ(overturn(folder, {"run", name + ".toml"}).code, 0);
