@@ -17,47 +17,66 @@ struct Spelling {
     Dimension dimension = Dimension::acceleration;
 };
 
-// Beside those of unit_factor.
-constexpr std::array spellings{Spelling{"m/s/s", 1},
-                               Spelling{"m/s**2", 1},
-                               Spelling{"m/sec2", 1},
-                               Spelling{"m/sec^2", 1},
-                               Spelling{"m/sec**2", 1},
-                               Spelling{"m/sec/sec", 1},
-                               Spelling{"mps2", 1},
-                               Spelling{"cm/s/s", 1e-2},
-                               Spelling{"cm/s**2", 1e-2},
-                               Spelling{"cm/sec2", 1e-2},
-                               Spelling{"cm/sec^2", 1e-2},
-                               Spelling{"cm/sec**2", 1e-2},
-                               Spelling{"cm/sec/sec", 1e-2},
+// Beside those of unit_factor, as `plainly` writes them.
+constexpr std::array spellings{Spelling{"mps2", 1},
                                Spelling{"cmps2", 1e-2},
                                Spelling{"gals", 1e-2},
-                               Spelling{"mm/s^2", 1e-3},
-                               Spelling{"mm/s/s", 1e-3},
+                               Spelling{"mgal", 1e-5},
+                               Spelling{"mm/s2", 1e-3},
+                               Spelling{"in/s2", 0.0254},
+                               Spelling{"ft/s2", 0.3048},
                                Spelling{"g's", g0},
-                               Spelling{"m/sec", 1, Dimension::velocity},
+                               Spelling{"mg", 1e-3 * g0},
+                               Spelling{"milli-g", 1e-3 * g0},
+                               Spelling{"%g", 1e-2 * g0},
                                Spelling{"mps", 1, Dimension::velocity},
-                               Spelling{"cm/sec", 1e-2, Dimension::velocity},
                                Spelling{"cmps", 1e-2, Dimension::velocity},
+                               Spelling{"in/s", 0.0254, Dimension::velocity},
+                               Spelling{"ft/s", 0.3048, Dimension::velocity},
                                Spelling{"kines", 1e-2, Dimension::velocity},
-                               Spelling{"sec", 1, Dimension::time},
-                               Spelling{"secs", 1, Dimension::time},
-                               Spelling{"second", 1, Dimension::time},
-                               Spelling{"seconds", 1, Dimension::time},
-                               Spelling{"msec", 1e-3, Dimension::time}};
+                               Spelling{"in", 0.0254, Dimension::length},
+                               Spelling{"ft", 0.3048, Dimension::length},
+                               Spelling{"us", 1e-6, Dimension::time}};
+
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
+        text.replace(at, from.size(), to);
+    }
+}
+
+/// "cm/sec/sec", "cm/s**2", "cm.s^-2" and "cm/s\xC2\xB2" are all "cm/s2".
+std::string plainly(std::string_view text) {
+    auto plain = lowered(trimmed(text));
+    for (std::string_view const dropped : {"^", "**", "\xC2\xB7", " ", "."}) {
+        replace_all(plain, dropped, "");
+    }
+    replace_all(plain, "\xC2\xB2", "2");
+    replace_all(plain, "\xE2\x88\x92", "-");
+    for (std::string_view const seconds : {"seconds", "second", "secs", "sec"}) {
+        replace_all(plain, seconds, "s");
+    }
+    replace_all(plain, "s/s", "s2");
+    if (plain.find('/') == std::string::npos) {
+        for (std::string_view const power : {"-2", "-1"}) {
+            if (plain.size() > power.size() + 1 && plain.ends_with(std::string("s").append(power))) {
+                plain = plain.substr(0, plain.size() - power.size() - 1).append(power == "-2" ? "/s2" : "/s");
+            }
+        }
+    }
+    return plain;
+}
 
 }  // namespace
 
 std::optional<double> unit_spelled(std::string_view text, Dimension dimension) {
-    auto const lower = lowered(trimmed(text));
+    auto const plain = plainly(text);
     for (auto const& spelling : spellings) {
-        if (spelling.dimension == dimension && spelling.text == lower) {
+        if (spelling.dimension == dimension && spelling.text == plain) {
             return spelling.si;
         }
     }
     try {
-        return unit_factor(lower, dimension);
+        return unit_factor(plain, dimension);
     } catch (InputError const&) {
         return std::nullopt;
     }

@@ -9,8 +9,8 @@
 
 namespace overturn {
 
-/// SI value of one unit in any of its usual spellings ("cm/sec/sec", "gals", "g's", "m/s**2"); nothing if it is none of
-/// the dimension's: acceleration, velocity, length, time. Capitals do not count.
+/// SI value of one unit in any of its usual spellings ("cm/sec/sec", "gals", "g's", "m/s**2", "m s-2"); nothing if it
+/// is none of the dimension's: acceleration, velocity, length, time. Capitals do not count.
 [[nodiscard]] std::optional<double> unit_spelled(std::string_view text, Dimension dimension);
 
 /// What stands in the brackets of a column's name, "acceleration (g)", or behind its last blank or underscore,

@@ -60,11 +60,43 @@ std::vector<RecordComponent> components_of(Rows& rows, std::size_t first, Locati
     return components;
 }
 
+/// Is it called a velocity or a displacement, or in a unit of one? Nothing if it may be an acceleration.
+std::optional<std::string_view> another_quantity(std::string_view name) {
+    auto const lower = lowered(name);
+    auto const [text, bracketed] = unit_text_in_name(name);
+    bool const telling = bracketed || text.size() > 1;
+    if (lower.starts_with("vel") || (telling && unit_spelled(text, Dimension::velocity))) {
+        return "a velocity";
+    }
+    if (lower.starts_with("dis") || (telling && unit_spelled(text, Dimension::length))) {
+        return "a displacement";
+    }
+    return std::nullopt;
+}
+
+/// \throws InputError if what stands in the brackets of an acceleration's name may be a unit that is not known
+void check_name(std::string const& name, Location const& where) {
+    if (auto const other = another_quantity(name)) {
+        throw InputError(where, fmt::format("column '{}' ({}: columns are a time and accelerations, "
+                                            "time,a_horizontal[,a_transverse][,a_vertical]). Leave it out",
+                                            name, *other));
+    }
+    auto const [text, bracketed] = unit_text_in_name(name);
+    if (bracketed && !text.empty() && !unit_spelled(text, Dimension::acceleration)
+        && direction_in_name(text) == Direction::unknown) {
+        throw InputError(where,
+                         fmt::format("column '{}' ('{}' is no unit of acceleration that is known). Write m/s2, gal or "
+                                     "g, or leave the brackets out and state the unit",
+                                     name, text));
+    }
+}
+
 /// Of all columns of accelerations, in the unit that their names say or that is stated. [m/s2]
 double unit_of(Rows const& rows, std::size_t first, RecordRequest const& request) {
     std::optional<double> named;
     Location const where{request.name, rows.names_line};
     for (std::size_t i = first; rows.named() && i < rows.columns; ++i) {
+        check_name(rows.names[i], where);
         auto const unit = unit_in_name(rows.names[i]);
         if (unit && named && *unit != *named) {
             throw InputError(where, "columns in different units (one is meant for all). Bring them into one");
@@ -143,6 +175,18 @@ void check_not_nearly_columns(std::string_view content, RecordRequest const& req
 
 namespace {
 
+/// Times in the unit that their column's name says, "time (ms)"; seconds without one.
+void time_in_seconds(Rows& rows) {
+    auto const unit = rows.named() ? unit_in_name(rows.names[0], Dimension::time) : std::nullopt;
+    if (!unit || *unit == 1) {
+        return;
+    }
+    for (double& time : rows.column[0]) {
+        time *= *unit;
+    }
+    rows.decimals -= static_cast<int>(std::lround(std::log10(*unit)));
+}
+
 Recording recording_of(Rows& rows, std::size_t first, RecordRequest const& request) {
     Location const start{request.name, rows.line[0]};
     Recording recording;
@@ -152,7 +196,13 @@ Recording recording_of(Rows& rows, std::size_t first, RecordRequest const& reque
                                             "step, or put a time column first",
                                             rows.prose.time_step_hint()));
     }
-    recording.time_step_s = first == 0 ? *request.time_step_s : time_step_of(rows, request);
+    if (first == 0) {
+        recording.time_step_s = *request.time_step_s;
+    } else {
+        time_in_seconds(rows);
+        recording.time_step_s = time_step_of(rows, request);
+        rows.prose.check_times(recording.time_step_s, request.name);
+    }
     recording.components = components_of(rows, first, start);
     for (auto& component : recording.components) {
         for (double& value : component.acceleration_mps2) {

@@ -1,7 +1,9 @@
 #include "motion/prose.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "core/units.hpp"
 #include "motion/column_unit.hpp"
@@ -32,18 +34,21 @@ bool is_marked(Text line, std::size_t at, std::size_t length) {
     bool const bracketed = at > 0 && (line[at - 1] == '(' || line[at - 1] == '[') && at + length < line.size()
                            && (line[at + length] == ')' || line[at + length] == ']');
     auto const word = word_before(line, at);
-    return bracketed || word == "in" || word == "of" || word == "unit" || word == "units";
+    constexpr std::array words{"in", "of", "unit", "units", "is", "are"};
+    return bracketed || std::ranges::find(words, word) != words.end();
 }
 
 /// "9.81 m/s2", "300 gal": a quantity, which says nothing of the file's numbers.
 bool is_quantity(Text line, std::size_t at) {
     auto const end = line.find_last_not_of(" \t", at == 0 ? 0 : at - 1);
-    return at > 0 && end != Text::npos && ((line[end] >= '0' && line[end] <= '9') || line[end] == '.');
+    auto const is_digit = [&](std::size_t i) { return line[i] >= '0' && line[i] <= '9'; };
+    return at > 0 && end != Text::npos && (is_digit(end) || (line[end] == '.' && end > 0 && is_digit(end - 1)));
 }
 
-/// Units of acceleration anywhere in a line of lower case.
-template <class Take> void each_unit(Text line, Take&& take) {
+/// Units anywhere in a line of lower case; short ones, "g", "mg", "cm", only where words or brackets say so.
+template <class Take> void each_unit(Text line, Dimension dimension, Take&& take) {
     constexpr Text ends = " \t()[]{},;:=\"|";
+    constexpr std::size_t telling = 3;
     for (std::size_t at = 0; at < line.size();) {
         at = std::min(line.find_first_not_of(ends, at), line.size());
         auto const end = std::min(line.find_first_of(ends, at), line.size());
@@ -51,51 +56,93 @@ template <class Take> void each_unit(Text line, Take&& take) {
         while (word.ends_with('.')) {
             word.remove_suffix(1);
         }
-        auto const unit = word.empty() ? std::nullopt : unit_spelled(word, Dimension::acceleration);
-        if (unit && !is_quantity(line, at) && (word.size() > 1 || is_marked(line, at, word.size()))) {
+        auto const unit = word.empty() ? std::nullopt : unit_spelled(word, dimension);
+        if (unit && !is_quantity(line, at) && (word.size() >= telling || is_marked(line, at, word.size()))) {
             take(*unit);
         }
         at = end;
     }
 }
 
-/// The number that begins `text` behind a unit in brackets, an equals sign or a colon, in SI; nothing if it is none.
-std::optional<double> number_behind(Text text, Dimension dimension) {
-    double factor = 1;
-    text = trimmed(text);
-    if (text.starts_with('(') || text.starts_with('[')) {
-        auto const close = text.find_first_of(")]");
-        auto const unit = close == Text::npos ? std::nullopt : unit_spelled(text.substr(1, close - 1), dimension);
-        if (!unit) {
-            return std::nullopt;
-        }
-        factor = *unit;
-        text = trimmed(text.substr(close + 1));
-    }
-    for (Text const filling : {"of", "is", "=", ":"}) {
-        text = trimmed(text.substr(text.starts_with(filling) ? filling.size() : 0));
-    }
-    constexpr Text number = "0123456789.+-";
-    auto end = std::min(text.find_first_not_of(number), text.size());
-    if (end + 1 < text.size() && text[end] == 'e' && number.find(text[end + 1]) != Text::npos) {
-        end = std::min(text.find_first_not_of(number, end + 1), text.size());
+constexpr Text number_letters = "0123456789.+-";
+
+/// The number that `text` begins with, "0.005", "5e-3", "1/200", cut off it; nothing if there is none above 0.
+std::optional<double> cut_number(Text& text) {
+    auto end = std::min(text.find_first_not_of(number_letters), text.size());
+    if (end + 1 < text.size() && text[end] == 'e' && number_letters.find(text[end + 1]) != Text::npos) {
+        end = std::min(text.find_first_not_of(number_letters, end + 1), text.size());
     }
     double value = 0;
     if (!parse_number(text.substr(0, end), value) || !(value > 0)) {
         return std::nullopt;
     }
-    auto unit = trimmed(text.substr(end));
-    unit = unit.substr(0, unit.find_first_of(" \t,;)]."));
-    return value * factor * unit_spelled(unit, dimension).value_or(1);
+    text = text.substr(end);
+    if (!text.starts_with('/')) {
+        return value;
+    }
+    auto divisor = text.substr(1);
+    auto const parts = cut_number(divisor);
+    if (parts) {
+        text = divisor;
+    }
+    return parts ? value / *parts : value;
+}
+
+/// The step that `text` says behind a key, with or without a unit in brackets, an equals sign or a colon: "(s): 0.005",
+/// "= 5 ms", "of 200 Hz". [s]
+std::optional<double> step_behind(Text text, bool is_rate) {
+    auto const step_of = [](double value, Text unit) -> std::optional<double> {
+        auto const hertz = unit_spelled(unit, Dimension::frequency);
+        auto const seconds = unit_spelled(unit, Dimension::time);
+        return hertz ? std::optional(1 / (value * *hertz)) : seconds ? std::optional(value * *seconds) : std::nullopt;
+    };
+    std::string before;
+    text = trimmed(text);
+    if (text.starts_with('(') || text.starts_with('[')) {
+        auto const close = text.find_first_of(")]");
+        before = text.substr(1, close == Text::npos ? close : close - 1);
+        text = close == Text::npos ? Text{} : trimmed(text.substr(close + 1));
+    } else if (auto const end = text.find_first_of(" \t:="); end != Text::npos && step_of(1, text.substr(0, end))) {
+        before = text.substr(0, end);
+        text = trimmed(text.substr(end));
+    }
+    for (Text const filling : {"of", "is", "=", ":"}) {
+        text = trimmed(text.substr(text.starts_with(filling) ? filling.size() : 0));
+    }
+    auto const value = cut_number(text);
+    if (!value) {
+        return std::nullopt;
+    }
+    auto behind = trimmed(text);
+    behind = behind.substr(0, behind.find_first_of(" \t,;)]."));
+    if (!before.empty()) {
+        return step_of(*value, before);
+    }
+    auto const said = step_of(*value, behind);
+    return said ? said : is_rate ? 1 / *value : *value;
+}
+
+/// "200 samples per second", "200 sps". [s]
+std::optional<double> step_before(Text line, std::size_t at) {
+    auto const end = line.find_last_not_of(" \t", at == 0 ? 0 : at - 1);
+    if (at == 0 || end == Text::npos) {
+        return std::nullopt;
+    }
+    auto const begin = line.find_last_not_of(number_letters, end);
+    auto number = line.substr(begin == Text::npos ? 0 : begin + 1, end - (begin == Text::npos ? 0 : begin + 1) + 1);
+    auto const value = cut_number(number);
+    return value && number.empty() ? std::optional(1 / *value) : std::nullopt;
 }
 
 struct Key {
     Text text;
     bool is_rate = false;
 };
+// The more telling ones first.
 constexpr std::array keys{Key{"time increment"},
                           Key{"time step"},
                           Key{"timestep"},
+                          Key{"time steps"},
                           Key{"time interval"},
                           Key{"sampling interval"},
                           Key{"sample interval"},
@@ -105,27 +152,59 @@ constexpr std::array keys{Key{"time increment"},
                           Key{"intervals of"},
                           Key{"points at"},
                           Key{"delta t"},
+                          Key{"deltat"},
                           Key{"dt"},
                           Key{"sampling rate", true},
                           Key{"sample rate", true},
                           Key{"samplerate", true},
-                          Key{"sampling frequency", true}};
+                          Key{"sampling frequency", true},
+                          Key{"samples per second", true},
+                          Key{"digitized at", true},
+                          Key{"digitised at", true},
+                          Key{"sampled at", true},
+                          Key{"sampling:", true},
+                          Key{"interval:"}};
+constexpr std::array rates{"sps", "samples per second", "samples/s", "samples/sec", "samples/second"};
 
-std::optional<double> step_in(Text line) {
+/// Where `text` stands as words of their own.
+std::size_t find_words(Text line, Text text) {
+    auto const at = line.find(text);
+    auto const end = at + text.size();
+    bool const whole =
+        at != Text::npos && (at == 0 || !is_letter(line[at - 1])) && (end == line.size() || !is_letter(line[end]));
+    return whole ? at : Text::npos;
+}
+
+std::optional<double> step_in(std::string line) {
+    std::ranges::replace(line, '_', ' ');
     for (auto const& key : keys) {
-        auto const at = line.find(key.text);
-        auto const end = at + key.text.size();
-        bool const whole =
-            at != Text::npos && (at == 0 || !is_letter(line[at - 1])) && (end == line.size() || !is_letter(line[end]));
-        if (!whole) {
-            continue;
+        if (auto const at = find_words(line, key.text); at != Text::npos) {
+            if (auto const step = step_behind(Text(line).substr(at + key.text.size()), key.is_rate)) {
+                return step;
+            }
         }
-        auto const value = number_behind(line.substr(end), key.is_rate ? Dimension::frequency : Dimension::time);
-        if (value) {
-            return key.is_rate ? 1 / *value : *value;
+    }
+    for (Text const rate : rates) {
+        if (auto const at = find_words(line, rate); at != Text::npos) {
+            if (auto const step = step_before(line, at)) {
+                return step;
+            }
         }
     }
     return std::nullopt;
+}
+
+/// "velocity in cm/s", "displacement (cm)".
+bool names_another_quantity(Text line) {
+    bool found = false;
+    auto const hear = [&](double /*si*/) { found = true; };
+    if (line.find("veloc") != Text::npos) {
+        each_unit(line, Dimension::velocity, hear);
+    }
+    if (line.find("displ") != Text::npos) {
+        each_unit(line, Dimension::length, hear);
+    }
+    return found;
 }
 
 bool same(double a, double b) {
@@ -147,10 +226,12 @@ void Prose::Said::take(double heard, int number) {
 
 void Prose::take(std::string_view line, int number) {
     auto const lower = lowered(line);
-    each_unit(lower, [&](double unit) { unit_.take(unit, number); });
+    each_unit(lower, Dimension::acceleration, [&](double unit) { unit_.take(unit, number); });
     if (auto const step = step_in(lower)) {
         step_.take(*step, number);
     }
+    accelerations_ = accelerations_ || lower.find("accel") != std::string::npos;
+    other_line_ = other_line_ == 0 && names_another_quantity(lower) ? number : other_line_;
 }
 
 std::string Prose::unit_hint() const {
@@ -164,11 +245,24 @@ std::string Prose::time_step_hint() const {
 void Prose::check(RecordRequest const& request) const {
     if (unit_.value) {
         check_stated_unit(request, *unit_.value, {request.name, unit_.line});
+    } else if (other_line_ > 0 && !accelerations_) {
+        throw InputError({request.name, other_line_},
+                         "velocities or displacements, says the text (accelerations are read). Differentiate them "
+                         "first, or mend the text");
     }
     if (step_.value) {
         auto own = request;
         own.may_be_resampled = false;  // the stated step is how the values are read, not what they are resampled to
         check_stated_time_step(own, *step_.value, {request.name, step_.line});
+    }
+}
+
+void Prose::check_times(double step_s, std::string const& file) const {
+    if (step_.value && !same(step_s, *step_.value)) {
+        throw InputError({file, step_.line},
+                         fmt::format("time step {:.6g} s where the times rise by {:.6g} s (one of them is wrong). Mend "
+                                     "the text or the times",
+                                     *step_.value, step_s));
     }
 }
 

@@ -13,7 +13,8 @@ namespace overturn {
 class Prose {
   public:
     /// Looks for "in m/s/s", "(gal)", "units: g", and for "dt = 0.005", "Time Increment (s): 0.005", "sampling rate 100
-    /// Hz", "points at 0.02 sec". "9.81 m/s2" says nothing. What is said twice, differently, is not said.
+    /// Hz", "points at 0.02 sec", "200 sps". "9.81 m/s2" says nothing. What is said twice, differently, is not said.
+    /// "Velocity in cm/s" says that the numbers are no accelerations, unless some line speaks of these.
     void take(std::string_view line, int number);
 
     /// Of the accelerations [m/s2].
@@ -25,8 +26,10 @@ class Prose {
     [[nodiscard]] std::string unit_hint() const;
     [[nodiscard]] std::string time_step_hint() const;
 
-    /// \throws InputError if what the request states contradicts what is said
+    /// \throws InputError if what the request states contradicts what is said, or the numbers are no accelerations
     void check(RecordRequest const& request) const;
+    /// \throws InputError if times that rise by `step_s` contradict what is said
+    void check_times(double step_s, std::string const& file) const;
 
   private:
     struct Said {
@@ -36,6 +39,8 @@ class Prose {
         void take(double heard, int number);
     };
     Said unit_, step_;
+    int other_line_ = 0;          ///< that speaks of velocities or displacements in their unit; 0: none
+    bool accelerations_ = false;  ///< some line speaks of them
 };
 
 }  // namespace overturn

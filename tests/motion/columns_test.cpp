@@ -1,6 +1,9 @@
 // Requirement: columns of numbers are read with a stated unit only, and "auto" goes by content and never guesses.
 #include <cmath>
 #include <string>
+#include <string_view>
+
+#include <fmt/format.h>
 
 #include "core/units.hpp"
 #include "motion/record.hpp"
@@ -37,11 +40,18 @@ TEST(Columns, NamesMayStateTheUnit) {
                                    {"a_cmps2", gal},
                                    {"EW (m/s/s)", 1},
                                    {"acc_Gal", gal},
-                                   {"a (mm/s2)", 1e-3}}) {
+                                   {"a (mm/s2)", 1e-3},
+                                   {"acc (m/s\xC2\xB2)", 1},
+                                   {"acc (cm s^-2)", gal},
+                                   {"acc (m.s-2)", 1},
+                                   {"acc (ms-2)", 1},
+                                   {"acc (mg)", 1e-3 * g0},
+                                   {"acc (%g)", 1e-2 * g0},
+                                   {"x (ft/s2)", 0.3048}}) {
         auto const text = std::string("time_s,") + name + "\n0,1\n0.5,-2\n1,3\n";
         EXPECT_EQ(read(text, silent).horizontal_mps2, (std::vector{1 * si, -2 * si, 3 * si})) << name;
     }
-    for (char const* name : {"a_g", "acc", "a_horizontal", "x (ft/s2)"}) {
+    for (char const* name : {"a_g", "acc", "a_horizontal", "acc (EW)"}) {
         auto const text = std::string("t,") + name + "\n0,100\n0.5,-200\n";
         expect_input_error([&] { (void)read(text, silent); }, "unit missing");
     }
@@ -50,6 +60,38 @@ TEST(Columns, NamesMayStateTheUnit) {
     auto const all = read("time_s,ax_mps2,ay_mps2,az_mps2\n0,1,2,3\n0.5,4,5,6\n", silent);
     EXPECT_EQ(all.transverse_mps2, (std::vector<double>{2, 5}));
     EXPECT_EQ(all.vertical_mps2, (std::vector<double>{3, 6}));
+}
+
+// Requirement: no velocity or displacement is read as an acceleration, and no unit that is not known as the stated one.
+TEST(Columns, WhatIsNoAccelerationIsRefused) {
+    for (char const* names : {"Time (s),Acc (cm/s2),Vel (cm/s)", "time,acc,vel", "t,a,velocity", "t,a,Disp_m",
+                              "t,a,b (cm)", "t,a_mps2,v_mps", "t,vel (cm/s),acc (gal)"}) {
+        auto const text = std::string(names) + "\n0,1,1\n0.5,2,2\n";
+        expect_input_error([&] { (void)read(text); }, "a.csv:1: column '", "columns are a time and accelerations",
+                           "Leave it out");
+    }
+    for (char const* unit : {"counts", "g/10", "in/s/Hz", "N"}) {
+        auto const text = fmt::format("t,acc ({})\n0,1\n0.5,2\n", unit);
+        if (std::string_view(unit) == "N") {
+            EXPECT_NO_THROW((void)read(text)) << "a direction";
+            continue;
+        }
+        expect_input_error([&] { (void)read(text); }, "a.csv:1: ", "is no unit of acceleration that is known");
+    }
+}
+
+// Requirement: times are in the unit that their column says, and may not contradict a comment.
+TEST(Columns, TimesMayBeInMilliseconds) {
+    for (char const* name : {"time (ms)", "t [msec]", "time_ms"}) {
+        auto const motion = read(std::string(name) + ",acc\n0,100\n20,-200\n40,300\n");
+        EXPECT_DOUBLE_EQ(motion.time_step_s, 0.02) << name;
+        EXPECT_EQ(motion.horizontal_mps2, three);
+    }
+    auto const printed = read("time (ms),acc\n0,1\n3.3,2\n6.7,3\n10,4\n13.3,5\n16.7,6\n20,7\n");
+    EXPECT_NEAR(printed.time_step_s, 0.02 / 6, 1e-12);
+    expect_input_error([] { (void)read("# dt = 0.005 s\n0,1\n0.02,2\n0.04,3\n"); },
+                       "a.csv:1: time step 0.005 s where the times rise by 0.02 s");
+    EXPECT_NO_THROW((void)read("# dt = 20 ms\n0,1\n0.02,2\n0.04,3\n"));
 }
 
 TEST(Columns, TimeAndHorizontalInEveryDress) {

@@ -35,12 +35,17 @@ TEST(Prose, UnitsAreHeardInEverySpelling) {
                                    {"unit = g", g0},
                                    {"values in gal.", gal},
                                    {"(cm/s**2)", gal},
-                                   {"CM/SEC2, 8F10.3", gal}}) {
+                                   {"CM/SEC2, 8F10.3", gal},
+                                   {"Units are g", g0},
+                                   {"Acceleration in m/s\xC2\xB2", 1},
+                                   {"accel. cm/s/s", gal},
+                                   {"acceleration, cm.s^-2", gal},
+                                   {"data in mg", 1e-3 * g0}}) {
         ASSERT_TRUE(heard(line).unit()) << line;
         EXPECT_EQ(*heard(line).unit(), si) << line;
     }
-    for (char const* line : {"station G, block g", "Gallipoli 1992", "velocity in cm/s", "0.3 g", "g", "in m",
-                             "g = 9.81 m/s2", "PGA = 300. gal", "Max .028 g , at 32.570 sec"}) {
+    for (char const* line : {"station G, block g", "Mg 6.1 M", "Gallipoli 1992", "velocity in cm/s", "0.3 g", "g",
+                             "in m", "g = 9.81 m/s2", "PGA = 300. gal", "Max .028 g , at 32.570 sec"}) {
         EXPECT_FALSE(heard(line).unit()) << line;
     }
 }
@@ -59,12 +64,35 @@ TEST(Prose, StepsAreHeardInEverySpelling) {
                                      {"Sampling rate: 200 Hz", 0.005},
                                      {"sampling frequency (Hz) 100", 0.01},
                                      {"1559 points at 0.02 sec", 0.02},
-                                     {"data equally spaced at .010 sec", 0.01}}) {
+                                     {"data equally spaced at .010 sec", 0.01},
+                                     {"200 sps", 0.005},
+                                     {"recorded with 200 samples per second", 0.005},
+                                     {"Samples per second: 200", 0.005},
+                                     {"Interval: 5 ms", 0.005},
+                                     {"equal time steps of 0.005 s", 0.005},
+                                     {"SAMPLING_INTERVAL_S: 0.005", 0.005},
+                                     {"Digitized at 200 Hz", 0.005},
+                                     {"digitised at 0.005 sec", 0.005},
+                                     {"deltat=0.005", 0.005},
+                                     {"dt 1/200 s", 0.005}}) {
         ASSERT_TRUE(heard(line).time_step_s()) << line;
         EXPECT_NEAR(*heard(line).time_step_s(), step, 1e-15) << line;
     }
     for (char const* line : {"width 3", "dt", "dt = x", "dtx = 3", "time step unknown", "at 3.2 sec"}) {
         EXPECT_FALSE(heard(line).time_step_s()) << line;
+    }
+}
+
+// Requirement: a list that calls its numbers velocities or displacements is refused.
+TEST(Prose, OtherQuantitiesAreRefused) {
+    RecordRequest request;
+    request.name = "r";
+    for (char const* line : {"VELOCITY in cm/s", "displacement (cm)", "Velocities, m/s"}) {
+        expect_input_error([&] { heard(line).check(request); }, "r:3: velocities or displacements");
+    }
+    for (char const* line :
+         {"peak velocity 12 cm/s", "velocity", "acceleration, velocity in cm/s", "velocity in gal"}) {
+        EXPECT_NO_THROW(heard(line).check(request)) << line;
     }
 }
 
