@@ -137,8 +137,7 @@ void finish_record(config::Table const& table, Request const& request, Record& r
     correct(table, record, request.baseline);
     turn_to_axes(table, record, request.axes);
     scale(record, request.scale);
-    record.drift = drift_of(record.motion);
-    record.drift.factor = request.scale;
+    record.drift = drift_of(record.motion, request.scale);
 }
 
 Record read_motion(config::Table const& table, std::string_view key, std::string const& name, Request const& request,

@@ -47,6 +47,11 @@ struct GeneratedWave {
     std::vector<Clause> clauses;           ///< of that rule, on the spectra of all components; empty without one
 };
 
+/// From which period to which a target says something [s].
+struct ComparedPeriods {
+    double from_s = 0, to_s = 0;
+};
+
 /// A source of numbered waves. make is pure: the same wave alone or in a crowd, from any thread.
 class WaveSource {
   public:
@@ -79,8 +84,8 @@ class WaveSource {
     [[nodiscard]] virtual bool draws_targets() const { return false; }
     /// So many waves in a row may share what was drawn, and are no independent samples.
     [[nodiscard]] virtual std::uint64_t waves_alike() const { return 1; }
-    /// The longest period its waves are compared with a target at; nothing if there is none [s].
-    [[nodiscard]] virtual std::optional<double> judged_to_s() const { return std::nullopt; }
+    /// The periods at which its waves are compared with what its target states; nothing if there is none.
+    [[nodiscard]] virtual std::optional<ComparedPeriods> compared_periods() const { return std::nullopt; }
     /// How a measured wave ends; nothing of waves that were not measured. \throws InputError as make
     [[nodiscard]] virtual std::optional<Drift> drift(std::uint64_t /*wave*/) const { return std::nullopt; }
     /// One line on what it makes.

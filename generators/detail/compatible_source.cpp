@@ -16,6 +16,7 @@ SpectrumCompatible::SpectrumCompatible(CompatibleRequest request, std::vector<Fu
       variability_(std::move(request.variability)),
       seeds_(std::move(request.seeds)),
       seed_labels_(std::move(request.seed_labels)),
+      stated_from_s_(request.input.target.first_period_s()),
       stated_to_s_(request.input.target.last_period_s()) {
     auto const& target = request.input.target;
     summarise(request.input);

@@ -63,9 +63,9 @@ class SpectrumCompatible : public WaveSource {
         return variability_ ? variability_->input().per_target * variability_->input().targets_per_event : 1;
     }
     [[nodiscard]] std::string acceptance() const override { return rule_name_; }
-    /// What lies beyond the target's own last period is compared with nothing that anybody stated.
-    [[nodiscard]] std::optional<double> judged_to_s() const override {
-        return std::min(parts_.front().input.longest_s, stated_to_s_);
+    /// What lies beyond the target's own first and last period is compared with nothing that anybody stated.
+    [[nodiscard]] std::optional<ComparedPeriods> compared_periods() const override {
+        return ComparedPeriods{stated_from_s_, std::min(parts_.front().input.longest_s, stated_to_s_)};
     }
 
   private:
@@ -100,7 +100,7 @@ class SpectrumCompatible : public WaveSource {
     std::vector<GroundMotion> seeds_;
     std::vector<std::string> seed_labels_;
     std::vector<Part> parts_;
-    double stated_to_s_;
+    double stated_from_s_, stated_to_s_;
     std::string summary_;
 };
 

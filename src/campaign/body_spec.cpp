@@ -126,6 +126,17 @@ void read_restitution(Table const& table, BodySpec& spec) {
     spec.stated.restitution = spec.scatter.restitution->centre();
 }
 
+// An inertia that no body has is what is wrong, not what follows from it.
+std::string inertia_text(RigidBody const& body) {
+    constexpr double slightest = 0.2;
+    double const share = std::sqrt(1 / body.inertia_ratio() - 1);
+    return share >= slightest ? ""
+                              : fmt::format(
+                                  "; so low because inertia {:.4g} kg m2 is a radius of gyration of {:.2g} R, "
+                                  "0.58 for a uniform block: check its unit",
+                                  body.inertia_kgm2(), share);
+}
+
 // Every draw must be a body, and one that cannot jam.
 void validate_draws(Table const& table, BodySpec const& spec) {
     auto const& height = spec.scatter.centre_height;
@@ -139,8 +150,9 @@ void validate_draws(Table const& table, BodySpec const& spec) {
         if (friction && friction->highest() >= bound) {
             table.fail("friction",
                        fmt::format("{:.6g} (from {:.6g} up a slipping corner may jam, Painleve's paradox, and rigid "
-                                   "sliding has no answer). Lower it{}, or leave it out: no slip",
-                                   friction->highest(), bound, friction->scatters() ? " by its key high" : ""));
+                                   "sliding has no answer{}). Lower it{}, or leave it out: no slip",
+                                   friction->highest(), bound, inertia_text(body),
+                                   friction->scatters() ? " by its key high" : ""));
         }
     }
 }

@@ -233,6 +233,7 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
                               : spec.levels.independent_waves ? WavesOfLevels::independent
                                                               : WavesOfLevels::shared,
                               spec.effects);
+    check_reachable(root, spec.limits, spec.bodies);
     if (spec.rare && spec.rare->method == rare::Method::pulse_mixture && spec.limits.size() > 1) {
         root.child("rare").fail("method", fmt::format("pulse-mixture beside limit state '{}' (its pulses are of waves "
                                                       "that overturn). Use auto or subset",

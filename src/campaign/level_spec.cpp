@@ -51,6 +51,9 @@ std::vector<double> read_values(config::Table const& table, Dimension dimension)
     auto const count = range.integer("count", 1, most_levels);
     bool const log = range.choice<bool>("spacing", spacings, false);
     range.finish();
+    if (count == 1 && to != from) {
+        range.fail("count", "1 level between two (which one is meant?). Write values = [...], or count = 2");
+    }
     if (count > 1 && !(to > from)) {
         range.fail("to", "not above 'from' (levels must rise). Swap them");
     }

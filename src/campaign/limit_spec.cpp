@@ -172,4 +172,29 @@ std::vector<LimitState> read_limits(config::Table const& root, config::Table con
     return limits;
 }
 
+std::string unreachable(LimitState const& limit, BodySpec const& body) {
+    auto const& quantity = limit.quantity;
+    if (has(quantity.needs, Effect::sliding) && quantity.of_every_model && !body.friction) {
+        return fmt::format(
+            "'{}' of body '{}', which has no friction (it is held not to slip, so that the limit cannot "
+            "be passed). State its friction",
+            quantity.name, body.name);
+    }
+    if (quantity.name == "peak_crush" && !body.footing.pad.strength_pa) {
+        return fmt::format(
+            "'{}' of body '{}', whose pad has no strength (it stays elastic, so that the limit cannot be "
+            "passed). State pad.strength",
+            quantity.name, body.name);
+    }
+    return {};
+}
+
+void check_reachable(config::Table const& root, std::span<LimitState const> limits, std::span<BodySpec const> bodies) {
+    for (std::size_t i = 1; i < limits.size(); ++i) {
+        if (std::ranges::none_of(bodies, [&](BodySpec const& body) { return unreachable(limits[i], body).empty(); })) {
+            root.children("limits")[i - 1].fail("quantity", unreachable(limits[i], bodies.front()));
+        }
+    }
+}
+
 }  // namespace overturn

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "campaign/body_spec.hpp"
 #include "campaign/rows.hpp"
 #include "config/table.hpp"
 #include "response/ladder.hpp"
@@ -98,5 +99,11 @@ enum class WavesOfLevels { shared, independent, grid };
 /// \throws InputError
 [[nodiscard]] std::vector<LimitState> read_limits(config::Table const& root, config::Table const& statistics,
                                                   WavesOfLevels waves, EffectRequest& effects);
+
+/// Why a body, as it is stated, cannot pass a limit: slip without friction, crush without a strength. "": it can.
+[[nodiscard]] std::string unreachable(LimitState const& limit, BodySpec const& body);
+
+/// Refuses limits that no body can pass. \throws InputError
+void check_reachable(config::Table const& root, std::span<LimitState const> limits, std::span<BodySpec const> bodies);
 
 }  // namespace overturn

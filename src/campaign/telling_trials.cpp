@@ -15,6 +15,8 @@ namespace {
 /// The candidates of one body as the trials come, in order of their numbers: an equal one does not displace an earlier.
 class Candidates {
   public:
+    /// \param slips whether it has friction: what a base without one wanders on points is no slip
+    explicit Candidates(bool slips) : slips_(slips) {}
     void add(TellingTrial const& trial) {
         auto const& end = entry_of(trial.verdict);
         if (!end.moved || !end.decided) {
@@ -32,7 +34,7 @@ class Candidates {
         if (trial.peak_rotation_ratio > (nearest_miss_ ? nearest_miss_->peak_rotation_ratio : 0)) {
             nearest_miss_ = trial;
         }
-        if (trial.peak_slip_m > (largest_slip_ ? largest_slip_->peak_slip_m : 0)) {
+        if (slips_ && trial.peak_slip_m > (largest_slip_ ? largest_slip_->peak_slip_m : 0)) {
             largest_slip_ = trial;
         }
         if (fall_ && fall_->wave == trial.wave) {
@@ -64,6 +66,7 @@ class Candidates {
     }
 
   private:
+    bool slips_;
     std::optional<TellingTrial> first_overturned_, nearest_miss_, largest_slip_;
     std::optional<TellingTrial> fall_;  // the last wave's lowest
     std::vector<TellingTrial> changes_back_;
@@ -98,7 +101,10 @@ std::vector<std::size_t> share_fairly(std::span<std::size_t const> offered, std:
 std::vector<TellingTrial> telling_trials(CampaignSpec const& spec, Plan const& plan, TrialColumns const& columns) {
     OVERTURN_EXPECT(columns.verdicts.size() == columns.peak_rotation_ratios.size()
                     && columns.verdicts.size() == columns.peak_slips_m.size());
-    std::vector<Candidates> bodies(spec.bodies.size());
+    std::vector<Candidates> bodies;
+    for (auto const& body : spec.bodies) {
+        bodies.emplace_back(body.friction.has_value());
+    }
     for (std::size_t t = 0; t < columns.verdicts.size(); ++t) {
         auto const number = static_cast<std::int64_t>(t);
         auto const [wave, body, level] = plan.trial(number);

@@ -31,7 +31,7 @@ void add_drifts(CampaignSpec const& spec, Lines& lines) {
     bool told = false;
     std::string first;
     each_drift(spec, [&](std::int64_t wave, Drift const& drift) {
-        if (drift.excessive() && count++ == 0) {
+        if (drift.any_excessive() && count++ == 0) {
             first = fmt::format("record {} {}", wave, drift.text());
         }
     });
@@ -55,15 +55,15 @@ void add_drifts(CampaignSpec const& spec, Lines& lines) {
 }
 
 void add_targets(CampaignSpec const& spec, Lines& lines) {
-    auto const judged_to = spec.source->judged_to_s();
+    auto const judged = spec.source->compared_periods();
     for (auto const& body : spec.bodies) {
         auto const band = rocking_period_band(body.body.radius_m(), spec.measures.radius_unit);
-        if (judged_to && ends_inside(*judged_to, band)) {
+        if (judged && ends_inside(*judged, band)) {
             lines.push_back(
-                fmt::format("waves are compared with their target to {:.3g} s only, and {} rocks at {:.2f} "
-                            "s to {:.2f} s: nothing says how they shake it beyond. State the target to "
-                            "{:.3g} s, and waves.target.longest no shorter",
-                            *judged_to, body.name, band.t0_s, band.t1_s, band.t1_s));
+                fmt::format("waves are compared with their target from {:.3g} s to {:.3g} s only, and {} rocks at "
+                            "{:.2f} s to {:.2f} s: nothing says how they shake it beyond. State the target over all of "
+                            "this, and waves.target.longest no shorter",
+                            judged->from_s, judged->to_s, body.name, band.t0_s, band.t1_s));
         }
     }
 }
@@ -73,11 +73,26 @@ void add_first_wave(CampaignSpec const& spec, Lines& lines) {
     try {
         Plan const plan(spec);
         auto const wave = spec.source->make(spec.seed, plan.wave_id(0));
-        if (double const peak = peak_of(wave.motion.horizontal_mps2); peak > absurd_mps2) {
+        double const peak = peak_of(wave.motion.horizontal_mps2);
+        if (peak > absurd_mps2) {
             lines.push_back(
                 fmt::format("wave 0 peaks at {:.4g} g before any scaling (no ground has shaken so). Check the "
                             "unit of its target or amplitude",
                             peak / g0));
+        } else if (spec.levels.measure == LevelMeasure::factor) {
+            double const highest = spec.levels.levels.back().value;
+            constexpr double weakest_mps2 = 0.1;
+            if (peak * highest > absurd_mps2) {
+                lines.push_back(
+                    fmt::format("wave 0 peaks at {:.4g} g at the highest level, factor {:g} (no ground has "
+                                "shaken so). Check levels.values",
+                                peak * highest / g0, highest));
+            } else if (peak > 0 && peak * highest < weakest_mps2) {
+                lines.push_back(
+                    fmt::format("wave 0 peaks at {:.4g} gal even at the highest level, factor {:g} (nothing "
+                                "rocks). Check the unit of its target or amplitude",
+                                100 * peak * highest, highest));
+            }
         }
     } catch (InputError const&) {
         return;  // its trials will say why
@@ -125,6 +140,26 @@ void add_levels(LevelSpec const& levels, Lines& lines) {
                         "that was meant",
                         levels.measure_name(), highest, levels.units(), highest / bound->unit_si, bound->unit,
                         bound->known, highest, bound->unit));
+    }
+}
+
+// What bodies cannot do as they are stated, and what none does: metres where millimetres were meant.
+void add_limits(CampaignSpec const& spec, Lines& lines) {
+    constexpr double farthest_m = 20, fastest_mps = 30;
+    for (auto const& limit : spec.limits) {
+        for (auto const& body : spec.bodies) {
+            if (auto const why = unreachable(limit, body); !why.empty()) {
+                lines.push_back(fmt::format("limit '{}': {}", limit.name, why));
+            }
+        }
+        auto const& units = limit.quantity.units;
+        if ((units == "m" && limit.threshold > farthest_m) || (units == "m/s" && limit.threshold > fastest_mps)) {
+            lines.push_back(
+                fmt::format("limit '{}': {} of {:g} {} (a bare number is SI). Write its unit, \"{:g} {}\", "
+                            "if another was meant",
+                            limit.name, limit.quantity.name, limit.threshold, units, limit.threshold,
+                            units == "m" ? "mm" : "cm/s"));
+        }
     }
 }
 
@@ -184,9 +219,9 @@ std::vector<std::string> warnings_of(GroundMotion const& motion) {
     return lines;
 }
 
-bool ends_inside(double judged_to_s, PeriodBand const& band) {
+bool ends_inside(ComparedPeriods const& judged, PeriodBand const& band) {
     constexpr double rounding = 1e-9;
-    return judged_to_s < band.t1_s * (1 - rounding);
+    return judged.to_s < band.t1_s * (1 - rounding) || judged.from_s > band.t0_s * (1 + rounding);
 }
 
 std::vector<std::string> warnings_of(CampaignSpec const& spec) {
@@ -197,6 +232,7 @@ std::vector<std::string> warnings_of(CampaignSpec const& spec) {
     add_levels(spec.levels, lines);
     add_alike(spec, lines);
     add_rare(spec, lines);
+    add_limits(spec, lines);
     add_motions(spec, lines);
     for (auto const& body : spec.bodies) {
         auto const more = warnings_of(body);

@@ -17,8 +17,8 @@ namespace overturn {
 /// Of one motion: too few samples, too long a step.
 [[nodiscard]] std::vector<std::string> warnings_of(GroundMotion const& motion);
 
-/// True if a target that is compared to `judged_to_s` leaves some of a body's band without a word.
-[[nodiscard]] bool ends_inside(double judged_to_s, PeriodBand const& band);
+/// Does a target that is compared over these periods leave some of a body's band without a word, at either end?
+[[nodiscard]] bool ends_inside(ComparedPeriods const& judged, PeriodBand const& band);
 
 /// How the first measured waves end, a line each: what of PGV and PGD is their baseline's. Empty without records.
 [[nodiscard]] std::vector<std::string> ends_of_records(CampaignSpec const& spec);

@@ -28,16 +28,16 @@ WaveCheck check_wave(GeneratedWave const& wave, std::vector<BodySpec> const& bod
 }
 
 void validate_bands(WaveSource const& source, std::vector<BodySpec> const& bodies, RadiusUnit radius_unit) {
-    auto const judged_to = source.judged_to_s();
-    if (source.acceptance() == "none" || !judged_to) {
+    auto const judged = source.compared_periods();
+    if (source.acceptance() == "none" || !judged) {
         return;
     }
     for (auto const& body : bodies) {
         auto const band = rocking_period_band(body.body.radius_m(), radius_unit);
-        validate(band.t1_s <= *judged_to,
+        validate(band.t1_s <= judged->to_s,
                  "'{}' beside a body '{}' with T1 = {:.3g} s (waves are compared with their target to {:.3g} s only). "
                  "Use a target that goes on, and waves.target.longest no shorter",
-                 source.acceptance(), body.name, band.t1_s, *judged_to);
+                 source.acceptance(), body.name, band.t1_s, judged->to_s);
     }
 }
 

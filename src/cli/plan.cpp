@@ -80,6 +80,12 @@ std::string friction_text(BodySpec const& body) {
     }
     double const mu = body.friction->static_coefficient;
     double const slope = body.body.half_width_m() / body.body.centre_height_m();
+    auto const& drawn = body.scatter.friction;
+    if (drawn && drawn->scatters() && drawn->lowest() < slope && slope < drawn->highest()) {
+        double const below = 0.5 * std::erfc(-drawn->score(slope) / std::sqrt(2.0));
+        return fmt::format("friction about {:.4g}, tan(alpha) {:.4g}: slides before it rocks in {:.0f} % of draws", mu,
+                           slope, 100 * below);
+    }
     auto const compared = fmt::format("friction {:.4g} {} tan(alpha) {:.4g}", mu, mu < slope ? "<" : ">=", slope);
     if (mu < slope) {
         return compared + ": slides before it rocks, not expected to overturn";

@@ -99,7 +99,7 @@ void print_text(BodySpec const& spec, PlacedRecord const& record, Drift const& d
                b.limit_velocity_mps());
     fmt::print("read as          {}\n", record.read_as());
     fmt::print("wave             {}{}\n", drift.text(),
-               drift.excessive() ? ": its baseline drifts, correct it with --baseline" : "");
+               drift.any_excessive() ? ": its baseline drifts, correct it with --baseline" : "");
     fmt::print("verdict          {}\n", entry_of(r.verdict).name);
     if (std::isnan(r.peak_rotation_rad)) {
         return;  // no model ran it: the error says why

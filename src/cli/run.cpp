@@ -89,7 +89,8 @@ void add_run(CommandLine& line) {
     verb.takes("-o,--output", options->output, "results file; default: the campaign's name with .h5, here");
     verb.takes("--resume", options->resume, "go on with what an earlier run left behind");
     verb.takes("--set", options->settings, "override a key: waves.count=50, bodies.0.friction=0.4");
-    verb.takes("--max-walltime", options->max_walltime, "stop in time to be resumed, \"50 min\", 01:00:00, 1-00:00:00");
+    verb.takes("--max-walltime", options->max_walltime,
+               "stop in time to be resumed, \"50 min\", 01:00:00, 1-00:00:00; a bare number is seconds");
     verb.takes("--part", options->part, "I/N: only the I-th of N parts, for array jobs; merge puts them together");
     verb.does([options] {
         stop_on_signals();  // what came earlier, or comes while MPI starts or records are read, is not lost

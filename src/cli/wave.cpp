@@ -70,7 +70,7 @@ void write_output(Options const& options, std::uint64_t seed, GeneratedWave cons
                             options.output);
     }
     for (auto const& file : written) {
-        note("{}: {} samples of {} s, {}\n", file, made.motion.samples(), made.motion.time_step_s, made.label);
+        note("{}: {} samples of {:.6g} s, {}\n", file, made.motion.samples(), made.motion.time_step_s, made.label);
     }
 }
 

@@ -28,8 +28,10 @@ std::string match_text(char const* name, MatchReport const& match) {
 
 // What of a body's band no target says anything about.
 std::string uncovered_text(CampaignSpec const& spec, PeriodBand const& band) {
-    auto const judged_to = spec.source->judged_to_s();
-    return judged_to && ends_inside(*judged_to, band) ? fmt::format(" (compared to {:.2f} s only)", *judged_to) : "";
+    auto const judged = spec.source->compared_periods();
+    return judged && ends_inside(*judged, band)
+               ? fmt::format(" (compared from {:.2f} s to {:.2f} s only)", judged->from_s, judged->to_s)
+               : "";
 }
 
 Json figures_json(MatchFigures const& f) {

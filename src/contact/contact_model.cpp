@@ -20,7 +20,7 @@ constexpr std::array contact_effect{EffectEntry{
 constexpr std::array channels{
     Channel{"time_s"},   Channel{"rotation_rad"}, Channel{"velocity_radps"}, Channel{"sway_m"},
     Channel{"sway_mps"}, Channel{"rise_m"},       Channel{"rise_mps"},       Channel{"contact_force_over_weight"},
-    Channel{"crush_m"}};
+    Channel{"crush_m"},  Channel{"slip_m"}};
 
 /// Instants of the kernel as rows of channels.
 class Shown : public ContactObserver {
@@ -28,7 +28,7 @@ class Shown : public ContactObserver {
     explicit Shown(Observer& observer) : observer_(observer) {}
     void at(ContactInstant const& i) override {
         observer_.at(std::array{i.time_s, i.rotation_rad, i.velocity_radps, i.sway_m, i.sway_mps, i.rise_m, i.rise_mps,
-                                i.contact_force_ratio, i.crush_m});
+                                i.contact_force_ratio, i.crush_m, i.slip_m});
     }
 
   private:

@@ -43,6 +43,7 @@ struct ContactInstant {
     double time_s, rotation_rad, velocity_radps, sway_m, sway_mps, rise_m, rise_mps;  ///< rise: z - h
     double contact_force_ratio = 1;  ///< over the weight, at the start of the step before
     double crush_m = 0;              ///< deepest that the pad keeps
+    double slip_m = 0;               ///< of the corner that it leans on, from where it stood
 };
 
 /// Receives every step's start.

@@ -1,6 +1,8 @@
 #include "motion/drift.hpp"
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -17,17 +19,32 @@ bool Drift::excessive() const {
 }
 
 std::string Drift::text() const {
-    return fmt::format("ends at {:.3g} m/s ({:.3g} % of its PGV), {:.3g} m from where it began", end_velocity_mps,
-                       100 * share(), end_displacement_m);
+    return fmt::format("ends at {:.3g} m/s ({:.3g} % of its PGV), {:.3g} m from where it began{}", end_velocity_mps,
+                       100 * share(), end_displacement_m, others);
 }
 
-Drift drift_of(GroundMotion const& motion) {
-    auto const& a = motion.horizontal_mps2;
-    auto const intensity = intensity_of(a, motion.time_step_s);
-    Drift drift{.pgv_mps = intensity.pgv_mps, .pgd_m = intensity.pgd_m};
+namespace {
+
+Drift of_component(std::vector<double> const& a, double step_s, double factor) {
+    auto const intensity = intensity_of(a, step_s);
+    Drift drift{.pgv_mps = intensity.pgv_mps, .pgd_m = intensity.pgd_m, .factor = factor, .others = {}};
     if (!a.empty()) {
-        drift.end_velocity_mps = velocity_of(a, motion.time_step_s).back();
-        drift.end_displacement_m = displacement_of(a, motion.time_step_s).back();
+        drift.end_velocity_mps = velocity_of(a, step_s).back();
+        drift.end_displacement_m = displacement_of(a, step_s).back();
+    }
+    return drift;
+}
+
+}  // namespace
+
+Drift drift_of(GroundMotion const& motion, double factor) {
+    auto drift = of_component(motion.horizontal_mps2, motion.time_step_s, factor);
+    for (auto const& [name, a] :
+         {std::pair("transverse", &motion.transverse_mps2), {"vertical", &motion.vertical_mps2}}) {
+        auto const other = of_component(*a, motion.time_step_s, factor);
+        if (other.excessive()) {
+            drift.others += fmt::format("; its {} component {}", name, other.text());
+        }
     }
     return drift;
 }

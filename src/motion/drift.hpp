@@ -15,16 +15,20 @@ struct Drift {
     double end_velocity_mps = 0;    ///< [m/s]
     double end_displacement_m = 0;  ///< [m]
     double factor = 1;              ///< by which the record was multiplied
+    std::string others = {};        ///< what the other components end at where that is excessive; "": nowhere
 
     /// |end velocity| over PGV; 0 where nothing moves.
     [[nodiscard]] double share() const;
     /// True if more than 5 % of PGV is left, or PGD, unscaled, is beyond 15 m: PGV and PGD are then the baseline's as
     /// much as the ground's.
     [[nodiscard]] bool excessive() const;
+    /// True if that, or another component, is.
+    [[nodiscard]] bool any_excessive() const { return excessive() || !others.empty(); }
     /// "ends at 0.012 m/s (3.1 % of its PGV), 0.32 m from where it began"
     [[nodiscard]] std::string text() const;
 };
 
-[[nodiscard]] Drift drift_of(GroundMotion const& motion);
+/// \param factor by which the record was multiplied
+[[nodiscard]] Drift drift_of(GroundMotion const& motion, double factor = 1);
 
 }  // namespace overturn

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "motion/column_unit.hpp"
@@ -68,6 +70,17 @@ void take_comment(std::string_view comment, int line, PairTable& table) {
     }
 }
 
+/// Names without a unit, below a comment that says one: "# Sa in gal" over "T,Sa".
+void keep_unit_of(PairTable const& said, PairTable& table) {
+    auto const [unit, bracketed] = unit_text_in_name(table.second_name);
+    bool const has_own =
+        bracketed || unit_spelled(unit, Dimension::acceleration) || unit_spelled(unit, Dimension::velocity);
+    if (said.names_line > 0 && !has_own) {
+        table.second_name = fmt::format("{} ({})", table.second_name, unit_text_in_name(said.second_name).text);
+        table.names_line = said.names_line;
+    }
+}
+
 }  // namespace
 
 PairTable read_pair_table(std::string_view content, std::string const& name, std::string_view meaning,
@@ -86,7 +99,9 @@ PairTable read_pair_table(std::string_view content, std::string const& name, std
         }
         if (table.points.empty() && !names_seen && is_names(row)) {
             names_seen = true;
+            auto const said = table;
             take_names(row, lines.number(), table);
+            keep_unit_of(said, table);
             continue;
         }
         try {

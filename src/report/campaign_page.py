@@ -58,6 +58,10 @@ class Report:
         return figure_of(svg, alt, SCALE)
 
     def csv(self, name, head, rows):
+        """A table beside the figures; amplitudes, in SI as all numbers, with their measure and its unit."""
+        if "amplitude" in head:
+            head = [*head, "amplitude_measure", "amplitude_units"]
+            rows = [[*row, self.results.measure, self.fit["stripes"][0]["units"]] for row in rows]
         if self.keep:
             with open(os.path.join(self.folder, name + ".csv"), "w", encoding="utf-8", newline="") as file:
                 writer = csv.writer(file, lineterminator="\n")

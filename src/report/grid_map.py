@@ -95,12 +95,20 @@ def answer(report, body):
     """One sentence on a body: from which level on it overturns, and where."""
     lines = [line for line in report.fit["grid"] if line["body"] == body.name]
     why = report.fits[(body.name, report.results.measure)]["warnings"][0]
-    fell = [line for line in lines if line["overturning"] is not None]
-    if not fell:
-        return f"overturns at no frequency up to {report.amplitude(float(body.stripes['amplitude'][-1]))}; {why}"
-    first = min(fell, key=lambda line: line["overturning"])
-    return (f"overturns from {report.amplitude(first['overturning'])} on at {plain(first['frequency_hz'], 3)} Hz, at "
-            f"{len(fell)} of {len(lines)} frequencies in all; {why}")
+    parts = [passed(report, body, lines, "overturns", lambda line: line["overturning"])]
+    parts += [passed(report, body, lines, f"exceeds {limit}", lambda line, limit=limit: line["limits"][limit])
+              for limit in lines[0]["limits"]]
+    return "; ".join([*parts, why])
+
+
+def passed(report, body, lines, what, level):
+    """From which level on a limit state is passed, and at how many frequencies."""
+    those = [line for line in lines if level(line) is not None]
+    if not those:
+        return f"{what} at no frequency up to {report.amplitude(float(body.stripes['amplitude'][-1]))}"
+    first = min(those, key=level)
+    return (f"{what} from {report.amplitude(level(first))} on at {plain(first['frequency_hz'], 3)} Hz, at "
+            f"{len(those)} of {len(lines)} frequencies in all")
 
 
 def section(report):

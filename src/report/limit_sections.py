@@ -119,7 +119,10 @@ def curves(report, limit):
             for s in stripes]
     name = "fragility" if limit == OVERTURNING else f"fragility-{limit}"
     what = "overturning" if limit == OVERTURNING else f"exceeding {limit}"
-    return [report.figure(f"{name}-compared", lambda path: fragility_figures.compared(report.results, fits, stripes, what, path),
+    bodies = len(report.results.bodies)
+    many = bodies > fragility_figures.MOST_COMPARED
+    return [paragraphs([f"{bodies} bodies: no more than {fragility_figures.MOST_COMPARED} are drawn in one picture."]) if many else "",
+            report.figure(f"{name}-compared", lambda path: fragility_figures.compared(report.results, fits, stripes, what, path),
                           f"probability of {what} of all bodies"),
             *(report.figure(name + part, lambda path, shown=shown: fragility_figures.fragility(
                 report.results, shown, fits, stripes, what, path), f"probability of {what} against amplitude")

@@ -171,9 +171,12 @@ double value_unit(PairTable const& table, TargetKind kind, std::optional<double>
     auto const [text, bracketed] = unit_text_in_name(table.second_name);
     constexpr double same = 1e-9;
     if (unit && stated && std::abs(*unit - *stated) > same * *unit) {
-        throw InputError(where, fmt::format("unit '{}' in the header, another one stated in the campaign (they "
-                                            "contradict each other). Leave the stated one out",
-                                            text));
+        auto const named = dimension == Dimension::acceleration
+                               ? name_of_acceleration_unit(*stated)
+                               : fmt::format("{:.6g} {}", *stated, si_symbol(dimension));
+        throw InputError(where, fmt::format("unit '{}' in the header, {} stated in the campaign (they contradict each "
+                                            "other). Leave the stated one out",
+                                            text, named));
     }
     bool const another = unit_spelled(text, Dimension::acceleration) || unit_spelled(text, Dimension::velocity)
                          || (bracketed && unit_spelled(text, Dimension::length));

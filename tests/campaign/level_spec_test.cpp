@@ -56,7 +56,7 @@ TEST(Levels, MayBeThatOfBothComponentsTogether) {
 TEST(Levels, ARangeHasEqualStepsOrRatios) {
     auto const linear = levels_of("measure='pga'\nvalues={from='300 gal',to='1500 gal',count=13}\n");
     auto const log = levels_of("measure='pga'\nvalues={from=1,to=8,count=4,spacing='log'}\n");
-    auto const single = levels_of("measure='pga'\nvalues={from=1,to=8,count=1}\n");
+    auto const single = levels_of("measure='pga'\nvalues={from=1,to=1,count=1}\n");
 
     ASSERT_EQ(linear.levels.size(), 13U);
     for (std::size_t i = 0; i < 13; ++i) {
@@ -107,6 +107,7 @@ TEST(Levels, RefusesNonsense) {
     refuse("measure='pga'\nvalues=[0]\n", "values: 0 m/s2");
     refuse("measure='pga'\nvalues=['3 kine']\n", "kine");
     refuse("measure='pgx'\nvalues=[1]\n", "Did you mean 'pga'?");
+    refuse("measure='pga'\nvalues={from=1,to=8,count=1}\n", "1 level between two");
     refuse("measure='pga'\nvalues={from=3,to=1,count=4}\n", "Swap them");
     refuse("measure='pga'\nvalues={from=1,to=3,count=4,step=1}\n", "step");
     refuse("measure='pga'\nvalues=[1]\ndesing_basis=2\n", "Did you mean 'design_basis'?");

@@ -10,6 +10,7 @@
 
 #include "campaign/analysis.hpp"
 #include "campaign/trial.hpp"
+#include "campaign/warnings.hpp"
 #include "response/registry.hpp"
 #include "support/campaigns.hpp"
 #include "support/expect_input_error.hpp"
@@ -171,7 +172,7 @@ TEST(LimitState, AnyAndAllOfOthers) {
 
 /// A quantity of contact's own is read from the record of the model that answered, and calls for that model.
 TEST(LimitState, QuantitiesOfAModelCallForIt) {
-    Judged judged("[[limits]]\nname='crushed'\nquantity='peak_crush'\nabove='1 mm'\n");
+    Judged judged("[[limits]]\nname='rises'\nquantity='peak_rise'\nabove='1 mm'\n");
     ASSERT_TRUE(has(judged.spec.effects.include, Effect::contact));
     ASSERT_EQ(judged.spec.effects.mode, EffectMode::automatic);
     std::int64_t const rocking = 1;
@@ -179,7 +180,7 @@ TEST(LimitState, QuantitiesOfAModelCallForIt) {
     for (auto const& [traits, offset] : judged.ladder.own_parts()) {
         if (traits->name == "contact") {
             contact = traits->number;
-            set_real(std::span(judged.own).subspan(offset), field_named(traits->fields, "peak_crush"), 0.002);
+            set_real(std::span(judged.own).subspan(offset), field_named(traits->fields, "peak_rise"), 0.002);
         }
     }
     auto row = row_of(Verdict::rocked, 0, 0.1);
@@ -374,6 +375,35 @@ TEST(LimitState, BadOnesAreRefusedWhereTheyAreWrong) {
     refuse(touches, "'peak_slip' without sliding among the effects", "[effects]\nmode='none'\n");
     refuse("[[limits]]\nname='a'\nquantity='peak_crush'\nabove='1 mm'\n", "'peak_crush' without contact",
            "[effects]\ninclude=['sliding']\n");
+}
+
+// Requirement: a limit that no body can pass as it is stated is refused; a body among others that cannot is told.
+TEST(LimitState, WhatNoBodyCanPassIsRefused) {
+    auto const campaign = [](std::string const& bodies, std::string const& limit) {
+        return testing::campaign_from(testing::quick_waves + bodies + testing::levels("values=[3]\n") + limit);
+    };
+    testing::expect_input_error([&] { (void)campaign(testing::type_a, touches); }, "limits[0].quantity",
+                                "which has no friction", "State its friction");
+    auto const crushed = "[[limits]]\nname='crushed'\nquantity='peak_crush'\nabove='1 mm'\n";
+    testing::expect_input_error([&] { (void)campaign(testing::type_a, crushed); }, "limits[0].quantity",
+                                "whose pad has no strength", "State pad.strength");
+    EXPECT_NO_THROW((void)campaign(testing::type_a + "pad={strength='30 MPa'}\n", crushed));
+
+    auto const both = campaign(sliding_body + testing::type_b, touches);
+    auto const lines = warnings_of(both);
+    EXPECT_EQ(std::ranges::count_if(lines, [](auto const& l) { return l.find("limit 'touches': 'peak_slip'") == 0; }),
+              1);
+}
+
+// Requirement: metres where millimetres were meant are told.
+TEST(LimitState, AbsurdThresholdsAreTold) {
+    auto const told = [](std::string const& above) {
+        auto const lines =
+            warnings_of(with_limits("[[limits]]\nname='t'\nquantity='peak_slip'\nabove=" + above + "\n"));
+        return std::ranges::any_of(lines, [](auto const& l) { return l.find("limit 't': peak_slip of 300 m") == 0; });
+    };
+    EXPECT_TRUE(told("300"));
+    EXPECT_FALSE(told("'300 mm'"));
 }
 
 }  // namespace

@@ -27,7 +27,8 @@ constexpr auto failed = static_cast<std::int64_t>(Verdict::failed);
 
 // Three waves, two bodies, three levels: eighteen trials, wave by wave, then body, then level.
 CampaignSpec campaign(std::string const& levels = "values=[3,6,9]\n") {
-    return testing::campaign_from(testing::quick_waves + testing::type_a + testing::type_b + testing::levels(levels));
+    return testing::campaign_from(testing::quick_waves + testing::type_a + "friction=0.3\n" + testing::type_b
+                                  + "friction=0.3\n" + testing::levels(levels));
 }
 
 std::vector<std::int64_t> const verdicts{rest, fell, rocked, rest, slid,   rocked,   // wave 0: a changes back
@@ -64,6 +65,15 @@ TEST(TellingTrials, AreTheOnesThatAHandFinds) {
     EXPECT_TRUE(std::isnan(found[0].overturned_at));
     EXPECT_EQ(found[3].overturned_at, 3);
     EXPECT_EQ(found[4].overturned_at, 6);
+}
+
+// Requirement: what a base without friction wanders on points is no slip to look at.
+TEST(TellingTrials, ShowNoSlipOfABodyWithoutFriction) {
+    auto const spec = testing::campaign_from(testing::quick_waves + testing::type_a + testing::type_b
+                                             + testing::levels("values=[3,6,9]\n"));
+    for (auto const& trial : telling_trials(spec, Plan(spec), {verdicts, rotations, slips})) {
+        EXPECT_NE(trial.kind, TellingKind::largest_slip);
+    }
 }
 
 // A file that ended early holds the first waves; a wave of its own at every level can change nothing back.

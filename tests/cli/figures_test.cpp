@@ -154,6 +154,28 @@ TEST_F(Figures, HistoriesDrawWhatTheTrialWas) {
     }
 }
 
+// Requirement: slip and contact force are drawn of every model that has them, up to the stored peak.
+TEST_F(Figures, HistoriesShowSlipAndContactForce) {
+    done({"wave", "c.toml", "--wave", "1", "-o", "w.csv"});
+    folder.write("slides.toml", folder.read("body.toml") + "friction=0.3\n");
+    use_interpreter("cp \"$3\" \"$4\"");
+    for (std::string const effects : {"sliding", "contact,sliding"}) {
+        auto const told = json::parse(done({"rock", "--body", "slides.toml", "--wave", "w.csv", "--unit", "m/s2",
+                                            "--scale", "1.5", "--effects", effects, "--plot", "a.svg", "--json"})
+                                          .out);
+        auto const channels = json::parse(folder.read("a.svg"))["channels"];
+        double farthest = 0;
+        for (auto const& slip : channels.at("slip_m")) {
+            farthest = std::max(farthest, std::abs(slip.get<double>()));
+        }
+        double const stored = told.at("peak_slip_m");
+        EXPECT_GT(stored, 0.01) << effects;
+        EXPECT_LE(farthest, stored * (1 + 1e-9)) << effects;
+        EXPECT_GE(farthest, 0.98 * stored) << effects;
+        EXPECT_EQ(channels.at("contact_force_over_weight").size(), channels.at("slip_m").size());
+    }
+}
+
 TEST_F(Figures, HistoriesAreDrawn) {
     skip_without_matplotlib();
     if (IsSkipped()) {

@@ -164,15 +164,15 @@ TEST_F(Limits, ReportShowsThem) {
                              "_a $\\int &lt; b$: peak_slip &gt; 0.04 m", "type-a: slides ", "<th>at rest</th>"}) {
         EXPECT_NE(page.find(part), std::string::npos) << part;
     }
-    EXPECT_TRUE(
-        folder.read("figures/limits.csv")
-            .starts_with("limit,body,level,amplitude,trials,exceeded,failed,undecided,probability,lower,upper\n"));
+    EXPECT_TRUE(folder.read("figures/limits.csv")
+                    .starts_with("limit,body,level,amplitude,trials,exceeded,failed,undecided,probability,lower,upper,"
+                                 "amplitude_measure,amplitude_units\n"));
     EXPECT_TRUE(folder.read("figures/limit-fragility.csv").starts_with("limit,body,measure,"));
     EXPECT_TRUE(
         folder.read("figures/quantiles.csv")
             .starts_with("body,quantity,units,level,amplitude,trials,unknown,median,median_lower,median_upper,p84,"));
     EXPECT_TRUE(folder.read("figures/ends.csv")
-                    .starts_with("body,level,amplitude,trials,at_rest,slid,rocked,overturned,contact_lost,failed\n"));
+                    .starts_with("body,level,amplitude,trials,at_rest,slid,rocked,overturned,contact_lost,failed,"));
     EXPECT_TRUE(folder.has("figures/peak-slip-type-a.svg"));
     ASSERT_EQ(overturn(folder, {"run", "plain.toml", "-o", "0.h5"}).code, 0);
     ASSERT_EQ(overturn(folder, {"report", "0.h5", "-o", "b.html"}).code, 0);
@@ -219,7 +219,9 @@ TEST_F(Limits, PlanTellsThemAndWhatSlidesFirst) {
     EXPECT_NE(plan.find("slip      type-b: no slip\n"), std::string::npos) << plan;
     EXPECT_EQ(plan.find("calls     "), std::string::npos);
 
-    folder.write("crush.toml", small_campaign() + "[[limits]]\nname='crushed'\nquantity='peak_crush'\nabove='1 mm'\n");
+    auto strong = small_campaign();
+    strong.insert(strong.find("friction=0.5\n"), "pad={strength='30 MPa'}\n");
+    folder.write("crush.toml", strong + "[[limits]]\nname='crushed'\nquantity='peak_crush'\nabove='1 mm'\n");
     auto const calls = overturn(folder, {"plan", "crush.toml"}).out;
     EXPECT_NE(calls.find("calls     sliding, contact in every trial"), std::string::npos) << calls;
 }

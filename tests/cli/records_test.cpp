@@ -137,12 +137,15 @@ TEST_F(RecordsOnTheLine, TargetsThatSayTooLittleOrTooMuch) {
     };
     auto const short_one = everywhere("kind='acceleration'\npoints=[[0.05,3],[0.3,5],[2,5]]");
     for (auto const& said : short_one) {
-        EXPECT_NE(said.find("compared with their target to 2 s only, and b rocks at 0.53 s to 5.33 s"),
+        EXPECT_NE(said.find("compared with their target from 0.05 s to 2 s only, and b rocks at 0.53 s to 5.33 s"),
                   std::string::npos)
             << said;
     }
     EXPECT_NE(short_one[2].find("SI ratio not covered"), std::string::npos) << short_one[2];
-    EXPECT_NE(short_one[2].find("(compared to 2.00 s only)"), std::string::npos) << short_one[2];
+    EXPECT_NE(short_one[2].find("(compared from 0.05 s to 2.00 s only)"), std::string::npos) << short_one[2];
+    for (auto const& said : everywhere("kind='acceleration'\npoints=[[2,5],[10,1]]")) {
+        EXPECT_NE(said.find("from 2 s to 10 s only"), std::string::npos) << said;
+    }
     folder.write("gal.csv", "period [s],Sa [gal]\n0.02,300\n0.1,700\n1,500\n10,80\n");
     folder.write("none.csv", "0.02,300\n0.1,700\n1,500\n10,80\n");
     for (auto const& said : everywhere("kind='acceleration'\nfile='gal.csv'")) {

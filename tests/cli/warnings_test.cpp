@@ -98,6 +98,8 @@ TEST_F(Warnings, NoneForWhatIsUsual) {
 TEST_F(Warnings, InertiaOfThreeKilogramSquareMetres) {
     auto const tiny = replaced(body, "'uniform-block'", "3");
     expect_said(records_campaign("pga", "'300 gal'", tiny), {"b: inertia 3 kg m2", "radius of gyration of 0.0154 m"});
+    folder.write("f.toml", records_campaign("pga", "'300 gal'", tiny + "friction=0.5\n"));
+    EXPECT_NE(overturn(folder, {"plan", "f.toml"}).err.find("so low because inertia 3 kg m2"), std::string::npos);
     folder.write("tiny.toml", tiny);
     EXPECT_NE(overturn(folder, {"rock", "--body", "tiny.toml", "--wave", "r.csv"}).err.find("radius of gyration"),
               std::string::npos);
@@ -111,6 +113,20 @@ TEST_F(Warnings, MassOf138Kilogram) {
 TEST_F(Warnings, PgvOf5000Kine) {
     expect_said(records_campaign("pgv", "50"), {"levels up to pgv 50 m/s = 5000 kine", "Write \"50 kine\""});
     expect_said(records_campaign("pga", "300"), {"levels up to pga 300 m/s2 = 30000 gal", "Write \"300 gal\""});
+}
+
+TEST_F(Warnings, FactorsThatNoGroundHasShakenBy) {
+    expect_said(records_campaign("factor", "100"), {"wave 0 peaks at 10.2 g at the highest level, factor 100"});
+    expect_said(records_campaign("factor", "0.05"), {"wave 0 peaks at 5 gal even at the highest level"});
+}
+
+TEST_F(Warnings, ScatteredFrictionSlidesInAShareOfDraws) {
+    folder.write("c.toml", records_campaign("pga", "'300 gal'",
+                                            body
+                                                + "friction={distribution='normal',mean=0.4306220,deviation=0.05,"
+                                                  "low=0.3,high=0.561244}\n"));
+    auto const plan = overturn(folder, {"plan", "c.toml"}).out;
+    EXPECT_NE(plan.find("tan(alpha) 0.4306: slides before it rocks in 50 % of draws"), std::string::npos) << plan;
 }
 
 TEST_F(Warnings, StepOfOneSecond) {

@@ -160,7 +160,7 @@ TEST(Acceptance, IsRefusedWhereNoTargetIsStated) {
         [&] { (void)with("spectrum='rg-1.60'\n", "[vertical.target]\nspectrum='rg-1.60-vertical'\ndamping=0.1\n"); },
         "at 5 % damping");
     auto const source = with("points=[[0.02,2],[0.1,6],[0.5,6],[3,1]]\nkind='acceleration'\nlongest=10\n");
-    EXPECT_EQ(source->judged_to_s(), 3);
+    EXPECT_EQ(source->compared_periods()->to_s, 3);
     EXPECT_NE(source->describe().find("beyond its end at 3 s"), std::string::npos) << source->describe();
 }
 

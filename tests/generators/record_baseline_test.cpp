@@ -180,5 +180,19 @@ TEST(RecordBaseline, WaveKnowsHowItEnds) {
     EXPECT_LT(std::abs(mean->drift(0)->end_velocity_mps), 0.002);
 }
 
+// Requirement: the drift of the other components is told too.
+TEST(Drift, IsLookedForInEveryComponent) {
+    auto motion = shaken([](double) { return 0.0; });
+    EXPECT_FALSE(drift_of(motion).any_excessive());
+    motion.transverse_mps2 = motion.horizontal_mps2;
+    motion.vertical_mps2 = shaken([](double) { return 0.3; }).horizontal_mps2;
+    auto const drift = drift_of(motion);
+    EXPECT_FALSE(drift.excessive());
+    EXPECT_TRUE(drift.any_excessive());
+    EXPECT_EQ(drift.others.find("; its vertical component ends at 18 m/s"), 0U) << drift.others;
+    EXPECT_EQ(drift.others.find("transverse"), std::string::npos);
+    EXPECT_NE(drift.text().find(drift.others), std::string::npos);
+}
+
 }  // namespace
 }  // namespace overturn

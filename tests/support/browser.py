@@ -121,8 +121,9 @@ def faults(browser, page):
         yield "it cannot be printed"
     for event in browser.events:
         parameters = event.get("params", {})
-        if event.get("method") == "Network.requestWillBeSent" and parameters["request"]["url"] != page.as_uri():
-            yield f"loads {parameters['request']['url'][:100]}"
+        url = parameters["request"]["url"] if event.get("method") == "Network.requestWillBeSent" else None
+        if url and url != page.as_uri() and not url.startswith("data:"):  # what lies in the page itself
+            yield f"loads {url[:100]}"
         if event.get("method") == "Log.entryAdded":
             yield f"console: {parameters['entry']['text']}"
         if event.get("method") in ("Runtime.consoleAPICalled", "Runtime.exceptionThrown"):

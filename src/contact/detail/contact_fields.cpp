@@ -82,7 +82,16 @@ ContactInstant ContactRun::instant() const {
             get(Pressing::rise),
             get(Pressing::rise_speed),
             get(Pressing::force) / planar_.gravity_mps2,
-            deepest_crush()};
+            deepest_crush(),
+            slip_m()};
+}
+
+// Of the corner that it leans on: rocking about a corner moves the middle of the base, not that corner.
+double ContactRun::slip_m() const {
+    double const sine = get(Pressing::sine);  // the cosine's last digits drift
+    double const lifted = planar_.half_width_m * sine * sine / (1 + std::abs(get(Pressing::cosine)));
+    return get(Pressing::sway) - planar_.centre_height_m * get(Pressing::sine)
+           - std::copysign(lifted, get(Pressing::rotation));
 }
 
 // Kinetic, of position and of springs, over the mass; none in settled rest.
@@ -119,10 +128,7 @@ void ContactRun::tell_peaks(ContactOutcome& out) const {
     out.friction_demand = out.friction_work_jpkg = never;
     out.min_contact_force_ratio = out.steps > 0 ? get(Pressing::least_force) / g : 1;
     out.peak_slip_m = get(Pressing::most_slip);
-    double const sine = get(Pressing::sine);  // the cosine's last digits drift
-    double const lifted = planar_.half_width_m * sine * sine / (1 + std::abs(get(Pressing::cosine)));
-    out.residual_slip_m = get(Pressing::sway) - planar_.centre_height_m * get(Pressing::sine)
-                          - std::copysign(lifted, get(Pressing::rotation));
+    out.residual_slip_m = slip_m();
     out.end_sway_mps = get(Pressing::sway_speed);
     out.own.peak_crush_m = deepest_crush();
     out.own.peak_contact_force_ratio = std::max(1.0, get(Pressing::most_force) / g);

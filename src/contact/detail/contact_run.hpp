@@ -49,6 +49,7 @@ class ContactRun : public PointRun<ContactRun, Pressing, Spot, PressLanes<1>> {
     [[nodiscard]] bool calm(std::size_t sample) const;
     [[nodiscard]] bool decided() const;
     [[nodiscard]] bool slipped() const;
+    [[nodiscard]] double slip_m() const;
     [[nodiscard]] double mechanical_energy() const;
     [[nodiscard]] double across(std::size_t sample) const;
     [[nodiscard]] double up(std::size_t sample) const;
