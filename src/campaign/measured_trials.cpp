@@ -105,6 +105,16 @@ std::vector<SingleTrial> MeasuredTrials::singles(std::int64_t body, FragilityMea
     return singles;
 }
 
+std::vector<SingleTrial> MeasuredTrials::open(std::int64_t body, FragilityMeasure measure, std::size_t limit) const {
+    std::vector<SingleTrial> open;
+    for (auto const& trial : trials_) {
+        if (trial.body == body && !trial.limits.is_decided(limit) && trial.value(measure) > 0) {
+            open.push_back({trial.value(measure), together(trial.wave), false, trial.wave});
+        }
+    }
+    return open;
+}
+
 std::int64_t MeasuredTrials::left_out(std::int64_t body, FragilityMeasure measure, std::size_t limit) const {
     std::int64_t count = 0;
     for (auto const& trial : trials_) {

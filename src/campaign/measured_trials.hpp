@@ -79,6 +79,9 @@ class MeasuredTrials {
     /// The decided trials of a body with a measure above 0. \param limit place of the limit state; 0: overturning
     [[nodiscard]] std::vector<SingleTrial> singles(std::int64_t body, FragilityMeasure measure,
                                                    std::size_t limit = 0) const;
+    /// The trials of a body without a verdict on it, where their measure is known and above 0.
+    [[nodiscard]] std::vector<SingleTrial> open(std::int64_t body, FragilityMeasure measure,
+                                                std::size_t limit = 0) const;
     /// Trials passed by because enough were held.
     [[nodiscard]] std::int64_t passed_by() const { return passed_by_; }
     /// Trials of a body that `singles` leaves out, of those held.

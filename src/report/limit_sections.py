@@ -9,8 +9,8 @@ OVERTURNING = "overturning"  # the limit state that every campaign has
 STRIPE_KEYS = ["body", "level", "amplitude", "trials", "overturned", "failed", "probability", "lower", "upper"]
 LIMIT_KEYS = ["limit", "body", "level", "amplitude", "trials", "exceeded", "failed", "undecided", "probability", "lower",
               "upper"]
-FIT_KEYS = ["body", "measure", "units", "identifiable", "median", "beta", "median_interval", "beta_interval", "hclpf",
-            "hclpf_interval", "flags"]
+FIT_KEYS = ["body", "measure", "units", "identifiable", "median", "beta", "median_interval", "beta_interval",
+            "five_percent_point", "five_percent_point_interval", "hclpf", "hclpf_interval", "one_percent_point", "flags"]
 MOST_OPEN_ROWS = 40  # of the stripes: longer tables scroll in a box
 QUANTILES = [("median", "median"), ("p84", "84 %"), ("p95", "95 %")]
 LEAST_SLIP = 1e-4  # [m] that is worth a word
@@ -38,7 +38,9 @@ def answer(report, body, limit):
     if fit and fit["identifiable"]:
         parts.append(f"half {'overturn' if limit == OVERTURNING else 'exceed it'} at {report.amplitude(fit['median'], 3)} "
                      f"({report.amplitudes(fit['median_interval'], 3)}), beta {plain(fit['beta'], 2)}, "
-                     f"HCLPF {report.amplitude(fit['hclpf'], 3)}"
+                     + (f"5 % point {report.amplitude(fit['five_percent_point'], 3)}"
+                        if fit["five_percent_point"] is not None else "no 5 % point")
+                     + (f", HCLPF {report.amplitude(fit['hclpf'], 3)}" if fit["hclpf"] is not None else "")
                      + (f" (flagged: {', '.join(fit['flags'])})" if fit["flags"] else ""))
     elif fit:
         parts.append("no curve: " + "; ".join(fit["warnings"][:1] or [fit["state"]]))
@@ -94,7 +96,7 @@ def probability(quoted):
 def remarks(quoted, limit):
     words = [(f"{quoted['bound'][passed(limit)]:g} of {quoted['bound']['units']:g} seen; "
               f"{quoted['bound']['reason']}") if quoted["bound"] else "",
-             "outside the data" if quoted["outside_data"] else "", "tail: likely too low" if quoted["in_tail"] else ""]
+             "outside the data" if quoted["outside_data"] else "", "tail: may err to either side" if quoted["in_tail"] else ""]
     return ", ".join(word for word in words if word)
 
 
@@ -103,8 +105,9 @@ def curves(report, limit):
     fits, stripes, did = report.fits_of(limit), report.stripes[limit], passed(limit)
     mine = [f for f in fits.values() if f["measure"] == report.results.measure]
     fitted = [[f["body"], report.amplitude(f["median"]), report.amplitudes(f["median_interval"], 3),
-               value_of(f["beta"], 3), interval(f["beta_interval"], 3), report.amplitude(f["hclpf"]),
-               report.amplitudes(f.get("hclpf_interval"), 3), ", ".join(f["flags"]) or "none"] for f in mine]
+               value_of(f["beta"], 3), interval(f["beta_interval"], 3), report.amplitude(f["five_percent_point"]),
+               report.amplitudes(f["five_percent_point_interval"], 3), report.amplitude(f["hclpf"]),
+               report.amplitudes(f["hclpf_interval"], 3), report.amplitude(f["one_percent_point"]), ", ".join(f["flags"]) or "none"] for f in mine]
     split = [[f["body"], value_of(f["beta"], 3), value_of(f["beta_r"], 3), value_of(f["beta_u"], 3),
               ", ".join(f"{d['quantity']} {d['log_median_per_deviation']:+.3f} ± {d['standard_error']:.3f}"
                         for d in f["drawn"])] for f in mine if f["drawn"] and f["identifiable"]]
@@ -124,7 +127,8 @@ def curves(report, limit):
             *(report.figure(name + part, lambda path, shown=shown: fragility_figures.fragility(
                 report.results, shown, fits, stripes, what, path), f"probability of {what} against amplitude")
               for part, shown in in_pages(report.results.bodies, fragility_figures.MOST_ON_A_PAGE)),
-            table(["body", "median", "interval", "beta", "interval", "HCLPF", "interval", "flags"], fitted),
+            table(["body", "median", "interval", "beta", "interval", "5 % point", "interval", "HCLPF", "interval",
+                   "1 % point", "flags"], fitted),
             table(["body", "beta", "beta_R (waves)", "beta_U (body)", "change of ln median per deviation of"], split)
             if split else "",
             table(["body", "at", "amplitude", "P", "lower", "upper", ""], quoted) if quoted else "",
