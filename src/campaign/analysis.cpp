@@ -62,7 +62,8 @@ void keep_counts(CriterionStudy& study) {
     study.first_overturning.reset();
     study.highest_standing.reset();
     for (auto* share : {&study.safe_but_overturned, &study.overturned_said_safe, &study.unsafe_but_stood,
-                        &study.stood_said_unsafe, &study.waves_safe_but_overturned}) {
+                        &study.stood_said_unsafe, &study.waves_safe_but_overturned, &study.safe_uplifted_but_overturned,
+                        &study.waves_safe_uplifted_but_overturned}) {
         share->interval = {never, never};
     }
 }
@@ -76,6 +77,7 @@ class Analyst {
         BodyAnalysis body;
         body.body = spec_.bodies[b].name;
         body.variability = spec_.source->variability();
+        body.matched_waves = spec_.source->matches_one_spectrum();
         body.fragility = fragility(b, 0);
         for (std::size_t limit = 1; limit < spec_.limits.size(); ++limit) {
             auto const& stated = spec_.limits[limit];

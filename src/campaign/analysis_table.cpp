@@ -118,7 +118,8 @@ std::string criterion_text(MeasuredCriterion const& criterion) {
                             fragility_measure_names()[static_cast<std::size_t>(in_any_unit(criterion.measure))],
                             name_of(criterion.radius_unit));
     text += share_line("said safe, overturned", s.safe_but_overturned);
-    text += share_line("waves with such a trial", s.waves_safe_but_overturned);
+    text += share_line("the same of those that uplifted", s.safe_uplifted_but_overturned);
+    text += share_line("waves with such a trial", s.waves_safe_uplifted_but_overturned);
     text += share_line("said unsafe, stood", s.unsafe_but_stood);
     if (s.at_overturning) {
         auto const line = [](char const* what, RatioQuantiles const& q) {

@@ -48,6 +48,7 @@ void MeasuredTrials::add(TrialRow const& row, LimitOutcomes const& limits) {
     trial.limits = limits;
     trial.moved = verdict.moved;
     trial.slipped = row.peak_slip_m > 0;
+    trial.uplifted = verdict.fell || row.peak_rotation_ratio > 0;
     auto const missed = static_cast<EffectMask>(row.called) & ~static_cast<EffectMask>(row.effects);
     trial.peak_slip_m = verdict.decided && !has(missed, Effect::sliding) ? row.peak_slip_m : never;
     trial.peak_rotation_ratio = verdict.decided ? row.peak_rotation_ratio : never;
@@ -128,7 +129,8 @@ std::vector<CriterionTrial> MeasuredTrials::criterion_trials(std::int64_t body, 
     list.reserve(trials_.size());
     for (auto const& trial : trials_) {
         if (trial.body == body && trial.decided) {
-            list.push_back({trial.value(measure) / trial.v_ereq_mps, together(trial.wave), trial.overturned()});
+            list.push_back(
+                {trial.value(measure) / trial.v_ereq_mps, together(trial.wave), trial.overturned(), trial.uplifted});
         }
     }
     return list;

@@ -107,7 +107,7 @@ class MeasuredTrials {
         std::int64_t wave;
         LimitOutcomes limits;
         std::int32_t body;
-        bool decided, moved, slipped;
+        bool decided, moved, slipped, uplifted;
         double peak_slip_m, peak_rotation_ratio;  ///< NaN: unknown; infinite: it fell
         double amplitude, scale, v_wes_mps, ou_v_e_mps, v_ereq_mps, v_resp_mps;
         Peaks const* peaks;  ///< of its wave before scaling: an entry of waves_

@@ -67,6 +67,8 @@ Json criterion_json(std::string const& body, MeasuredCriterion const& criterion)
             {"unsafe_but_stood", share_json(s.unsafe_but_stood)},
             {"stood_said_unsafe", share_json(s.stood_said_unsafe)},
             {"waves_safe_but_overturned", share_json(s.waves_safe_but_overturned)},
+            {"safe_uplifted_but_overturned", share_json(s.safe_uplifted_but_overturned)},
+            {"waves_safe_uplifted_but_overturned", share_json(s.waves_safe_uplifted_but_overturned)},
             {"ratio_at_overturning", quantiles_json(s.at_overturning)},
             {"ratio_at_first_overturning", quantiles_json(s.first_overturning)},
             {"ratio_at_highest_standing", quantiles_json(s.highest_standing)}};

@@ -106,15 +106,12 @@ bool contradicted(FragilityFit const& fit, FragilityData const& data, double con
     }
     constexpr double share = 0.05;
     double const at = fit.line->log_median() - hclpf_score * fit.line->beta();
-    for (auto const& point : proportions_of(data)) {
+    return std::ranges::any_of(proportions_of(data), [&](FragilityPoint const& point) {
         auto const seen = interval_of(point, confidence);
         double const p = gsl_cdf_ugaussian_P(fit.line->at(point.log_intensity));
         bool const other_side = point.log_intensity <= at ? seen.lower > share : seen.upper < share;
-        if (other_side || p < seen.lower - share || p > seen.upper + share) {
-            return true;
-        }
-    }
-    return false;
+        return other_side || p < seen.lower - share || p > seen.upper + share;
+    });
 }
 
 void judge(FragilityFit& fit, FragilityData const& data, double confidence) {

@@ -182,15 +182,6 @@ TEST(Degenerate, APoorCurveDoesNotOutvoteItsStripe) {
                             [](auto const& text) { return text.find("P at 5 m/s2") != std::string::npos; }));
 }
 
-/// A dip that chance explains is no alarm.
-TEST(Degenerate, ADipByChanceIsNone) {
-    auto const fit = fit_of(table_of({{2, 50, 5}, {3, 50, 4}, {4, 50, 25}, {6, 50, 45}}));
-
-    EXPECT_FALSE(has(fit.flags, FragilityFlag::non_monotone));
-    EXPECT_EQ(fit.monotone.degrees_of_freedom, 1);
-    EXPECT_GT(fit.monotone.p_value, 0.5);
-}
-
 /// Trials without a verdict are counted and said, left out of the curve, and widen the bound.
 TEST(Degenerate, UndecidedTrials) {
     auto const fit = fit_of({{.amplitude = 2, .trials = 50}, {.amplitude = 4, .trials = 50, .failed = 10}});

@@ -116,6 +116,15 @@ TEST(Tail, FivePercentPointsThatTheStripesContradictAreNotTold) {
     EXPECT_TRUE(fine.five_percent_point() && fine.hclpf());
 }
 
+/// A dip that chance explains is no alarm.
+TEST(Tail, ADipByChanceIsNone) {
+    auto const fit = fit_of(table_of({{2, 50, 5}, {3, 50, 4}, {4, 50, 25}, {6, 50, 45}}));
+
+    EXPECT_FALSE(has(fit.flags, FragilityFlag::non_monotone));
+    EXPECT_EQ(fit.monotone.degrees_of_freedom, 1);
+    EXPECT_GT(fit.monotone.p_value, 0.5);
+}
+
 /// Where P may rise but the curve cannot tell, stripes bound it together: 6 of 3000, and none of 404 from 5 m/s2 up.
 TEST(Tail, StripesOfFewPoolUnderMonotonicity) {
     auto const few = fit_of(table_of({{2, 1000, 1}, {3, 1000, 2}, {4, 1000, 3}}));

@@ -160,12 +160,13 @@ UndecidedExtremes weigh_undecided(FragilityData const& data, CurveFit const& dec
                                  ? fit_curve(points, with_open_trials(data, fallen), request)
                                  : CurveAttempt{};
         widen(extremes.ends, attempt.curve ? attempt.curve->ends(method) : all_open);
-        highest = std::max(highest, attempt.curve ? attempt.curve->line.log_median() : infinite);
+        double const median = attempt.curve ? attempt.curve->line.log_median() : infinite;
+        highest = std::max(highest, median);
     }
     constexpr double most = 0.05;
-    for (auto const& share : undecided_shares(data)) {
-        extremes.hide_median |= share.log_intensity <= highest && share.probability() > most;
-    }
+    extremes.hide_median = std::ranges::any_of(undecided_shares(data), [&](FragilityPoint const& share) {
+        return share.log_intensity <= highest && share.probability() > most;
+    });
     return extremes;
 }
 
