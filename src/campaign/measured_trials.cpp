@@ -106,6 +106,20 @@ std::vector<SingleTrial> MeasuredTrials::singles(std::int64_t body, FragilityMea
     return singles;
 }
 
+std::vector<TwoMeasureTrial> MeasuredTrials::pairs(std::int64_t body, std::array<FragilityMeasure, 2> const& measures,
+                                                   std::size_t limit) const {
+    std::vector<TwoMeasureTrial> pairs;
+    for (auto const& trial : trials_) {
+        double const first = trial.value(measures[0]);
+        double const second = trial.value(measures[1]);
+        if (trial.body == body && trial.limits.is_decided(limit) && first > 0 && second > 0) {
+            pairs.push_back(
+                {{std::log(first), std::log(second)}, trial.limits.has_passed(limit), together(trial.wave)});
+        }
+    }
+    return pairs;
+}
+
 std::vector<SingleTrial> MeasuredTrials::open(std::int64_t body, FragilityMeasure measure, std::size_t limit) const {
     std::vector<SingleTrial> open;
     for (auto const& trial : trials_) {

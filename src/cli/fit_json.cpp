@@ -5,6 +5,7 @@
 
 #include "campaign/schema.hpp"
 #include "cli/json_values.hpp"
+#include "cli/together_json.hpp"
 #include "core/error.hpp"
 #include "response/registry.hpp"
 
@@ -201,6 +202,7 @@ Json fit_json(CampaignSpec const& spec, Statistics const& statistics, std::vecto
               {"limits", limits_json(spec)},
               {"stripes", all_stripes_json(spec, statistics, confidence)},
               {"fragility", all_fragility_json(analysis, confidence, units)},
+              {"together", together_json(spec, bodies_together(spec, statistics), confidence)},
               {"grid", Json::array()},
               {"quantiles", Json::array()},
               {"criterion", Json::array()},

@@ -11,6 +11,7 @@ LIMIT_KEYS = ["limit", "body", "level", "amplitude", "trials", "exceeded", "fail
               "upper"]
 FIT_KEYS = ["body", "measure", "units", "identifiable", "median", "beta", "median_interval", "beta_interval",
             "five_percent_point", "five_percent_point_interval", "hclpf", "hclpf_interval", "one_percent_point", "flags"]
+MOST_PAIRS = 6  # of bodies, columns of a table
 MOST_OPEN_ROWS = 40  # of the stripes: longer tables scroll in a box
 QUANTILES = [("median", "median"), ("p84", "84 %"), ("p95", "95 %")]
 LEAST_SLIP = 1e-4  # [m] that is worth a word
@@ -100,6 +101,22 @@ def remarks(quoted, limit):
     return ", ".join(word for word in words if word)
 
 
+def together(report, limit):
+    """Any of the bodies under one wave, and the correlation of their ends; nothing where there is one body."""
+    of = next((t for t in report.fit["together"] if t["limit"] == limit), None)
+    if of is None:
+        return []
+    shown = of["pairs"][:MOST_PAIRS]
+    rows = [[report.amplitude(any_["amplitude"]), any_["waves"], any_[passed(limit)], any_["undecided"],
+             *(value_of(any_[key], 3) for key in ("probability", "lower", "upper", "if_independent")),
+             *(value_of(pair["phi"][level], 2) for pair in shown)] for level, any_ in enumerate(of["any"])]
+    head = ["level", "waves", f"any {passed(limit)}", "undecided", "P(any)", "lower", "upper", "if independent",
+            *(f"φ {' / '.join(pair['bodies'])}" for pair in shown)]
+    pooled = "; ".join(f"{' / '.join(pair['bodies'])} {value_of(pair['phi_pooled'], 2)}" for pair in shown)
+    return [fold("any of the bodies under one wave, and how they fall together (φ)",
+                 table(head, rows) + paragraphs([f"φ pooled over levels: {pooled}"]))]
+
+
 def curves(report, limit):
     """Figure, fits, quoted probabilities, warnings and stripes of one limit state."""
     fits, stripes, did = report.fits_of(limit), report.stripes[limit], passed(limit)
@@ -132,6 +149,7 @@ def curves(report, limit):
             table(["body", "beta", "beta_R (waves)", "beta_U (body)", "change of ln median per deviation of"], split)
             if split else "",
             table(["body", "at", "amplitude", "P", "lower", "upper", ""], quoted) if quoted else "",
+            *together(report, limit),
             paragraphs((f"{f['body']}: {line}" for f in mine for line in f["warnings"]), " class=warning"),
             fold("all stripes", table(head, rows)) if len(rows) > MOST_OPEN_ROWS else table(head, rows)]
 
