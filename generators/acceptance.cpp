@@ -24,7 +24,8 @@ std::span<config::Entry<AcceptanceRule> const> acceptance_rules() {
     static constexpr std::array entries{
         config::Entry<AcceptanceRule>{"none", "waves are reported on, none is refused", {}},
         config::Entry<AcceptanceRule>{"srp-3.7.1",
-                                      "US NRC SRP 3.7.1, option 1, approach 2, and 5 % over [T0, T1]",
+                                      "spectrum clauses of US NRC SRP 3.7.1, option 1, approach 2 (not its power spectral density, duration, "
+                                      "V/A and AD/V2), and 5 % over [T0, T1]",
                                       {.largest_time_step_s = 0.01,
                                        .shortest_duration_s = 20,
                                        .lowest_ratio = 0.90,

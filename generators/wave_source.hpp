@@ -82,6 +82,9 @@ class WaveSource {
     [[nodiscard]] virtual std::string variability() const = 0;
     /// Has every wave a target of its own (GeneratedWave::drawn)?
     [[nodiscard]] virtual bool draws_targets() const { return false; }
+    /// Is every wave fitted to one spectrum, or all of them to its median? Measures of intensity then hardly differ
+    /// from each other but for a factor, and their trials cannot tell which is the better one.
+    [[nodiscard]] virtual bool matches_one_spectrum() const { return false; }
     /// So many waves in a row may share what was drawn, and are no independent samples.
     [[nodiscard]] virtual std::uint64_t waves_alike() const { return 1; }
     /// The periods at which its waves are compared with what its target states; nothing if there is none.

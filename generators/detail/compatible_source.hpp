@@ -59,6 +59,7 @@ class SpectrumCompatible : public WaveSource {
     [[nodiscard]] std::string describe() const override { return summary_; }
     [[nodiscard]] std::string variability() const override;
     [[nodiscard]] bool draws_targets() const override { return variability_.has_value(); }
+    [[nodiscard]] bool matches_one_spectrum() const override { return !variability_ && match_ != Match::none; }
     [[nodiscard]] std::uint64_t waves_alike() const override {
         return variability_ ? variability_->input().per_target * variability_->input().targets_per_event : 1;
     }

@@ -62,7 +62,8 @@ void keep_counts(CriterionStudy& study) {
     study.first_overturning.reset();
     study.highest_standing.reset();
     for (auto* share : {&study.safe_but_overturned, &study.overturned_said_safe, &study.unsafe_but_stood,
-                        &study.stood_said_unsafe, &study.waves_safe_but_overturned}) {
+                        &study.stood_said_unsafe, &study.waves_safe_but_overturned, &study.safe_uplifted_but_overturned,
+                        &study.waves_safe_uplifted_but_overturned}) {
         share->interval = {never, never};
     }
 }
@@ -76,6 +77,7 @@ class Analyst {
         BodyAnalysis body;
         body.body = spec_.bodies[b].name;
         body.variability = spec_.source->variability();
+        body.matched_waves = spec_.source->matches_one_spectrum();
         body.fragility = fragility(b, 0);
         for (std::size_t limit = 1; limit < spec_.limits.size(); ++limit) {
             auto const& stated = spec_.limits[limit];
@@ -122,6 +124,7 @@ class Analyst {
                                            FragilityRequest request) const {
         auto data = FragilityData::of_stripes(statistics_.bodies()[b].stripes_of(limit));
         data.trials = std::move(trials);
+        data.open = statistics_.measured().open(static_cast<std::int64_t>(b), FragilityMeasure::level, limit);
         data.waves_shared = shared();
         data.waves_left_out = statistics_.measured().passed_by() > 0;
         request.quotes = quotes_of(spec_.levels);
@@ -136,13 +139,13 @@ class Analyst {
         request.confidence = options_.confidence;
         request.passing = spec_.limits[limit].passing();
         request.beta_u = options_.beta_u;
-        request.bootstrap = {spec_.seed, b, options_.replicates};
-        if (split && options_.beta_u == 0) {
-            request.beta_u = split->beta_u;
-            request.beta_u_in_trials = true;
-        }
+        request.bootstrap = bootstrap_of(b);
+        request.drawn = !spec_.bodies[b].scattering().empty();
+        request.draws_balanced = spec_.sampling == Sampling::latin_hypercube;
+        request.split = split;
         return request;
     }
+    [[nodiscard]] BootstrapKey bootstrap_of(std::size_t b) const { return {spec_.seed, b, options_.replicates}; }
     [[nodiscard]] std::vector<SingleTrial> singles(std::size_t b, FragilityMeasure measure, std::size_t limit) const {
         return statistics_.measured().singles(static_cast<std::int64_t>(b), measure, limit);
     }
@@ -154,8 +157,10 @@ class Analyst {
             request.quotes = {{1, 1}};
         }
         auto const& measured = statistics_.measured();
-        auto data = FragilityData::of_trials(std::move(trials), shared(),
-                                             measured.left_out(static_cast<std::int64_t>(b), measure, limit));
+        auto const body = static_cast<std::int64_t>(b);
+        auto open = measured.open(body, measure, limit);
+        auto const lost = measured.left_out(body, measure, limit) - static_cast<std::int64_t>(open.size());
+        auto data = FragilityData::of_trials(std::move(trials), shared(), std::move(open), lost);
         data.waves_left_out = measured.passed_by() > 0;
         return fit_fragility(data, request);
     }
@@ -187,7 +192,7 @@ class Analyst {
         }
         // The level itself, not the scaled wave's peak, which differs from it in the last digit.
         auto trials = singles(b, levels ? FragilityMeasure::level : measure, limit);
-        result.split = split_by_draws(spec_, b, trials);
+        result.split = split_by_draws(spec_, b, trials, bootstrap_of(b));
         result.drawn = spec_.bodies[b].scattering();
         constexpr int rank_replicates = 200;
         result.rank_area = rank_area(trials);

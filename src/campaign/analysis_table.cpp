@@ -20,6 +20,10 @@ std::string measure_text(MeasuredFragility const& m) {
     return m.told.symbol == "1" ? m.label : fmt::format("{} {}", m.label, m.told.symbol);
 }
 
+std::string point_text(MeasuredFragility const& m, std::optional<double> const& intensity) {
+    return intensity ? fmt::format("{:.4g}", m.told.of(*intensity)) : std::string("-");
+}
+
 std::string fit_line(MeasuredFragility const& m) {
     auto const rank = std::isnan(m.rank_area) ? std::string("-") : fmt::format("{:.3f}", m.rank_area);
     if (!m.fit.identifiable()) {
@@ -28,9 +32,10 @@ std::string fit_line(MeasuredFragility const& m) {
     }
     auto const& line = *m.fit.line;
     auto const& ends = m.fit.intervals();
-    return fmt::format("{:>20} {:>9.4g} {:>18} {:>6.3f} {:>17} {:>8.4g}  {:>5}  {}\n", measure_text(m),
+    return fmt::format("{:>20} {:>9.4g} {:>18} {:>6.3f} {:>17} {:>9} {:>8} {:>9}  {:>5}  {}\n", measure_text(m),
                        m.told.of(std::exp(line.log_median())), ends_text(ends.median, m.told), line.beta(),
-                       ends_text(ends.beta), m.told.of(m.fit.hclpf()), rank,
+                       ends_text(ends.beta), point_text(m, m.fit.five_percent_point()), point_text(m, m.fit.hclpf()),
+                       point_text(m, m.fit.one_percent_point()), rank,
                        fmt::join(names_of(m.fit.flags, m.fit.passing), " "));
 }
 
@@ -53,19 +58,20 @@ std::string split_line(MeasuredFragility const& m) {
                               s.per_score_error[k]);
     }
     return fmt::format(
-        "  beta {:.3f} is beta_R {:.3f} (waves) with beta_U {:.3f} (the body); ln median per deviation of: {}\n",
-        m.fit.line->beta(), m.fit.beta_r(), m.fit.beta_u, shifts);
+        "  beta {:.3f} is beta_R {:.3f} (waves) with beta_U {:.3f} (the body){}; ln median per deviation of: {}\n",
+        m.fit.line->beta(), m.fit.beta_r(), m.fit.beta_u_drawn,
+        m.fit.beta_u > m.fit.beta_u_drawn ? fmt::format(", {:.3f} with what is stated", m.fit.beta_u) : "", shifts);
 }
 
 // Never a number that no sample of that size could hold.
-std::string curve_text(FragilityFit const& fit, double p) {
-    return p < least_share(fit) ? fmt::format("value below {:.2g}", least_share(fit)) : fmt::format("{:.2g}", p);
+std::string curve_text(double least, double p) {
+    return p < least ? fmt::format("value below {:.2g}", least) : fmt::format("{:.2g}", p);
 }
 
 // The exact bound that is left where the curve speaks of less than the trials hold.
 std::string bound_text(MeasuredFragility const& m, QuotedProbability const& q) {
-    auto const why =
-        fmt::format("the curve falls below a tenth of 1/{:g}, which so few trials cannot tell", m.fit.trials);
+    auto const why = fmt::format(
+        "a P below {:.2g}, a tenth of one in the trials there or next above, is not theirs to tell", q.least);
     if (!q.bound) {
         return fmt::format("no bound (no trial there or above; {})", why);
     }
@@ -86,7 +92,7 @@ std::string quote_line(MeasuredFragility const& m, QuotedProbability const& q) {
     }
     auto const p = q.probability ? fmt::format("{:.3g}", *q.probability) : std::string("not identifiable");
     auto const rejected = q.curve && q.probability && *q.curve != *q.probability
-                              ? fmt::format(" (the curve's {} is not believed)", curve_text(m.fit, *q.curve))
+                              ? fmt::format(" (the curve's {} is not believed)", curve_text(q.least, *q.curve))
                               : std::string();
     auto const seen = q.trials > 0 ? fmt::format(", {:g} of {:g} seen there", q.overturned, q.trials) : std::string();
     auto const bounds = q.source == Source::none ? std::string("no bound")
@@ -112,7 +118,8 @@ std::string criterion_text(MeasuredCriterion const& criterion) {
                             fragility_measure_names()[static_cast<std::size_t>(in_any_unit(criterion.measure))],
                             name_of(criterion.radius_unit));
     text += share_line("said safe, overturned", s.safe_but_overturned);
-    text += share_line("waves with such a trial", s.waves_safe_but_overturned);
+    text += share_line("the same of those that uplifted", s.safe_uplifted_but_overturned);
+    text += share_line("waves with such a trial", s.waves_safe_uplifted_but_overturned);
     text += share_line("said unsafe, stood", s.unsafe_but_stood);
     if (s.at_overturning) {
         auto const line = [](char const* what, RatioQuantiles const& q) {
@@ -176,9 +183,9 @@ std::string curves_text(BodyAnalysis const& body, double confidence) {
 
 std::string fragility_table(std::vector<MeasuredFragility> const& fits, double confidence) {
     auto const& first = fits.front().fit;
-    std::string text = fmt::format("{:>20} {:>9} {:>18} {:>6} {:>17} {:>8}  {:>5}\n", "fragility", "median",
+    std::string text = fmt::format("{:>20} {:>9} {:>18} {:>6} {:>17} {:>9} {:>8} {:>9}  {:>5}\n", "fragility", "median",
                                    fmt::format("{:g} %", 100 * confidence), "beta",
-                                   fmt::format("{:g} %", 100 * confidence), "HCLPF", "rank");
+                                   fmt::format("{:g} %", 100 * confidence), "5 % point", "HCLPF", "1 % point", "rank");
     if (end_alike(fits)) {
         text += fmt::format("{:>20} {:>50}\n", "any measure", "no curve: " + name_of(first.state, first.passing));
     } else {

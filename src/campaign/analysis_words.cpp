@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "campaign/analysis.hpp"
+#include "stats/quantile.hpp"
 
 namespace overturn {
 namespace {
@@ -20,21 +23,31 @@ void judge_safety(CriterionVerdict& verdict, CriterionStudy const& study, double
         verdict.open.emplace_back("V_WES called no trial safe: whether safe means safe was not tried");
         return;
     }
-    if (share.count > 0) {
-        verdict.against.push_back(
-            fmt::format("not conservative: {} of {} trials that V_WES < V_Ereq calls safe overturned ({}; {:g} %: {})",
-                        share.count, share.of, percent(share.value()), 100 * confidence, ends(share)));
+    auto const& tried = study.safe_uplifted_but_overturned;
+    auto const& waves = study.waves_safe_uplifted_but_overturned;
+    if (tried.of == 0) {
+        verdict.open.push_back(fmt::format(
+            "none of {} trials that V_WES < V_Ereq calls safe uplifted: whether safe means safe was not tried",
+            share.of));
         return;
     }
-    auto const& waves = study.waves_safe_but_overturned;
+    if (tried.count > 0) {
+        verdict.against.push_back(fmt::format(
+            "not conservative: {} of {} uplifted trials that V_WES < V_Ereq calls safe overturned ({}; {:g} "
+            "%: {}), in {} of their {} waves",
+            tried.count, tried.of, percent(tried.value()), 100 * confidence, ends(tried), waves.count, waves.of));
+        return;
+    }
     auto text = fmt::format(
-        "conservative here: none of {} trials that V_WES < V_Ereq calls safe overturned; by their {} waves at most {} "
-        "of waves would ({:g} %)",
-        share.of, waves.of, percent(waves.interval.upper), 100 * confidence);
+        "conservative here: none of {} uplifted trials that V_WES < V_Ereq calls safe overturned ({} more never left "
+        "the "
+        "ground and tell nothing); by their {} waves at most {} of waves would ({:g} %)",
+        tried.of, share.of - tried.of, waves.of, percent(waves.interval.upper), 100 * confidence);
     (study.at_overturning ? verdict.supports : verdict.open).push_back(std::move(text));
     if (study.at_overturning) {
-        verdict.supports.push_back(fmt::format("the lowest V_WES / V_Ereq at which a trial overturned is {:.3g}",
-                                               study.at_overturning->lowest));
+        verdict.supports.push_back(fmt::format(
+            "the lowest V_WES / V_Ereq at which a trial overturned is {:.3g} (of these waves: more may go below)",
+            study.at_overturning->lowest));
     } else {
         verdict.open.emplace_back("nothing overturned: how conservative V_WES is cannot be told from these trials");
     }
@@ -69,11 +82,32 @@ void judge_unit(CriterionVerdict& verdict, MeasuredCriterion const& criterion) {
 
 bool is_v_wes(MeasuredFragility const& m) { return m.measure == FragilityMeasure::v_wes; }
 
+// Of two measures' dispersions, waves resampled for both alike: nothing where no pair of replicates holds both.
+std::optional<Interval> ratio_of_betas(FragilityFit const& a, FragilityFit const& b, double confidence) {
+    if (a.refits.size() != b.refits.size()) {
+        return std::nullopt;
+    }
+    std::vector<double> ratios;
+    for (std::size_t r = 0; r < a.refits.size(); ++r) {
+        double const ratio = a.refits[r].beta / b.refits[r].beta;
+        ratios.push_back(b.refits[r].beta > 0 ? ratio : std::numeric_limits<double>::quiet_NaN());
+    }
+    return middle_of(ratios, confidence, {0, std::numeric_limits<double>::infinity()});
+}
+
+constexpr char const* not_testable =
+    "not testable with matched waves: all have one spectrum, and every measure follows the others in them "
+    "([waves.variability] or records tell them apart)";
+
 // V_WES against PGA, PGV and ouV_E: is anything simpler at least as good?
-void compare_dispersion(CriterionVerdict& verdict, BodyAnalysis const& body) {
+void compare_dispersion(CriterionVerdict& verdict, BodyAnalysis const& body, double confidence) {
     auto const own = std::find_if(body.fragility.begin(), body.fragility.end(), is_v_wes);
     if (own == body.fragility.end() || !own->fit.identifiable()) {
         verdict.open.emplace_back("no curve over V_WES: its dispersion cannot be compared");
+        return;
+    }
+    if (body.matched_waves) {
+        verdict.open.push_back(fmt::format("dispersion and rank of V_WES beside other measures: {}", not_testable));
         return;
     }
     for (auto const& other : body.fragility) {
@@ -82,18 +116,22 @@ void compare_dispersion(CriterionVerdict& verdict, BodyAnalysis const& body) {
         }
         double const beta = own->fit.line->beta();
         double const theirs = other.fit.line->beta();
-        bool const better = own->fit.intervals().beta.upper < theirs;
-        bool const worse = other.fit.intervals().beta.upper < beta;
+        auto const ratio = ratio_of_betas(own->fit, other.fit, confidence);
+        bool const better = ratio && ratio->upper < 1;
+        bool const worse = ratio && ratio->lower > 1;
         auto& list = better ? verdict.supports : worse ? verdict.against : verdict.open;
-        list.push_back(fmt::format("dispersion: beta is {:.3g} over V_WES and {:.3g} over {}{}", beta, theirs,
-                                   other.label,
+        auto const paired = ratio ? fmt::format(", ratio {:.3g} [{:.3g}, {:.3g}] with waves resampled in pairs",
+                                                beta / theirs, ratio->lower, ratio->upper)
+                                  : std::string();
+        list.push_back(fmt::format("dispersion: beta is {:.3g} over V_WES and {:.3g} over {}{}{}", beta, theirs,
+                                   other.label, paired,
                                    better || worse ? "" : " (no difference beyond what the sample leaves open)"));
     }
 }
 
 void compare_rank(CriterionVerdict& verdict, BodyAnalysis const& body) {
     auto const own = std::find_if(body.fragility.begin(), body.fragility.end(), is_v_wes);
-    if (own == body.fragility.end() || std::isnan(own->rank_area)) {
+    if (own == body.fragility.end() || std::isnan(own->rank_area) || body.matched_waves) {
         return;
     }
     for (auto const& other : body.fragility) {
@@ -121,7 +159,7 @@ CriterionVerdict verdict_on(BodyAnalysis const& body, double confidence) {
             judge_unit(verdict, criterion);
         }
     }
-    compare_dispersion(verdict, body);
+    compare_dispersion(verdict, body, confidence);
     compare_rank(verdict, body);
     return verdict;
 }

@@ -20,11 +20,14 @@ constexpr Interval no_interval{none, none};
 // One measure's fit as it is stored; every field is 8 bytes.
 struct FragilityRow {
     std::int64_t measure = 0, units = 0, state = 0, identifiable = 0, flags = 0, method = 0;
-    double median = none, beta = none, hclpf = none, beta_r = none, beta_u = none;
-    Interval median_interval = no_interval, beta_interval = no_interval, hclpf_interval = no_interval;
+    double median = none, beta = none, five_percent_point = none, hclpf = none, one_percent_point = none;
+    double beta_r = none, beta_u = none;
+    std::array<double, told_confidences.size()> median_at{none, none, none};
+    Interval median_interval = no_interval, beta_interval = no_interval;
+    Interval five_percent_interval = no_interval, hclpf_interval = no_interval;
     Interval profile_median = no_interval, profile_beta = no_interval;
     Interval bootstrap_median = no_interval, bootstrap_beta = no_interval;
-    double deviance = none, p_value = none, monotone_p_value = none;
+    double deviance = none, p_value = none, stripe_p_value = none, monotone_p_value = none;
     Interval isotonic_median = no_interval;
     double penalised_median = none, penalised_beta = none;
     double lowest = none, highest = none, rank_area = none;
@@ -41,16 +44,23 @@ FragilityRow row_of(MeasuredFragility const& measured) {
     if (fit.identifiable()) {
         row.median = std::exp(fit.line->log_median());
         row.beta = fit.line->beta();
-        row.hclpf = fit.hclpf();
+        row.five_percent_point = fit.five_percent_point().value_or(none);
+        row.hclpf = fit.hclpf().value_or(none);
+        row.one_percent_point = fit.one_percent_point().value_or(none);
+        for (std::size_t i = 0; i < told_confidences.size(); ++i) {
+            row.median_at.at(i) = fit.median_at(told_confidences.at(i)).value_or(none);
+        }
         row.beta_r = fit.beta_r();
         row.beta_u = fit.beta_u;
         row.median_interval = fit.intervals().median;
         row.beta_interval = fit.intervals().beta;
-        row.hclpf_interval = fit.intervals().hclpf;
+        row.five_percent_interval = fit.five_percent_point() ? fit.intervals().five_percent_point : no_interval;
+        row.hclpf_interval = fit.hclpf() ? fit.intervals().hclpf.value_or(no_interval) : no_interval;
         row.profile_median = fit.profile->median;
         row.profile_beta = fit.profile->beta;
         row.bootstrap_median = fit.bootstrap->median;
         row.bootstrap_beta = fit.bootstrap->beta;
+        row.stripe_p_value = fit.goodness->stripe_p_value;
         row.deviance = fit.goodness->deviance;
         row.p_value = fit.goodness->degrees_of_freedom > 0 ? fit.goodness->p_value : none;
     }
@@ -101,10 +111,9 @@ std::string units_by_row(std::vector<MeasuredFragility> const& fits) {
     return fmt::format("{}", fmt::join(units, "; "));
 }
 
-void add_kinds(Columns& columns, Passing passing, bool grid, std::vector<std::string> const& units) {
+void add_kinds(Columns& columns, Passing passing, std::vector<std::string> const& units) {
     std::vector<std::string> states;
-    auto const last = grid ? FragilityState::grid : FragilityState::not_converged;
-    for (std::int64_t s = 0; s <= static_cast<std::int64_t>(last); ++s) {
+    for (std::int64_t s = 0; s <= static_cast<std::int64_t>(FragilityState::undecided); ++s) {
         states.push_back(name_of(static_cast<FragilityState>(s), passing));
     }
     columns.add("measure", "1", "intensity measure; level: the file's level_measure", OVERTURN_AT(measure),
@@ -117,24 +126,36 @@ void add_kinds(Columns& columns, Passing passing, bool grid, std::vector<std::st
                 FieldType::integer);
     columns.add("flags", "1", "bit mask; the attribute flag_names names the bits from 0", OVERTURN_AT(flags),
                 FieldType::integer);
-    columns.add("interval_method", "1", "where median, beta and hclpf have their ends from", OVERTURN_AT(method),
-                FieldType::category, {"profile-likelihood", "bootstrap-by-waves"});
+    columns.add("interval_method", "1", "where median, beta and the 5 % point have their ends from",
+                OVERTURN_AT(method), FieldType::category, {"profile-likelihood", "bootstrap-by-waves"});
 }
 
-store::TableSpec fragility_columns(std::string const& group, Passing passing, bool grid,
-                                   std::vector<std::string> const& units, std::string const& by_row) {
+store::TableSpec fragility_columns(std::string const& group, Passing passing, std::vector<std::string> const& units,
+                                   std::string const& by_row) {
     std::string const own;  // marks columns whose rows are of different measures
     Columns columns{{group, sizeof(FragilityRow), {}, "measure"}};
-    add_kinds(columns, passing, grid, units);
+    add_kinds(columns, passing, units);
     columns.add("median", own, "intensity of P = 0.5; NaN: not identifiable", OVERTURN_AT(median));
     columns.add("beta", "1", "lognormal standard deviation; NaN: not identifiable", OVERTURN_AT(beta));
     columns.add("beta_r", "1", "part of it that waves make; all of it where nothing was drawn", OVERTURN_AT(beta_r));
     columns.add("beta_u", "1", "part of it that the draws of the body make; 0 where nothing was drawn",
                 OVERTURN_AT(beta_u));
-    columns.add("hclpf", own, "median exp(-1.645 (beta_r + beta_u)); NaN: not identifiable", OVERTURN_AT(hclpf));
+    columns.add("five_percent_point", own, "median exp(-1.645 beta); NaN: not identifiable, or contradicted",
+                OVERTURN_AT(five_percent_point));
+    columns.add("hclpf", own, "median exp(-1.645 (beta_r + beta_u)); NaN: not identifiable, or no beta_u was drawn",
+                OVERTURN_AT(hclpf));
+    columns.add("one_percent_point", own, "median exp(-2.326 sqrt(beta_r^2 + beta_u^2)); NaN: as hclpf",
+                OVERTURN_AT(one_percent_point));
+    for (std::size_t i = 0; i < told_confidences.size(); ++i) {
+        auto const percent = std::lround(100 * told_confidences.at(i));
+        columns.add(fmt::format("median_at_{:02}", percent), own,
+                    fmt::format("median of the curve of {} % confidence, its beta is beta_r; NaN: no beta_u", percent),
+                    OVERTURN_AT(median_at) + i * sizeof(double));
+    }
     columns.add_ends("median", own, "median", OVERTURN_AT(median_interval));
     columns.add_ends("beta", "1", "beta", OVERTURN_AT(beta_interval));
-    columns.add_ends("hclpf", own, "hclpf", OVERTURN_AT(hclpf_interval));
+    columns.add_ends("five_percent_point", own, "5 % point", OVERTURN_AT(five_percent_interval));
+    columns.add_ends("hclpf", own, "hclpf, waves resampled where bodies were drawn", OVERTURN_AT(hclpf_interval));
     columns.add_ends("profile_median", own, "median by profile likelihood, trials as independent",
                      OVERTURN_AT(profile_median));
     columns.add_ends("profile_beta", "1", "beta by profile likelihood, trials as independent",
@@ -144,6 +165,8 @@ store::TableSpec fragility_columns(std::string const& group, Passing passing, bo
     columns.add("deviance", "1", "of the curve from the proportions", OVERTURN_AT(deviance));
     columns.add("deviance_p_value", "1", "chance of so large a deviance; NaN: nothing to judge by",
                 OVERTURN_AT(p_value));
+    columns.add("stripe_p_value", "1", "exact tail of the stripe farthest from the curve, times their number",
+                OVERTURN_AT(stripe_p_value));
     columns.add("monotone_p_value", "1", "chance of proportions that fall as much", OVERTURN_AT(monotone_p_value));
     columns.add_ends("isotonic_median", own, "where the isotonic estimate passes 1/2", OVERTURN_AT(isotonic_median));
     columns.add("penalised_median", own, "Firth's fit of separated outcomes; NaN: none", OVERTURN_AT(penalised_median));
@@ -177,8 +200,7 @@ std::vector<FragilityRow> rows_of(std::vector<MeasuredFragility> const& fits) {
 
 store::TableSpec table_of(std::string const& group, std::vector<MeasuredFragility> const& fits) {
     auto const& first = fits.front().fit;
-    return fragility_columns(group, first.passing, first.state == FragilityState::grid, units_of(fits),
-                             units_by_row(fits));
+    return fragility_columns(group, first.passing, units_of(fits), units_by_row(fits));
 }
 
 double relative_difference(double a, double b) {
@@ -206,7 +228,10 @@ void write_fragility(store::ResultsWriter& file, std::string const& group, std::
 RefitDifference refit_difference(store::ResultsReader const& file, std::string const& group,
                                  std::vector<MeasuredFragility> const& fits) {
     auto const again = rows_of(fits);
-    auto const table = table_of(group, fits);
+    auto table = table_of(group, fits);
+    // Files of an earlier format hold fewer columns.
+    std::erase_if(table.columns, [&](Field const& column) { return !file.has(group + "/" + column.name); });
+    std::erase_if(table.notes, [&](auto const& note) { return !file.has(group + "/" + note.column); });
     std::vector<FragilityRow> stored(again.size());
     file.rows(table, static_cast<std::int64_t>(stored.size()), 0, std::as_writable_bytes(std::span(stored)));
     RefitDifference largest;

@@ -43,7 +43,8 @@ LognormalFragility curve_of(Replicate const& refit, double beside) {
 
 // Refits without a curve bound nothing: neither how often it is passed nor how seldom.
 Interval interval_of_mean(FragilityFit const& fit, HazardCurve const& hazard, double confidence) {
-    double const beside = fit.beta_u_in_trials ? 0 : fit.beta_u;
+    // What was drawn is in the refits; what was stated stands beside.
+    double const beside = std::sqrt(std::max(0.0, fit.beta_u * fit.beta_u - fit.beta_u_drawn * fit.beta_u_drawn));
     std::vector<double> frequencies;
     double const all = hazard.points().front().annual_exceedance;
     std::size_t open = 0;

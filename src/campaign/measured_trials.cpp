@@ -48,6 +48,7 @@ void MeasuredTrials::add(TrialRow const& row, LimitOutcomes const& limits) {
     trial.limits = limits;
     trial.moved = verdict.moved;
     trial.slipped = row.peak_slip_m > 0;
+    trial.uplifted = verdict.fell || row.peak_rotation_ratio > 0;
     auto const missed = static_cast<EffectMask>(row.called) & ~static_cast<EffectMask>(row.effects);
     trial.peak_slip_m = verdict.decided && !has(missed, Effect::sliding) ? row.peak_slip_m : never;
     trial.peak_rotation_ratio = verdict.decided ? row.peak_rotation_ratio : never;
@@ -105,6 +106,30 @@ std::vector<SingleTrial> MeasuredTrials::singles(std::int64_t body, FragilityMea
     return singles;
 }
 
+std::vector<TwoMeasureTrial> MeasuredTrials::pairs(std::int64_t body, std::array<FragilityMeasure, 2> const& measures,
+                                                   std::size_t limit) const {
+    std::vector<TwoMeasureTrial> pairs;
+    for (auto const& trial : trials_) {
+        double const first = trial.value(measures[0]);
+        double const second = trial.value(measures[1]);
+        if (trial.body == body && trial.limits.is_decided(limit) && first > 0 && second > 0) {
+            pairs.push_back(
+                {{std::log(first), std::log(second)}, trial.limits.has_passed(limit), together(trial.wave)});
+        }
+    }
+    return pairs;
+}
+
+std::vector<SingleTrial> MeasuredTrials::open(std::int64_t body, FragilityMeasure measure, std::size_t limit) const {
+    std::vector<SingleTrial> open;
+    for (auto const& trial : trials_) {
+        if (trial.body == body && !trial.limits.is_decided(limit) && trial.value(measure) > 0) {
+            open.push_back({trial.value(measure), together(trial.wave), false, trial.wave});
+        }
+    }
+    return open;
+}
+
 std::int64_t MeasuredTrials::left_out(std::int64_t body, FragilityMeasure measure, std::size_t limit) const {
     std::int64_t count = 0;
     for (auto const& trial : trials_) {
@@ -118,7 +143,8 @@ std::vector<CriterionTrial> MeasuredTrials::criterion_trials(std::int64_t body, 
     list.reserve(trials_.size());
     for (auto const& trial : trials_) {
         if (trial.body == body && trial.decided) {
-            list.push_back({trial.value(measure) / trial.v_ereq_mps, together(trial.wave), trial.overturned()});
+            list.push_back(
+                {trial.value(measure) / trial.v_ereq_mps, together(trial.wave), trial.overturned(), trial.uplifted});
         }
     }
     return list;

@@ -14,6 +14,7 @@
 #include "stats/criterion.hpp"
 #include "stats/fragility_data.hpp"
 #include "stats/response_bins.hpp"
+#include "stats/two_measures.hpp"
 
 namespace overturn {
 
@@ -58,6 +59,14 @@ enum class FragilityMeasure : std::int64_t {
 /// The responses whose quantiles are told level by level.
 enum class LevelResponse { peak_slip, peak_rotation_ratio };
 
+/// How a trial ended by one limit state.
+struct TrialOutcome {
+    std::int64_t wave = 0;
+    std::int32_t body = 0;
+    double amplitude = 0;
+    bool decided = false, passed = false;
+};
+
 /// Holds the first trials, whole waves of them, until there are a million: what they say of a measure's curve is then
 /// known to a fraction of a per cent, and a campaign of any size is merged in bounded memory and time.
 class MeasuredTrials {
@@ -79,6 +88,19 @@ class MeasuredTrials {
     /// The decided trials of a body with a measure above 0. \param limit place of the limit state; 0: overturning
     [[nodiscard]] std::vector<SingleTrial> singles(std::int64_t body, FragilityMeasure measure,
                                                    std::size_t limit = 0) const;
+    /// The decided trials of a body with both measures above 0.
+    [[nodiscard]] std::vector<TwoMeasureTrial> pairs(std::int64_t body, std::array<FragilityMeasure, 2> const& measures,
+                                                     std::size_t limit = 0) const;
+    /// Every trial in turn, of all bodies: visit(TrialOutcome).
+    template <class Visit> void each_outcome(std::size_t limit, Visit&& visit) const {
+        for (auto const& trial : trials_) {
+            visit(TrialOutcome{trial.wave, trial.body, trial.amplitude, trial.limits.is_decided(limit),
+                               trial.limits.has_passed(limit)});
+        }
+    }
+    /// The trials of a body without a verdict on it, where their measure is known and above 0.
+    [[nodiscard]] std::vector<SingleTrial> open(std::int64_t body, FragilityMeasure measure,
+                                                std::size_t limit = 0) const;
     /// Trials passed by because enough were held.
     [[nodiscard]] std::int64_t passed_by() const { return passed_by_; }
     /// Trials of a body that `singles` leaves out, of those held.
@@ -104,7 +126,7 @@ class MeasuredTrials {
         std::int64_t wave;
         LimitOutcomes limits;
         std::int32_t body;
-        bool decided, moved, slipped;
+        bool decided, moved, slipped, uplifted;
         double peak_slip_m, peak_rotation_ratio;  ///< NaN: unknown; infinite: it fell
         double amplitude, scale, v_wes_mps, ou_v_e_mps, v_ereq_mps, v_resp_mps;
         Peaks const* peaks;  ///< of its wave before scaling: an entry of waves_

@@ -152,9 +152,18 @@ class Run {
     }
 
     bool meets_target_there(std::int64_t blocks) {
-        bool const yes = !from_root(comm_, [&] {
-                              return std::string(meets_target(spec_, plan_, shards_, blocks) ? 1 : 0, 'y');
-                          }).empty();
+        auto const looked = nlohmann::json::parse(from_root(comm_, [&] {
+            auto const look = look_at_target(spec_, plan_, shards_, blocks);
+            return nlohmann::json{{"met", look.met}, {"obstacle", look.obstacle}}.dump();
+        }));
+        bool const yes = looked.at("met").get<bool>();
+        if (auto const obstacle = looked.at("obstacle").get<std::string>(); !obstacle.empty() && !told_obstacle_) {
+            told_obstacle_ = true;
+            if (comm_.is_root()) {
+                note("warning: after {} waves {}: all {} waves are run unless that changes\n",
+                     plan_.first(blocks).waves(), obstacle, plan_.waves());
+            }
+        }
         if (comm_.is_root() && yes) {
             note("precise enough after {} of {} waves\n", plan_.first(blocks).waves(), plan_.waves());
         }
@@ -213,6 +222,7 @@ class Run {
     std::optional<std::vector<RareBody>> rare_;
     std::vector<std::string> earlier_legs_;  ///< of blocks that are merged; known on rank 0
     double wall_s_ = 0;
+    bool told_obstacle_ = false;
     std::int64_t next_ = 0;  ///< blocks below it are done with
 };
 

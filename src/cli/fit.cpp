@@ -8,12 +8,14 @@
 #include "campaign/hazard_frequency.hpp"
 #include "campaign/rare_results.hpp"
 #include "campaign/telling_trials.hpp"
+#include "campaign/together.hpp"
 #include "campaign/version.hpp"
 #include "cli/fit_json.hpp"
 #include "cli/frequency_json.hpp"
 #include "cli/other_bits.hpp"
 #include "cli/rare_json.hpp"
 #include "cli/stripe_csv.hpp"
+#include "cli/together_json.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
 #include "core/input_files.hpp"
@@ -33,6 +35,7 @@ struct Options {
     std::optional<double> confidence;  ///< none: the campaign's, or 0.95
     double design_basis = 0;
     std::string hazard;
+    std::string measures;
     Unverified unverified;
 };
 
@@ -47,6 +50,8 @@ void check(Options const& options) {
              "--design-basis beside a results file (its campaign names the level). Leave it out");
     validate(options.hazard.empty() || options.stripes.empty(),
              "--hazard beside --stripes (a table states no measure and no unit). Fit a results file");
+    validate(options.measures.empty() || options.stripes.empty(),
+             "--measures beside --stripes (a table has one). Fit a results file");
 }
 
 // Curves are fitted by the program that runs; those that the file holds may be another's.
@@ -89,6 +94,10 @@ int fit_file(Options const& options) {
         hazard = parse_hazard(files.read(options.hazard), options.hazard, spec.levels);
         frequencies = frequencies_of(spec, statistics, analysis, *hazard, confidence);
     }
+    std::vector<TwoMeasures> pairs;
+    if (!options.measures.empty()) {
+        pairs = over_two_measures(spec, statistics, parse_measures(options.measures, spec), confidence);
+    }
     if (options.json) {
         auto json = fit_json(spec, statistics, analysis, confidence);
         json["levels"] = {{"measure", spec.levels.measure_name()},
@@ -100,6 +109,9 @@ int fit_file(Options const& options) {
             json["levels"]["stated"].push_back(spec.levels.shown(level.value));
         }
         json["telling_trials"] = telling_json(spec, telling);
+        if (!pairs.empty()) {
+            json["two_measures"] = two_measures_json(pairs, confidence);
+        }
         if (hazard) {
             json["frequency"] = frequency_json(frequencies, *hazard);
         }
@@ -108,7 +120,9 @@ int fit_file(Options const& options) {
         }
         fmt::print("{}\n", json.dump(2));
     } else {
-        fmt::print("{}{}{}{}{}", stripe_table(spec, statistics), analysis_table(analysis, confidence),
+        fmt::print("{}{}{}{}{}{}{}", stripe_table(spec, statistics), analysis_table(analysis, confidence),
+                   together_table(spec, bodies_together(spec, statistics), confidence),
+                   pairs.empty() ? std::string() : two_measures_text(pairs, confidence),
                    hazard ? frequency_table(spec, frequencies, *hazard, confidence) : std::string(),
                    rare_table(spec, rare), telling_table(spec, telling, options.file));
     }
@@ -176,6 +190,7 @@ void add_fit(CommandLine& line) {
     verb.takes("--design-basis", options->design_basis, "with --stripes: quote P at multiples of this amplitude");
     verb.takes("--hazard", options->hazard,
                "annual frequency by this hazard curve: '<measure> [unit], annual_exceedance' (csv)");
+    verb.takes("--measures", options->measures, "also fit a curve over two measures: pga,v_wes");
     options->unverified.offered_by(verb);
     verb.does([options] {
         check(*options);

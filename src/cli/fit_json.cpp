@@ -5,6 +5,7 @@
 
 #include "campaign/schema.hpp"
 #include "cli/json_values.hpp"
+#include "cli/together_json.hpp"
 #include "core/error.hpp"
 #include "response/registry.hpp"
 
@@ -67,6 +68,8 @@ Json criterion_json(std::string const& body, MeasuredCriterion const& criterion)
             {"unsafe_but_stood", share_json(s.unsafe_but_stood)},
             {"stood_said_unsafe", share_json(s.stood_said_unsafe)},
             {"waves_safe_but_overturned", share_json(s.waves_safe_but_overturned)},
+            {"safe_uplifted_but_overturned", share_json(s.safe_uplifted_but_overturned)},
+            {"waves_safe_uplifted_but_overturned", share_json(s.waves_safe_uplifted_but_overturned)},
             {"ratio_at_overturning", quantiles_json(s.at_overturning)},
             {"ratio_at_first_overturning", quantiles_json(s.first_overturning)},
             {"ratio_at_highest_standing", quantiles_json(s.highest_standing)}};
@@ -199,6 +202,7 @@ Json fit_json(CampaignSpec const& spec, Statistics const& statistics, std::vecto
               {"limits", limits_json(spec)},
               {"stripes", all_stripes_json(spec, statistics, confidence)},
               {"fragility", all_fragility_json(analysis, confidence, units)},
+              {"together", together_json(spec, bodies_together(spec, statistics), confidence)},
               {"grid", Json::array()},
               {"quantiles", Json::array()},
               {"criterion", Json::array()},

@@ -15,7 +15,8 @@ char const* passed_key(FragilityFit const& fit) { return fit.passing == Passing:
 Json intervals_json(FragilityFit::Intervals const& i) {
     return {{"median_interval", intensity_ends(i.median)},
             {"beta_interval", ends(i.beta)},
-            {"hclpf_interval", intensity_ends(i.hclpf)}};
+            {"five_percent_point_interval", intensity_ends(i.five_percent_point)},
+            {"hclpf_interval", i.hclpf ? intensity_ends(*i.hclpf) : Json(nullptr)}};
 }
 
 Json isotonic_json(FragilityFit const& fit) {
@@ -47,7 +48,7 @@ Json seen_json(QuotedProbability const& q, FragilityFit const& fit) {
     if (!q.bound) {
         return nullptr;
     }
-    auto const why = fmt::format("the curve's P is below a tenth of one in {:g} trials", fit.trials);
+    auto const why = fmt::format("P is below {:.2g}, a tenth of one in the trials there or next above", q.least);
     return {{"from", q.bound->from},   {"to", q.bound->to},
             {"units", q.bound->units}, {passed_key(fit), q.bound->overturned},
             {"upper", q.bounds.upper}, {"reason", why}};
@@ -81,11 +82,25 @@ Json bound_json(FragilityFit const& fit) {
         return nullptr;
     }
     bool const none = fit.state == FragilityState::none_overturned;
+    bool const all = fit.state == FragilityState::all_overturned;
     return {{"from", fit.bound->from},
             {"to", fit.bound->to},
             {"units", fit.bound->units},
             {"lower", or_null(!none, fit.bound->probability.lower)},
-            {"upper", or_null(none, fit.bound->probability.upper)}};
+            {"upper", or_null(!all, fit.bound->probability.upper)}};
+}
+
+// Several stripes together, if P does not fall: at most `upper` at `from`, at least `lower` at `to`.
+Json pooled_json(FragilityFit const& fit) {
+    if (!fit.pooled) {
+        return nullptr;
+    }
+    return {{"from", fit.pooled->from},
+            {"to", fit.pooled->to},
+            {"trials", fit.pooled->units},
+            {passed_key(fit), fit.pooled->overturned},
+            {"lower", fit.pooled->probability.lower},
+            {"upper", fit.pooled->probability.upper}};
 }
 
 Json goodness_json(FragilityFit const& fit) {
@@ -94,11 +109,36 @@ Json goodness_json(FragilityFit const& fit) {
     }
     return {{"deviance", fit.goodness->deviance},
             {"degrees_of_freedom", fit.goodness->degrees_of_freedom},
-            {"p_value", or_null(fit.goodness->degrees_of_freedom > 0, fit.goodness->p_value)}};
+            {"p_value", or_null(fit.goodness->degrees_of_freedom > 0, fit.goodness->p_value)},
+            {"stripe_p_value", fit.goodness->stripe_p_value}};
 }
 
 Json line_json(std::optional<ProbitLine> const& line) {
     return line ? Json{{"median", std::exp(line->log_median())}, {"beta", line->beta()}} : Json(nullptr);
+}
+
+Json number_or_null(std::optional<double> const& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json confidence_curves_json(FragilityFit const& fit) {
+    Json list = Json::array();
+    for (double const confidence : told_confidences) {
+        if (fit.identifiable() && fit.beta_u_known) {
+            list.push_back(
+                {{"confidence", confidence}, {"median", *fit.median_at(confidence)}, {"beta", fit.beta_r()}});
+        }
+    }
+    return list;
+}
+
+void add_low_points(Json& json, FragilityFit const& fit) {
+    bool const five = fit.identifiable() && fit.five_percent_point();
+    bool const known = fit.identifiable() && fit.hclpf();
+    json["five_percent_point"] = five ? number_or_null(fit.five_percent_point()) : Json(nullptr);
+    json["five_percent_point_interval"] = five ? intensity_ends(fit.intervals().five_percent_point) : Json(nullptr);
+    json["hclpf"] = known ? number_or_null(fit.hclpf()) : Json(nullptr);
+    json["hclpf_interval"] = known && fit.intervals().hclpf ? intensity_ends(*fit.intervals().hclpf) : Json(nullptr);
+    json["one_percent_point"] = known ? number_or_null(fit.one_percent_point()) : Json(nullptr);
+    json["confidence_curves"] = confidence_curves_json(fit);
 }
 
 void add_curve(Json& json, FragilityFit const& fit) {
@@ -107,15 +147,14 @@ void add_curve(Json& json, FragilityFit const& fit) {
     json["beta"] = or_null(known, known ? fit.line->beta() : 0);
     json["median_interval"] = or_null(known, known ? intensity_ends(fit.intervals().median) : Json());
     json["beta_interval"] = or_null(known, known ? ends(fit.intervals().beta) : Json());
-    json["hclpf"] = or_null(known, known ? fit.hclpf() : 0);
-    json["hclpf_interval"] = or_null(known, known ? intensity_ends(fit.intervals().hclpf) : Json());
-    json["one_percent_point"] = or_null(known, known ? fit.one_percent_point() : 0);
+    add_low_points(json, fit);
     json["flags"] = names_of(fit.flags, fit.passing);
     json["state"] = name_of(fit.state, fit.passing);
     json["interval_method"] = or_null(
         known, fit.method == FragilityFit::Method::bootstrap_by_waves ? "bootstrap-by-waves" : "profile-likelihood");
     json["beta_r"] = or_null(known, known ? fit.beta_r() : 0);
     json["beta_u"] = fit.beta_u;
+    json["beta_u_drawn"] = fit.beta_u_drawn;
     json["profile"] = fit.profile ? intervals_json(*fit.profile) : Json(nullptr);
     json["bootstrap"] = fit.bootstrap ? intervals_json(*fit.bootstrap) : Json(nullptr);
     if (fit.bootstrap) {
@@ -145,6 +184,7 @@ Json fragility_json(std::string const& body, MeasuredFragility const& measured, 
     json["isotonic_median"] = or_null(fit.trials > 0, intensity_ends(fit.isotonic_median));
     json["penalised"] = line_json(fit.penalised);
     json["bound"] = bound_json(fit);
+    json["pooled"] = pooled_json(fit);
     json["probabilities"] = quotes_json(measured);
     json["rank_area"] = number(measured.rank_area);
     json["rank_interval"] = or_null(std::isfinite(measured.rank_area), ends(measured.rank_interval));

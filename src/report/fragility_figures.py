@@ -27,6 +27,7 @@ def numbers(rows, key):
 
 
 BAND = 0.15  # opacity
+FAMILY = (0, (1, 1.5))
 MOST_ON_A_PAGE = 4  # bodies, a row each
 MOST_COMPARED = 10  # bodies in one picture: more lines are not told apart
 
@@ -51,6 +52,17 @@ def draw_band(axes, results, fit, floor):
     at, _ = results.in_units([point["amplitude"] for point in fit["band"]])
     axes.fill_between(at, [max(point["lower"], floor) for point in fit["band"]],
                       [max(point["upper"], floor) for point in fit["band"]], color=BLUE, alpha=BAND, lw=0, zorder=1)
+
+
+def draw_family(axes, results, fit):
+    """The curves believed with 5, 50 and 95 % confidence to lie at or right of the true one: beta_R about medians that
+    beta_U scatters."""
+    lowest, highest = fit["data_range"]
+    x = np.geomspace(0.5 * lowest, 1.6 * highest, 240)
+    for curve in fit["confidence_curves"]:
+        if curve["beta"] > 0:
+            axes.plot(results.in_units(x)[0], probit_curve(x, curve["median"], curve["beta"]), color=PURPLE, lw=0.8,
+                      ls=FAMILY, zorder=2)
 
 
 def draw_stripes(axes, results, mine, floor, colour=INK):
@@ -97,6 +109,9 @@ def fragility(results, bodies, fits, stripes, what, path):
             if fit and fit["identifiable"]:
                 draw_curve(axes, results, fit)
                 handles["lognormal fit"] = Line2D([], [], color=BLUE)
+                if fit["beta_u"] > 0 and fit["confidence_curves"]:
+                    draw_family(axes, results, fit)
+                    handles["5, 50, 95 % confidence (beta_U)"] = Line2D([], [], color=PURPLE, lw=0.8, ls=FAMILY)
                 handles["beyond the data"] = Line2D([], [], color=BLUE, ls=(0, (4, 3)))
                 if fit.get("band"):
                     draw_band(axes, results, fit, floor)
@@ -107,7 +122,8 @@ def fragility(results, bodies, fits, stripes, what, path):
                     axes.plot(ends, [block["probability"]] * 2, color=ORANGE, lw=1.6, marker="_", ms=9, zorder=2)
                     handles["isotonic estimate"] = Line2D([], [], color=ORANGE, lw=1.6, marker="_", ms=9)
             for value, label, look in ((results.design_basis(body), "design basis", "-"),
-                                       ((fit or {}).get("hclpf"), "HCLPF", "-.")):
+                                       ((fit or {}).get("hclpf"), "HCLPF", "-."),
+                                       ((fit or {}).get("five_percent_point"), "5 % point", ":")):
                 if value is not None:
                     axes.axvline(results.in_units(value)[0], color=GREY, lw=0.8, ls=look, zorder=1)
                     handles[label] = Line2D([], [], color=GREY, lw=0.8, ls=look)

@@ -9,8 +9,9 @@ OVERTURNING = "overturning"  # the limit state that every campaign has
 STRIPE_KEYS = ["body", "level", "amplitude", "trials", "overturned", "failed", "probability", "lower", "upper"]
 LIMIT_KEYS = ["limit", "body", "level", "amplitude", "trials", "exceeded", "failed", "undecided", "probability", "lower",
               "upper"]
-FIT_KEYS = ["body", "measure", "units", "identifiable", "median", "beta", "median_interval", "beta_interval", "hclpf",
-            "hclpf_interval", "flags"]
+FIT_KEYS = ["body", "measure", "units", "identifiable", "median", "beta", "median_interval", "beta_interval",
+            "five_percent_point", "five_percent_point_interval", "hclpf", "hclpf_interval", "one_percent_point", "flags"]
+MOST_PAIRS = 6  # of bodies, columns of a table
 MOST_OPEN_ROWS = 40  # of the stripes: longer tables scroll in a box
 QUANTILES = [("median", "median"), ("p84", "84 %"), ("p95", "95 %")]
 LEAST_SLIP = 1e-4  # [m] that is worth a word
@@ -38,7 +39,9 @@ def answer(report, body, limit):
     if fit and fit["identifiable"]:
         parts.append(f"half {'overturn' if limit == OVERTURNING else 'exceed it'} at {report.amplitude(fit['median'], 3)} "
                      f"({report.amplitudes(fit['median_interval'], 3)}), beta {plain(fit['beta'], 2)}, "
-                     f"HCLPF {report.amplitude(fit['hclpf'], 3)}"
+                     + (f"5 % point {report.amplitude(fit['five_percent_point'], 3)}"
+                        if fit["five_percent_point"] is not None else "no 5 % point")
+                     + (f", HCLPF {report.amplitude(fit['hclpf'], 3)}" if fit["hclpf"] is not None else "")
                      + (f" (flagged: {', '.join(fit['flags'])})" if fit["flags"] else ""))
     elif fit:
         parts.append("no curve: " + "; ".join(fit["warnings"][:1] or [fit["state"]]))
@@ -94,8 +97,24 @@ def probability(quoted):
 def remarks(quoted, limit):
     words = [(f"{quoted['bound'][passed(limit)]:g} of {quoted['bound']['units']:g} seen; "
               f"{quoted['bound']['reason']}") if quoted["bound"] else "",
-             "outside the data" if quoted["outside_data"] else "", "tail: likely too low" if quoted["in_tail"] else ""]
+             "outside the data" if quoted["outside_data"] else "", "tail: may err to either side" if quoted["in_tail"] else ""]
     return ", ".join(word for word in words if word)
+
+
+def together(report, limit):
+    """Any of the bodies under one wave, and the correlation of their ends; nothing where there is one body."""
+    of = next((t for t in report.fit["together"] if t["limit"] == limit), None)
+    if of is None:
+        return []
+    shown = of["pairs"][:MOST_PAIRS]
+    rows = [[report.amplitude(any_["amplitude"]), any_["waves"], any_[passed(limit)], any_["undecided"],
+             *(value_of(any_[key], 3) for key in ("probability", "lower", "upper", "if_independent")),
+             *(value_of(pair["phi"][level], 2) for pair in shown)] for level, any_ in enumerate(of["any"])]
+    head = ["level", "waves", f"any {passed(limit)}", "undecided", "P(any)", "lower", "upper", "if independent",
+            *(f"φ {' / '.join(pair['bodies'])}" for pair in shown)]
+    pooled = "; ".join(f"{' / '.join(pair['bodies'])} {value_of(pair['phi_pooled'], 2)}" for pair in shown)
+    return [fold("any of the bodies under one wave, and how they fall together (φ)",
+                 table(head, rows) + paragraphs([f"φ pooled over levels: {pooled}"]))]
 
 
 def curves(report, limit):
@@ -103,8 +122,9 @@ def curves(report, limit):
     fits, stripes, did = report.fits_of(limit), report.stripes[limit], passed(limit)
     mine = [f for f in fits.values() if f["measure"] == report.results.measure]
     fitted = [[f["body"], report.amplitude(f["median"]), report.amplitudes(f["median_interval"], 3),
-               value_of(f["beta"], 3), interval(f["beta_interval"], 3), report.amplitude(f["hclpf"]),
-               report.amplitudes(f.get("hclpf_interval"), 3), ", ".join(f["flags"]) or "none"] for f in mine]
+               value_of(f["beta"], 3), interval(f["beta_interval"], 3), report.amplitude(f["five_percent_point"]),
+               report.amplitudes(f["five_percent_point_interval"], 3), report.amplitude(f["hclpf"]),
+               report.amplitudes(f["hclpf_interval"], 3), report.amplitude(f["one_percent_point"]), ", ".join(f["flags"]) or "none"] for f in mine]
     split = [[f["body"], value_of(f["beta"], 3), value_of(f["beta_r"], 3), value_of(f["beta_u"], 3),
               ", ".join(f"{d['quantity']} {d['log_median_per_deviation']:+.3f} ± {d['standard_error']:.3f}"
                         for d in f["drawn"])] for f in mine if f["drawn"] and f["identifiable"]]
@@ -127,10 +147,12 @@ def curves(report, limit):
             *(report.figure(name + part, lambda path, shown=shown: fragility_figures.fragility(
                 report.results, shown, fits, stripes, what, path), f"probability of {what} against amplitude")
               for part, shown in in_pages(report.results.bodies, fragility_figures.MOST_ON_A_PAGE)),
-            table(["body", "median", "interval", "beta", "interval", "HCLPF", "interval", "flags"], fitted),
+            table(["body", "median", "interval", "beta", "interval", "5 % point", "interval", "HCLPF", "interval",
+                   "1 % point", "flags"], fitted),
             table(["body", "beta", "beta_R (waves)", "beta_U (body)", "change of ln median per deviation of"], split)
             if split else "",
             table(["body", "at", "amplitude", "P", "lower", "upper", ""], quoted) if quoted else "",
+            *together(report, limit),
             paragraphs((f"{f['body']}: {line}" for f in mine for line in f["warnings"]), " class=warning"),
             fold("all stripes", table(head, rows)) if len(rows) > MOST_OPEN_ROWS else table(head, rows)]
 

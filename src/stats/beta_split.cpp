@@ -1,127 +1,101 @@
 #include "stats/beta_split.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <map>
 
 #include "core/error.hpp"
-#include "stats/probit.hpp"
+#include "stats/detail/probit_regression.hpp"
 
 namespace overturn {
 namespace {
 
 using Eigen::Index;
 
-struct Design {
-    Eigen::MatrixXd columns;  ///< 1, (ln x - mean), scores
-    std::vector<FragilityPoint> outcomes;
-    std::vector<std::int64_t> waves;
-    double mean_log_intensity = 0;
+constexpr Index scores_from = 2;  // columns: 1, ln x less its mean, scores
 
-    [[nodiscard]] double log_likelihood_at(Eigen::VectorXd const& z) const {
-        double sum = 0;
-        for (std::size_t i = 0; i < outcomes.size(); ++i) {
-            sum += log_likelihood(outcomes[i], z[static_cast<Index>(i)]);
-        }
-        return sum;
-    }
-};
-
-Design design_of(std::vector<DrawnTrial> const& trials) {
+ProbitDesign design_of(std::vector<DrawnTrial> const& trials) {
     auto const rows = static_cast<Index>(trials.size());
     auto const scores = static_cast<Index>(trials.front().scores.size());
-    Design design;
-    design.columns.resize(rows, 2 + scores);
-    design.outcomes.reserve(trials.size());
+    ProbitDesign design;
+    design.columns.resize(rows, scores_from + scores);
+    double mean = 0;
     for (auto const& trial : trials) {
-        design.mean_log_intensity += trial.log_intensity / static_cast<double>(rows);
+        mean += trial.log_intensity / static_cast<double>(rows);
     }
     for (Index i = 0; i < rows; ++i) {
         auto const& trial = trials[static_cast<std::size_t>(i)];
         design.columns(i, 0) = 1;
-        design.columns(i, 1) = trial.log_intensity - design.mean_log_intensity;
+        design.columns(i, 1) = trial.log_intensity - mean;
         for (Index k = 0; k < scores; ++k) {
-            design.columns(i, 2 + k) = trial.scores[static_cast<std::size_t>(k)];
+            design.columns(i, scores_from + k) = trial.scores[static_cast<std::size_t>(k)];
         }
-        FragilityPoint outcome;
-        outcome.log_intensity = trial.log_intensity;
-        outcome.trials = 1;
-        outcome.overturned = trial.overturned ? 1 : 0;
-        design.outcomes.push_back(outcome);
+        design.overturned.push_back(trial.overturned);
         design.waves.push_back(trial.wave);
     }
     return design;
 }
 
-// d^2 log-likelihood / dz^2 of one outcome, from its first derivative s: -s (s + z) whichever way it ended.
-double curvature(double s, double z) { return s * (s + z); }
-
-struct Fit {
-    Eigen::VectorXd coefficients;
-    Eigen::MatrixXd covariance;
+// Of every wave, in the order of their numbers, the mean of its trials' scores and how many there are.
+struct WaveMeans {
+    Eigen::MatrixXd sums;  ///< one column per wave
+    Eigen::VectorXd trials;
 };
 
-// Covariance where only waves are independent: inverse information around the scatter of the waves' own scores.
-Eigen::MatrixXd sandwich(Design const& design, Eigen::VectorXd const& first, Eigen::MatrixXd const& inverse) {
-    std::map<std::int64_t, Eigen::VectorXd> gradients;
-    for (Index i = 0; i < first.size(); ++i) {
-        auto& sum =
-            gradients.try_emplace(design.waves[static_cast<std::size_t>(i)], Eigen::VectorXd::Zero(inverse.rows()))
-                .first->second;
-        sum += first[i] * design.columns.row(i).transpose();
+WaveMeans means_of(std::vector<DrawnTrial> const& trials) {
+    std::map<std::int64_t, Index> places;
+    for (auto const& trial : trials) {
+        places.emplace(trial.wave, 0);
     }
-    Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(inverse.rows(), inverse.cols());
-    for (auto const& [wave, gradient] : gradients) {
-        scatter += gradient * gradient.transpose();
+    Index next = 0;
+    for (auto& [wave, place] : places) {
+        place = next++;
     }
-    auto const waves = static_cast<double>(gradients.size());
-    return inverse * scatter * inverse * (waves > 1 ? waves / (waves - 1) : 1);
+    auto const scores = static_cast<Index>(trials.front().scores.size());
+    WaveMeans means{Eigen::MatrixXd::Zero(scores, next), Eigen::VectorXd::Zero(next)};
+    for (auto const& trial : trials) {
+        auto const place = places.at(trial.wave);
+        means.trials[place] += 1;
+        for (Index k = 0; k < scores; ++k) {
+            means.sums(k, place) += trial.scores[static_cast<std::size_t>(k)];
+        }
+    }
+    return means;
 }
 
-std::optional<Fit> newton(Design const& design) {
-    constexpr int most_steps = 60;
-    constexpr double enough = 1e-10;
-    auto const& x = design.columns;
-    Eigen::VectorXd b = Eigen::VectorXd::Zero(x.cols());
-    double likelihood = design.log_likelihood_at(x * b);
-    for (int step = 0; step < most_steps; ++step) {
-        Eigen::VectorXd const z = x * b;
-        Eigen::VectorXd first(z.size());
-        Eigen::VectorXd weight(z.size());
-        for (Index i = 0; i < z.size(); ++i) {
-            first[i] = score(design.outcomes[static_cast<std::size_t>(i)], z[i]);
-            weight[i] = curvature(first[i], z[i]);
+// d ln median / d score of each.
+Eigen::VectorXd shifts_of(Eigen::VectorXd const& coefficients) {
+    return -coefficients.tail(coefficients.size() - scores_from) / coefficients[1];
+}
+
+// What chance adds to the sum of squares is in the sample once, and in each replicate once more.
+void add_replicates(BetaSplit& split, ProbitRegression const& fit, WaveMeans const& means, double chance,
+                    BootstrapKey const& key) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    Eigen::VectorXd const sample_mean = means.sums.rowwise().sum() / means.trials.sum();
+    Eigen::VectorXd const shifts = shifts_of(fit.coefficients);
+    for (int r = 0; r < key.replicates; ++r) {
+        auto const times = times_drawn(key, r, fit.waves.size());
+        Eigen::Map<Eigen::VectorXd const> const weight(times.data(), static_cast<Index>(times.size()));
+        Eigen::VectorXd const mean = means.sums * weight / means.trials.dot(weight);
+        SplitReplicate replicate{unknown, shifts.dot(mean - sample_mean)};
+        if (auto const again = fit.reweighted(times); again && (*again)[1] > 0) {
+            replicate.beta_u = std::sqrt(std::max(0.0, shifts_of(*again).squaredNorm() - 2 * chance));
         }
-        Eigen::LDLT<Eigen::MatrixXd> const information(x.transpose() * weight.asDiagonal() * x);
-        Eigen::VectorXd const whole = information.solve(x.transpose() * first);
-        if (information.info() != Eigen::Success || !information.isPositive() || !whole.allFinite()) {
-            return std::nullopt;
-        }
-        double share = 1;
-        double next = design.log_likelihood_at(x * (b + whole));
-        constexpr double smallest_share = 1e-6;
-        constexpr double rounding = 1e-12;  // of the sum: near the top a good step may seem to go down
-        while (!(next >= likelihood - rounding * std::abs(likelihood)) && share > smallest_share) {
-            share /= 2;
-            next = design.log_likelihood_at(x * (b + share * whole));
-        }
-        b += share * whole;
-        likelihood = next;
-        if (whole.lpNorm<Eigen::Infinity>() < enough * (1 + b.lpNorm<Eigen::Infinity>())) {
-            return Fit{b, sandwich(design, first, information.solve(Eigen::MatrixXd::Identity(x.cols(), x.cols())))};
-        }
+        split.replicates.push_back(replicate);
     }
-    return std::nullopt;  // separated: the coefficients run away
 }
 
 }  // namespace
 
-std::optional<BetaSplit> split_beta(std::vector<DrawnTrial> const& trials) {
+std::optional<BetaSplit> split_beta(std::vector<DrawnTrial> const& trials, std::optional<BootstrapKey> const& key) {
     if (trials.empty()) {
         return std::nullopt;
     }
     OVERTURN_EXPECT(!trials.front().scores.empty());
-    auto const fit = newton(design_of(trials));
+    auto const fit = regress(design_of(trials));
     if (!fit || !(fit->coefficients[1] > 0)) {
         return std::nullopt;
     }
@@ -129,7 +103,8 @@ std::optional<BetaSplit> split_beta(std::vector<DrawnTrial> const& trials) {
     BetaSplit split;
     split.beta_r = 1 / slope;
     double squares = 0;
-    for (Index k = 2; k < fit->coefficients.size(); ++k) {
+    double chance = 0;
+    for (Index k = scores_from; k < fit->coefficients.size(); ++k) {
         double const shift = -fit->coefficients[k] / slope;
         // Error propagation of the ratio b_k / slope.
         auto const& v = fit->covariance;
@@ -137,8 +112,12 @@ std::optional<BetaSplit> split_beta(std::vector<DrawnTrial> const& trials) {
         split.per_score.push_back(shift);
         split.per_score_error.push_back(std::sqrt(variance));
         squares += shift * shift - variance;  // E c_hat^2 = c^2 + variance
+        chance += variance;
     }
     split.beta_u = std::sqrt(std::max(0.0, squares));
+    if (key) {
+        add_replicates(split, *fit, means_of(trials), chance, *key);
+    }
     return split;
 }
 

@@ -7,6 +7,7 @@
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
 
+#include "core/error.hpp"
 #include "core/random_stream.hpp"
 #include "stats/quantile.hpp"
 
@@ -52,6 +53,13 @@ Bootstrap::Bootstrap(std::vector<Replicate> replicates, ProbitLine const& line, 
         without_curve_ += replicate.beta > 0 && std::isfinite(replicate.log_median) ? 0 : 1;
         replicate.log_median += line.log_median() - centre.log_median();
         replicate.beta *= line.beta() / centre.beta();
+    }
+}
+
+void Bootstrap::lower_medians(std::span<double const> by) {
+    OVERTURN_EXPECT(by.size() == replicates_.size());
+    for (std::size_t r = 0; r < by.size(); ++r) {
+        replicates_[r].log_median -= by[r];
     }
 }
 

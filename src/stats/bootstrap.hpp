@@ -21,6 +21,9 @@ class Bootstrap {
     /// \param line of the data themselves; \param centre the same fit as the replicates were made (cells may shift it)
     Bootstrap(std::vector<Replicate> replicates, ProbitLine const& line, ProbitLine const& centre);
 
+    /// Takes from every replicate's ln median what is no chance of the sampling. \pre one number per replicate
+    void lower_medians(std::span<double const> by);
+
     [[nodiscard]] Interval beta(double confidence) const;
     /// Of the intensity at which P is `probability`; the ends may be 0 and infinite.
     [[nodiscard]] Interval intensity(double probability, double confidence) const;

@@ -30,11 +30,16 @@ CriterionStudy study_criterion(std::span<CriterionTrial const> trials, double co
     CriterionStudy study;
     std::vector<double> overturned;
     std::map<std::int64_t, double> first, highest;
-    std::map<std::int64_t, bool> safe_wave_fell;
+    std::map<std::int64_t, bool> safe_wave_fell, uplifted_wave_fell;
+    std::int64_t uplifted = 0;
     for (auto const& trial : trials) {
         study.counts.add(trial.said_safe(), trial.overturned);
         if (trial.said_safe()) {
             safe_wave_fell[trial.wave] |= trial.overturned;
+            if (trial.uplifted || trial.overturned) {
+                ++uplifted;
+                uplifted_wave_fell[trial.wave] |= trial.overturned;
+            }
         }
         if (trial.overturned) {
             overturned.push_back(trial.ratio);
@@ -50,9 +55,13 @@ CriterionStudy study_criterion(std::span<CriterionTrial const> trials, double co
     study.overturned_said_safe = share_of(c.false_safe, c.false_safe + c.true_overturn, confidence);
     study.unsafe_but_stood = share_of(c.false_alarm, c.false_alarm + c.true_overturn, confidence);
     study.stood_said_unsafe = share_of(c.false_alarm, c.false_alarm + c.true_safe, confidence);
-    auto const fell =
-        std::count_if(safe_wave_fell.begin(), safe_wave_fell.end(), [](auto const& w) { return w.second; });
-    study.waves_safe_but_overturned = share_of(fell, static_cast<std::int64_t>(safe_wave_fell.size()), confidence);
+    study.safe_uplifted_but_overturned = share_of(c.false_safe, uplifted, confidence);
+    auto const by_waves = [&](std::map<std::int64_t, bool> const& waves) {
+        auto const fell = std::count_if(waves.begin(), waves.end(), [](auto const& w) { return w.second; });
+        return share_of(fell, static_cast<std::int64_t>(waves.size()), confidence);
+    };
+    study.waves_safe_but_overturned = by_waves(safe_wave_fell);
+    study.waves_safe_uplifted_but_overturned = by_waves(uplifted_wave_fell);
     auto const values = [](std::map<std::int64_t, double> const& of_waves) {
         std::vector<double> list;
         list.reserve(of_waves.size());

@@ -14,6 +14,7 @@ struct CriterionTrial {
     double ratio = 0;  ///< measure over limit
     std::int64_t wave = 0;
     bool overturned = false;
+    bool uplifted = true;  ///< it left the ground: what did not could not have fallen
 
     [[nodiscard]] bool said_safe() const { return ratio < 1; }
 };
@@ -36,13 +37,15 @@ struct RatioQuantiles {
 
 struct CriterionStudy {
     Confusion counts;
-    Share safe_but_overturned;   ///< of all trials said safe: the share that must be 0
-    Share overturned_said_safe;  ///< of all trials that overturned
-    Share unsafe_but_stood;      ///< of all trials said unsafe: the price
-    Share stood_said_unsafe;     ///< of all trials that stood
+    Share safe_but_overturned;           ///< of all trials said safe: the share that must be 0
+    Share safe_uplifted_but_overturned;  ///< of those that uplifted: the others put no criterion to the test
+    Share overturned_said_safe;          ///< of all trials that overturned
+    Share unsafe_but_stood;              ///< of all trials said unsafe: the price
+    Share stood_said_unsafe;             ///< of all trials that stood
     /// Of the waves with a trial said safe, those with one of these overturned: trials of one wave are not independent,
     /// waves are.
     Share waves_safe_but_overturned;
+    Share waves_safe_uplifted_but_overturned;         ///< the same of waves with a trial said safe that uplifted
     std::optional<RatioQuantiles> at_overturning;     ///< all trials that overturned
     std::optional<RatioQuantiles> first_overturning;  ///< of each wave the lowest ratio that overturned
     std::optional<RatioQuantiles> highest_standing;   ///< of each wave the highest ratio that stood

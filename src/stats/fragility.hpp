@@ -1,10 +1,12 @@
 /// The fragility of one body on one intensity measure: a curve where the data hold one, and what they hold otherwise.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "stats/beta_split.hpp"
 #include "stats/bootstrap.hpp"
 #include "stats/goodness_of_fit.hpp"
 #include "stats/isotonic.hpp"
@@ -34,8 +36,10 @@ enum class FragilityFlag : std::uint32_t {
     few_waves = 14,
     interval_unbounded = 15,
     waves_left_out = 16,
+    no_beta_u = 17,              ///< nothing is known of what is not known: no HCLPF
+    no_five_percent_point = 18,  ///< the proportions contradict the curve where its 5 % point lies, or as a whole
 };
-inline constexpr std::uint32_t fragility_flags = 17;
+inline constexpr std::uint32_t fragility_flags = 19;
 
 using FragilityFlags = std::uint32_t;
 [[nodiscard]] constexpr FragilityFlags bit(FragilityFlag flag) { return 1U << static_cast<std::uint32_t>(flag); }
@@ -48,13 +52,16 @@ struct FragilityData {
     Kind kind = Kind::stripes;
     std::vector<FragilityPoint> points;
     std::vector<SingleTrial> trials;
-    bool waves_shared = false;    ///< one wave has trials at several intensities
-    bool waves_left_out = false;  ///< `trials` are the first of more than are held
+    std::vector<SingleTrial> open;            ///< those without a verdict, where they were tried
+    std::vector<FragilityPoint> open_points;  ///< the same counted: only `undecided` is not 0
+    bool waves_shared = false;                ///< one wave has trials at several intensities
+    bool waves_left_out = false;              ///< `trials` are the first of more than are held
 
     [[nodiscard]] static FragilityData of_stripes(std::span<Stripe const> stripes);
-    /// Single trials of a continuous measure; \param undecided trials that are not among them
+    /// Single trials of a continuous measure. \param open those without a verdict; \param lost further ones, whose
+    /// measure is not known
     [[nodiscard]] static FragilityData of_trials(std::vector<SingleTrial> trials, bool waves_shared,
-                                                 std::int64_t undecided);
+                                                 std::vector<SingleTrial> open = {}, std::int64_t lost = 0);
 };
 
 /// Where P is wanted.
@@ -66,10 +73,14 @@ struct Quote {
 struct FragilityRequest {
     double confidence = 0.95;
     Passing passing = Passing::overturned;  ///< for words alone
-    double beta_u = 0;                      ///< lognormal standard deviation of what is not known
-    /// Whether the trials hold it: their bodies were drawn from what is not known, and the fitted beta is
-    /// sqrt(beta_R^2 + beta_U^2); else it stands beside the fitted one, which is beta_R.
-    bool beta_u_in_trials = false;
+    double beta_u = 0;  ///< stated: lognormal standard deviation of what is not known, beside what the trials hold
+    /// Were the trials' bodies drawn from what is not known? The fitted beta is then sqrt(beta_R^2 + beta_U^2), and
+    /// the split, where there is one, tells them apart.
+    bool drawn = false;
+    std::optional<BetaSplit> split;
+    /// Are the draws' means no matter of chance (a Latin hypercube)? Resampling waves unbalances them, which is then no
+    /// part of the median's error.
+    bool draws_balanced = false;
     std::vector<Quote> quotes;
     std::vector<double> band_at;  ///< intensities at which the curve's band is wanted [SI]
     BootstrapKey bootstrap;
@@ -85,7 +96,7 @@ struct SeenBound {
 /// P at one intensity.
 struct QuotedProbability {
     Quote quote;
-    std::optional<double> probability;  ///< of the curve, or seen right there where that lies outside `bounds`
+    std::optional<double> probability;  ///< of the curve; seen right there where that contradicts it, or it fits poorly
     std::optional<double> curve;        ///< of the curve, whatever it is worth there
     Interval bounds;                    ///< [0, 1] where nothing is known
     enum class Source { none, curve, stripe };
@@ -95,10 +106,11 @@ struct QuotedProbability {
     Interval seen;                      ///< their exact interval
     bool outside_data = false;          ///< below or above all intensities that were tried
     bool in_tail = false;               ///< P below a tenth of the lowest proportion that is not zero
-    /// Where the curve's P lies below a tenth of one in all trials, which no sample of that size can speak of: what was
-    /// seen at the nearest intensities from there on. P rises with the intensity, so its upper end bounds P; there is
-    /// no `probability` then.
+    /// Where the curve's P lies below `least`, which no sample of that size can speak of: what was seen at the nearest
+    /// intensities from there on. P rises with the intensity, so its upper end bounds P; there is no `probability`
+    /// then.
     std::optional<SeenBound> bound;
+    double least = 0;  ///< a tenth of one in the trials there, or at the nearest intensities from there on
 };
 
 /// The curve and its pointwise interval at one intensity.
@@ -125,11 +137,13 @@ struct FragilityFit {
 
     std::optional<ProbitLine> line;  ///< empty where not identifiable
     struct Intervals {
-        Interval median, beta, hclpf;
+        Interval median, beta, five_percent_point;
+        std::optional<Interval> hclpf;  ///< nothing without a beta_U
     };
-    std::optional<Intervals> profile, bootstrap;
+    std::optional<Intervals> profile, bootstrap;  ///< of the decided trials
+    std::optional<Intervals> ends;  ///< to be signed: of `method`, with undecided trials as either extreme
     enum class Method { profile_likelihood, bootstrap_by_waves };
-    Method method = Method::profile_likelihood;  ///< whose intervals are to be signed
+    Method method = Method::profile_likelihood;
     std::size_t replicates = 0, replicates_without_curve = 0;
     std::vector<Replicate> refits;  ///< of the bootstrap, for what is computed from the curve
 
@@ -138,30 +152,34 @@ struct FragilityFit {
     std::vector<IsotonicBlock> isotonic;
     Interval isotonic_median;
     std::optional<ProbitLine> penalised;  ///< Firth's fit of separated data
-    std::optional<TailBound> bound;
-    double beta_u = 0;
-    bool beta_u_in_trials = false;
+    std::optional<TailBound> bound;       ///< nothing, or everything, overturned; or all that did lies at one end
+    std::optional<SeenBound> pooled;  ///< of several stripes together: its upper end at `from`, its lower one at `to`
+    bool beta_u_known = false;        ///< stated, or drawn and told apart
+    double beta_u = 0;                ///< drawn and stated together
+    double beta_u_drawn = 0;          ///< the part of it that the fitted beta holds
     std::vector<QuotedProbability> quotes;
     std::vector<BandPoint> band;
 
     [[nodiscard]] bool identifiable() const { return line.has_value(); }
     /// What waves alone add to beta.
     [[nodiscard]] double beta_r() const;
-    /// exp(ln median - 1.645 (beta_R + beta_U)): high confidence, low probability of failure (EPRI TR-103959).
-    [[nodiscard]] double hclpf() const;
-    /// Where the mean curve, with beta and beta_u together, reaches 1 %.
-    [[nodiscard]] double one_percent_point() const;
-    /// The intervals of `method`.
-    [[nodiscard]] Intervals const& intervals() const {
-        return *(method == Method::profile_likelihood ? profile : bootstrap);
-    }
+    /// Where the curve, with all that was drawn, reaches 5 %: exp(ln median - 1.645 beta). Nothing where the
+    /// proportions contradict it.
+    [[nodiscard]] std::optional<double> five_percent_point() const;
+    /// exp(ln median - 1.645 (beta_R + beta_U)): high confidence, low probability of failure (EPRI TR-103959). Nothing
+    /// where beta_U is not known, or the 5 % point is not.
+    [[nodiscard]] std::optional<double> hclpf() const;
+    /// Where the composite curve, with beta_R and beta_U together, reaches 1 %; nothing where HCLPF is not known.
+    [[nodiscard]] std::optional<double> one_percent_point() const;
+    /// Median of the curve that is believed with this confidence to lie at or right of the true one; its beta is
+    /// beta_r(): exp(ln median - beta_U Phi^-1(confidence)). Nothing where beta_U is not known.
+    [[nodiscard]] std::optional<double> median_at(double confidence) const;
+    /// The intervals to be signed.
+    [[nodiscard]] Intervals const& intervals() const { return *ends; }
 };
 
-/// A tenth of one in all trials: of a curve's P below it no sample of that size can speak.
-[[nodiscard]] inline double least_share(FragilityFit const& fit) {
-    constexpr double tenth = 0.1;
-    return tenth / fit.trials;
-}
+/// Of the family of curves that is told: 5, 50 and 95 %.
+inline constexpr std::array told_confidences{0.05, 0.5, 0.95};
 
 [[nodiscard]] FragilityFit fit_fragility(FragilityData const& data, FragilityRequest const& request);
 

@@ -59,6 +59,7 @@ enum class FragilityState : std::uint8_t {
     not_rising = 6,     ///< the most likely curve falls, or its rise may be chance
     not_converged = 7,  ///< the solver gave up: ours to mend
     grid = 8,           ///< the waves are points of a grid and no sample: nothing was fitted
+    undecided = 9,      ///< too many trials have no verdict: where the median lies hangs on what they would have done
 };
 
 /// What the data alone say, before any fit: fitted or not_rising remain to be told apart.

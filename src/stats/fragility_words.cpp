@@ -8,11 +8,25 @@
 namespace overturn {
 namespace {
 
-constexpr std::array<char const*, fragility_flags> flag_names{
-    "no-trials",          "nothing-overturned",  "all-overturned",     "one-level",        "separated",
-    "not-rising",         "not-converged",       "one-overturned",     "two-levels",       "non-monotone",
-    "poor-fit",           "median-outside-data", "hclpf-outside-data", "undecided-trials", "few-waves",
-    "interval-unbounded", "waves-left-out"};
+constexpr std::array<char const*, fragility_flags> flag_names{"no-trials",
+                                                              "nothing-overturned",
+                                                              "all-overturned",
+                                                              "one-level",
+                                                              "separated",
+                                                              "not-rising",
+                                                              "not-converged",
+                                                              "one-overturned",
+                                                              "two-levels",
+                                                              "non-monotone",
+                                                              "poor-fit",
+                                                              "median-outside-data",
+                                                              "hclpf-outside-data",
+                                                              "undecided-trials",
+                                                              "few-waves",
+                                                              "interval-unbounded",
+                                                              "waves-left-out",
+                                                              "no-beta-u",
+                                                              "no-five-percent-point"};
 
 // The same with the words of the limit state: "nothing-overturned", "nothing overturned".
 std::string in_words(std::string text, Passing passing) {
@@ -38,6 +52,16 @@ std::string bound_text(FragilityFit const& fit, IntensityUnit const& unit, doubl
                        none ? "none" : "all", bound.units, 100 * confidence);
 }
 
+// What several stripes say together, if P does not fall.
+std::string pooled_text(SeenBound const& pooled, IntensityUnit const& unit, double confidence) {
+    auto const least = pooled.overturned > 0
+                           ? fmt::format(" and at least {:.3g} at {}", pooled.probability.lower, unit.text(pooled.to))
+                           : std::string();
+    return fmt::format("if P does not fall, it is at most {:.3g} at {}{} ({:g} of {:g} from there up, {:g} % each)",
+                       pooled.probability.upper, unit.text(pooled.from), least, pooled.overturned, pooled.units,
+                       100 * confidence);
+}
+
 std::string bracket_text(Interval const& bracket, IntensityUnit const& unit) {
     if (!std::isfinite(bracket.upper)) {
         return fmt::format("at or above {}", unit.text(bracket.lower));
@@ -55,6 +79,10 @@ std::string separated_text(FragilityFit const& fit, IntensityUnit const& unit) {
     if (fit.penalised) {
         text += fmt::format("; penalised (Firth) median {}, beta {:.3g}",
                             unit.text(std::exp(fit.penalised->log_median())), fit.penalised->beta());
+    }
+    if (fit.bound) {
+        text +=
+            fmt::format("; P there in [{:.3g}, {:.3g}]", fit.bound->probability.lower, fit.bound->probability.upper);
     }
     return text;
 }
@@ -86,8 +114,18 @@ void add_state(std::vector<std::string>& texts, FragilityFit const& fit, Intensi
         case FragilityState::grid:
             texts.push_back(grid_text(fit.waves));
             break;
+        case FragilityState::undecided:
+            texts.push_back(
+                fmt::format("more than 5 % of the trials at some intensity below the median have no verdict ({:g} in "
+                            "all): where it lies hangs on what they would have done; the stripes, which hold whatever "
+                            "that is, are the answer",
+                            fit.undecided));
+            break;
         case FragilityState::fitted:
             break;
+    }
+    if (fit.pooled) {
+        texts.push_back(pooled_text(*fit.pooled, unit, confidence));
     }
 }
 
@@ -120,6 +158,8 @@ std::string name_of(FragilityState state, Passing passing) {
             return "not-rising";
         case FragilityState::grid:
             return "grid";
+        case FragilityState::undecided:
+            return "undecided";
         case FragilityState::not_converged:
             break;
     }
@@ -135,6 +175,24 @@ std::vector<std::string> names_of(FragilityFlags flags, Passing passing) {
     }
     return names;
 }
+
+namespace {
+
+std::string poor_text(FragilityFit const& fit) {
+    if (!fit.goodness) {
+        return {};
+    }
+    auto const& goodness = *fit.goodness;
+    auto const stripe =
+        goodness.stripe_p_value < goodness.p_value
+            ? fmt::format("the stripe farthest from it, p = {:.2g} by its exact tail times the number of stripes",
+                          goodness.stripe_p_value)
+            : fmt::format("deviance {:.3g} with {} degrees of freedom, p = {:.2g}", goodness.deviance,
+                          goodness.degrees_of_freedom, goodness.p_value);
+    return fmt::format("the lognormal curve does not describe the proportions ({})", stripe);
+}
+
+}  // namespace
 
 std::vector<std::string> warnings_of(FragilityFit const& fit, IntensityUnit const& unit, double confidence) {
     std::vector<std::string> texts;
@@ -154,15 +212,21 @@ std::vector<std::string> warnings_of(FragilityFit const& fit, IntensityUnit cons
            fmt::format("the proportions fall somewhere, beyond chance (p = {:.2g}): rocking need not be monotone; see "
                        "the isotonic estimate",
                        fit.monotone.p_value));
-    add_if(FragilityFlag::poor_fit,
-           fmt::format("the lognormal curve does not describe the proportions (deviance {:.3g} with {} degrees of "
-                       "freedom, p = {:.2g})",
-                       fit.goodness ? fit.goodness->deviance : 0, fit.goodness ? fit.goodness->degrees_of_freedom : 0,
-                       fit.goodness ? fit.goodness->p_value : 1));
+    add_if(FragilityFlag::poor_fit, poor_text(fit));
+    add_if(FragilityFlag::no_five_percent_point,
+           "the proportions contradict the curve where 5 % and HCLPF would be read off it: neither is told");
+    if (!has(fit.flags, FragilityFlag::no_five_percent_point)) {
+        add_if(FragilityFlag::no_beta_u,
+               "no beta_U was drawn (scattered bodies) or stated (--beta-u): the 5 % point is that of one curve, and "
+               "there is no HCLPF");
+    }
     add_if(FragilityFlag::median_outside_data, "the median lies outside what was tried: extrapolated");
     add_if(FragilityFlag::hclpf_outside_data, "HCLPF lies below all that was tried: extrapolated");
-    add_if(FragilityFlag::undecided_trials,
-           fmt::format("{:g} trials have no verdict and are left out of the curve", fit.undecided));
+    if (fit.state != FragilityState::undecided) {
+        add_if(FragilityFlag::undecided_trials,
+               fmt::format("{:g} trials have no verdict and are left out of the curve{}", fit.undecided,
+                           fit.identifiable() ? "; its intervals hold with all of them standing and all fallen" : ""));
+    }
     add_if(FragilityFlag::few_waves,
            fmt::format("{} waves only: intervals from resampling them are too short", fit.waves));
     add_if(
@@ -180,8 +244,7 @@ std::vector<std::string> warnings_of(FragilityFit const& fit, IntensityUnit cons
         if (quoted.in_tail) {
             texts.push_back(
                 fmt::format("P = {:.2g} at {} lies more than a decade under the lowest proportion seen ({:.2g}): a "
-                            "lognormal tail is "
-                            "unconservative there",
+                            "lognormal tail may err to either side there; [rare] estimates such P",
                             *quoted.probability, unit.text(quoted.quote.intensity), fit.lowest_proportion));
         }
     }

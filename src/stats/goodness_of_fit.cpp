@@ -1,5 +1,6 @@
 #include "stats/goodness_of_fit.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -44,6 +45,16 @@ std::vector<Group> filled(std::vector<Group> const& groups) {
     return pooled;
 }
 
+// Twice the smaller tail of the counts under the curve's P.
+double tail_of(Group const& group) {
+    double const p = group.expected / group.trials;
+    auto const n = static_cast<unsigned>(group.trials);
+    auto const k = static_cast<unsigned>(group.overturned);
+    double const below = gsl_cdf_binomial_P(k, p, n);
+    double const above = k == 0 ? 1 : gsl_cdf_binomial_Q(k - 1, p, n);
+    return std::min(1.0, 2 * std::min(below, above));
+}
+
 }  // namespace
 
 GoodnessOfFit goodness_of_fit(std::span<FragilityPoint const> points, ProbitLine const& line) {
@@ -65,6 +76,9 @@ GoodnessOfFit goodness_of_fit(std::span<FragilityPoint const> points, ProbitLine
     }
     auto const pooled = filled(groups);
     GoodnessOfFit fit;
+    for (auto const& group : groups) {
+        fit.stripe_p_value = std::min(fit.stripe_p_value, tail_of(group) * static_cast<double>(groups.size()));
+    }
     for (auto const& group : pooled) {
         fit.deviance += deviance_of(group);
     }

@@ -8,6 +8,8 @@
 #include <map>
 #include <vector>
 
+#include "stats/detail/quotes.hpp"
+
 namespace overturn {
 namespace {
 
@@ -18,16 +20,8 @@ std::optional<SeenBound> next_stripe(double intensity, FragilityData const& data
         if (point.log_intensity < std::log(intensity) - same) {
             continue;
         }
-        auto const passed = static_cast<std::int64_t>(point.overturned);
-        auto const open = static_cast<std::int64_t>(point.undecided);
-        auto const trials = static_cast<std::int64_t>(point.trials) + open;
         double const at = std::exp(point.log_intensity);
-        return SeenBound{at,
-                         at,
-                         point.trials,
-                         point.overturned,
-                         {clopper_pearson(passed, trials, confidence).lower,
-                          clopper_pearson(passed + open, trials, confidence).upper}};
+        return SeenBound{at, at, point.trials, point.overturned, interval_of(point, confidence)};
     }
     return std::nullopt;
 }

@@ -18,7 +18,8 @@
 namespace overturn::store {
 
 inline constexpr char const* format_name = "overturn-results";
-inline constexpr std::int64_t format_version = 3;
+inline constexpr std::int64_t format_version = 4;
+inline constexpr std::int64_t oldest_format_read = 3;  ///< earlier files are read by the program that made them
 
 /// A column is a field of rows; a group of them is appended row by row.
 struct TableSpec {

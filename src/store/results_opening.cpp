@@ -81,10 +81,11 @@ void ResultsReader::open(std::string_view format) {
     validate(format != format_name || version <= format_version,
              "{}: format version {} (this program knows up to {}). Use a newer overturn", path, version,
              format_version);
-    if (format == format_name && version < format_version) {
-        throw InputError(fmt::format(
-            "{}: format version {} (this program reads {}). Read it with overturn {}, revision {}.{}", path, version,
-            format_version, text_or("program_version"), text_or("git_revision"), known_errors_of(version)));
+    if (format == format_name && version < oldest_format_read) {
+        throw InputError(
+            fmt::format("{}: format version {} (this program reads {} to {}). Read it with overturn {}, revision {}.{}",
+                        path, version, oldest_format_read, format_version, text_or("program_version"),
+                        text_or("git_revision"), known_errors_of(version)));
     }
     try {
         each_object(file_, [](std::string const&, Object const&) {});

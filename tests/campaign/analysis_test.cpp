@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include "support/campaigns.hpp"
@@ -42,6 +44,7 @@ class AnalysisOfRows : public ::testing::Test {
         row.v_ereq_mps = 1.35;
         row.v_wes_safe = v_wes < row.v_ereq_mps ? 1 : 0;
         row.ou_v_e_safe = row.ou_v_e_mps < row.v_ereq_mps ? 1 : 0;
+        row.peak_rotation_ratio = verdict == Verdict::at_rest ? 0 : verdict == Verdict::overturned ? 4 : 0.3;
         row.response_velocity_mps = verdict == Verdict::overturned ? row.v_ereq_mps : v_wes / 10;
         row.peak_slip_m = wave % 2 == 0 ? 0.01 : 0;
         statistics.add(row);
@@ -170,10 +173,44 @@ TEST_F(AnalysisOfRows, TheVerdictFollowsTheCounts) {
     trial(0, 0, Verdict::rocked, 1.5, 1.0);
     EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.open, "nothing overturned"));
     trial(0, 2, Verdict::overturned, 4.5, 3.0);
-    EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.supports, "none of 1 trials"));
+    EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.supports, "none of 1 uplifted trials"));
     trial(0, 1, Verdict::overturned, 3, 1.2);
-    EXPECT_TRUE(
-        holds(analyse(spec, statistics, {})[1].verdict.against, "1 of 2 trials that V_WES < V_Ereq calls safe"));
+    EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.against,
+                      "1 of 2 uplifted trials that V_WES < V_Ereq calls safe"));
+    wave(1, 2, 1);
+    trial(1, 0, Verdict::at_rest, 1.5, 1.0);
+    EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.against,
+                      "1 of 2 uplifted trials that V_WES < V_Ereq calls safe"))
+        << "what never left the ground is not counted";
+}
+
+/// Dispersions are compared replicate by replicate; waves matched to one spectrum cannot tell measures apart at all.
+TEST_F(AnalysisOfRows, DispersionsAreComparedInPairs) {
+    fill();
+    auto body = analyse(spec, statistics, {})[1];
+    auto const all = [](CriterionVerdict const& verdict) {
+        return fmt::format("{} {} {}", fmt::join(verdict.supports, "\n"), fmt::join(verdict.against, "\n"),
+                           fmt::join(verdict.open, "\n"));
+    };
+    body.matched_waves = false;
+    auto const compared = all(verdict_on(body, 0.95));
+    EXPECT_NE(compared.find("over V_WES and"), std::string::npos) << compared;
+    EXPECT_NE(compared.find("with waves resampled in pairs"), std::string::npos) << compared;
+    EXPECT_NE(compared.find("rank: "), std::string::npos) << compared;
+    body.matched_waves = true;
+    auto const matched = all(verdict_on(body, 0.95));
+    EXPECT_NE(matched.find("not testable with matched waves"), std::string::npos) << matched;
+    EXPECT_EQ(matched.find("resampled in pairs"), std::string::npos) << matched;
+
+    // A measure that is V_WES by another name has a ratio of exactly 1: neither better nor worse.
+    body.matched_waves = false;
+    for (auto& measured : body.fragility) {
+        if (measured.measure == FragilityMeasure::pgv) {
+            auto const own = std::ranges::find(body.fragility, FragilityMeasure::v_wes, &MeasuredFragility::measure);
+            measured.fit = own->fit;
+        }
+    }
+    EXPECT_NE(all(verdict_on(body, 0.95)).find("over pgv, ratio 1 [1, 1]"), std::string::npos);
 }
 
 }  // namespace

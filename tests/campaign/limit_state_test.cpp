@@ -308,7 +308,7 @@ TEST(LimitState, IsFittedAsOverturningIs) {
         EXPECT_EQ(own[m].limit, "fell");
         EXPECT_EQ(own[m].fit.passing, Passing::exceeded);
         EXPECT_EQ(own[m].fit.line->log_median(), body.fragility[m].fit.line->log_median());
-        EXPECT_EQ(own[m].fit.hclpf(), body.fragility[m].fit.hclpf());
+        EXPECT_EQ(own[m].fit.five_percent_point(), body.fragility[m].fit.five_percent_point());
         EXPECT_EQ(own[m].fit.intervals().median.upper, body.fragility[m].fit.intervals().median.upper);
         EXPECT_EQ(own[m].rank_area, body.fragility[m].rank_area);
     }

@@ -43,8 +43,11 @@ TEST_F(Fit, TableOfKnownAnswer) {
     EXPECT_NEAR(curve["beta"].get<double>(), 0.270033194702542, 1e-9);
     EXPECT_NEAR(curve["median_interval"][0].get<double>(), 1.4756879325809789, 1e-6);
     EXPECT_NEAR(curve["beta_interval"][1].get<double>(), 0.3627619282471869, 1e-6);
-    EXPECT_NEAR(curve["hclpf"].get<double>(), 1.0084829479802333, 1e-9);
-    EXPECT_EQ(curve["flags"], json::array());
+    EXPECT_NEAR(curve["five_percent_point"].get<double>(), 1.0084829479802333, 1e-9);
+    EXPECT_EQ(curve["hclpf"], nullptr);
+    EXPECT_EQ(curve["one_percent_point"], nullptr);
+    EXPECT_EQ(curve["confidence_curves"], json::array());
+    EXPECT_EQ(curve["flags"], json::array({"no-beta-u"}));
     EXPECT_EQ(curve["interval_method"], "profile-likelihood");
     ASSERT_EQ(fit["stripes"].size(), 3U);
     EXPECT_EQ(fit["stripes"][0]["amplitude"], 1);
@@ -63,10 +66,20 @@ TEST_F(Fit, TablesAsOtherProgramsWriteThem) {
 
 TEST_F(Fit, BetaUMovesHclpf) {
     std::string const stripes = "amplitude,trials,overturned\n1,54,2\n1.5,54,25\n2,54,43\n";
-    double const with = table(stripes, {"--beta-u", "0.3"})["fragility"][0]["hclpf"];
-    double const without = table(stripes)["fragility"][0]["hclpf"];
+    auto const with = table(stripes, {"--beta-u", "0.3"})["fragility"][0];
+    auto const without = table(stripes)["fragility"][0];
+    double const five = without["five_percent_point"];
 
-    EXPECT_NEAR(with / without, std::exp(-1.645 * 0.3), 1e-12);
+    EXPECT_NEAR(with["hclpf"].get<double>() / five, std::exp(-1.645 * 0.3), 1e-12);
+    EXPECT_EQ(with["five_percent_point"], five);
+    EXPECT_TRUE(without["hclpf"].is_null());
+    ASSERT_EQ(with["confidence_curves"].size(), 3U);
+    EXPECT_EQ(with["confidence_curves"][2]["confidence"], 0.95);
+    EXPECT_NEAR(with["confidence_curves"][2]["median"].get<double>() / with["median"].get<double>(),
+                std::exp(-1.6448536269514722 * 0.3), 1e-12);
+    auto const text = overturn(folder, {"fit", "--stripes", "t.csv"}).out;
+    EXPECT_NE(text.find("5 % point    HCLPF 1 % point"), std::string::npos) << text;
+    EXPECT_NE(text.find("1.008        -         -"), std::string::npos) << text;
 }
 
 /// Nothing overturned, everything, one level, separation: null, never a number.
@@ -123,8 +136,8 @@ TEST_F(Fit, ResultsFile) {
         if (curve["body"] == "type-b") {
             measures.push_back(curve["measure"]);
         }
-        for (auto const* key :
-             {"identifiable", "median", "beta", "median_interval", "beta_interval", "hclpf", "flags"}) {
+        for (auto const* key : {"identifiable", "median", "beta", "median_interval", "beta_interval",
+                                "five_percent_point", "hclpf", "flags"}) {
             EXPECT_TRUE(curve.contains(key)) << key;
         }
         EXPECT_EQ(curve["identifiable"].get<bool>(), !curve["median"].is_null());
@@ -157,20 +170,38 @@ TEST_F(Fit, TellsWhatTheBodyAddsToBeta) {
         double const r = curve["beta_r"];
         double const u = curve["beta_u"];
         double const beta = curve["beta"];
-        EXPECT_NEAR(curve["hclpf"].get<double>() / (curve["median"].get<double>() * std::exp(-1.645 * (r + u))), 1,
-                    1e-3);
         if (curve["body"] == "type-a" || curve["drawn"].empty()) {
             EXPECT_TRUE(curve["drawn"].empty());
+            EXPECT_EQ(curve["hclpf"], nullptr);
             EXPECT_EQ(u, 0);
             EXPECT_EQ(r, beta);
             continue;
         }
         ++drawn;
+        if (curve["five_percent_point"].is_null()) {
+            EXPECT_EQ(curve["hclpf"], nullptr);
+        } else {
+            EXPECT_NEAR(curve["hclpf"].get<double>() / (curve["median"].get<double>() * std::exp(-1.645 * (r + u))), 1,
+                        1e-9);
+            EXPECT_LE(curve["hclpf_interval"][0].get<double>(), curve["hclpf"].get<double>());
+        }
         EXPECT_NEAR(std::hypot(r, u), std::max(beta, u), 1e-12);
         EXPECT_EQ(curve["drawn"][0]["quantity"], "restitution");
         EXPECT_LT(curve["drawn"][0]["log_median_per_deviation"].get<double>(), 0) << "livelier bodies fall earlier";
     }
     EXPECT_GT(drawn, 0);
+
+    // What is stated comes on top of what was drawn, and lessens no beta_R.
+    auto const both = json::parse(overturn(folder, {"fit", "c.h5", "--json", "--beta-u", "0.3"}).out);
+    for (std::size_t i = 0; i < fit["fragility"].size(); ++i) {
+        auto const& before = fit["fragility"][i];
+        auto const& after = both["fragility"][i];
+        if (before["hclpf"].is_number()) {
+            EXPECT_EQ(after["beta_r"], before["beta_r"]);
+            EXPECT_NEAR(after["beta_u"].get<double>(), std::hypot(before["beta_u"].get<double>(), 0.3), 1e-12);
+            EXPECT_EQ(after["beta_u_drawn"], before["beta_u_drawn"]);
+        }
+    }
 }
 
 }  // namespace

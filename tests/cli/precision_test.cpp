@@ -1,5 +1,6 @@
 // Requirement: a campaign with a target ends as soon as it is met, at the same wave and with the same bytes on any
 // number of ranks, in one go, resumed or in parts; the file says so and is complete.
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/campaign_files.hpp"
@@ -72,7 +73,25 @@ TEST_F(Precision, MedianTargetAndTargetsThatAreNeverMet) {
                                          "statistics.target_median_half_width=0.1"});
     ASSERT_EQ(never.code, 0) << never.err;
     EXPECT_EQ(never.err.find("precise enough"), std::string::npos) << "type A never overturns: it has no median";
+    EXPECT_NE(
+        never.err.find("warning: after 32 waves type-a cannot meet target_median_half_width = 0.1 while that is so "
+                       "(nothing overturns): all 40 waves are run unless that changes\n"),
+        std::string::npos)
+        << never.err;
     EXPECT_NE(overturn(folder, {"status", "n.h5"}).out.find("complete, 240 trials"), std::string::npos);
+}
+
+/// It is said once, however often it is looked: after 32, 64 and 128 waves.
+TEST_F(Precision, WhatCannotBeMetIsSaidOnce) {
+    for (int const ranks : {1, 2}) {
+        auto const never =
+            execute(folder, mpirun(ranks, {"run", "c.toml", "-o", fmt::format("n{}.h5", ranks), "--set",
+                                           "waves.count=130", "--set", "statistics.target_median_half_width=0.1"}));
+        ASSERT_EQ(never.code, 0) << never.err;
+        auto const first = never.err.find("cannot meet");
+        ASSERT_NE(first, std::string::npos) << never.err;
+        EXPECT_EQ(never.err.find("cannot meet", first + 1), std::string::npos) << never.err;
+    }
 }
 
 TEST_F(Precision, ImpossibleTargetsAreRefused) {

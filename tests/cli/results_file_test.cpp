@@ -70,10 +70,16 @@ for b, body in enumerate(['type-a', 'type-b']):
     units = {v: k for k, v in h5py.check_enum_dtype(g['measure_units'].dtype).items()}
     assert [units[u] for u in g['measure_units']] == ['m/s2', 'm/s', 'm/s', 'm/s', '1']
     known = g['identifiable'][:] == 1
-    for name in ('median', 'beta', 'hclpf', 'median_lower', 'beta_upper'):
+    for name in ('median', 'beta', 'median_lower', 'beta_upper'):
         assert (np.isnan(g[name][:]) == ~known).all(), name
+    told = known & (g['flags'][:] & 1 << 18 == 0)
+    assert (np.isnan(g['five_percent_point'][:]) == ~told).all()
+    assert (np.isnan(g['hclpf'][:]) == ~(told & (g['flags'][:] & 1 << 17 == 0))).all()
+    drawn = known & (g['flags'][:] & 1 << 17 == 0)
+    assert np.allclose(g['median_at_95'][:][drawn], (g['median'][:] * np.exp(-1.6448536269514722 * g['beta_u'][:]))[drawn])
+    assert np.isnan(g['median_at_95'][:][~drawn]).all()
     assert (g['flags'][:][~known] > 0).all()
-    assert g.attrs['confidence'] == 0.95 and len(g.attrs['flag_names'].split()) == 17
+    assert g.attrs['confidence'] == 0.95 and len(g.attrs['flag_names'].split()) == 19
 assert (t['restitution'][t['body'] == 1] <= 1).all() and len(set(t['restitution'][t['body'] == 1])) == 12
 assert np.allclose(t['peak_rotation'][t['verdict'] == 3], np.pi / 2)
 assert ((t['effects'] & 1) == 1).all()

@@ -33,6 +33,20 @@ TEST(CriterionStudy, CountsTrialsAndWaves) {
     EXPECT_EQ(study.highest_standing->highest, 1.4);
 }
 
+/// Trials that never left the ground put no criterion to the test: they are not counted, nor are waves that have no
+/// others.
+TEST(CriterionStudy, CountsWhatUplifted) {
+    std::vector<CriterionTrial> const trials{{0.2, 1, false, false}, {0.6, 1, false, true},  {0.9, 1, true, true},
+                                             {0.2, 2, false, false}, {0.7, 2, false, false}, {0.8, 3, false, true},
+                                             {1.2, 4, true, true}};
+    auto const study = study_criterion(trials, 0.95);
+
+    expect_share(study.safe_but_overturned, 1, 6);
+    expect_share(study.safe_uplifted_but_overturned, 1, 3);
+    expect_share(study.waves_safe_but_overturned, 1, 3);
+    expect_share(study.waves_safe_uplifted_but_overturned, 1, 2);
+}
+
 TEST(CriterionStudy, NothingOverturnedHasNoQuantiles) {
     auto const study = study_criterion(std::vector<CriterionTrial>{{0.5, 1, false}}, 0.95);
 

@@ -45,7 +45,7 @@ TEST(FragilityFit, MatchesAnIndependentMaximisation) {
     EXPECT_TRUE(near(std::exp(fit.line->log_median()), 1.57247651593071, maximum));
     EXPECT_TRUE(near(fit.line->beta(), 0.270033194702542, maximum));
     EXPECT_TRUE(near(log_likelihood(points_of(known), *fit.line), -73.3604691184925, maximum));
-    EXPECT_TRUE(near(fit.hclpf(), 1.0084829479802333, maximum));
+    EXPECT_TRUE(near(*fit.five_percent_point(), 1.0084829479802333, maximum));
     EXPECT_TRUE(near(fit.profile->median.lower, 1.4756879325809789, inverted));
     EXPECT_TRUE(near(fit.profile->median.upper, 1.677826922005793, inverted));
     EXPECT_TRUE(near(fit.profile->beta.lower, 0.21015594695128426, inverted));
@@ -53,7 +53,7 @@ TEST(FragilityFit, MatchesAnIndependentMaximisation) {
     EXPECT_TRUE(near(fit.goodness->deviance, 0.45589793870446194, maximum));
     EXPECT_EQ(fit.goodness->degrees_of_freedom, 1);
     EXPECT_TRUE(near(fit.goodness->p_value, 0.4995473430558607, maximum));
-    EXPECT_EQ(names_of(fit.flags), std::vector<std::string>{}) << "nothing is wrong with these stripes";
+    EXPECT_EQ(names_of(fit.flags), std::vector<std::string>{"no-beta-u"}) << "nothing else is wrong";
 }
 
 /// Two stripes and two unknowns: the curve goes through both proportions, in closed form.
@@ -92,7 +92,7 @@ TEST(FragilityFit, SingleTrialsAreStripesOfOne) {
             trials.push_back({stripe.amplitude, static_cast<std::int64_t>(trials.size()), i < stripe.overturned});
         }
     }
-    auto const single = fit_fragility(FragilityData::of_trials(trials, false, 0), {});
+    auto const single = fit_fragility(FragilityData::of_trials(trials, false), {});
 
     EXPECT_TRUE(near(single.line->log_median(), fit_of(known).line->log_median(), maximum));
     EXPECT_TRUE(near(single.line->beta(), fit_of(known).line->beta(), maximum));
@@ -127,7 +127,8 @@ TEST(ProfileLikelihood, EndsWhereTheTestTurns) {
     }
 }
 
-/// HCLPF takes 1.645 of each beta; beta_u alone moves it by exp(-1.645 beta_u), its interval too.
+/// Without a beta_u there is no HCLPF, only the curve's 5 % point. HCLPF takes 1.645 of each beta; a stated beta_u
+/// moves it from there by exp(-1.645 beta_u), its interval too.
 TEST(FragilityFit, HclpfTakesBothBetas) {
     FragilityRequest request;
     request.beta_u = 0.3;
@@ -135,13 +136,51 @@ TEST(FragilityFit, HclpfTakesBothBetas) {
     auto const plain = fit_of(known);
     double const factor = std::exp(-1.645 * 0.3);
 
-    EXPECT_TRUE(near(wider.hclpf() / plain.hclpf(), factor, maximum));
-    EXPECT_TRUE(near(wider.profile->hclpf.lower / plain.profile->hclpf.lower, factor, maximum));
-    EXPECT_TRUE(near(wider.one_percent_point(),
+    EXPECT_FALSE(plain.hclpf());
+    EXPECT_FALSE(plain.one_percent_point());
+    EXPECT_FALSE(plain.intervals().hclpf);
+    EXPECT_FALSE(plain.median_at(0.95));
+    EXPECT_TRUE(has(plain.flags, FragilityFlag::no_beta_u));
+    ASSERT_TRUE(wider.hclpf() && wider.one_percent_point() && wider.intervals().hclpf);
+    EXPECT_FALSE(has(wider.flags, FragilityFlag::no_beta_u));
+    EXPECT_TRUE(near(*wider.five_percent_point(), *plain.five_percent_point(), maximum));
+    EXPECT_TRUE(near(*wider.hclpf() / *plain.five_percent_point(), factor, maximum));
+    EXPECT_TRUE(near(wider.intervals().hclpf->lower / plain.intervals().five_percent_point.lower, factor, maximum));
+    EXPECT_TRUE(near(*wider.one_percent_point(),
                      std::exp(wider.line->log_median() - 2.326347874040841 * std::hypot(wider.line->beta(), 0.3)),
                      maximum));
-    EXPECT_LT(plain.profile->hclpf.lower, plain.hclpf());
-    EXPECT_GT(plain.profile->hclpf.upper, plain.hclpf());
+    EXPECT_LT(plain.intervals().five_percent_point.lower, *plain.five_percent_point());
+    EXPECT_GT(plain.intervals().five_percent_point.upper, *plain.five_percent_point());
+}
+
+/// The curve of 95 % confidence reaches 5 % at HCLPF: that is what the name says.
+TEST(FragilityFit, HclpfIsWhereTheCurveOfHighConfidenceIsLow) {
+    FragilityRequest request;
+    request.beta_u = 0.3;
+    auto const fit = fit_of(known, request);
+    double const score = std::log(*fit.hclpf() / *fit.median_at(0.95)) / fit.beta_r();
+
+    EXPECT_NEAR(gsl_cdf_ugaussian_P(score), 0.05, 1e-4) << "1.645 stands for 1.64485";
+    EXPECT_TRUE(near(*fit.median_at(0.5), std::exp(fit.line->log_median()), maximum));
+    EXPECT_TRUE(near(*fit.median_at(0.05) * *fit.median_at(0.95), std::exp(2 * fit.line->log_median()), maximum));
+}
+
+/// What was drawn and what is stated add as independent parts do; what is stated never lessens beta_R.
+TEST(FragilityFit, StatedUncertaintyAddsToWhatWasDrawn) {
+    FragilityRequest request;
+    request.drawn = true;
+    request.split = BetaSplit{0.2, 0.15, {0.15}, {0.02}, {}};
+    auto const drawn = fit_of(known, request);
+    request.beta_u = 0.2;
+    auto const both = fit_of(known, request);
+    request.split.reset();
+    auto const untold = fit_of(known, request);
+
+    EXPECT_EQ(drawn.beta_u, 0.15);
+    EXPECT_TRUE(near(drawn.beta_r(), std::sqrt(std::pow(drawn.line->beta(), 2) - 0.15 * 0.15), maximum));
+    EXPECT_TRUE(near(both.beta_u, 0.25, maximum));
+    EXPECT_EQ(both.beta_r(), drawn.beta_r());
+    EXPECT_FALSE(untold.hclpf()) << "drawn, but not told apart: no beta_R to be had";
 }
 
 /// Cells of equal width stand in for very many distinct intensities; what that moves is far below what sampling

@@ -374,10 +374,10 @@ TEST_F(Results, ReaderRefusesOtherFormats) {
     expect_input_error([&] { (void)ResultsReader(path()); }, "not a results file", format_name);
 
     write_claim(path(), {format_name, format_version + 1});
-    expect_input_error([&] { (void)ResultsReader(path()); }, "format version 4", "newer overturn");
+    expect_input_error([&] { (void)ResultsReader(path()); }, "format version 5", "newer overturn");
 
-    write_claim(path(), {format_name, format_version - 1});
-    expect_input_error([&] { (void)ResultsReader(path()); }, "format version 2", "reads 3",
+    write_claim(path(), {format_name, oldest_format_read - 1});
+    expect_input_error([&] { (void)ResultsReader(path()); }, "format version 2", "reads 3 to 4",
                        "overturn 0.0.9, revision abc");
 
     write_claim(path(), {format_name, 1});

@@ -30,8 +30,8 @@ std::map<std::int64_t, std::vector<double>> scores_of(CampaignSpec const& spec, 
 
 }  // namespace
 
-std::optional<BetaSplit> split_by_draws(CampaignSpec const& spec, std::size_t body,
-                                        std::span<SingleTrial const> trials) {
+std::optional<BetaSplit> split_by_draws(CampaignSpec const& spec, std::size_t body, std::span<SingleTrial const> trials,
+                                        BootstrapKey const& key) {
     if (spec.bodies[body].scattering().empty()) {
         return std::nullopt;
     }
@@ -41,7 +41,7 @@ std::optional<BetaSplit> split_by_draws(CampaignSpec const& spec, std::size_t bo
     for (auto const& trial : trials) {
         drawn.push_back({std::log(trial.intensity), scores.at(trial.id), trial.overturned, trial.wave});
     }
-    return split_beta(drawn);
+    return split_beta(drawn, key);
 }
 
 }  // namespace overturn

@@ -11,8 +11,8 @@
 namespace overturn {
 
 /// beta_R and beta_U of one body from its trials; the draws are recomputed, as they are pure functions of the wave.
-/// Nothing if the body does not scatter, or the trials hold no curve.
+/// Nothing if the body does not scatter, or the trials hold no curve. \param key of the split's replicates
 [[nodiscard]] std::optional<BetaSplit> split_by_draws(CampaignSpec const& spec, std::size_t body,
-                                                      std::span<SingleTrial const> trials);
+                                                      std::span<SingleTrial const> trials, BootstrapKey const& key);
 
 }  // namespace overturn

@@ -1,22 +1,64 @@
 #include "campaign/detail/stopping.hpp"
 
 #include <algorithm>
+#include <span>
+
+#include <fmt/format.h>
 
 #include "campaign/analysis.hpp"
+#include "stats/precision.hpp"
 
 namespace overturn {
 namespace {
 
-// One body by one limit state.
-bool is_precise(CampaignSpec const& spec, Statistics const& statistics, std::size_t body, std::size_t limit) {
-    auto const& target = spec.limits[limit].target;
-    if (target.half_width
-        && !is_precise(statistics.bodies()[body].stripes_of(limit), *target.half_width, spec.confidence)) {
-        return false;
+std::string of_limit(CampaignSpec const& spec, std::size_t limit) {
+    return limit == 0 ? std::string() : fmt::format(" by limit {}", spec.limits[limit].name);
+}
+
+// More waves do not decide trials: where so many have no verdict that the exact interval stays wider than asked.
+std::string half_width_obstacle(std::span<Stripe const> stripes, double half_width, double confidence) {
+    for (auto const& stripe : stripes) {
+        auto const open = stripe.trials - stripe.decided();
+        if (clopper_pearson(open, stripe.trials, confidence).lower > 2 * half_width) {
+            return fmt::format("cannot meet target_half_width = {:g} ({} of {} trials at one level have no verdict)",
+                               half_width, open, stripe.trials);
+        }
     }
-    return !target.median_half_width
-           || is_precise(fit_over_levels(spec, statistics, body, {.confidence = spec.confidence}, limit),
-                         *target.median_half_width);
+    return {};
+}
+
+std::string median_obstacle(FragilityFit const& fit, double half_width) {
+    auto const why = fit.state == FragilityState::none_overturned
+                         ? std::string(fit.passing == Passing::exceeded ? "no trial exceeds it" : "nothing overturns")
+                     : fit.state == FragilityState::all_overturned ? std::string("every trial does")
+                     : fit.state == FragilityState::undecided
+                         ? fmt::format("{:g} trials have no verdict", fit.undecided)
+                         : std::string();
+    return why.empty()
+               ? why
+               : fmt::format("cannot meet target_median_half_width = {:g} while that is so ({})", half_width, why);
+}
+
+// One body by one limit state; of obstacles the first is told.
+void look(CampaignSpec const& spec, Statistics const& statistics, std::size_t body, std::size_t limit,
+          TargetLook& looked) {
+    auto const& target = spec.limits[limit].target;
+    auto const& stripes = statistics.bodies()[body].stripes_of(limit);
+    std::string obstacle;
+    if (target.half_width && !is_precise(stripes, *target.half_width, spec.confidence)) {
+        looked.met = false;
+        obstacle = half_width_obstacle(stripes, *target.half_width, spec.confidence);
+    }
+    if (target.median_half_width) {
+        auto const fit = fit_over_levels(spec, statistics, body, {.confidence = spec.confidence}, limit);
+        if (!is_precise(fit, *target.median_half_width)) {
+            looked.met = false;
+            obstacle = obstacle.empty() ? median_obstacle(fit, *target.median_half_width) : obstacle;
+        }
+    }
+    if (looked.obstacle.empty() && !obstacle.empty()) {
+        looked.obstacle = fmt::format("{}{} {}", spec.bodies[body].name, of_limit(spec, limit), obstacle);
+    }
 }
 
 }  // namespace
@@ -33,19 +75,22 @@ std::vector<std::int64_t> stopping_points(CampaignSpec const& spec, Plan const& 
     return points;
 }
 
-bool meets_target(CampaignSpec const& spec, Plan const& plan, store::ShardFolder const& shards, std::int64_t blocks) {
+TargetLook look_at_target(CampaignSpec const& spec, Plan const& plan, store::ShardFolder const& shards,
+                          std::int64_t blocks) {
     Statistics statistics(spec);
     for (std::int64_t b = 0; b < blocks; ++b) {
         statistics.add(BlockRows::unpack(shards.read(b), plan, plan.waves_of_block(b).count));
     }
+    TargetLook looked{true, {}};
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
         for (std::size_t l = 0; l < spec.limits.size(); ++l) {
-            if (!is_precise(spec, statistics, b, l)) {
-                return false;
+            // Once it is missed and said why, the others cost time and change nothing.
+            if (looked.met || looked.obstacle.empty()) {
+                look(spec, statistics, b, l, looked);
             }
         }
     }
-    return true;
+    return looked;
 }
 
 Plan cut_at_target(CampaignSpec const& spec, Plan const& plan, store::ShardFolder const& shards,
@@ -55,7 +100,7 @@ Plan cut_at_target(CampaignSpec const& spec, Plan const& plan, store::ShardFolde
         if (there < blocks) {
             break;
         }
-        if (meets_target(spec, plan, shards, blocks)) {
+        if (look_at_target(spec, plan, shards, blocks).met) {
             return plan.first(blocks);
         }
     }

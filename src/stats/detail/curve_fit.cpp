@@ -1,0 +1,173 @@
+#include "stats/detail/curve_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <gsl/gsl_cdf.h>
+
+#include "stats/quantile.hpp"
+
+namespace overturn {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+using Intervals = FragilityFit::Intervals;
+
+Interval lowered(Interval const& interval, double by) { return {interval.lower * by, interval.upper * by}; }
+
+// Every replicate with the split of its own waves: what it says of ln HCLPF.
+Interval resampled_hclpf(Bootstrap const& refits, FragilityRequest const& request) {
+    auto const& splits = request.split->replicates;
+    std::vector<double> logs;
+    for (std::size_t r = 0; r < refits.size(); ++r) {
+        auto const& curve = refits.replicates()[r];
+        if (std::isinf(curve.log_median)) {
+            logs.push_back(curve.log_median);
+            continue;
+        }
+        double const drawn = splits.at(r).beta_u;
+        double const waves = std::sqrt(std::max(0.0, curve.beta * curve.beta - drawn * drawn));
+        logs.push_back(curve.log_median - hclpf_score * (waves + std::hypot(drawn, request.beta_u)));
+    }
+    auto const ends = middle_of(logs, request.confidence, {-infinite, infinite});
+    return {std::exp(ends.lower), std::exp(ends.upper)};
+}
+
+void add_hclpf(CurveFit& fit, FragilityRequest const& request) {
+    if (request.split && !request.split->replicates.empty()) {
+        // The likelihood of one curve knows nothing of the split.
+        fit.bootstrap.hclpf = fit.profile.hclpf = resampled_hclpf(fit.refits, request);
+    } else if (!request.drawn && request.beta_u > 0) {
+        double const margin = std::exp(-hclpf_score * request.beta_u);
+        fit.profile.hclpf = lowered(fit.profile.five_percent_point, margin);
+        fit.bootstrap.hclpf = lowered(fit.bootstrap.five_percent_point, margin);
+    }
+}
+
+Bootstrap resample(std::span<FragilityPoint const> points, std::span<SingleTrial const> trials, ProbitLine const& line,
+                   FragilityRequest const& request) {
+    if (trials.empty()) {
+        return bootstrap_trials(points, line, request.bootstrap);
+    }
+    auto refits = bootstrap_waves(trials, line, request.bootstrap);
+    if (request.draws_balanced && request.split && request.split->replicates.size() == refits.size()) {
+        std::vector<double> imbalances;
+        for (auto const& replicate : request.split->replicates) {
+            imbalances.push_back(replicate.imbalance);
+        }
+        refits.lower_medians(imbalances);
+    }
+    return refits;
+}
+
+Interval hull(Interval const& a, Interval const& b) { return {std::min(a.lower, b.lower), std::max(a.upper, b.upper)}; }
+
+void widen(Intervals& to, Intervals const& by) {
+    to.median = hull(to.median, by.median);
+    to.beta = hull(to.beta, by.beta);
+    to.five_percent_point = hull(to.five_percent_point, by.five_percent_point);
+    if (to.hclpf) {
+        to.hclpf = hull(*to.hclpf, by.hclpf.value_or(Interval{0, infinite}));
+    }
+}
+
+// An extreme that holds no curve leaves every end open.
+constexpr Intervals all_open{{0, infinite}, {0, infinite}, {0, infinite}, std::nullopt};
+
+// The decided points with the undecided trials counted as fallen, or as standing.
+std::vector<FragilityPoint> with_open(FragilityData const& data, bool fallen) {
+    auto points = data.points;
+    for (auto const& open : data.open_points) {
+        auto at = std::ranges::find(points, open.log_intensity, &FragilityPoint::log_intensity);
+        if (at == points.end()) {
+            at = points.insert(at, {open.log_intensity, 0, 0, 0});
+        }
+        at->trials += open.undecided;
+        at->overturned += fallen ? open.undecided : 0;
+    }
+    std::ranges::sort(points, {}, &FragilityPoint::log_intensity);
+    return points;
+}
+
+std::vector<SingleTrial> with_open_trials(FragilityData const& data, bool fallen) {
+    auto trials = data.trials;
+    for (auto trial : data.open) {
+        trial.overturned = fallen;
+        trials.push_back(trial);
+    }
+    return trials;
+}
+
+// Undecided trials as `overturned` of all, per stripe or tenth of the trials.
+std::vector<FragilityPoint> undecided_shares(FragilityData const& data) {
+    constexpr std::size_t groups = 10;
+    auto points = with_open(data, false);
+    for (auto& point : points) {
+        point.overturned = 0;
+    }
+    for (auto const& open : data.open_points) {
+        std::ranges::find(points, open.log_intensity, &FragilityPoint::log_intensity)->overturned = open.undecided;
+    }
+    return data.kind == FragilityData::Kind::stripes ? points : grouped(points, groups);
+}
+
+}  // namespace
+
+FragilityFit::Intervals CurveFit::ends(FragilityFit::Method method) const {
+    return method == FragilityFit::Method::bootstrap_by_waves ? bootstrap : profile;
+}
+
+Interval CurveFit::probability(double intensity, FragilityFit::Method method, double confidence) const {
+    return method == FragilityFit::Method::bootstrap_by_waves ? refits.probability(intensity, confidence)
+                                                              : likelihood.probability(intensity);
+}
+
+CurveAttempt fit_curve(std::span<FragilityPoint const> points, std::span<SingleTrial const> trials,
+                       FragilityRequest const& request) {
+    auto const line = ProbitSolver().fit(points);
+    if (!line) {
+        return {FragilityState::not_converged, std::nullopt};
+    }
+    if (!(line->slope > 0)) {
+        return {FragilityState::not_rising, std::nullopt};
+    }
+    ProfileLikelihood const profile(points, *line, request.confidence);
+    if (!profile.rises()) {
+        return {FragilityState::not_rising, std::nullopt};
+    }
+    auto refits = resample(points, trials, *line, request);
+    double const five_percent = gsl_cdf_ugaussian_P(-hclpf_score);
+    CurveFit fit{*line, profile, std::move(refits), {}, {}};
+    fit.profile = {profile.intensity(0.5), profile.beta(), profile.intensity(five_percent), std::nullopt};
+    fit.bootstrap = {fit.refits.intensity(0.5, request.confidence), fit.refits.beta(request.confidence),
+                     fit.refits.intensity(five_percent, request.confidence), std::nullopt};
+    add_hclpf(fit, request);
+    return {FragilityState::fitted, std::move(fit)};
+}
+
+UndecidedExtremes weigh_undecided(FragilityData const& data, CurveFit const& decided, FragilityRequest const& request,
+                                  FragilityFit::Method method) {
+    UndecidedExtremes extremes{false, decided.ends(method)};
+    double highest = decided.line.log_median();
+    for (bool const fallen : {false, true}) {
+        auto const points = with_open(data, fallen);
+        auto const attempt = state_of(points) == FragilityState::fitted
+                                 ? fit_curve(points, with_open_trials(data, fallen), request)
+                                 : CurveAttempt{};
+        widen(extremes.ends, attempt.curve ? attempt.curve->ends(method) : all_open);
+        double const median = attempt.curve ? attempt.curve->line.log_median() : infinite;
+        highest = std::max(highest, median);
+    }
+    constexpr double most = 0.05;
+    extremes.hide_median = std::ranges::any_of(undecided_shares(data), [&](FragilityPoint const& share) {
+        return share.log_intensity <= highest && share.probability() > most;
+    });
+    return extremes;
+}
+
+}  // namespace overturn

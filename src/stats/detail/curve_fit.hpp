@@ -1,0 +1,42 @@
+/// One lognormal curve through trials, with the intervals of its numbers.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "stats/detail/profile_likelihood.hpp"
+#include "stats/fragility.hpp"
+
+namespace overturn {
+
+inline constexpr double hclpf_score = 1.645;  ///< 5 % of a normal variable, as HCLPF is defined
+
+struct CurveFit {
+    ProbitLine line;
+    ProfileLikelihood likelihood;  ///< of the points that were fitted, which outlive it
+    Bootstrap refits;
+    FragilityFit::Intervals profile, bootstrap;
+
+    [[nodiscard]] FragilityFit::Intervals ends(FragilityFit::Method method) const;
+    [[nodiscard]] Interval probability(double intensity, FragilityFit::Method method, double confidence) const;
+};
+
+struct CurveAttempt {
+    FragilityState state = FragilityState::fitted;  ///< fitted, or why there is no curve
+    std::optional<CurveFit> curve;
+};
+
+/// \param trials the same one by one, or none: every trial then counts as independent \pre they overlap (state_of)
+[[nodiscard]] CurveAttempt fit_curve(std::span<FragilityPoint const> points, std::span<SingleTrial const> trials,
+                                     FragilityRequest const& request);
+
+/// What holds whatever the undecided trials would have done.
+struct UndecidedExtremes {
+    /// The median cannot be told: more than 5 % of a stripe (or tenth of the trials) at or below it has no verdict.
+    bool hide_median = false;
+    FragilityFit::Intervals ends;  ///< the hull of those of `decided`, of all undecided standing and of all fallen
+};
+[[nodiscard]] UndecidedExtremes weigh_undecided(FragilityData const& data, CurveFit const& decided,
+                                                FragilityRequest const& request, FragilityFit::Method method);
+
+}  // namespace overturn

@@ -1,0 +1,87 @@
+// Requirement: fit tells of several bodies under one wave how likely any falls and whether they fall together, and fits
+// a curve over two measures where it is asked to.
+#include <algorithm>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/campaign_files.hpp"
+#include "support/command.hpp"
+
+namespace overturn::testing {
+namespace {
+
+using nlohmann::json;
+
+class Together : public ::testing::Test {
+  protected:
+    Together() {
+        folder.write("target.csv", target_csv);
+        folder.write("c.toml", small_campaign("shared", 40));
+        auto const run =
+            overturn(folder, {"run", "c.toml", "--set", "levels.values=['600 gal','900 gal','1200 gal','1600 gal']"});
+        EXPECT_EQ(run.code, 0) << run.err;
+    }
+    Folder folder;
+};
+
+/// Any falls at least as often as each, at most as often as both counts together; counted again from the stripes.
+TEST_F(Together, AnyOfTheBodies) {
+    auto const fit = json::parse(overturn(folder, {"fit", "c.h5", "--json"}).out);
+    ASSERT_EQ(fit["together"].size(), 1U);
+    auto const& of = fit["together"][0];
+    EXPECT_EQ(of["limit"], "overturning");
+    ASSERT_EQ(of["pairs"].size(), 1U);
+    EXPECT_EQ(of["pairs"][0]["bodies"], json::array({"type-a", "type-b"}));
+    auto const levels = of["any"].size();
+    ASSERT_EQ(2 * levels, fit["stripes"].size());
+    for (std::size_t l = 0; l < levels; ++l) {
+        auto const& any = of["any"][l];
+        int const a = fit["stripes"][l]["overturned"];
+        int const b = fit["stripes"][levels + l]["overturned"];
+        EXPECT_EQ(any["amplitude"], fit["stripes"][l]["amplitude"]);
+        EXPECT_EQ(any["waves"], 40);
+        EXPECT_GE(any["overturned"].get<int>(), std::max(a, b));
+        EXPECT_LE(any["overturned"].get<int>(), a + b);
+        EXPECT_LE(any["lower"].get<double>(), any["probability"].get<double>());
+    }
+    auto const text = overturn(folder, {"fit", "c.h5"}).out;
+    EXPECT_NE(text.find("any of 2 bodies overturns under one wave"), std::string::npos) << text;
+    EXPECT_NE(text.find("phi pooled over levels: type-a/type-b "), std::string::npos) << text;
+}
+
+TEST_F(Together, CurveOverTwoMeasures) {
+    auto const plain = json::parse(overturn(folder, {"fit", "c.h5", "--json"}).out);
+    EXPECT_FALSE(plain.contains("two_measures"));
+    auto const fit = json::parse(overturn(folder, {"fit", "c.h5", "--json", "--measures", "pga,v_wes"}).out);
+    ASSERT_EQ(fit["two_measures"].size(), 2U);
+    auto const& b = fit["two_measures"][1];
+    EXPECT_EQ(b["body"], "type-b");
+    EXPECT_EQ(b["measures"], json::array({"pga", "v_wes"}));
+    ASSERT_TRUE(b["identifiable"].get<bool>()) << b;
+    EXPECT_GE(b["deviance_gain"].get<double>(), 0);
+    double const along = b["slopes"][0]["value"].get<double>() + b["slopes"][1]["value"].get<double>();
+    EXPECT_NEAR(b["beta"]["value"].get<double>(), 1 / along, 1e-12);
+    auto const text = overturn(folder, {"fit", "c.h5", "--measures", "pga,v_wes"}).out;
+    EXPECT_NE(text.find("type-b: P = Phi("), std::string::npos) << text;
+    EXPECT_NE(text.find(" alone, the better one"), std::string::npos) << text;
+}
+
+TEST_F(Together, MeasuresThatAreNoneAreRefused) {
+    auto const refuse = [&](std::vector<std::string> const& args, std::string const& part) {
+        auto const ended = overturn(folder, args);
+        EXPECT_EQ(ended.code, 2);
+        EXPECT_TRUE(is_one_error_line(ended.err)) << ended.err;
+        EXPECT_NE(ended.err.find(part), std::string::npos) << ended.err;
+    };
+    refuse({"fit", "c.h5", "--measures", "pga"},
+           "'pga' is not two measures (a comma parts them). State for example pga,pgv");
+    refuse({"fit", "c.h5", "--measures", "pga,pgx"},
+           "'pgx' is no measure of this campaign (its curves are over others). State two of pga, pgv, v_wes");
+    refuse({"fit", "c.h5", "--measures", "pga,pga"}, "'pga' twice");
+    folder.write("t.csv", "amplitude,trials,overturned\n1,54,2\n2,54,43\n");
+    refuse({"fit", "--stripes", "t.csv", "--measures", "pga,pgv"}, "--measures beside --stripes");
+}
+
+}  // namespace
+}  // namespace overturn::testing

@@ -1,0 +1,175 @@
+// Requirement: where a curve leaves what was seen, what was seen is told: stripes contradict it one by one, and below
+// what the trials can hold there is a bound.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_randist.h>
+#include <gtest/gtest.h>
+
+#include "core/random_stream.hpp"
+#include "stats/fragility.hpp"
+
+namespace overturn {
+namespace {
+
+std::vector<Stripe> table_of(std::vector<std::array<std::int64_t, 3>> const& rows) {
+    std::vector<Stripe> stripes;
+    stripes.reserve(rows.size());
+    for (auto const& [amplitude, trials, overturned] : rows) {
+        stripes.push_back({.amplitude = static_cast<double>(amplitude), .trials = trials, .overturned = overturned});
+    }
+    return stripes;
+}
+
+FragilityFit fit_of(std::vector<Stripe> const& stripes, std::vector<Quote> quotes = {}) {
+    FragilityRequest request;
+    request.quotes = std::move(quotes);
+    request.beta_u = 0.3;
+    return fit_fragility(FragilityData::of_stripes(stripes), request);
+}
+
+/// One of 1000 at four low levels, and 999 of 1000 far above: pooled cells see nothing wrong with a curve that gives
+/// 2e-9 at the lowest; each stripe's own exact tail does, and its count is quoted.
+TEST(Tail, AnOverturningThatTheCurveHoldsImpossibleIsBelieved) {
+    auto const fit =
+        fit_of(table_of({{2, 1000, 1}, {3, 1000, 1}, {4, 1000, 1}, {5, 1000, 1}, {20, 1000, 999}}), {{2, 1}});
+
+    ASSERT_TRUE(fit.identifiable());
+    EXPECT_LT(*fit.quotes[0].curve, 1e-6);
+    EXPECT_EQ(*fit.quotes[0].probability, 0.001);
+    EXPECT_EQ(fit.quotes[0].source, QuotedProbability::Source::stripe);
+    EXPECT_EQ(fit.quotes[0].bounds.lower, clopper_pearson(1, 1000, 0.95).lower);
+    EXPECT_LT(fit.goodness->stripe_p_value, 1e-4);
+    EXPECT_GT(fit.goodness->p_value, 0.05) << "pooling hides it";
+    EXPECT_TRUE(has(fit.flags, FragilityFlag::poor_fit));
+}
+
+/// The exact tail by its own sum: the farthest of three stripes.
+TEST(Tail, StripesAreTestedByTheirExactTails) {
+    auto const fit = fit_of(table_of({{2, 50, 6}, {4, 50, 15}, {8, 50, 48}}));
+    double least = 1;
+    for (auto const& [at, overturned] : {std::pair{2.0, 6U}, {4.0, 15U}, {8.0, 48U}}) {
+        double const p = gsl_cdf_ugaussian_P(fit.line->at(std::log(at)));
+        double below = 0;
+        for (unsigned k = 0; k <= overturned; ++k) {
+            below += gsl_ran_binomial_pdf(k, p, 50);
+        }
+        double const above = 1 - below + gsl_ran_binomial_pdf(overturned, p, 50);
+        least = std::min(least, 3 * 2 * std::min(below, above));
+    }
+    EXPECT_NEAR(fit.goodness->stripe_p_value, std::min(1.0, least), 1e-9);
+}
+
+/// Size of both tests together, on tables that a lognormal curve made: 5 % is what either claims by itself, and the
+/// stripes' is far below that since the curve was fitted to them.
+TEST(Tail, CurvesThatAreTrueAreSeldomRejected) {
+    constexpr int repetitions = 1000;
+    int poor = 0;
+    for (std::uint64_t r = 0; r < repetitions; ++r) {
+        RandomStream stream(7, r, Purpose::body_scatter);
+        std::vector<Stripe> stripes;
+        for (double const at : {5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0}) {
+            double const p = gsl_cdf_ugaussian_P(std::log(at / 10) / 0.2);
+            stripes.push_back({.amplitude = at,
+                               .trials = 40,
+                               .overturned = static_cast<std::int64_t>(gsl_ran_binomial(stream.gsl(), p, 40))});
+        }
+        poor += has(fit_of(stripes).flags, FragilityFlag::poor_fit) ? 1 : 0;
+    }
+    EXPECT_LT(poor, 90);
+    EXPECT_GT(poor, 20);
+}
+
+/// Nothing fell at the quoted stripe, and the curve is rejected: not "0", but what so many trials bound.
+TEST(Tail, NoneSeenUnderAPoorCurveIsABound) {
+    auto const fit =
+        fit_of(table_of({{6, 2000, 0}, {9, 2000, 200}, {10, 2000, 1000}, {11, 2000, 1700}, {12, 2000, 1980}}),
+               {{3, 0.5}, {6, 1}});
+
+    ASSERT_TRUE(has(fit.flags, FragilityFlag::poor_fit));
+    for (auto const& quoted : fit.quotes) {
+        EXPECT_FALSE(quoted.probability) << *quoted.probability;
+        ASSERT_TRUE(quoted.bound);
+        EXPECT_EQ(quoted.bounds.upper, clopper_pearson(0, 2000, 0.95).upper);
+        EXPECT_EQ(quoted.least, 0.1 / 2000);
+    }
+}
+
+/// A plateau, proportions that fall, and a lowest stripe far above 5 %: 5 % points of such curves mean nothing.
+TEST(Tail, FivePercentPointsThatTheStripesContradictAreNotTold) {
+    auto const plateau =
+        fit_of(table_of({{2, 50, 1}, {4, 50, 24}, {6, 50, 26}, {8, 50, 25}, {10, 50, 27}, {12, 50, 26}, {16, 50, 25}}));
+    auto const falling = fit_of(table_of({{2, 50, 1}, {3, 50, 40}, {4, 50, 10}, {6, 50, 45}, {8, 50, 49}}));
+    for (auto const& fit : {plateau, falling}) {
+        ASSERT_TRUE(fit.identifiable());
+        EXPECT_TRUE(has(fit.flags, FragilityFlag::no_five_percent_point));
+        EXPECT_FALSE(fit.five_percent_point());
+        EXPECT_FALSE(fit.hclpf());
+        EXPECT_FALSE(fit.one_percent_point());
+    }
+    // A curve rejected by a hair that 2000 trials a stripe see, and right about where 5 % is, keeps it.
+    auto const fine =
+        fit_of(table_of({{6, 2000, 6}, {7, 2000, 90}, {9, 2000, 500}, {10, 2000, 850}, {13, 2000, 1750}}));
+    EXPECT_TRUE(has(fine.flags, FragilityFlag::poor_fit));
+    EXPECT_TRUE(fine.five_percent_point() && fine.hclpf());
+}
+
+/// A dip that chance explains is no alarm.
+TEST(Tail, ADipByChanceIsNone) {
+    auto const fit = fit_of(table_of({{2, 50, 5}, {3, 50, 4}, {4, 50, 25}, {6, 50, 45}}));
+
+    EXPECT_FALSE(has(fit.flags, FragilityFlag::non_monotone));
+    EXPECT_EQ(fit.monotone.degrees_of_freedom, 1);
+    EXPECT_GT(fit.monotone.p_value, 0.5);
+}
+
+/// Where P may rise but the curve cannot tell, stripes bound it together: 6 of 3000, and none of 404 from 5 m/s2 up.
+TEST(Tail, StripesOfFewPoolUnderMonotonicity) {
+    auto const few = fit_of(table_of({{2, 1000, 1}, {3, 1000, 2}, {4, 1000, 3}}));
+    ASSERT_EQ(few.state, FragilityState::not_rising);
+    ASSERT_TRUE(few.pooled);
+    EXPECT_EQ(few.pooled->probability.upper, clopper_pearson(6, 3000, 0.95).upper);
+    EXPECT_EQ(few.pooled->probability.lower, clopper_pearson(6, 3000, 0.95).lower);
+    auto const texts = warnings_of(few, {"m/s2"}, 0.95);
+    EXPECT_TRUE(std::ranges::any_of(texts, [](auto const& text) {
+        return text.find("at most 0.00435 at 2 m/s2 and at least 0.000734 at 4 m/s2 (6 of 3000") != std::string::npos;
+    })) << texts.back();
+
+    auto const none = fit_of(table_of({{3, 10, 0}, {5, 400, 0}, {8, 4, 0}}));
+    ASSERT_TRUE(none.pooled);
+    EXPECT_NEAR(none.pooled->from, 5, 1e-12);
+    EXPECT_EQ(none.pooled->probability.upper, clopper_pearson(0, 404, 0.95).upper);
+    EXPECT_FALSE(fit_of(table_of({{3, 10, 0}, {5, 400, 0}})).pooled) << "the highest stripe says it already";
+    auto shared = FragilityData::of_stripes(table_of({{3, 10, 0}, {5, 400, 0}, {8, 4, 0}}));
+    shared.waves_shared = true;
+    EXPECT_FALSE(fit_fragility(shared, {}).pooled) << "levels that share waves are no further trials";
+}
+
+/// Property: the pooled bound holds wherever P rises. 95 % of its ends cover P at the end they speak of, at least.
+TEST(Tail, PooledBoundsCover) {
+    constexpr int repetitions = 2000;
+    int above = 0;
+    int told = 0;
+    for (std::uint64_t r = 0; r < repetitions; ++r) {
+        RandomStream stream(11, r, Purpose::body_scatter);
+        std::vector<Stripe> stripes;
+        for (std::int64_t const level : {1, 2, 3}) {
+            stripes.push_back({.amplitude = static_cast<double>(level),
+                               .trials = 300,
+                               .overturned = static_cast<std::int64_t>(
+                                   gsl_ran_binomial(stream.gsl(), 0.01 + 0.0005 * static_cast<double>(level), 300))});
+        }
+        auto const fit = fit_of(stripes);
+        if (fit.pooled) {
+            ++told;
+            above += fit.pooled->probability.upper < 0.0105 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(told, repetitions / 2);
+    EXPECT_LE(above, repetitions / 40 + 20);
+}
+
+}  // namespace
+}  // namespace overturn
