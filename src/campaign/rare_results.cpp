@@ -122,6 +122,22 @@ void write_mixture(store::ResultsWriter& file, std::string const& group, rare::P
     }
 }
 
+void write_subset(store::ResultsWriter& file, std::string const& place, rare::SubsetResult const& result) {
+    std::vector<std::int64_t> levels;
+    std::vector<double> thresholds;
+    std::vector<double> acceptance;
+    for (auto const& replicate : result.replicates) {
+        levels.push_back(replicate.levels);
+        thresholds.insert(thresholds.end(), replicate.thresholds.begin(), replicate.thresholds.end());
+        acceptance.insert(acceptance.end(), replicate.acceptance.begin(), replicate.acceptance.end());
+    }
+    file.array(place, {"factors", "1", "factor on the wave"}, std::vector<double>{result.estimate.factor});
+    file.array(place, {"levels", "1", "levels below the last, of each replicate"}, levels);
+    file.array(place, {"thresholds", "1", "of the driver, level by level of each replicate"}, thresholds);
+    file.array(place, {"acceptance", "1", "share of moves that were taken, level by level of each replicate"},
+               acceptance);
+}
+
 rare::Estimate read_estimate(store::ResultsReader const& file, std::string const& group, std::int64_t level) {
     auto const real = [&](char const* name) { return file.real_at(group + "/" + name, level); };
     Estimate made;
@@ -183,8 +199,7 @@ void write_rare(store::ResultsWriter& file, CampaignSpec const& spec, std::span<
             write_mixture(file, fmt::format("{}/mixture-{}", group, m), body.record.mixtures[m]);
         }
         for (std::size_t s = 0; s < body.record.subsets.size(); ++s) {
-            file.array(fmt::format("{}/subset-{}", group, s), {"factors", "1", "factor on the wave"},
-                       std::vector<double>{body.record.subsets[s].estimate.factor});
+            write_subset(file, fmt::format("{}/subset-{}", group, s), body.record.subsets[s]);
         }
     }
 }

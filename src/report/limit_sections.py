@@ -141,6 +141,13 @@ def curves(report, limit):
     what = "overturning" if limit == OVERTURNING else f"exceeding {limit}"
     bodies = len(report.results.bodies)
     many = bodies > fragility_figures.MOST_COMPARED
+    ranked = [[f["body"], f["measure"], value_of(f["median"], 4), f["units"], value_of(f["beta"], 3), value_of(f["rank_area"], 3),
+               interval(f["rank_interval"], 3)] for f in fits.values()]
+    over_all = [] if limit == OVERTURNING or report.fit["grid"] else [
+        report.figure(f"measures-{limit}", lambda path: fragility_figures.measures(report.results, fits, path),
+                      f"intensity measures compared by {what}"),
+        fold("curves over every measure, and how each ranks the trials (AUC)",
+             table(["body", "over", "median", "", "beta", "rank", "interval"], ranked))]
     return [paragraphs([f"{bodies} bodies: no more than {fragility_figures.MOST_COMPARED} are drawn in one picture."]) if many else "",
             report.figure(f"{name}-compared", lambda path: fragility_figures.compared(report.results, fits, stripes, what, path),
                           f"probability of {what} of all bodies"),
@@ -152,7 +159,7 @@ def curves(report, limit):
             table(["body", "beta", "beta_R (waves)", "beta_U (body)", "change of ln median per deviation of"], split)
             if split else "",
             table(["body", "at", "amplitude", "P", "lower", "upper", ""], quoted) if quoted else "",
-            *together(report, limit),
+            *together(report, limit), *over_all,
             paragraphs((f"{f['body']}: {line}" for f in mine for line in f["warnings"]), " class=warning"),
             fold("all stripes", table(head, rows)) if len(rows) > MOST_OPEN_ROWS else table(head, rows)]
 

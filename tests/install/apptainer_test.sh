@@ -27,6 +27,13 @@ section test | grep -oE '/usr/local/share/overturn/[a-z_/.]+' | while read -r fi
     [ -e "${file#/usr/local/share/overturn/}" ] || fail "%test uses $file, which is not installed"
 done
 
+# What it copies configures by itself, as %post does it.
+copy=$(mktemp -d)
+trap 'rm -rf "$copy"' EXIT
+for file in $copied; do cp -r "$file" "$copy/"; done
+configure=$(section post | grep -oE 'cmake --preset release.*')
+(cd "$copy" && $configure > configure.log 2>&1) || { tail -5 "$copy/configure.log" >&2; fail "what it copies does not configure"; }
+
 # spack.yaml names something for every library that cmake looks for.
 declare -A spack=([MPI]=openmpi [Eigen3]=eigen [HDF5]=hdf5 [GSL]=gsl [FFTW]=fftw [fmt]=fmt [tomlplusplus]=tomlplusplus [CLI11]=cli11
     [nlohmann_json]=nlohmann-json [OpenSSL]=openssl [RANDOM123]=random123 [HIGHWAY]=highway [GTest]=googletest)
@@ -42,7 +49,7 @@ if [ -z "$runtime" ]; then
     exit 77  # skipped
 fi
 image=$(mktemp -d)/overturn.sif
-trap 'rm -rf "$(dirname "$image")"' EXIT
+trap 'rm -rf "$copy" "$(dirname "$image")"' EXIT
 "$runtime" build "$image" "$definition"  # runs %test too
 "$runtime" run "$image" list > /dev/null
 echo "apptainer: built and run"
