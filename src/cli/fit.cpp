@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "campaign/hand_check.hpp"
 #include "campaign/hazard_frequency.hpp"
 #include "campaign/rare_results.hpp"
 #include "campaign/telling_trials.hpp"
@@ -94,6 +95,7 @@ int fit_file(Options const& options) {
         hazard = parse_hazard(files.read(options.hazard), options.hazard, spec.levels);
         frequencies = frequencies_of(spec, statistics, analysis, *hazard, confidence);
     }
+    auto const by_hand = hand_checks(spec);
     std::vector<TwoMeasures> pairs;
     if (!options.measures.empty()) {
         pairs = over_two_measures(spec, statistics, parse_measures(options.measures, spec), confidence);
@@ -109,6 +111,7 @@ int fit_file(Options const& options) {
             json["levels"]["stated"].push_back(spec.levels.shown(level.value));
         }
         json["telling_trials"] = telling_json(spec, telling);
+        json["hand_check"] = hand_check_json(spec, by_hand);
         if (!pairs.empty()) {
             json["two_measures"] = two_measures_json(pairs, confidence);
         }
@@ -120,8 +123,8 @@ int fit_file(Options const& options) {
         }
         fmt::print("{}\n", json.dump(2));
     } else {
-        fmt::print("{}{}{}{}{}{}{}", stripe_table(spec, statistics), analysis_table(analysis, confidence),
-                   together_table(spec, bodies_together(spec, statistics), confidence),
+        fmt::print("{}{}{}{}{}{}{}{}", stripe_table(spec, statistics), analysis_table(analysis, confidence),
+                   together_table(spec, bodies_together(spec, statistics), confidence), hand_check_text(spec, by_hand),
                    pairs.empty() ? std::string() : two_measures_text(pairs, confidence),
                    hazard ? frequency_table(spec, frequencies, *hazard, confidence) : std::string(),
                    rare_table(spec, rare), telling_table(spec, telling, options.file));

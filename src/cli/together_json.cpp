@@ -43,6 +43,23 @@ Json together_json(CampaignSpec const& spec, std::vector<BodiesTogether> const& 
     return list;
 }
 
+Json hand_check_json(CampaignSpec const& spec, std::vector<HandCheck> const& checks) {
+    Json list = Json::array();
+    for (std::size_t b = 0; b < checks.size(); ++b) {
+        auto const& check = checks[b];
+        list.push_back({{"body", check.body},
+                        {"method", "reserve energy, as ASCE/SEI 43-05 Appendix A (from recollection)"},
+                        {"waves", check.waves},
+                        {"demand_fractile", 0.84},
+                        {"overturning_level", check.overturning_level},
+                        {"rotation_ratio", check.rocking.rotation_rad / spec.bodies[b].body.alpha_rad()},
+                        {"frequency_hz", check.rocking.frequency_hz},
+                        {"damping", check.rocking.damping},
+                        {"sliding_m", check.sliding_m ? Json(*check.sliding_m) : Json(nullptr)}});
+    }
+    return list;
+}
+
 Json two_measures_json(std::vector<TwoMeasures> const& fits, double confidence) {
     Json list = Json::array();
     for (auto const& of : fits) {

@@ -67,6 +67,27 @@ TEST_F(Together, CurveOverTwoMeasures) {
     EXPECT_NE(text.find(" alone, the better one"), std::string::npos) << text;
 }
 
+/// The cross-check by hand finds type A the harder to overturn, twice the design basis is asked of it, and says what it
+/// is.
+TEST_F(Together, IsCheckedByHand) {
+    auto const fit = json::parse(overturn(folder, {"fit", "c.h5", "--json"}).out);
+    auto const& hand = fit["hand_check"];
+    ASSERT_EQ(hand.size(), 2U);
+    EXPECT_EQ(hand[0]["waves"], 32);
+    double const a = hand[0]["overturning_level"];
+    double const b = hand[1]["overturning_level"];
+    EXPECT_GT(a, b);
+    for (auto const& check : hand) {
+        EXPECT_GT(check["rotation_ratio"].get<double>(), 0);
+        EXPECT_LE(check["rotation_ratio"].get<double>(), 1);
+    }
+    auto const text = overturn(folder, {"fit", "c.h5"}).out;
+    EXPECT_NE(text.find("by hand: reserve energy as in ASCE/SEI 43-05 Appendix A (from recollection)"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("  type-b: overturns above pga "), std::string::npos) << text;
+}
+
 TEST_F(Together, MeasuresThatAreNoneAreRefused) {
     auto const refuse = [&](std::vector<std::string> const& args, std::string const& part) {
         auto const ended = overturn(folder, args);

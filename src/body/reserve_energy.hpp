@@ -1,0 +1,39 @@
+/// Capacities of an unanchored body by hand: the approximate methods of ASCE/SEI 43-05, Appendix A, as cross-checks of
+/// simulated ones. Stated from recollection of that appendix; where its coefficients are not certain, the energy
+/// balance that they stand for is given, and tested, here.
+#pragma once
+
+#include "body/rigid_body.hpp"
+
+namespace overturn {
+
+/// What a response spectrum must offer for the body to rock to a rotation.
+struct RockingCapacity {
+    double rotation_rad = 0;
+    double spectral_mps2 = 0;  ///< SA_CAP = 2 g f1 / theta
+    double frequency_hz = 0;   ///< at which it is asked of the spectrum: f_e
+    double damping = 0;        ///< at which it is asked of the spectrum: beta_e [-]
+};
+
+/// The equivalent oscillator of the rocking body at a peak rotation theta. With a = b / h:
+///   f1      = cos theta + a sin theta - 1              rise of the centre of gravity over h
+///   C_I     = I_O / (m h^2)                            4/3 (1 + a^2) for a uniform block
+///   f_e     = sqrt(2 f1 g / (C_I theta^2 h)) / (2 pi)  whose elastic energy at theta is m g h f1
+///   beta_e  = gamma / sqrt(4 pi^2 + gamma^2), gamma = -2 ln e   loss of two impacts a cycle (e for Housner's
+///             1 - 2 a^2 / C_I where a restitution is stated)
+///   SA_CAP  = 2 g f1 / theta                           (2 pi f_e)^2 C_I h theta
+/// The horizontal component alone: the appendix divides by sqrt(1 + (a SA_V / SA_H)^2) for a vertical one.
+/// \pre 0 < rotation_rad <= alpha
+[[nodiscard]] RockingCapacity rocking_capacity(RigidBody const& body, double rotation_rad);
+
+/// The reserve-energy method for sliding: the spectral acceleration, at 10 % damping, that the body slides at with the
+/// distance c_s / (2 pi f_s)^2, f_s the lowest frequency at which the spectrum reaches c_s = 2 mu g. A block that
+/// slides x spends mu m g x, an oscillator of that capacity and distance stores half of c_s m x. [m/s2] \pre friction >
+/// 0
+[[nodiscard]] double sliding_capacity_mps2(double friction, double gravity_mps2 = g0);
+inline constexpr double sliding_damping = 0.1;
+
+/// The distance that belongs to it. \param frequency_hz f_s [m]
+[[nodiscard]] double sliding_distance_m(double capacity_mps2, double frequency_hz);
+
+}  // namespace overturn
