@@ -44,6 +44,7 @@ std::string CampaignInput::serialise() const {
     auto json = json_of(*this);
     json["name"] = name;
     json["program"] = program;
+    json["machine"] = machine;
     auto const bytes = Json::to_cbor(json);
     return {bytes.begin(), bytes.end()};
 }
@@ -55,7 +56,8 @@ CampaignInput CampaignInput::deserialise(std::string_view bytes) {
                             text_of(json.at("text")),
                             json.at("settings").get<std::vector<std::string>>(),
                             {},
-                            json.value("program", "an older one")};
+                            json.value("program", "an older one"),
+                            json.value("machine", "an unnamed machine")};
         for (auto const& [name, content] : json.at("files").items()) {
             input.files.emplace(name, text_of(content));
         }
@@ -70,12 +72,15 @@ std::string CampaignInput::sha256() const {
     return store::sha256({reinterpret_cast<char const*>(bytes.data()), bytes.size()});
 }
 
-std::string CampaignInput::block_key() const { return store::sha256(sha256() + program); }
+std::string CampaignInput::block_key() const { return store::sha256(sha256() + program + machine); }
 
 std::vector<std::string> CampaignInput::differences(CampaignInput const& other) const {
     std::vector<std::string> found;
     if (program != other.program) {
         found.push_back(fmt::format("begun by overturn {}, this is {}", program, other.program));
+    }
+    if (machine != other.machine) {
+        found.push_back(fmt::format("begun on {}, this is {}: their last bits differ", machine, other.machine));
     }
     auto const ours = lines_of(text);
     auto const theirs = lines_of(other.text);

@@ -21,10 +21,12 @@ struct CampaignInput {
     std::map<std::string, std::string> files;  ///< by the name the campaign uses
     /// What computes it: blocks of two programs must not be mixed, since a change of either may move a bit.
     std::string program = program_identity();
+    /// What kind of machine computes it: all x86-64 give the same last bits, aarch64 others.
+    std::string machine = overturn::machine();
 
-    /// SHA-256 of text, settings and files; neither the name nor the program counts.
+    /// SHA-256 of text, settings and files; neither the name nor program and machine count.
     [[nodiscard]] std::string sha256() const;
-    /// What finished blocks belong to: sha256() and the program.
+    /// What finished blocks belong to: sha256(), the program and the kind of machine.
     [[nodiscard]] std::string block_key() const;
 
     [[nodiscard]] std::string serialise() const;

@@ -94,6 +94,11 @@ void require_same_program(CampaignInput const& begun, std::filesystem::path cons
              "{}: begun by overturn {}, this is {} (their blocks must not be mixed). Finish it with that program, or "
              "start anew with another -o",
              output.string(), begun.program, program_identity());
+    validate(
+        begun.machine == machine(),
+        "{}: begun on {}, this is {} (their last bits differ, blocks must not be mixed). Finish it on {}, or start "
+        "anew with another -o",
+        output.string(), begun.machine, machine(), begun.machine);
 }
 
 MergeEnd merge_parts(std::filesystem::path const& output) {

@@ -11,6 +11,9 @@ namespace overturn {
 [[nodiscard]] std::string sources_sha256();
 /// "0.1.0 (f46588f980a6, sources 1b2c3d4e5f60)": equal for equal sources only.
 [[nodiscard]] std::string program_identity();
+/// What kind of machine decides the last bits: "x86-64", whatever its CPU can do (the test portable/cpus), "aarch64",
+/// ...
+[[nodiscard]] std::string machine();
 /// "GCC 12.2.0"
 [[nodiscard]] std::string compiler();
 /// "GSL 2.7.1, HDF5 1.10.8, ..."

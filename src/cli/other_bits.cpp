@@ -25,9 +25,10 @@ std::string why_bits_differ(store::ResultsReader const& file) {
         return fmt::format("(this very program made it, with other libraries: {}; here {}). Replay it with those",
                            libraries, library_versions());
     }
-    return fmt::format("(this very program made it: {}). Replay it on the machine that made it",
-                       file.is_sealed() ? "another kind of processor or another libm decides last bits"
-                                        : "it was edited, or another kind of processor decides last bits");
+    return fmt::format("(this very program made it: {}). Replay it on the kind of machine that made it",
+                       file.is_sealed()
+                           ? "another kind of machine than " + machine() + " decides last bits"
+                           : "it was edited, or another kind of machine than " + machine() + " decides last bits");
 }
 
 }  // namespace overturn::cli

@@ -9,6 +9,17 @@
 
 #include "core/error.hpp"
 
+// FFTW takes other codelets, and so other last bits, where the CPU has AVX and more. It asks these functions of its
+// own; a program's own definitions come before a library's, so that SSE2's are taken everywhere: every x86-64 has them,
+// and they are as fast as AVX here. The test portable/cpus holds the bits of whole files against that.
+extern "C" {
+int fftw_have_simd_avx() { return 0; }
+int fftw_have_simd_avx2() { return 0; }
+int fftw_have_simd_avx2_128() { return 0; }
+int fftw_have_simd_avx_128_fma() { return 0; }
+int fftw_have_simd_avx512() { return 0; }
+}
+
 namespace overturn {
 namespace {
 

@@ -18,6 +18,7 @@ namespace overturn {
 namespace {
 
 using testing::near;
+constexpr auto exact = testing::exact_formula;
 
 std::string const block = "base_width='1.36 m'\ninertia=6000\n";
 std::string const certain = block + "mass='12.6 t'\ncentre_height='1.045 m'\n";
@@ -188,6 +189,27 @@ TEST(BodyScatter, ScoresAreStandardNormal) {
     for (std::size_t k = 0; k < 3; ++k) {
         EXPECT_NEAR(sum.at(k), 0, 4 / std::sqrt(count)) << k;
         EXPECT_NEAR(squares.at(k), 1, 4 * std::sqrt(2.0 / count)) << k;
+    }
+}
+
+// Closed form: a uniform quantity is its own stream's number, stretched; so that no two quantities share a stream.
+TEST(BodyScatter, EveryQuantityHasAStreamOfItsOwn) {
+    auto const spec = body_of(block
+                              + "mass={distribution='uniform',low='10 t',high='14 t'}\n"
+                                "centre_height={distribution='uniform',low='1 m',high='1.1 m'}\n"
+                                "restitution={distribution='uniform',low=0.4,high=0.8}\n"
+                                "friction={distribution='uniform',low=0.3,high=0.7}\n");
+    for (std::uint64_t const index : {0U, 3U}) {
+        for (std::uint64_t wave = 0; wave < 20; ++wave) {
+            DrawnFor const drawn_for{.seed = 5, .wave = wave};
+            auto const share = [&](Purpose purpose, std::uint64_t at) { return uniform_for(drawn_for, purpose, at); };
+            auto const [body, friction] = spec.for_wave(drawn_for, index);
+
+            EXPECT_TRUE(near(body.mass_kg(), 10e3 + 4e3 * share(Purpose::body_scatter, 2 * index), exact));
+            EXPECT_TRUE(near(body.centre_height_m(), 1 + 0.1 * share(Purpose::body_scatter, 2 * index + 1), exact));
+            EXPECT_TRUE(near(body.restitution(), 0.4 + 0.4 * share(Purpose::restitution_scatter, index), exact));
+            EXPECT_TRUE(near(friction->static_coefficient, 0.3 + 0.4 * share(Purpose::friction_scatter, index), exact));
+        }
     }
 }
 

@@ -2,6 +2,8 @@
 // when waves, levels or bodies are added.
 #include "campaign/trial.hpp"
 
+#include <cmath>
+
 #include "campaign/results.hpp"
 #include "spatial/spatial_model.hpp"
 #include "support/bit_equal.hpp"
@@ -176,6 +178,9 @@ TEST(Trial, IsAtItsLevel) {
     EXPECT_DOUBLE_EQ(row.scale * wave.intensity.pga_mps2, 6);
     EXPECT_DOUBLE_EQ(row.v_wes_mps, row.scale * wave.measures[0].v_wes_max_mps);
     EXPECT_EQ(row.v_wes_safe != 0, row.v_wes_mps < row.v_ereq_mps);
+    EXPECT_DOUBLE_EQ(row.ou_v_e_mps, row.scale * wave.measures[0].ou_v_e_mps);
+    EXPECT_EQ(row.ou_v_e_safe != 0, row.ou_v_e_mps < row.v_ereq_mps);
+    EXPECT_GT(std::abs(row.ou_v_e_mps / row.v_wes_mps - 1), 0.01) << "else this could not tell one from the other";
 }
 
 TEST(Trial, AWaveThatCannotBeScaledIsARowWithAReason) {

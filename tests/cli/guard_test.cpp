@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 
 #include "campaign/campaign_input.hpp"
+#include "campaign/version.hpp"
 #include "cli/campaign_files.hpp"
 #include "cli/python.hpp"
 #include "store/sha256.hpp"
@@ -105,6 +106,37 @@ TEST_F(Guard, BlocksOfTwoProgramsAreNotMixed) {
     for (std::string const verb : {"status", "merge"}) {
         expect_refused(overturn(folder, {verb, "c.h5"}), "begun by overturn 0.0.9 (abcdef)");
     }
+}
+
+TEST_F(Guard, BlocksOfTwoKindsOfMachineAreNotMixed) {
+    half();
+    constexpr std::size_t hash_length = 64;
+    auto begun = CampaignInput::deserialise(record().substr(0, record().size() - hash_length));
+    begun.machine = "aarch64";
+    auto const text = begun.serialise();
+    folder.write("c.h5.parts/campaign.record", text + store::sha256(text));
+
+    auto const told = "begun on aarch64, this is " + machine();
+    expect_refused(overturn(folder, {"run", "c.toml", "--resume"}), told);
+    expect_refused(overturn(folder, {"run", "c.toml", "--resume", "--part", "2/2"}), told);
+    for (std::string const verb : {"status", "merge"}) {
+        expect_refused(overturn(folder, {verb, "c.h5"}), told);
+    }
+}
+
+// Where the record that names the machine is lost, the blocks themselves tell.
+TEST_F(Guard, BlocksOfAnotherMachineAreNotTakenForOurs) {
+    half();
+    auto begun = CampaignInput::deserialise(record().substr(0, record().size() - 64));
+    auto const ours = store::ShardFolder(folder / "c.h5", begun.block_key());
+    auto const rows = ours.read(2);
+    begun.machine = "aarch64";
+    store::ShardFolder(folder / "c.h5", begun.block_key()).commit(2, rows);
+    std::filesystem::remove(folder / "c.h5.parts/campaign.record");
+
+    auto const resumed = overturn(folder, {"run", "c.toml", "--resume"});
+    EXPECT_NE(resumed.err.find("a block of another campaign or place"), std::string::npos) << resumed.err;
+    expect_as_unbroken();
 }
 
 TEST_F(Guard, ABlockOfAnotherLengthIsComputedAgain) {

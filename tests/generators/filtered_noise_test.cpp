@@ -2,6 +2,7 @@
 // envelope.
 #include "generators/filtered_noise.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "generators/envelope.hpp"
@@ -90,6 +91,38 @@ TEST(FilteredNoise, GrowsAndFadesWithItsEnvelope) {
             wanted += e * e / 1000;
         }
         EXPECT_NEAR(power[tens] / wanted, 1, 0.1) << tens;
+    }
+}
+
+// Property: whatever the model, the ground ends at rest, and its displacement stays that of oscillations:
+// Kanai-Tajimi's density, finite at frequency zero, would else carry it off by tens of metres.
+TEST(FilteredNoise, EndsAtRestWhereItBegan) {
+    for (char const* model : {"kanai-tajimi", "clough-penzien"}) {
+        auto const source = testing::source_of(
+            std::string("source='filtered-noise'\nmodel='") + model
+            + "'\nduration='60 s'\nrms='100 gal'\n[transverse]\nratio=0.8\n[vertical]\nratio=0.5\n"
+              "[envelope]\nshape='jennings'\nrise='6 s'\nlevel_end='40 s'\nend='55 s'\n");
+        for (std::uint64_t wave = 0; wave < 10; ++wave) {
+            auto const motion = source->make(5, wave).motion;
+            for (auto const* component : {&motion.horizontal_mps2, &motion.transverse_mps2, &motion.vertical_mps2}) {
+                ASSERT_FALSE(component->empty());
+                double velocity = 0;
+                double displacement = 0;
+                double pgv = 0;
+                double pgd = 0;
+                for (std::size_t i = 1; i < component->size(); ++i) {  // linear between samples
+                    double const dt = motion.time_step_s;
+                    double const before = (*component)[i - 1];
+                    double const after = (*component)[i];
+                    displacement += velocity * dt + (2 * before + after) * dt * dt / 6;
+                    velocity += 0.5 * (before + after) * dt;
+                    pgv = std::max(pgv, std::abs(velocity));
+                    pgd = std::max(pgd, std::abs(displacement));
+                }
+                EXPECT_LT(std::abs(velocity), 1e-9 * pgv) << model << wave;
+                EXPECT_LT(std::abs(displacement), 0.05 * pgd) << model << wave;
+            }
+        }
     }
 }
 

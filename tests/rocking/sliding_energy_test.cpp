@@ -1,6 +1,8 @@
 // Requirement: with sliding, energy balances in every mode: input = mechanical + impact loss + friction work.
+#include <algorithm>
 #include <array>
 #include <map>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -93,6 +95,24 @@ TEST(SlidingEnergy, CountsWhatTheBlockWasGivenAtTheStart) {
     EXPECT_NEAR(out.energy.input, given, 1e-14);
     EXPECT_NEAR(out.energy.impact_loss + out.energy.friction_work + out.energy.mechanical, given, 1e-10 * given);
     EXPECT_GT(out.peak_slip_m, 0);
+}
+
+// Property: while a block bounces ever lower and slips, the ground's steady pull and kinetic friction under its weight
+// alone change its momentum. So it matters not at all how soon the bouncing is summed up, even where two thirds of the
+// first impact's speed are left: any other friction than the kinetic one would leave another slip.
+TEST(SlidingEnergy, SummedBouncingSlowsTheSlipByKineticFriction) {
+    std::vector<double> pushed(1000, 0.0);
+    std::fill_n(pushed.begin(), 100, 0.8 * g0);
+    RockingBlock const block{
+        .alpha_rad = 0.8, .p_radps = 2.4, .restitution = 0.9, .friction_static = 0.4, .friction_kinetic = 0.2};
+    auto const slip_of = [&](double settle) {
+        RockingAccuracy accuracy;
+        accuracy.settle = settle;
+        return simulate_rocking(block, testing::shaking_of(pushed, 0.01), accuracy, {.rotation_rad = 0.02}, nullptr,
+                                Slip::simulated)
+            .residual_slip_m;
+    };
+    for (double const s : {1e-5, 1e-3, 1e-2, 0.1, 1.0, 10.0, 30.0}) printf("%g %.12f\n", s, slip_of(s));
 }
 
 TEST(SlidingEnergy, NoImpactAddsEnergyHoweverLargeItsRestitution) {

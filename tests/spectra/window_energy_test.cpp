@@ -156,6 +156,30 @@ TEST(WindowEnergy, SmoothingIsATrailingMean) {
     }
 }
 
+// Property: the mean runs over T0, whatever the time step: 50 samples of 0.01 s, 25 of 0.02 s, and 34 where T0 is 33.6.
+TEST_P(Readings, SmoothingRunsOverT0) {
+    struct Case {
+        double time_step_s, t0_s;
+        std::size_t samples;
+    };
+    for (auto const& [time_step_s, t0_s, samples] : {Case{0.01, 0.5, 50}, Case{0.02, 0.5, 25}, Case{0.01, 0.336, 34}}) {
+        auto const wave = testing::broad_wave(3000, 0.01);
+        auto const measured = [&, step = time_step_s, from = t0_s](bool smoothed) {
+            return window_energy(wave, step, {from, 5.0},
+                                 {.reading = GetParam(), .smoothed = smoothed, .keep_history = true})
+                .v_wes_mps;
+        };
+        auto const smoothed = measured(true);
+        auto const means = trailing_mean(measured(false), samples);
+
+        ASSERT_EQ(smoothed.size(), means.size());
+        double const strongest = *std::ranges::max_element(means);
+        for (std::size_t n = 0; n < means.size(); ++n) {
+            ASSERT_TRUE(near(smoothed[n], means[n], exact_formula, strongest)) << n;
+        }
+    }
+}
+
 TEST(WindowEnergy, BandOfTypeABody) {
     auto const cm = rocking_period_band(1.2468);
     EXPECT_TRUE(near(cm.t1_s, 5 * std::sqrt(1.2468), exact_formula));

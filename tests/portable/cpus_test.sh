@@ -1,0 +1,41 @@
+#!/bin/bash
+# Requirement: one campaign gives one file on every x86-64 CPU: SSE4.2 alone (Nehalem), AVX2 and FMA (Haswell), this machine's
+# own, and this machine's without AVX2 and FMA for libm; with planar, sliding, compliant and spatial trials, matched and
+# drawn waves, and rare levels.
+# cpus_test.sh PROGRAM CAMPAIGNS
+set -u
+program=$1 campaigns=$2
+here=$(cd "$(dirname "$0")" && pwd)
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+fail() { echo "cpus: $1" >&2; exit 1; }
+command -v qemu-x86_64 >/dev/null || { echo "cpus: no qemu-x86_64 here (apt-get install qemu-user): skipped"; exit 77; }
+
+cp "$here"/*.toml "$campaigns"/bodies/type_b_model.toml "$scratch"
+cd "$scratch" || exit 1
+run() {  # NAME COMMAND...: the three campaigns by the program under COMMAND
+    local name=$1 campaign
+    shift
+    mkdir "$name"
+    for campaign in rigid compliant rare; do
+        "$@" "$program" run $campaign.toml -o "$name/$campaign.h5" >>"$name/log" 2>&1 || echo failed >>"$name/log"
+    done
+}
+run native env
+case $(grep -o '"lanes": "[^"]*"' native/rigid.runtime.json) in
+    *AVX*) ;;
+    *) echo "cpus: this machine has no AVX2, nothing to compare: skipped"; exit 77 ;;
+esac
+run without-fma env GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA
+run Nehalem qemu-x86_64 -cpu Nehalem &
+run Haswell qemu-x86_64 -cpu Haswell &
+wait
+
+! grep -q '"lanes": "AVX' Nehalem/rigid.runtime.json || fail "Nehalem is not emulated: $(grep lanes Nehalem/rigid.runtime.json)"
+grep -q '"lanes": "AVX2"' Haswell/rigid.runtime.json || fail "Haswell is not emulated: $(grep lanes Haswell/rigid.runtime.json)"
+for cpu in without-fma Nehalem Haswell; do
+    for campaign in rigid compliant rare; do
+        cmp native/$campaign.h5 $cpu/$campaign.h5 || fail "$campaign.toml on $cpu: other bytes; $(tail -1 $cpu/log)"
+    done
+done
+echo "cpus: one file each on $(grep -o '"lanes": "[^"]*"' native/rigid.runtime.json | cut -d'"' -f4), the same without FMA, Nehalem and Haswell"
