@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
+#include "generators/detail/baseline.hpp"
 #include "generators/detail/components.hpp"
 
 namespace overturn {
@@ -47,6 +49,10 @@ class Harmonic : public WaveSource {
         return fmt::format("a grid of {} frequencies: no random sample", input_.periods_s.size());
     }
     [[nodiscard]] std::optional<std::vector<double>> grid_periods_s() const override { return input_.periods_s; }
+    [[nodiscard]] std::string pgd_drift() const override {
+        bool const short_ramp = std::ranges::any_of(input_.periods_s, [&](double p) { return input_.ramp_s < p; });
+        return short_ramp ? "a sinusoid that begins at once drifts on the velocity it begins with" : "";
+    }
 
     [[nodiscard]] std::string describe() const override {
         auto text = fmt::format("{} sinusoids of {} m/s2", input_.periods_s.size(), input_.amplitude_mps2);
@@ -66,7 +72,28 @@ class Harmonic : public WaveSource {
             double const ramp = input_.ramp_s > 0 ? std::min(1.0, near_end / input_.ramp_s) : 1.0;
             samples[i] = ratio * (ramp * input_.amplitude_mps2 * std::sin(2 * pi * t / period_s + phase_rad));
         }
+        steady(samples, ratio * input_.amplitude_mps2, 2 * pi * input_.time_step_s / period_s, phase_rad);
         return samples;
+    }
+    // A ramp of a broken number of cycles leaves a velocity behind, on which the ground drifts away for the rest of the
+    // wave: the ramps are bent until the motion between them is the sinusoid's own, about where the ground stood. With
+    // a on straight lines, v = -a dt cot(s/2) / 2 cos and d = -a dt^2 (2 + cos s) / (6 (1 - cos s)) sin, s = w dt.
+    void steady(std::vector<double>& samples, double amplitude, double step_rad, double phase_rad) const {
+        auto const ramp = static_cast<std::size_t>(std::ceil(input_.ramp_s / input_.time_step_s));
+        if (ramp == 0 || 2 * ramp >= samples.size()) {
+            return;
+        }
+        double const v = amplitude / (2 * std::tan(step_rad / 2));
+        double const d = amplitude * (2 + std::cos(step_rad)) / (6 * (1 - std::cos(step_rad)));
+        auto const bend = [&](std::size_t sample, double direction) {
+            double const angle = step_rad * static_cast<double>(sample) + phase_rad;
+            correct_baseline_to(std::span(samples).first(ramp + 1), -direction * v * std::cos(angle),
+                                -d * std::sin(angle));
+        };
+        bend(ramp, 1);
+        std::ranges::reverse(samples);  // the end backwards in time, in which velocities are the other way round
+        bend(samples.size() - 1 - ramp, -1);
+        std::ranges::reverse(samples);
     }
     [[nodiscard]] double duration_of(double period_s) const {
         return input_.cycles ? *input_.cycles * period_s : input_.duration_s;

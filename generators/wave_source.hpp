@@ -82,6 +82,8 @@ class WaveSource {
     [[nodiscard]] virtual std::string variability() const = 0;
     /// Has every wave a target of its own (GeneratedWave::drawn)?
     [[nodiscard]] virtual bool draws_targets() const { return false; }
+    /// Why PGD of its waves is no amplitude of the ground but what their baseline does; empty: it is one.
+    [[nodiscard]] virtual std::string pgd_drift() const { return {}; }
     /// Is every wave fitted to one spectrum, or all of them to its median? Measures of intensity then hardly differ
     /// from each other but for a factor, and their trials cannot tell which is the better one.
     [[nodiscard]] virtual bool matches_one_spectrum() const { return false; }

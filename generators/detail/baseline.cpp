@@ -42,7 +42,9 @@ double wave(double s) { return bump(s) * (2 * s - 1); }
 
 }  // namespace
 
-void correct_baseline(std::span<double> acceleration_mps2) {
+void correct_baseline(std::span<double> acceleration_mps2) { correct_baseline_to(acceleration_mps2, 0, 0); }
+
+void correct_baseline_to(std::span<double> acceleration_mps2, double velocity, double displacement) {
     if (acceleration_mps2.size() < 5) {
         return;
     }
@@ -56,8 +58,8 @@ void correct_baseline(std::span<double> acceleration_mps2) {
     double const displacement_by_wave = n * (2 * fourths - 3 * cubes + squares);
     for (int pass = 0; pass < 2; ++pass) {  // the second removes what rounding left
         auto const ends = ends_of(acceleration_mps2, last);
-        double const bumps = ends.velocity / by_bump.velocity;
-        double const waves = (ends.displacement - bumps * by_bump.displacement) / displacement_by_wave;
+        double const bumps = (ends.velocity - velocity) / by_bump.velocity;
+        double const waves = (ends.displacement - displacement - bumps * by_bump.displacement) / displacement_by_wave;
         for (int i = 0; i <= last; ++i) {
             double const s = i * per_sample;
             acceleration_mps2[i] -= bumps * bump(s) + waves * wave(s);

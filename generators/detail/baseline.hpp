@@ -11,4 +11,7 @@ namespace overturn {
 /// alone; waves of fewer than 5 samples altogether.
 void correct_baseline(std::span<double> acceleration_mps2);
 
+/// The same to another end: velocity over the time step, and displacement over its square, after the last sample.
+void correct_baseline_to(std::span<double> acceleration_mps2, double velocity, double displacement);
+
 }  // namespace overturn

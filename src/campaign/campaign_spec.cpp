@@ -140,6 +140,11 @@ void check_drift(Table const& levels, LevelSpec const& spec, WaveSource const& s
     if (spec.measure != LevelMeasure::pgv && spec.measure != LevelMeasure::pgd) {
         return;
     }
+    if (auto const why = source.pgd_drift(); spec.measure == LevelMeasure::pgd && !why.empty()) {
+        levels.fail("measure",
+                    fmt::format("pgd of waves that drift ({}). Scale by pga or pgv{}", why,
+                                source.grid_periods_s() ? ", or state a ramp of some cycles in [waves]" : ""));
+    }
     for (std::int64_t wave = 0; wave < waves; ++wave) {
         auto const drift = source.drift(static_cast<std::uint64_t>(wave));
         if (!drift) {
@@ -189,9 +194,7 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
         root.child("levels").fail("waves", "independent (this source has the same waves for every level). Use shared");
     }
     waves.finish();
-    if (available) {
-        check_drift(root.child("levels"), spec.levels, *spec.source, spec.wave_count);
-    }
+    check_drift(root.child("levels"), spec.levels, *spec.source, available ? spec.wave_count : 0);
     auto const effects = root.child_or_empty("effects");
     spec.effects = read_effects(effects);
     effects.finish();

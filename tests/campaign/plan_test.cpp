@@ -157,5 +157,18 @@ TEST(Plan, BlockSizeFollowsTheWavesOnly) {
     EXPECT_EQ(Plan(one).blocks(), Plan(many).blocks());
 }
 
+/// Levels by a PGD that is the baseline's and not the ground's are refused, where they are stated.
+TEST(Plan, RefusesLevelsByAPgdThatIsDrift) {
+    auto const by_pgd = [](std::string const& waves) {
+        return campaign_from(waves + testing::type_b + "[levels]\nmeasure='pgd'\nvalues=['18 mm']\n");
+    };
+    testing::expect_input_error([&] { (void)by_pgd(testing::quick_waves); },
+                                "c.toml:", "measure: pgd of waves that drift",
+                                "slower than anything its target speaks of", "Scale by pga or pgv");
+    std::string const sinusoid = "[waves]\nsource='harmonic'\namplitude=1\nfrequency=0.63\nduration=160\n";
+    testing::expect_input_error([&] { (void)by_pgd(sinusoid); }, "begins at once", "state a ramp of some cycles");
+    EXPECT_EQ(by_pgd(sinusoid + "ramp=20\n").levels.levels.size(), 1U);
+}
+
 }  // namespace
 }  // namespace overturn

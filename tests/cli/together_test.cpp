@@ -67,8 +67,7 @@ TEST_F(Together, CurveOverTwoMeasures) {
     EXPECT_NE(text.find(" alone, the better one"), std::string::npos) << text;
 }
 
-/// The cross-check by hand finds type A the harder to overturn, twice the design basis is asked of it, and says what it
-/// is.
+/// The cross-check by hand finds type A the harder to overturn, and says what it is.
 TEST_F(Together, IsCheckedByHand) {
     auto const fit = json::parse(overturn(folder, {"fit", "c.h5", "--json"}).out);
     auto const& hand = fit["hand_check"];

@@ -3,6 +3,9 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
+
+#include "motion/intensity.hpp"
 #include "support/expect_input_error.hpp"
 #include "support/sources.hpp"
 #include "support/tolerance.hpp"
@@ -40,6 +43,28 @@ TEST(Harmonic, RampGrowsAndFades) {
     EXPECT_NEAR(ramped.horizontal_mps2[125], plain.horizontal_mps2[125] * 1.25 / 2, 1e-15);
     EXPECT_EQ(ramped.horizontal_mps2[525], plain.horizontal_mps2[525]);
     EXPECT_NEAR(ramped.horizontal_mps2[975], plain.horizontal_mps2[975] * 0.25 / 2, 1e-15);
+}
+
+/// Property: whatever part of a cycle the ramps and the wave end in, between the ramps the ground swings about where it
+/// stood, by amplitude / omega^2, and it comes to rest there. Before, 0.63 Hz drifted 4.5 times as far.
+TEST(Harmonic, RampsLeaveNoDrift) {
+    for (double const frequency : {0.4, 0.5, 0.63, 0.777, 1.25, 3.3}) {
+        auto const motion =
+            source_of(fmt::format("source='harmonic'\namplitude=1\nfrequency={}\nduration=160\nramp=20\n"
+                                  "time_step=0.01\nvertical={{ratio=0.5, phase='30 deg'}}\n",
+                                  frequency))
+                ->make(1, 0)
+                .motion;
+        for (auto const& [samples, amplitude] :
+             {std::pair{&motion.horizontal_mps2, 1.0}, {&motion.vertical_mps2, 0.5}}) {
+            double const omega = 2 * pi * frequency;
+            auto const intensity = intensity_of(*samples, 0.01);
+            EXPECT_NEAR(intensity.pgd_m * omega * omega / amplitude, 1, 0.02) << frequency;
+            EXPECT_NEAR(velocity_of(*samples, 0.01).back() * omega / amplitude, 0, 1e-9) << frequency;
+            EXPECT_NEAR(displacement_of(*samples, 0.01).back() * omega * omega / amplitude, 0, 1e-8) << frequency;
+            EXPECT_NEAR(intensity.pga_mps2, amplitude, 0.002);
+        }
+    }
 }
 
 // A quarter period ahead across, the motion goes round in a circle.
