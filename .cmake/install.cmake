@@ -18,4 +18,4 @@ set(data "${CMAKE_INSTALL_DATADIR}/overturn")
 install(DIRECTORY campaigns slurm DESTINATION "${data}" USE_SOURCE_PERMISSIONS
         PATTERN quickstart.sh EXCLUDE  # builds from source
         PATTERN site.env EXCLUDE)      # of the machine it was built on
-install(FILES README.md LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(FILES README.md LICENSE .github/THIRD_PARTY.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")

@@ -5,8 +5,8 @@ function(overturn_require found package)
   endif()
 endfunction()
 
-find_package(MPI QUIET COMPONENTS CXX)
-overturn_require("${MPI_CXX_FOUND}" libopenmpi-dev)
+find_package(MPI QUIET COMPONENTS C)
+overturn_require("${MPI_C_FOUND}" libopenmpi-dev)
 find_package(Eigen3 QUIET NO_MODULE)
 overturn_require("${Eigen3_FOUND}" libeigen3-dev)
 set(HDF5_PREFER_PARALLEL OFF)  # rank 0 writes, so the serial flavour
@@ -41,6 +41,9 @@ endif()
 # Headers of other people are not ours to warn about.
 add_library(overturn_random123 INTERFACE)
 target_include_directories(overturn_random123 SYSTEM INTERFACE "${RANDOM123_INCLUDE_DIR}")
+add_library(overturn_mpi INTERFACE)  # its C interface alone: without this mpi.h wants Open MPI's or MPICH's C++ library
+target_link_libraries(overturn_mpi INTERFACE MPI::MPI_C)
+target_compile_definitions(overturn_mpi INTERFACE OMPI_SKIP_MPICXX=1 MPICH_SKIP_MPICXX=1)
 add_library(overturn_hdf5 INTERFACE)
 target_include_directories(overturn_hdf5 SYSTEM INTERFACE ${HDF5_INCLUDE_DIRS})
 target_link_libraries(overturn_hdf5 INTERFACE ${HDF5_C_HL_LIBRARIES} ${HDF5_C_LIBRARIES})

@@ -3,9 +3,36 @@
 
 # What the site says, from beside this file: copy site.env.example to site.env.
 [ ! -e "$slurm/site.env" ] || . "$slurm/site.env"
-installed=$slurm/../../../bin/overturn  # where cmake --install puts both
-[ -n "${OVERTURN:-}" ] || [ ! -x "$installed" ] || OVERTURN=$(cd "$(dirname "$installed")" && pwd)/overturn
-: "${OVERTURN:=overturn}" "${OVERTURN_LAUNCH:=mpirun}" "${OVERTURN_MOST_LEGS:=100}"
+# The program: what is stated, else beside an installation's scripts, else in PATH, else where quickstart builds it.
+if [ -z "${OVERTURN:-}" ]; then
+    for candidate in "$slurm/../../../bin/overturn" "$(command -v overturn)" "$slurm/../.build/release/src/overturn"; do
+        [ -x "$candidate" ] || continue
+        OVERTURN=$(cd "$(dirname "$candidate")" && pwd)/overturn
+        break
+    done
+    if [ -z "${OVERTURN:-}" ]; then
+        echo "leg: no overturn in PATH, nor built in $(dirname "$slurm")/.build/release. Set OVERTURN in $slurm/site.env" >&2
+        return 2
+    fi
+fi
+: "${OVERTURN_LAUNCH:=mpirun}" "${OVERTURN_MOST_LEGS:=100}"
+
+# planned CAMPAIGN [options of overturn run]: is it a campaign? Said here at once, not by every task after its wait.
+planned() {
+    local campaign=$1 sets=()
+    shift
+    if ! command -v "$OVERTURN" >/dev/null; then
+        return 0  # in a container that only the jobs enter: there it is said
+    fi
+    while [ $# -gt 0 ]; do
+        case $1 in
+            --set) while [ $# -gt 1 ] && [[ $2 == *=* && $2 != -* ]]; do sets+=(--set "$2"); shift; done ;;
+            --set=*) sets+=("$1") ;;
+        esac
+        shift
+    done
+    "$OVERTURN" plan "$campaign" "${sets[@]}" >/dev/null
+}
 
 # Launchers lose or die of what reaches them in their first seconds; five minutes' warning has room for waiting.
 tell() {

@@ -15,7 +15,7 @@ while read -r from to; do
     [ -z "$from" ] || [ "$to" = /opt/overturn/ ] || fail "copies $from to $to"
 done < <(section files)
 copied=$(section files | awk '{ print $1 }')
-for needed in CMakeLists.txt CMakePresets.json .cmake src generators campaigns slurm README.md LICENSE; do
+for needed in CMakeLists.txt CMakePresets.json .cmake .github src generators campaigns slurm README.md LICENSE; do
     grep -qx "$needed" <<< "$copied" || fail "does not copy $needed"
 done
 for part in post runscript test; do section "$part" | bash -n || fail "%$part is no shell script"; done

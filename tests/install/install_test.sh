@@ -12,7 +12,7 @@ cmake --install "$build" --prefix "$scratch/prefix" > "$scratch/log" || fail "$(
 prefix=$scratch/prefix data=$scratch/prefix/share/overturn
 for file in bin/overturn share/man/man1/overturn.1 share/bash-completion/completions/overturn share/overturn/campaigns/quickstart.toml \
             share/overturn/campaigns/bodies/cask_prototype.toml share/overturn/slurm/campaign.sbatch share/overturn/slurm/overturn.def \
-            share/overturn/slurm/spack.yaml share/doc/overturn/LICENSE; do
+            share/overturn/slurm/spack.yaml share/doc/overturn/LICENSE share/doc/overturn/THIRD_PARTY.md; do
     [ -s "$prefix/$file" ] || fail "$file is missing"
 done
 [ ! -e "$data/slurm/site.env" ] || fail "site.env of this machine came along"
