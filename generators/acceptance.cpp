@@ -23,15 +23,16 @@ Clause at_least(std::size_t name, double figure, double limit) { return {names.a
 std::span<config::Entry<AcceptanceRule> const> acceptance_rules() {
     static constexpr std::array entries{
         config::Entry<AcceptanceRule>{"none", "waves are reported on, none is refused", {}},
-        config::Entry<AcceptanceRule>{"srp-3.7.1",
-                                      "spectrum clauses of US NRC SRP 3.7.1, option 1, approach 2 (not its power spectral density, duration, "
-                                      "V/A and AD/V2), and 5 % over [T0, T1]",
-                                      {.largest_time_step_s = 0.01,
-                                       .shortest_duration_s = 20,
-                                       .lowest_ratio = 0.90,
-                                       .highest_ratio = 1.30,
-                                       .most_adjacent_below = 9,
-                                       .aim = 1.02}},
+        config::Entry<AcceptanceRule>{
+            "srp-3.7.1",
+            "spectrum clauses of US NRC SRP 3.7.1, option 1, approach 2 (not its power spectral density, duration, "
+            "V/A and AD/V2), and 5 % over [T0, T1]",
+            {.largest_time_step_s = 0.01,
+             .shortest_duration_s = 20,
+             .lowest_ratio = 0.90,
+             .highest_ratio = 1.30,
+             .most_adjacent_below = 9,
+             .aim = 1.02}},
         config::Entry<AcceptanceRule>{"japan",
                                       "ratio 0.85, SI 1, cov 0.05, mean 0.02, and 5 % over [T0, T1]",
                                       {.lowest_ratio = 0.85,

@@ -160,8 +160,9 @@ TEST_F(Limits, ReportShowsThem) {
     ASSERT_EQ(ended.code, 0) << ended.err;
     auto const page = folder.read("a.html");
 
-    for (auto const* part : {"<section id=\"limits\"", "<section id=\"responses\"",
-                             "_a $\\int &lt; b$: peak_slip &gt; 0.04 m", "type-a: slides ", "<th>at rest</th>", "how each ranks the trials"}) {
+    for (auto const* part :
+         {"<section id=\"limits\"", "<section id=\"responses\"", "_a $\\int &lt; b$: peak_slip &gt; 0.04 m",
+          "type-a: slides ", "<th>at rest</th>", "how each ranks the trials"}) {
         EXPECT_NE(page.find(part), std::string::npos) << part;
     }
     EXPECT_TRUE(folder.read("figures/limits.csv")
