@@ -2,7 +2,7 @@
 # CPU has FMA. musl's functions (MIT licence; one code for every x86-64, as fast) are linked whole into every program
 # under their C names: whoever calls, our code, the templates of std::complex, GSL or FFTW, gets these by the loader's rule
 # that the program's own symbols come first. The test portable/math holds every program's imports against that.
-set(functions acos acosh asin asinh atan atan2 atanh cabs cbrt cos cosh exp exp2 expm1 hypot log log10 log1p log2 pow sin
+set(functions acos acosh asin asinh atan atan2 atanh cabs cbrt cos cosh erf exp exp2 expm1 hypot log log10 log1p log2 pow sin
     sincos sinh tan tanh)
 set(helpers __cos __expo2 __math_divzero __math_invalid __math_oflow __math_uflow __math_xflow __rem_pio2
     __rem_pio2_large __sin __tan exp_data log2_data log_data pow_data)

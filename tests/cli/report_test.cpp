@@ -108,7 +108,11 @@ TEST_F(Report, WritesFiguresAndTablesBesideIt) {
         EXPECT_TRUE(there(std::string("some figures/here/") + name + ".png")) << name;
     }
     auto const stripes = folder->read("some figures/here/stripes.csv");
-    EXPECT_EQ(stripes.rfind("body,level,amplitude,trials,overturned,failed,probability,lower,upper\n", 0), 0U);
+    EXPECT_EQ(
+        stripes.rfind(
+            "body,level,amplitude,trials,overturned,failed,probability,lower,upper,amplitude_measure,amplitude_units\n",
+            0),
+        0U);
     EXPECT_TRUE(there("some figures/here/fragility.csv"));
     EXPECT_TRUE(there("some figures/here/criterion.csv"));
     auto const telling = folder->read("some figures/here/telling_trials.csv");

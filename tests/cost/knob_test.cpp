@@ -96,7 +96,7 @@ TEST(Knobs, EffectsAreThoseThatApply) {
     auto const across = quick_waves + "[waves.transverse]\nratio=1\n" + type_b + levels("values=[4]\n");
     EXPECT_EQ(labels(knobs_from(across)), (std::vector<std::string>{"none", "contact", "contact, spatial", "auto"}));
     // Limit states that other effects could not answer do not bar them; the campaign's own setting keeps them.
-    auto const limited = text + "[[limits]]\nname='touches'\nquantity='peak_slip'\nabove=0.1\n";
+    auto const limited = text + "[[limits]]\nname='rises'\nquantity='peak_rise'\nabove=0.1\n";
     auto const limited_knobs = knobs_from(limited);
     for (auto const& setting : knob_named(limited_knobs, "effects")->settings) {
         auto const variant = parse_campaign(with(input_from(limited), setting.settings));
