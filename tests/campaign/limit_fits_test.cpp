@@ -11,29 +11,17 @@
 #include "campaign/trial.hpp"
 #include "campaign/warnings.hpp"
 #include "response/registry.hpp"
-#include "support/campaigns.hpp"
 #include "support/expect_input_error.hpp"
+#include "support/limited_campaigns.hpp"
 
 namespace overturn {
 namespace {
 
-std::string const sliding_body = testing::type_a + "friction=0.5\n";
-
-CampaignSpec with_limits(std::string const& limits, std::string const& more = "") {
-    return testing::campaign_from(testing::quick_waves + sliding_body + testing::levels("values=[3,6,9]\n") + limits
-                                  + more);
-}
-
-std::string const touches = "[[limits]]\nname='touches'\nquantity='peak_slip'\nabove='30 cm'\n";
-std::string const tilts = "[[limits]]\nname='tilts'\nquantity='peak_rotation_ratio'\nabove=0.5\n";
-
-TrialRow row_of(Verdict verdict, double slip, double ratio) {
-    TrialRow row;
-    row.verdict = verdict;
-    row.peak_slip_m = slip;
-    row.peak_rotation_ratio = ratio;
-    return row;
-}
+using testing::row_of;
+using testing::sliding_body;
+using testing::tilts;
+using testing::touches;
+using testing::with_limits;
 
 /// A threshold on the rotation that only a fall passes is overturning by another name: the same fits, to the bit.
 TEST(LimitState, IsFittedAsOverturningIs) {

@@ -10,18 +10,12 @@
 
 #include "core/random_stream.hpp"
 #include "stats/fragility.hpp"
+#include "support/stripe_tables.hpp"
 
 namespace overturn {
 namespace {
 
-std::vector<Stripe> table_of(std::vector<std::array<std::int64_t, 3>> const& rows) {
-    std::vector<Stripe> stripes;
-    stripes.reserve(rows.size());
-    for (auto const& [amplitude, trials, overturned] : rows) {
-        stripes.push_back({.amplitude = static_cast<double>(amplitude), .trials = trials, .overturned = overturned});
-    }
-    return stripes;
-}
+using testing::table_of;
 
 FragilityFit fit_of(std::vector<Stripe> const& stripes, std::vector<Quote> quotes = {}) {
     FragilityRequest request;
