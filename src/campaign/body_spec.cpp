@@ -7,6 +7,7 @@
 #include <gsl/gsl_cdf.h>
 
 #include "campaign/detail/footing_spec.hpp"
+#include "campaign/detail/gyration.hpp"
 #include "campaign/detail/parts_spec.hpp"
 
 namespace overturn {
@@ -128,13 +129,13 @@ void read_restitution(Table const& table, BodySpec& spec) {
 
 // An inertia that no body has is what is wrong, not what follows from it.
 std::string inertia_text(RigidBody const& body) {
-    constexpr double slightest = 0.2;
-    double const share = std::sqrt(1 / body.inertia_ratio() - 1);
-    return share >= slightest ? ""
-                              : fmt::format(
-                                  "; so low because inertia {:.4g} kg m2 is a radius of gyration of {:.2g} R, "
-                                  "0.58 for a uniform block: check its unit",
-                                  body.inertia_kgm2(), share);
+    double const share = gyration_share(body);
+    return share >= least_gyration_share
+               ? ""
+               : fmt::format(
+                   "; so low because inertia {:.4g} kg m2 is a radius of gyration of {:.2g} R, "
+                   "0.58 for a uniform block: check its unit",
+                   body.inertia_kgm2(), share);
 }
 
 // Every draw must be a body, and one that cannot jam.

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/detail/gyration.hpp"
 #include "campaign/plan.hpp"
 #include "core/units.hpp"
 
@@ -182,14 +183,13 @@ void add_motions(CampaignSpec const& spec, Lines& lines) {
 std::vector<std::string> warnings_of(BodySpec const& body) {
     Lines lines;
     auto const& b = body.body;
-    double const gyration_m = std::sqrt(b.inertia_kgm2() / b.mass_kg());
-    double const share = gyration_m / b.radius_m();
-    constexpr double slightest = 0.2, largest = 1.2;  // 0.58 for a uniform block
-    if (share < slightest || share > largest) {
+    double const share = gyration_share(b);
+    constexpr double largest = 1.2;
+    if (share < least_gyration_share || share > largest) {
         lines.push_back(
             fmt::format("{}: inertia {:.4g} kg m2 is a radius of gyration of {:.3g} m, {:.2g} of R = {:.3g} m "
                         "(0.58 for a uniform block). Check its unit, or write \"uniform-block\"",
-                        body.name, b.inertia_kgm2(), gyration_m, share, b.radius_m()));
+                        body.name, b.inertia_kgm2(), share * b.radius_m(), share, b.radius_m()));
     }
     double const box_m3 = 8 * b.half_width_m() * b.half_width_m() * b.centre_height_m();
     double const density = b.mass_kg() / box_m3;

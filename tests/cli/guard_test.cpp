@@ -25,6 +25,14 @@ class Guard : public ::testing::Test {
     }
     void half() const { ASSERT_EQ(overturn(folder, {"run", "c.toml", "--part", "1/2"}).code, 0); }
     [[nodiscard]] std::string record() const { return folder.read("c.h5.parts/campaign.record"); }
+    /// The blocks that lie there say of what began them something else.
+    template <class Change> void begun_as(Change&& change) const {
+        constexpr std::size_t hash_length = 64;
+        auto begun = CampaignInput::deserialise(record().substr(0, record().size() - hash_length));
+        change(begun);
+        auto const text = begun.serialise();
+        folder.write("c.h5.parts/campaign.record", text + store::sha256(text));
+    }
     void expect_refused(Ended const& ended, std::string const& why) const {
         EXPECT_EQ(ended.code, 2);
         EXPECT_TRUE(is_one_error_line(ended.err));
@@ -96,11 +104,7 @@ TEST_F(Guard, BlocksWithoutARecordAreSaid) {
 
 TEST_F(Guard, BlocksOfTwoProgramsAreNotMixed) {
     half();
-    constexpr std::size_t hash_length = 64;
-    auto begun = CampaignInput::deserialise(record().substr(0, record().size() - hash_length));
-    begun.program = "0.0.9 (abcdef)";
-    auto const text = begun.serialise();
-    folder.write("c.h5.parts/campaign.record", text + store::sha256(text));
+    begun_as([](CampaignInput& begun) { begun.program = "0.0.9 (abcdef)"; });
 
     expect_refused(overturn(folder, {"run", "c.toml", "--resume"}), "begun by overturn 0.0.9 (abcdef)");
     for (std::string const verb : {"status", "merge"}) {
@@ -110,11 +114,7 @@ TEST_F(Guard, BlocksOfTwoProgramsAreNotMixed) {
 
 TEST_F(Guard, BlocksOfTwoKindsOfMachineAreNotMixed) {
     half();
-    constexpr std::size_t hash_length = 64;
-    auto begun = CampaignInput::deserialise(record().substr(0, record().size() - hash_length));
-    begun.machine = "aarch64";
-    auto const text = begun.serialise();
-    folder.write("c.h5.parts/campaign.record", text + store::sha256(text));
+    begun_as([](CampaignInput& begun) { begun.machine = "aarch64"; });
 
     auto const told = "begun on aarch64, this is " + machine();
     expect_refused(overturn(folder, {"run", "c.toml", "--resume"}), told);

@@ -10,13 +10,8 @@
 namespace overturn {
 namespace {
 
+using testing::fit_of;
 using testing::table_of;
-
-FragilityFit fit_of(std::vector<Stripe> const& stripes, std::vector<Quote> quotes = {}) {
-    FragilityRequest request;
-    request.quotes = std::move(quotes);
-    return fit_fragility(FragilityData::of_stripes(stripes), request);
-}
 
 std::string first_warning(FragilityFit const& fit) { return warnings_of(fit, {"m/s2"}, 0.95).at(0); }
 

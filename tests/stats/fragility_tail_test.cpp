@@ -17,11 +17,9 @@ namespace {
 
 using testing::table_of;
 
+// With a stated beta_U, so that there is an HCLPF to tell.
 FragilityFit fit_of(std::vector<Stripe> const& stripes, std::vector<Quote> quotes = {}) {
-    FragilityRequest request;
-    request.quotes = std::move(quotes);
-    request.beta_u = 0.3;
-    return fit_fragility(FragilityData::of_stripes(stripes), request);
+    return testing::fit_of(stripes, std::move(quotes), 0.3);
 }
 
 /// One of 1000 at four low levels, and 999 of 1000 far above: pooled cells see nothing wrong with a curve that gives
