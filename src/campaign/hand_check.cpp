@@ -15,7 +15,7 @@
 namespace overturn {
 namespace {
 
-constexpr std::int64_t most_waves = 32;
+constexpr std::int64_t most_checked_waves = 32;
 constexpr double fractile = 0.84;  // of the demand, as CDFM asks
 constexpr std::size_t rotations = 60;
 
@@ -24,7 +24,7 @@ std::vector<GroundMotion> unit_motions(CampaignSpec const& spec) {
     Plan const plan(spec);
     std::vector<GroundMotion> motions;
     PhaseSeconds seconds;
-    for (std::int64_t wave = 0; wave < std::min(most_waves, plan.waves()); ++wave) {
+    for (std::int64_t wave = 0; wave < std::min(most_checked_waves, plan.waves()); ++wave) {
         auto prepared = prepare_wave(spec, plan, wave, seconds);
         auto const scale =
             prepared.row.failed == 0 ? spec.levels.scale({1, LevelClass::ordinary}, prepared.intensity) : std::nullopt;

@@ -12,7 +12,8 @@
 namespace overturn {
 namespace {
 
-constexpr std::array shares{0.5, 0.84, 0.95};  // median, one standard deviation above it, and what is rarely passed
+constexpr std::array quantile_shares{0.5, 0.84,
+                                     0.95};  // median, one standard deviation above it, and what is rarely passed
 
 // A fall lies beyond every rotation; told is what the columns hold of it.
 SampleQuantile with_falls(SampleQuantile quantile, double fallen) {
@@ -39,7 +40,7 @@ std::vector<LevelQuantiles> level_quantiles(CampaignSpec const& spec, MeasuredTr
                               fallen,   {}};
             values.erase(known, values.end());
             std::sort(values.begin(), values.end());
-            std::ranges::transform(shares, at.quantiles.begin(), [&](double share) {
+            std::ranges::transform(quantile_shares, at.quantiles.begin(), [&](double share) {
                 return with_falls(sample_quantile(values, at.unknown, share, confidence), fallen);
             });
             list.push_back(at);

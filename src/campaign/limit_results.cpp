@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/detail/column_values.hpp"
 #include "campaign/shown_levels.hpp"
 #include "core/error.hpp"
 #include "core/field.hpp"
@@ -21,31 +22,25 @@ std::string group_of(LimitState const& limit, char const* what, std::string cons
     return fmt::format("limits/{}/{}/{}", limit.name, what, body);
 }
 
-template <class Value, class Get> std::vector<Value> column(std::vector<Stripe> const& stripes, Get get) {
-    std::vector<Value> values;
-    values.reserve(stripes.size());
-    std::ranges::transform(stripes, std::back_inserter(values), get);
-    return values;
-}
-
 void write_stripes(store::ResultsWriter& file, CampaignSpec const& spec, std::string const& group,
                    std::vector<Stripe> const& stripes, bool grid) {
     file.array(group, {"amplitude", spec.levels.units(), "value of the level"},
-               column<double>(stripes, [](Stripe const& s) { return s.amplitude; }));
+               column_values<double>(stripes, [](Stripe const& s) { return s.amplitude; }));
     auto const put = [&](char const* name, char const* description, auto const& values) {
         file.array(group, {name, "1", description}, values, "amplitude");
     };
     double const c = spec.confidence;
-    put("trials", "trials at the level", column<std::int64_t>(stripes, [](Stripe const& s) { return s.trials; }));
+    put("trials", "trials at the level",
+        column_values<std::int64_t>(stripes, [](Stripe const& s) { return s.trials; }));
     put("exceeded", "trials that exceeded the limit",
-        column<std::int64_t>(stripes, [](Stripe const& s) { return s.overturned; }));
+        column_values<std::int64_t>(stripes, [](Stripe const& s) { return s.overturned; }));
     put("failed", "trials without a verdict, for a reason; left out of the probability",
-        column<std::int64_t>(stripes, [](Stripe const& s) { return s.failed; }));
+        column_values<std::int64_t>(stripes, [](Stripe const& s) { return s.failed; }));
     put("undecided", "further trials that do not tell; left out of the probability",
-        column<std::int64_t>(stripes, [](Stripe const& s) { return s.undecided; }));
+        column_values<std::int64_t>(stripes, [](Stripe const& s) { return s.undecided; }));
     auto const chance = [&](char const* name, char const* description, auto get) {
         put(name, grid ? no_chance : description,
-            column<double>(stripes, [&](Stripe const& s) { return grid ? never : get(s); }));
+            column_values<double>(stripes, [&](Stripe const& s) { return grid ? never : get(s); }));
     };
     chance("probability", "exceeded over decided trials; NaN where none is decided",
            [](Stripe const& s) { return s.probability(); });
@@ -117,12 +112,12 @@ void require_stored_limits(store::ResultsReader const& file, CampaignSpec const&
     for (std::size_t l = 1; l < spec.limits.size(); ++l) {
         auto const group = group_of(spec.limits[l], "stripes", counted.body);
         auto const& stripes = counted.stripes_of(l);
-        bool const same =
-            file.integers(group + "/trials") == column<std::int64_t>(stripes, [](Stripe const& s) { return s.trials; })
-            && file.integers(group + "/exceeded")
-                   == column<std::int64_t>(stripes, [](Stripe const& s) { return s.overturned; })
-            && file.integers(group + "/undecided")
-                   == column<std::int64_t>(stripes, [](Stripe const& s) { return s.undecided; });
+        bool const same = file.integers(group + "/trials")
+                              == column_values<std::int64_t>(stripes, [](Stripe const& s) { return s.trials; })
+                          && file.integers(group + "/exceeded")
+                                 == column_values<std::int64_t>(stripes, [](Stripe const& s) { return s.overturned; })
+                          && file.integers(group + "/undecided")
+                                 == column_values<std::int64_t>(stripes, [](Stripe const& s) { return s.undecided; });
         validate(same,
                  "results file: {} does not agree with its trials (it is damaged, or not of this program). Run the "
                  "campaign again",

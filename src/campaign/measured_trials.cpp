@@ -15,12 +15,12 @@ std::vector<std::string> fragility_measure_names() {
 
 namespace {
 
-constexpr std::size_t most_trials = 1'000'000;
+constexpr std::size_t most_trials_held = 1'000'000;
 
 }  // namespace
 
 void MeasuredTrials::add(WaveRow const& row, std::span<MeasureRow const> measures) {
-    if (trials_.size() >= most_trials) {
+    if (trials_.size() >= most_trials_held) {
         return;
     }
     Peaks peaks{row.pga_mps2, row.pgv_mps, row.sa_average_mps2, row.sa_mps2, {}};
@@ -35,7 +35,7 @@ void MeasuredTrials::add(WaveRow const& row, std::span<MeasureRow const> measure
 
 void MeasuredTrials::add(TrialRow const& row, LimitOutcomes const& limits) {
     auto const wave = waves_.find(row.wave);
-    bool const full = trials_.size() >= most_trials && row.wave != trials_.back().wave;
+    bool const full = trials_.size() >= most_trials_held && row.wave != trials_.back().wave;
     if (full || wave == waves_.end()) {
         passed_by_ += full ? 1 : 0;
         return;

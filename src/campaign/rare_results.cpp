@@ -7,22 +7,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "campaign/detail/column_values.hpp"
 #include "campaign/rare_rows.hpp"
 
 namespace overturn {
 namespace {
 
-using rare::Estimate;
-
 constexpr std::string_view between_tries = "; then ";
-
-template <class Value, class Get> std::vector<Value> column(std::span<Estimate const> estimates, Get get) {
-    std::vector<Value> values;
-    for (auto const& estimate : estimates) {
-        values.push_back(static_cast<Value>(get(estimate)));
-    }
-    return values;
-}
 
 /// A look at an estimator's health, as a row of /rare/<body>/health; the names are lines of that group's attribute.
 struct HealthRow {
@@ -45,7 +36,7 @@ store::TableSpec health_table(std::string const& group) {
             "number of the look, as the lines of health_checks"};
 }
 
-void write_health(store::ResultsWriter& file, std::string const& group, std::span<Estimate const> estimates) {
+void write_health(store::ResultsWriter& file, std::string const& group, std::span<rare::Estimate const> estimates) {
     std::vector<HealthRow> rows;
     std::vector<std::string> names;
     for (std::size_t l = 0; l < estimates.size(); ++l) {
@@ -59,25 +50,25 @@ void write_health(store::ResultsWriter& file, std::string const& group, std::spa
     file.attribute(group, "health_checks", fmt::format("{}", fmt::join(names, "\n")));
 }
 
-void write_estimates(store::ResultsWriter& file, std::string const& group, std::span<Estimate const> estimates) {
+void write_estimates(store::ResultsWriter& file, std::string const& group, std::span<rare::Estimate const> estimates) {
     auto const real = [&](char const* name, char const* description, auto get) {
-        file.array(group, {name, "1", description}, column<double>(estimates, get), "amplitude");
+        file.array(group, {name, "1", description}, column_values<double>(estimates, get), "amplitude");
     };
     auto const integer = [&](char const* name, char const* description, auto get) {
-        file.array(group, {name, "1", description}, column<std::int64_t>(estimates, get), "amplitude");
+        file.array(group, {name, "1", description}, column_values<std::int64_t>(estimates, get), "amplitude");
     };
-    real("amplitude", "value of the level", [](Estimate const& e) { return e.factor; });
+    real("amplitude", "value of the level", [](rare::Estimate const& e) { return e.factor; });
     real("probability", "of overturning; NaN where nothing can be trusted",
-         [](Estimate const& e) { return e.probability.value_or(never); });
-    real("lower", "lower end of the 95 % interval", [](Estimate const& e) { return e.interval_95.lower; });
+         [](rare::Estimate const& e) { return e.probability.value_or(never); });
+    real("lower", "lower end of the 95 % interval", [](rare::Estimate const& e) { return e.interval_95.lower; });
     real("upper", "upper end; of plain trials alone where nothing else can be trusted",
-         [](Estimate const& e) { return e.interval_95.upper; });
-    real("cov", "standard error over probability; 0 without one", [](Estimate const& e) { return e.cov; });
+         [](rare::Estimate const& e) { return e.interval_95.upper; });
+    real("cov", "standard error over probability; 0 without one", [](rare::Estimate const& e) { return e.cov; });
     real("crude_runs", "waves that crude Monte Carlo needs for this; 0 without a probability",
-         [](Estimate const& e) { return e.crude_runs; });
-    integer("runs", "waves made, those that levels share included", [](Estimate const& e) { return e.runs; });
-    integer("method", "0 crude, 1 subset, 2 pulse-mixture", [](Estimate const& e) { return e.method; });
-    integer("state", "0 trusted, 1 not-trusted, 2 not-resolved", [](Estimate const& e) { return e.state; });
+         [](rare::Estimate const& e) { return e.crude_runs; });
+    integer("runs", "waves made, those that levels share included", [](rare::Estimate const& e) { return e.runs; });
+    integer("method", "0 crude, 1 subset, 2 pulse-mixture", [](rare::Estimate const& e) { return e.method; });
+    integer("state", "0 trusted, 1 not-trusted, 2 not-resolved", [](rare::Estimate const& e) { return e.state; });
     std::vector<double> replicates;
     std::vector<std::int64_t> counts;
     std::vector<std::string> reasons;
@@ -140,7 +131,7 @@ void write_subset(store::ResultsWriter& file, std::string const& place, rare::Su
 
 rare::Estimate read_estimate(store::ResultsReader const& file, std::string const& group, std::int64_t level) {
     auto const real = [&](char const* name) { return file.real_at(group + "/" + name, level); };
-    Estimate made;
+    rare::Estimate made;
     made.factor = real("amplitude");
     if (double const p = real("probability"); !std::isnan(p)) {
         made.probability = p;
@@ -169,7 +160,7 @@ std::vector<std::string> parts_of(std::string_view text, std::string_view betwee
 std::vector<std::string> lines_of(std::string const& text) { return parts_of(text, "\n"); }
 
 // The looks of all levels, each to its own.
-void read_health(store::ResultsReader const& file, std::string const& group, std::vector<Estimate>& estimates) {
+void read_health(store::ResultsReader const& file, std::string const& group, std::vector<rare::Estimate>& estimates) {
     auto const names = lines_of(file.note(group, "health_checks"));
     auto const count = file.integers(group + "/health/level").size();
     std::vector<HealthRow> rows(count);

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "campaign/analysis.hpp"
+#include "campaign/detail/column_values.hpp"
 #include "campaign/detail/limit_results.hpp"
 #include "campaign/rare_results.hpp"
 #include "campaign/version.hpp"
@@ -63,15 +64,6 @@ void write_body(store::ResultsWriter& file, BodySpec const& spec, std::size_t nu
     put("v_ereq", "m/s", "limit velocity sqrt(2 g (R - h))", body.limit_velocity_mps());
 }
 
-template <class Value, class Get> std::vector<Value> column(std::vector<Stripe> const& stripes, Get get) {
-    std::vector<Value> values;
-    values.reserve(stripes.size());
-    for (auto const& stripe : stripes) {
-        values.push_back(get(stripe));
-    }
-    return values;
-}
-
 void write_stripes(store::ResultsWriter& file, CampaignSpec const& spec, BodyStatistics const& body) {
     auto const group = "stripes/" + body.body;
     auto const spec_of = [](char const* name, std::string const& units, char const* description) {
@@ -79,9 +71,9 @@ void write_stripes(store::ResultsWriter& file, CampaignSpec const& spec, BodySta
     };
     auto const& s = body.stripes;
     file.array(group, spec_of("amplitude", spec.levels.units(), "value of the level"),
-               column<double>(s, [](Stripe const& x) { return x.amplitude; }));
+               column_values<double>(s, [](Stripe const& x) { return x.amplitude; }));
     auto const count = [&](char const* name, char const* description, auto get) {
-        file.array(group, spec_of(name, "1", description), column<std::int64_t>(s, get), "amplitude");
+        file.array(group, spec_of(name, "1", description), column_values<std::int64_t>(s, get), "amplitude");
     };
     count("trials", "trials at the level", [](Stripe const& x) { return x.trials; });
     auto const counts = [&](std::string const& name, std::string const& description,
@@ -98,7 +90,7 @@ void write_stripes(store::ResultsWriter& file, CampaignSpec const& spec, BodySta
     bool const grid = !body.grid.empty();
     auto const real = [&](char const* name, char const* description, auto get) {
         file.array(group, spec_of(name, "1", grid ? no_chance : description),
-                   column<double>(s, [&](Stripe const& x) { return grid ? never : get(x); }), "amplitude");
+                   column_values<double>(s, [&](Stripe const& x) { return grid ? never : get(x); }), "amplitude");
     };
     double const c = spec.confidence;
     real("probability", "overturned over decided trials; NaN where none is decided",
@@ -135,7 +127,7 @@ void write_stripes(store::ResultsWriter& file, CampaignSpec const& spec, BodySta
 void write_confusion(store::ResultsWriter& file, std::string const& group, std::string const& units,
                      std::vector<Stripe> const& stripes, std::vector<Confusion> const& cells) {
     file.array(group, {"amplitude", units, "value of the level", FieldType::real, 0, {}},
-               column<double>(stripes, [](Stripe const& x) { return x.amplitude; }));
+               column_values<double>(stripes, [](Stripe const& x) { return x.amplitude; }));
     auto const put = [&](char const* cell, char const* description, auto get) {
         std::vector<std::int64_t> counts;
         counts.reserve(cells.size());

@@ -13,24 +13,25 @@ namespace {
 using config::Range;
 using config::Table;
 
-enum class Kind { fixed, normal, lognormal, uniform };
+enum class DistributionKind { fixed, normal, lognormal, uniform };
 
-constexpr std::array kinds{config::Entry<Kind>{"fixed", "known exactly: value", Kind::fixed},
-                           config::Entry<Kind>{"normal", "mean, deviation, low, high", Kind::normal},
-                           config::Entry<Kind>{"lognormal", "median, beta, low, high", Kind::lognormal},
-                           config::Entry<Kind>{"uniform", "low, high", Kind::uniform}};
+constexpr std::array kinds{
+    config::Entry<DistributionKind>{"fixed", "known exactly: value", DistributionKind::fixed},
+    config::Entry<DistributionKind>{"normal", "mean, deviation, low, high", DistributionKind::normal},
+    config::Entry<DistributionKind>{"lognormal", "median, beta, low, high", DistributionKind::lognormal},
+    config::Entry<DistributionKind>{"uniform", "low, high", DistributionKind::uniform}};
 
-Distribution read_stated(Table const& given, Kind kind, Dimension dimension, Range range) {
+Distribution read_stated(Table const& given, DistributionKind kind, Dimension dimension, Range range) {
     switch (kind) {
-        case Kind::fixed:
+        case DistributionKind::fixed:
             return Distribution::fixed(given.number("value", dimension, range));
-        case Kind::normal:
+        case DistributionKind::normal:
             return Distribution::normal(given.number("mean", dimension, range),
                                         given.number("deviation", dimension, Range::not_negative()));
-        case Kind::lognormal:
+        case DistributionKind::lognormal:
             return Distribution::lognormal(given.number("median", dimension, range),
                                            given.number("beta", Dimension::none, {.low = 0, .high = 2}));
-        case Kind::uniform:
+        case DistributionKind::uniform:
             break;
     }
     return Distribution::uniform(given.number("low", dimension, range), given.number("high", dimension, range));
@@ -43,9 +44,9 @@ Distribution read_distribution(Table const& table, std::string_view key, Dimensi
         return Distribution::fixed(table.number(key, dimension, range));
     }
     auto const given = table.child(key);
-    auto const kind = given.choice<Kind>("distribution", kinds);
+    auto const kind = given.choice<DistributionKind>("distribution", kinds);
     auto distribution = given.located("distribution", [&] { return read_stated(given, kind, dimension, range); });
-    if (kind == Kind::normal || kind == Kind::lognormal) {
+    if (kind == DistributionKind::normal || kind == DistributionKind::lognormal) {
         double const low = given.number("low", dimension, range, range.low);
         double const high = given.number("high", dimension, range, range.high);
         distribution = given.located("distribution", [&] { return distribution.truncated(low, high); });

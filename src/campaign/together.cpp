@@ -37,12 +37,12 @@ std::vector<JointTrial> joint_trials(CampaignSpec const& spec, MeasuredTrials co
 
 std::string phi_text(std::optional<double> const& phi) { return phi ? fmt::format("{:+.2f}", *phi) : "-"; }
 
-std::string ends_text(Interval const& interval) {
+std::string interval_text(Interval const& interval) {
     return fmt::format("[{:.3g}, {:.3g}]", interval.lower, interval.upper);
 }
 
 std::string estimate_text(Estimate const& estimate) {
-    return fmt::format("{:.3g} {}", estimate.value, ends_text(estimate.interval));
+    return fmt::format("{:.3g} {}", estimate.value, interval_text(estimate.interval));
 }
 
 }  // namespace
@@ -87,7 +87,7 @@ std::string together_table(CampaignSpec const& spec, std::vector<BodiesTogether>
             }
             text += fmt::format("{:>12.4g} {:>7} {:>7} {:>9} {:>8.4f} {:>20} {:>14.4f}  {}\n",
                                 spec.levels.shown(any.amplitude), any.trials, any.overturned, any.undecided,
-                                any.probability(), ends_text(any.interval(confidence)), of.joint.if_independent[l],
+                                any.probability(), interval_text(any.interval(confidence)), of.joint.if_independent[l],
                                 fmt::join(phis, "  "));
         }
         std::vector<std::string> pooled;

@@ -17,7 +17,7 @@
 namespace overturn::cli {
 namespace {
 
-struct Options {
+struct CostOptions {
     std::string campaign, page;
     std::optional<std::string> output;
     std::vector<std::string> settings;
@@ -46,7 +46,7 @@ class Remaining {
     double shown_ = 0;
 };
 
-void check(Options const& options) {
+void check(CostOptions const& options) {
     validate(options.waves.value_or(1) > 0, "--waves {} (no sample). Give 1 or more, or leave it out",
              options.waves.value_or(1));
     if (options.output) {
@@ -61,7 +61,7 @@ void check(Options const& options) {
     }
 }
 
-int study(Options const& options) {
+int study(CostOptions const& options) {
     check(options);
     auto const input = load_campaign(options.campaign, options.settings);
     Remaining remaining;
@@ -84,7 +84,7 @@ int study(Options const& options) {
 
 void add_cost(CommandLine& line) {
     auto verb = line.verb("cost", "what accuracy costs in time, knob by knob, on a campaign's own waves");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CostOptions>();
     verb.needs("campaign", options->campaign, "campaign file (TOML)");
     verb.takes("-o,--output", options->output, "write the study as HDF5 (its times never repeat exactly)");
     verb.takes("--html", options->page, "write a page with figures and tables that needs no network", "PAGE.html");

@@ -13,6 +13,7 @@
 #include "campaign/version.hpp"
 #include "cli/fit_json.hpp"
 #include "cli/frequency_json.hpp"
+#include "cli/json_values.hpp"
 #include "cli/other_bits.hpp"
 #include "cli/rare_json.hpp"
 #include "cli/stripe_csv.hpp"
@@ -26,9 +27,7 @@
 namespace overturn::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-struct Options {
+struct FitOptions {
     std::string file;
     std::string stripes;
     bool json = false;
@@ -40,7 +39,7 @@ struct Options {
     Unverified unverified;
 };
 
-void check(Options const& options) {
+void check(FitOptions const& options) {
     validate(options.file.empty() != options.stripes.empty(),
              "fit: {} (one thing is fitted at a time). Name a results file or --stripes TABLE.csv",
              options.file.empty() ? "nothing to fit" : "a results file and --stripes");
@@ -56,7 +55,7 @@ void check(Options const& options) {
 }
 
 // Curves are fitted by the program that runs; those that the file holds may be another's.
-int tell_refit(Options const& options, store::ResultsReader const& file, CampaignSpec const& spec,
+int tell_refit(FitOptions const& options, store::ResultsReader const& file, CampaignSpec const& spec,
                Statistics const& statistics) {
     if (is_of_this_program(file)) {
         return done;
@@ -77,7 +76,7 @@ int tell_refit(Options const& options, store::ResultsReader const& file, Campaig
     return differs ? refitted_otherwise : done;
 }
 
-int fit_file(Options const& options) {
+int fit_file(FitOptions const& options) {
     store::ResultsReader const file(options.file, options.unverified.trust());
     auto const spec = parse_campaign(input_of(file));
     auto const statistics = recount(file, spec);
@@ -145,7 +144,7 @@ std::string stripes_text(std::vector<Stripe> const& stripes, double confidence) 
     return text;
 }
 
-int fit_stripes(Options const& options) {
+int fit_stripes(FitOptions const& options) {
     InputFiles files(std::filesystem::path("."));
     auto const stripes = parse_stripes(files.read(options.stripes), options.stripes);
     constexpr double usual = 0.95;
@@ -184,7 +183,7 @@ int fit_stripes(Options const& options) {
 
 void add_fit(CommandLine& line) {
     auto verb = line.verb("fit", "fragility curves and the criterion on trial, from a results file or a table");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<FitOptions>();
     verb.takes("file", options->file, "results file");
     verb.takes("--stripes", options->stripes, "fit a table instead: amplitude,trials,overturned (csv)");
     verb.takes("--json", options->json, "as JSON");

@@ -2,10 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/json_values.hpp"
+
 namespace overturn::cli {
 
 nlohmann::ordered_json frequency_json(std::vector<BodyFrequency> const& frequencies, HazardCurve const& hazard) {
-    using Json = nlohmann::ordered_json;
     Json list = Json::array();
     for (auto const& f : frequencies) {
         Json one{{"body", f.body},          {"limit", f.limit},

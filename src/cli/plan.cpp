@@ -181,12 +181,12 @@ int plan_campaign(std::string const& path, std::vector<std::string> const& setti
 }  // namespace
 
 void add_plan(CommandLine& line) {
-    struct Options {
+    struct PlanOptions {
         std::string campaign;
         std::vector<std::string> settings;
     };
     auto verb = line.verb("plan", "check a campaign, count its trials, estimate time and file size");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<PlanOptions>();
     verb.needs("campaign", options->campaign, "campaign file (TOML)");
     verb.takes("--set", options->settings, "override a key: waves.count=50");
     verb.does([options] { return plan_campaign(options->campaign, options->settings); });

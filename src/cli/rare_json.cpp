@@ -6,10 +6,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/json_values.hpp"
+
 namespace overturn::cli {
 
 nlohmann::ordered_json rare_json(CampaignSpec const& spec, std::span<RareBody const> bodies) {
-    using Json = nlohmann::ordered_json;
     Json list = Json::array();
     for (auto const& body : bodies) {
         for (auto const& e : body.estimates) {
@@ -40,8 +41,6 @@ nlohmann::ordered_json rare_json(CampaignSpec const& spec, std::span<RareBody co
 }
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json thinned(std::span<double const> values) {
     constexpr std::size_t most = 3000;

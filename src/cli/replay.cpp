@@ -19,7 +19,7 @@
 namespace overturn::cli {
 namespace {
 
-struct Options {
+struct ReplayOptions {
     std::string file;
     std::int64_t trial = 0;
     std::string history, plot;
@@ -28,8 +28,8 @@ struct Options {
     Unverified unverified;
 };
 
-int tell_difference(Options const& options, store::ResultsReader const& file, std::vector<std::string> const& different,
-                    std::string const& what) {
+int tell_difference(ReplayOptions const& options, store::ResultsReader const& file,
+                    std::vector<std::string> const& different, std::string const& what) {
     if (different.empty()) {
         fmt::print("bit-equal to the stored row\n");
         return done;
@@ -39,7 +39,7 @@ int tell_difference(Options const& options, store::ResultsReader const& file, st
     return other_failure;
 }
 
-int replay(Options const& options) {
+int replay(ReplayOptions const& options) {
     if (!options.plot.empty()) {
         report::check_figure_name(options.plot);
         validate(options.rare.empty(), "--plot beside --rare (only rows of /trials are drawn). Leave one of them out");
@@ -99,7 +99,7 @@ int replay(Options const& options) {
 
 void add_replay(CommandLine& line) {
     auto verb = line.verb("replay", "rerun one trial from a results file alone and compare every bit");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ReplayOptions>();
     verb.needs("file", options->file, "results file");
     verb.needs("--trial", options->trial, "number of the row in /trials, from 0");
     verb.takes("--rare", options->rare, "BODY: --trial is a row of /rare/BODY/rows");

@@ -19,6 +19,7 @@
 #include "campaign/warnings.hpp"
 #include "cli/figures.hpp"
 #include "cli/fit_json.hpp"
+#include "cli/json_values.hpp"
 #include "cli/rare_json.hpp"
 #include "cli/shown_trials.hpp"
 #include "cli/verbs.hpp"
@@ -31,10 +32,9 @@
 namespace overturn::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-struct Options {
+struct ReportOptions {
     std::string file, page, figures;
     double beta_u = 0;
     std::optional<double> confidence;  ///< none: the campaign's
@@ -185,7 +185,7 @@ std::string hexadecimal(std::string_view bytes) {
     return text;
 }
 
-int write_report(Options const& options) {
+int write_report(ReportOptions const& options) {
     report::check_page_name(options.page);
     store::require_writable(options.page);
     if (!options.figures.empty()) {
@@ -253,7 +253,7 @@ int write_report(Options const& options) {
 
 void add_report(CommandLine& line) {
     auto verb = line.verb("report", "figures and tables of a results file on one page that needs no network");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ReportOptions>();
     verb.needs("file", options->file, "results file");
     verb.needs("-o,--output", options->page, "the page, .html");
     verb.takes("--figures", options->figures, "write the figures as svg and png and the tables as csv there too",

@@ -23,7 +23,7 @@
 namespace overturn::cli {
 namespace {
 
-struct Options {
+struct RockOptions {
     RecordOptions record;
     std::string body, effects = "auto", history, plot;
     double scale = 1;
@@ -127,7 +127,7 @@ void print_text(BodySpec const& spec, PlacedRecord const& record, Drift const& d
     }
 }
 
-int rock(Options const& options) {
+int rock(RockOptions const& options) {
     validate(std::isfinite(options.scale), "--scale {} (must be finite). Give a factor such as 1.5", options.scale);
     if (!options.plot.empty()) {
         report::check_figure_name(options.plot);
@@ -168,7 +168,7 @@ int rock(Options const& options) {
 
 void add_rock(CommandLine& line) {
     auto verb = line.verb("rock", "one body under one wave");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<RockOptions>();
     verb.needs("--body", options->body, "body file (TOML)");
     verb.needs("--wave", options->record.wave, "record, or columns time,a_horizontal[,a_vertical]");
     add_record_options(verb, options->record);

@@ -14,7 +14,7 @@
 namespace overturn::cli {
 namespace {
 
-struct Options {
+struct RunVerbOptions {
     std::string campaign;
     std::optional<std::string> output;
     std::vector<std::string> settings;
@@ -50,7 +50,7 @@ Part read_part(std::string const& text) {
 }
 
 // Where the results go: through links to what they name, there or not yet, or the link would be replaced.
-std::filesystem::path output_of(Options const& options) {
+std::filesystem::path output_of(RunVerbOptions const& options) {
     namespace fs = std::filesystem;
     validate(!options.output || !options.output->empty(), "-o '' (no name: an unset variable?). Name a file");
     fs::path output = options.output ? fs::path(*options.output) : default_output(options.campaign);
@@ -66,7 +66,7 @@ std::filesystem::path output_of(Options const& options) {
     return output;
 }
 
-int run(Options const& options, parallel::Communicator const& comm) {
+int run(RunVerbOptions const& options, parallel::Communicator const& comm) {
     auto const input = load_campaign_everywhere(options.campaign, options.settings, comm);
     RunOptions run_options;
     run_options.output = output_of(options);
@@ -84,7 +84,7 @@ int run(Options const& options, parallel::Communicator const& comm) {
 
 void add_run(CommandLine& line) {
     auto verb = line.verb("run", "run a campaign, alone or under mpirun");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<RunVerbOptions>();
     verb.needs("campaign", options->campaign, "campaign file (TOML)");
     verb.takes("-o,--output", options->output, "results file; default: the campaign's name with .h5, here");
     verb.takes("--resume", options->resume, "go on with what an earlier run left behind");

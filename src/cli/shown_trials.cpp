@@ -12,13 +12,12 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/trial.hpp"
+#include "cli/json_values.hpp"
 #include "cli/trial_history.hpp"
 #include "response/registry.hpp"
 
 namespace overturn::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // Histories on a page: each takes about 60 kB of it.
 constexpr std::size_t fewest_at_most = 12;

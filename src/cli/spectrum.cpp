@@ -18,7 +18,7 @@
 namespace overturn::cli {
 namespace {
 
-struct Options {
+struct SpectrumOptions {
     RecordOptions record;
     std::string body, plot;
     double damping = 0.05;
@@ -124,7 +124,7 @@ void print_text(PlacedRecord const& record, Measures const& m, double damping,
     fmt::print("damping {:g}; all {} periods with --json\n", damping, m.response.period_s.size());
 }
 
-int spectrum(Options const& options) {
+int spectrum(SpectrumOptions const& options) {
     validate(options.damping >= 0 && options.damping < 1,
              "--damping {} (a ratio, 0 to below 1: {} would be {:g} %). Write 0.05 for 5 %", options.damping,
              options.damping, 100 * options.damping);
@@ -154,7 +154,7 @@ int spectrum(Options const& options) {
 
 void add_spectrum(CommandLine& line) {
     auto verb = line.verb("spectrum", "response, energy and window energy spectra of one wave");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SpectrumOptions>();
     verb.needs("--wave", options->record.wave, "record, or columns time,a_horizontal");
     add_record_options(verb, options->record);
     verb.takes("--body", options->body, "body file (TOML): adds its energy measures");

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "body/response_velocity.hpp"
+#include "cli/json_values.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "report/figure.hpp"
@@ -17,8 +18,6 @@
 
 namespace overturn::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // Of every so many instants one: of what is drawn over time the value that is farthest from zero, so that no peak is
 // lost; of a pose, and of time, the first, so that its parts are of one instant.

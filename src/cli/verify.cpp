@@ -14,7 +14,7 @@
 namespace overturn::cli {
 namespace {
 
-struct Options {
+struct VerifyOptions {
     std::string file;
     VerifyWish wish;
     Unverified unverified;
@@ -25,7 +25,7 @@ std::string counted(Verified const& found) {
                        found.rare > 0 ? fmt::format(", {} rows of rare events", found.rare) : "");
 }
 
-int tell(Options const& options, Verified const& found) {
+int tell(VerifyOptions const& options, Verified const& found) {
     if (found.all_equal()) {
         fmt::print("{}: {} recomputed, all bit-equal to the stored rows\n", options.file, counted(found));
         return done;
@@ -38,7 +38,7 @@ int tell(Options const& options, Verified const& found) {
     return other_failure;
 }
 
-int verify(Options const& options, parallel::Communicator const& comm) {
+int verify(VerifyOptions const& options, parallel::Communicator const& comm) {
     // One rank holds the file against its seal for all.
     (void)from_root(comm, [&] {
         store::ResultsReader const file(options.file, options.unverified.trust());
@@ -54,7 +54,7 @@ int verify(Options const& options, parallel::Communicator const& comm) {
 
 void add_verify(CommandLine& line) {
     auto verb = line.verb("verify", "recompute rows of a results file, alone or under mpirun, and compare every bit");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<VerifyOptions>();
     verb.needs("file", options->file, "results file");
     verb.takes("--sample", options->wish.sample, "so many rows drawn at random; default: all");
     verb.takes("--seed", options->wish.seed, "of that drawing; another one draws other rows");

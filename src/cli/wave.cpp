@@ -19,7 +19,7 @@
 namespace overturn::cli {
 namespace {
 
-struct Options {
+struct WaveOptions {
     std::string campaign, output, plot;
     std::vector<std::string> settings;
     std::int64_t wave = 0;
@@ -61,7 +61,7 @@ std::vector<std::string> write_at2(GroundMotion const& motion, std::string const
     return written;
 }
 
-void write_output(Options const& options, std::uint64_t seed, GeneratedWave const& made) {
+void write_output(WaveOptions const& options, std::uint64_t seed, GeneratedWave const& made) {
     std::vector<std::string> written{options.output};
     if (kind_of(options.output) == OutputKind::csv) {
         write_file(options.output, csv_text(made.motion));
@@ -74,7 +74,7 @@ void write_output(Options const& options, std::uint64_t seed, GeneratedWave cons
     }
 }
 
-int show_wave(Options const& options) {
+int show_wave(WaveOptions const& options) {
     if (!options.output.empty()) {
         (void)kind_of(options.output);
     }
@@ -114,7 +114,7 @@ int show_wave(Options const& options) {
 
 void add_wave(CommandLine& line) {
     auto verb = line.verb("wave", "write or draw one wave of a campaign, unscaled");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<WaveOptions>();
     verb.needs("campaign", options->campaign, "campaign file (TOML)");
     verb.needs("--wave", options->wave, "number of the wave, from 0");
     verb.takes("-o,--output", options->output, "out.csv, or out.at2 (one file per component); default: csv here");

@@ -5,13 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/warnings.hpp"
+#include "cli/json_values.hpp"
 #include "motion/ground_motion.hpp"
 #include "motion/intensity.hpp"
 
 namespace overturn::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string match_text(char const* name, MatchReport const& match) {
     if (match.all.mean_ratio == 0) {

@@ -10,6 +10,8 @@ namespace overturn {
 /// Standard gravity [m/s2], CGPM 1901.
 inline constexpr double g0 = 9.80665;
 inline constexpr double pi = std::numbers::pi;
+/// One gal [m/s2].
+inline constexpr double gal_mps2 = 0.01;
 
 /// What a quantity measures; decides which unit symbols are accepted.
 enum class Dimension { none, time, length, mass, inertia, velocity, acceleration, angle, frequency, pressure };

@@ -67,7 +67,6 @@ struct DataLine {
 };
 
 double unit_of(std::string_view lower, Location const& where) {
-    constexpr double gal_mps2 = 0.01;
     auto const at = lower.find("units");
     auto text = at == std::string_view::npos ? std::string_view{} : trimmed(lower.substr(at + 5));
     text = trimmed(text.substr(text.starts_with('=') ? 1 : 0));

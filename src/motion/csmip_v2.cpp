@@ -15,7 +15,6 @@ constexpr std::string_view data_follow = "points of accel data equally spaced at
 constexpr std::string_view points_of = " points of ";
 constexpr std::string_view integrated = "accel, veloc and displ data";  // in the text of a channel that has all three
 constexpr FixedFormat data_format{8, 10};
-constexpr double gal_mps2 = 0.01;
 
 /// What the text lines before a channel's data say.
 struct Channel {

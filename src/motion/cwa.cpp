@@ -14,7 +14,6 @@ namespace overturn {
 namespace {
 
 constexpr std::string_view data_key = "data";
-constexpr double gal_mps2 = 0.01;
 constexpr std::size_t components_of_a_file = 3;
 
 struct Entry {

@@ -99,7 +99,6 @@ void check_quantity(Header const& header) {
 
 void check_peak(Header const& header, double peak_mps2) {
     static std::string const key = "PGA_CM/S^2";
-    constexpr double gal_mps2 = 0.01;
     constexpr double printed_share = 1e-3;
     if (header.has(key)) {
         double const stated = header.number(key) * gal_mps2;

@@ -81,7 +81,6 @@ void take(std::string_view line, Location const& where, Header& header) {
     auto const value = trimmed(line.substr(colon + 1));
     auto const all = lowered(line);
     if (holds(all, "m/s2") || holds(all, "m/s^2") || holds(all, "m/s/s")) {
-        constexpr double gal_mps2 = 0.01;
         header.unit_mps2 = holds(all, "cm/s") ? gal_mps2 : 1;
     }
     if (holds(key, "sampling") && (holds(key, "rate") || holds(key, "freq"))) {

@@ -62,7 +62,6 @@ void append_row(std::string_view line, Location const& where, Recording& recordi
                                                 "Fetch the file anew",
                                                 in_quotes(text), component.name));
         }
-        constexpr double gal_mps2 = 0.01;
         component.acceleration_mps2.push_back(gal * gal_mps2);
         rest = comma == std::string_view::npos ? std::string_view{} : rest.substr(comma + 1);
     }
@@ -80,7 +79,6 @@ bool recognises_jma_csv(std::string_view content) {
 }
 
 Recording read_jma_csv(std::string_view content, RecordRequest const& request) {
-    constexpr double gal_mps2 = 0.01;
     TextLines lines(content);
     auto const place_of = [&] { return Location{request.name, lines.number()}; };
     Recording recording;

@@ -31,7 +31,6 @@ constexpr std::array<std::string_view, 17> keys{"Origin Time",
                                                 "Memo."};
 constexpr std::size_t value_column = 18;  // the header's values begin after 18 characters of key
 constexpr std::size_t count_width = 9;    // of a count and the blank behind it
-constexpr double gal_mps2 = 0.01;
 
 /// The header values, each on the line of its key.
 class Header {

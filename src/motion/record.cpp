@@ -156,7 +156,6 @@ void check_stated_time_step(RecordRequest const& request, double file_time_step_
 void check_stated_peak(double peak_mps2, double stated_mps2, double tolerance_mps2, Location const& where) {
     constexpr double rounding = 1e-9;
     if (!(std::abs(peak_mps2 - std::abs(stated_mps2)) <= tolerance_mps2 + rounding * std::abs(stated_mps2))) {
-        constexpr double gal_mps2 = 0.01;
         throw InputError(where, fmt::format("peak of {:.7g} gal where the header says {:.7g} (the file is damaged or "
                                             "cut short). Fetch it anew",
                                             peak_mps2 / gal_mps2, std::abs(stated_mps2) / gal_mps2));

@@ -20,7 +20,6 @@ constexpr FixedFormat reals_format{5, 15};
 constexpr std::size_t real_count = 50;
 constexpr double no_integer = -32768;
 constexpr double no_real = 1.7e38;
-constexpr double gal_mps2 = 0.01;
 
 // Numbers of header values, counted from 1 as the report does.
 constexpr std::size_t vertical_angle = 13, azimuth = 14, comments = 16, samples = 17, layout = 47;

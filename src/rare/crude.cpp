@@ -16,7 +16,7 @@ struct CrudeRow {
     std::uint64_t failed = 0, undecided = 0;
 };
 
-constexpr double most_undecided = 0.05;  // they could move the estimate by so much
+constexpr double most_undecided_per_failed = 0.05;  // they could move the estimate by so much
 
 Estimate estimate_of(double factor, Count const& count) {
     Estimate estimate;
@@ -31,9 +31,9 @@ Estimate estimate_of(double factor, Count const& count) {
         return estimate;
     }
     double const undecided = static_cast<double>(count.undecided) / static_cast<double>(count.failed);
-    estimate.health.push_back(
-        {"undecided trials per failed one", undecided, most_undecided, undecided <= most_undecided});
-    if (undecided > most_undecided) {
+    estimate.health.push_back({"undecided trials per failed one", undecided, most_undecided_per_failed,
+                               undecided <= most_undecided_per_failed});
+    if (undecided > most_undecided_per_failed) {
         distrust(estimate, State::not_trusted, words_of(estimate.health), count);
         estimate.interval_95 = clopper_pearson(count);  // its lower end rests on no assumption either
         return estimate;

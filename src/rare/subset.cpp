@@ -186,8 +186,9 @@ void check_health(Estimate& estimate, Batches const& batches, Scouted const& sco
     for (auto const& run : batches.runs) {
         undecided += run.undecided();
     }
-    constexpr double most_undecided = 0.001;
-    check("undecided trials", static_cast<double>(undecided) / static_cast<double>(batches.trials), most_undecided);
+    constexpr double most_undecided_share = 0.001;
+    check("undecided trials", static_cast<double>(undecided) / static_cast<double>(batches.trials),
+          most_undecided_share);
 }
 
 // Beyond it the interval spans a decade, and the mean rests on one or two replicates.

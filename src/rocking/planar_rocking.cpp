@@ -13,7 +13,7 @@
 namespace overturn {
 namespace {
 
-struct Call {
+struct Arguments {
     RockingBlock const& block;
     Excitation const& shaking;
     RockingAccuracy const& accuracy;
@@ -80,7 +80,7 @@ RockingOutcome simulate_rocking(RockingBlock const& block, Excitation const& sha
         && stays_at_rest(block, shaking, accuracy, slip, rest)) {
         return rest;
     }
-    Call const call{block, shaking, accuracy, start, observer};
+    Arguments const call{block, shaking, accuracy, start, observer};
     if (accuracy.restoring == Restoring::linear) {
         validate(slip == Slip::ignored,
                  "slip of the linearised block (its contact forces mean nothing). Use restoring = "

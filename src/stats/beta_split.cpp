@@ -3,11 +3,11 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <map>
 
 #include "core/error.hpp"
 #include "stats/detail/probit_regression.hpp"
+#include "stats/extended_real.hpp"
 
 namespace overturn {
 namespace {
@@ -73,7 +73,6 @@ Eigen::VectorXd shifts_of(Eigen::VectorXd const& coefficients) {
 // What chance adds to the sum of squares is in the sample once, and in each replicate once more.
 void add_replicates(BetaSplit& split, ProbitRegression const& fit, WaveMeans const& means, double chance,
                     BootstrapKey const& key) {
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     Eigen::VectorXd const sample_mean = means.sums.rowwise().sum() / means.trials.sum();
     Eigen::VectorXd const shifts = shifts_of(fit.coefficients);
     for (int r = 0; r < key.replicates; ++r) {

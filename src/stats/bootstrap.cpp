@@ -2,20 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
 
 #include "core/error.hpp"
 #include "core/random_stream.hpp"
+#include "stats/extended_real.hpp"
 #include "stats/quantile.hpp"
 
 namespace overturn {
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 Replicate refit(std::span<FragilityPoint const> points, ProbitSolver& solver) {
     switch (state_of(points)) {

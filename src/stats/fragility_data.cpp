@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "core/error.hpp"
+#include "stats/extended_real.hpp"
 
 namespace overturn {
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 void add(FragilityPoint& to, FragilityPoint const& what) {
     double const trials = to.trials + what.trials;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 #include <gsl/gsl_cdf.h>
 
 #include "core/error.hpp"
+#include "stats/extended_real.hpp"
 #include "stats/isotonic.hpp"
 
 namespace overturn {
@@ -103,7 +103,6 @@ FrequencyShares shares_of(HazardCurve const& hazard, LognormalFragility const& f
         points.push_back({a1, hazard.annual_exceedance(a1)});
         return annual_frequency(HazardCurve(std::move(points)), fragility).annual;
     };
-    constexpr double infinite = std::numeric_limits<double>::infinity();
     double const below = within(0, lowest);
     double const between = within(lowest, highest);
     double const above = within(highest, infinite);

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "stats/extended_real.hpp"
 
 namespace overturn {
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 double stretch(double size) {
     double const root = std::sqrt(size);

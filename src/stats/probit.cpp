@@ -161,14 +161,17 @@ double log_likelihood(std::span<FragilityPoint const> points, ProbitLine const& 
 struct ProbitSolver::Workspace {
     Workspace()
         : solver(gsl_multiroot_fdfsolver_alloc(gsl_multiroot_fdfsolver_hybridsj, 2)), start(gsl_vector_alloc(2)) {}
-    ~Workspace() { gsl_multiroot_fdfsolver_free(solver); }
+    ~Workspace() {
+        gsl_vector_free(start);
+        gsl_multiroot_fdfsolver_free(solver);
+    }
     Workspace(Workspace const&) = delete;
     Workspace& operator=(Workspace const&) = delete;
     Workspace(Workspace&&) = delete;
     Workspace& operator=(Workspace&&) = delete;
 
     gsl_multiroot_fdfsolver* solver;
-    Vector start;
+    gsl_vector* start;
 };
 
 ProbitSolver::ProbitSolver() : workspace_(std::make_unique<Workspace>()) {}
@@ -178,13 +181,13 @@ std::optional<ProbitLine> ProbitSolver::fit(std::span<FragilityPoint const> poin
     auto data = scaled(points);
     auto const sum = sum_of(points);
     auto& w = *workspace_;
-    gsl_vector_set(w.start.get(), 0, gsl_cdf_ugaussian_Pinv(sum.overturned / sum.trials));
-    gsl_vector_set(w.start.get(), 1, 1);
+    gsl_vector_set(w.start, 0, gsl_cdf_ugaussian_Pinv(sum.overturned / sum.trials));
+    gsl_vector_set(w.start, 1, 1);
     gsl_multiroot_function_fdf equations{&scores, &curvatures, &both, 2, &data};
     constexpr double residual = 1e-12;  // of the score per trial
     constexpr double enough = 1e-8;     // where rounding allows no more
     constexpr int most_steps = 200;
-    int status = gsl_multiroot_fdfsolver_set(w.solver, &equations, w.start.get());
+    int status = gsl_multiroot_fdfsolver_set(w.solver, &equations, w.start);
     for (int step = 0; step < most_steps && status == GSL_SUCCESS; ++step) {
         if (gsl_multiroot_test_residual(w.solver->f, residual) == GSL_SUCCESS) {
             break;

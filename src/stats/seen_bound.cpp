@@ -13,11 +13,9 @@
 namespace overturn {
 namespace {
 
-constexpr double same = 1e-9;
-
 std::optional<SeenBound> next_stripe(double intensity, FragilityData const& data, double confidence) {
     for (auto const& point : data.points) {
-        if (point.log_intensity < std::log(intensity) - same) {
+        if (point.log_intensity < std::log(intensity) - same_intensity) {
             continue;
         }
         double const at = std::exp(point.log_intensity);
@@ -31,7 +29,7 @@ std::optional<SeenBound> next_trials(double intensity, FragilityData const& data
     constexpr std::size_t shares = 10;
     std::vector<SingleTrial> above;
     std::ranges::copy_if(data.trials, std::back_inserter(above),
-                         [&](SingleTrial const& trial) { return trial.intensity >= intensity * (1 - same); });
+                         [&](SingleTrial const& trial) { return trial.intensity >= intensity * (1 - same_intensity); });
     if (above.empty()) {
         return std::nullopt;
     }

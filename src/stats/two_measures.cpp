@@ -3,18 +3,15 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "stats/detail/probit_regression.hpp"
+#include "stats/extended_real.hpp"
 #include "stats/quantile.hpp"
 
 namespace overturn {
 namespace {
 
 using Eigen::Index;
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 // Both columns less their means, so that Newton's equations are well conditioned.
 struct Centred {

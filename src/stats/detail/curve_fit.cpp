@@ -3,18 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include <gsl/gsl_cdf.h>
 
+#include "stats/extended_real.hpp"
 #include "stats/quantile.hpp"
 
 namespace overturn {
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 using Intervals = FragilityFit::Intervals;
 

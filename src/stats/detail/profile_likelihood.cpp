@@ -1,7 +1,6 @@
 #include "stats/detail/profile_likelihood.hpp"
 
 #include <cmath>
-#include <limits>
 #include <memory>
 
 #include <gsl/gsl_cdf.h>
@@ -9,11 +8,10 @@
 
 #include "core/error.hpp"
 #include "stats/detail/gsl_quiet.hpp"
+#include "stats/extended_real.hpp"
 
 namespace overturn {
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 struct SolverDeleter {
     void operator()(gsl_root_fsolver* solver) const { gsl_root_fsolver_free(solver); }
@@ -26,7 +24,7 @@ template <class Function> double root_between(Function const& function, double l
     gsl_function wrapped{[](double x, void* data) { return (*static_cast<Function const*>(data))(x); },
                          const_cast<Function*>(&function)};
     if (gsl_root_fsolver_set(solver.get(), &wrapped, std::min(low, high), std::max(low, high)) != GSL_SUCCESS) {
-        return std::numeric_limits<double>::quiet_NaN();
+        return unknown;
     }
     constexpr double precise = 1e-11;
     constexpr int most_steps = 200;

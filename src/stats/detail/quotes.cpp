@@ -11,8 +11,6 @@ namespace overturn {
 namespace {
 
 constexpr double decade = 0.1;
-constexpr double same = 1e-9;
-
 void quote_stripe(QuotedProbability& quoted) {
     quoted.source = QuotedProbability::Source::stripe;
     quoted.bounds = quoted.seen;
@@ -37,12 +35,13 @@ Interval interval_of(FragilityPoint const& point, double confidence) {
 QuotedProbability seen_at(Quote const& quote, FragilityFit const& fit, FragilityData const& data, double confidence) {
     QuotedProbability quoted;
     quoted.quote = quote;
-    quoted.outside_data = quote.intensity < fit.lowest * (1 - same) || quote.intensity > fit.highest * (1 + same);
+    quoted.outside_data =
+        quote.intensity < fit.lowest * (1 - same_intensity) || quote.intensity > fit.highest * (1 + same_intensity);
     if (data.kind != FragilityData::Kind::stripes) {
         return quoted;
     }
     for (auto const& point : data.points) {
-        if (std::abs(point.log_intensity - std::log(quote.intensity)) > same) {
+        if (std::abs(point.log_intensity - std::log(quote.intensity)) > same_intensity) {
             continue;
         }
         quoted.trials = point.trials;

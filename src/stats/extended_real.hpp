@@ -1,0 +1,13 @@
+/// The values of an estimate that is no finite number.
+#pragma once
+
+#include <limits>
+
+namespace overturn {
+
+/// An end of an interval that nothing bounds.
+inline constexpr double infinite = std::numeric_limits<double>::infinity();
+/// What the data do not determine; `null` in JSON, NaN in files.
+inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace overturn
