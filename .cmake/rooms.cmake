@@ -36,6 +36,12 @@ endforeach()
 target_precompile_headers(overturn_precompiled_text PRIVATE <nlohmann/json.hpp>)
 target_compile_options(overturn_precompiled_text PRIVATE -O1)
 
+# So many files of a room are compiled at a time where CMAKE_UNITY_BUILD is on: what they keep to themselves must bear
+# names of its own in the room (-DCMAKE_UNITY_BUILD_BATCH_SIZE=0 finds all that do not).
+if(NOT DEFINED CMAKE_UNITY_BUILD_BATCH_SIZE)
+  set(CMAKE_UNITY_BUILD_BATCH_SIZE 6)
+endif()
+
 # overturn_room(name [BASE dir] [TEXT] [APART] ROOMS ... EXTERNAL ...)
 # All files of the folder BASE/name (BASE: default src/) and of its folder `detail`, whose headers are the room's own: no
 # other room may include them. Headers are included as "room/file.hpp". TEXT: the room writes for people and scripts.
@@ -54,7 +60,6 @@ function(overturn_room name)
   endif()
   set(target overturn_${name})
   add_library(${target} STATIC ${sources})
-  set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE 6)
   if(ARG_APART)
     set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
   endif()

@@ -56,8 +56,8 @@ BodyEnergy energy_for(BodySpec const& spec, GroundMotion const& motion) {
             spec.body.limit_velocity_mps()};
 }
 
-void print_json(PlacedRecord const& record, Measures const& m, double damping,
-                std::optional<BodyEnergy> const& energy) {
+void print_record_json(PlacedRecord const& record, Measures const& m, double damping,
+                       std::optional<BodyEnergy> const& energy) {
     nlohmann::ordered_json json{{"record", record_json(record)},
                                 {"pga", m.intensity.pga_mps2},
                                 {"pgv", m.intensity.pgv_mps},
@@ -98,8 +98,8 @@ void print_json(PlacedRecord const& record, Measures const& m, double damping,
     fmt::print("{}\n", json.dump(2));
 }
 
-void print_text(PlacedRecord const& record, Measures const& m, double damping,
-                std::optional<BodyEnergy> const& energy) {
+void print_record_text(PlacedRecord const& record, Measures const& m, double damping,
+                       std::optional<BodyEnergy> const& energy) {
     fmt::print("read as {}\n", record.read_as());
     fmt::print("PGA {:.6g} m/s2 = {:.2f} gal, PGV {:.5g} m/s, PGD {:.5g} m, Arias {:.5g} m/s\n", m.intensity.pga_mps2,
                100 * m.intensity.pga_mps2, m.intensity.pgv_mps, m.intensity.pgd_m, m.intensity.arias_mps);
@@ -146,7 +146,7 @@ int spectrum(SpectrumOptions const& options) {
     if (!options.plot.empty()) {
         draw_record(options.record.wave, record, options.damping, body, options.plot);
     }
-    (options.json ? print_json : print_text)(record, measures, options.damping, energy);
+    (options.json ? print_record_json : print_record_text)(record, measures, options.damping, energy);
     return done;
 }
 

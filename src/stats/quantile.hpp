@@ -25,9 +25,9 @@ struct SampleQuantile {
     std::optional<double> lower, upper;  ///< empty: no value of the sample bounds it from that side
 };
 
-/// \param sorted known values, the last ones perhaps infinite \param unknown further ones that may lie anywhere: they
+/// \param sorted known values, the last ones perhaps infinite \param unplaced further ones that may lie anywhere: they
 /// widen the interval
-[[nodiscard]] SampleQuantile sample_quantile(std::span<double const> sorted, std::int64_t unknown, double q,
+[[nodiscard]] SampleQuantile sample_quantile(std::span<double const> sorted, std::int64_t unplaced, double q,
                                              double confidence);
 
 }  // namespace overturn
