@@ -5,6 +5,7 @@ A cheap campaign with an uncertain body (campaigns/margin.toml) is run with many
 waves; the truth is the fit of the same campaign with very many waves. By hand, since it takes many minutes:
 
     /usr/bin/python3 tests/coverage/coverage.py [--program F] [--seeds 200] [--waves 100] [--truth 20000] [--jobs 2] [--minutes M]
+                                               [--campaign campaigns/natural_variability.toml]
 
 Found (400 seeds of 100 waves, truth from 20000; two standard errors of a share of 95 % are 2.2 %), shares of intervals that
 hold the truth, and of HCLPF's how many lie above it and below it:
@@ -38,23 +39,25 @@ import h5py
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 NAMES = ["median", "beta", "five_percent_point", "hclpf"]
-MEASURES = ["pga", "pgv", "v_wes", "ou_v_e"]  # the rows of /fragility
+MEASURES = ["pga", "pgv", "sa_average", "sa_1", "sa_2", "v_wes", "ou_v_e"]  # those of them that a campaign has
 STANDARD = 1.6448536269514722  # normal quantile of 95 %
 
 
-def fitted(program, folder, seed, waves):
+def fitted(program, campaign, folder, seed, waves):
     """Of each measure, of each number: value, lower and upper end; NaN where it is not told."""
     file = folder / f"{seed}.h5"
-    subprocess.run([program, "run", str(ROOT / "campaigns/margin.toml"), "-o", str(file), "--set", f"seed={seed}", "--set",
+    subprocess.run([program, "run", str(campaign), "-o", str(file), "--set", f"seed={seed}", "--set",
                     f"waves.count={waves}", "--set", "measures.wave_quality=false"],
                    check=True, capture_output=True)
     with h5py.File(file) as results:
         fits = results["fragility/type-b"]
         assert list(results["waves"]["pga"].shape) == [waves]
+        of = {value: name for name, value in h5py.check_enum_dtype(fits["measure"].dtype).items()}
+        rows = {of[value]: row for row, value in enumerate(fits["measure"][()]) if of[value] in MEASURES}
         read = {m: {n: tuple(float(fits[n + end][row]) for end in ("", "_lower", "_upper")) for n in NAMES}
-                for row, m in enumerate(MEASURES)}
+                for m, row in rows.items()}
         # Of a curve that very many waves reject neither point is told: it is still what fewer waves estimate.
-        for row, m in enumerate(MEASURES):
+        for m, row in rows.items():
             median, beta, beta_r, beta_u = (float(fits[n][row]) for n in ("median", "beta", "beta_r", "beta_u"))
             read[m]["points"] = (median * math.exp(-STANDARD * beta), median * math.exp(-STANDARD * (beta_r + beta_u)))
     for path in folder.glob(f"{seed}.*"):
@@ -65,6 +68,7 @@ def fitted(program, folder, seed, waves):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--program", default=str(ROOT / ".build/release/src/overturn"))
+    parser.add_argument("--campaign", type=pathlib.Path, default=ROOT / "campaigns/margin.toml", help="of one body, type-b")
     parser.add_argument("--seeds", type=int, default=200)
     parser.add_argument("--waves", type=int, default=100)
     parser.add_argument("--truth", type=int, default=20000)
@@ -78,15 +82,15 @@ def main():
 
         def run(seed):
             late = time.monotonic() - begin > 60 * options.minutes
-            return None if late else fitted(options.program, folder, seed, options.waves)
+            return None if late else fitted(options.program, options.campaign, folder, seed, options.waves)
 
-        known = pool.submit(fitted, options.program, folder, 1, options.truth)
+        known = pool.submit(fitted, options.program, options.campaign, folder, 1, options.truth)
         runs = [r for r in pool.map(run, range(1001, 1001 + options.seeds)) if r]
         truth = known.result()
     if options.raw:
         options.raw.write_text(json.dumps({"truth": truth, "runs": runs}))
     print(f"{len(runs)} campaigns of {options.waves} waves, truth from {options.truth}")
-    for measure in MEASURES:
+    for measure in truth:
         for number in NAMES:
             points = dict(zip(NAMES[2:], truth[measure]["points"]))
             true = points.get(number, truth[measure][number][0])
