@@ -39,6 +39,8 @@ class Report:
         self.results = Results(path_of(data["file"]), data["bodies"])
         self.stripes = {limit["name"]: [s for s in self.fit["stripes"] if s["limit"] == limit["name"]]
                         for limit in self.fit["limits"]}
+        for fit in self.fit["fragility"]:  # Sa at the campaign's own periods
+            MEASURES.setdefault(fit["measure"], (fit["label"].replace("sa", "Sa", 1), "m/s²"))
         self.fits = self.fits_of(OVERTURNING)
         self.folder = path_of(data["figures"]) or scratch
         self.keep = bool(data["figures"])

@@ -104,6 +104,19 @@ TEST_F(Spectra, TargetsThatVary) {
     EXPECT_NEAR(spread / static_cast<double>(compared), 0.6, 0.18);  // three standard errors of 60 targets
 }
 
+// Curves over Sa, and levels by it, have their place in a report, named by their period.
+TEST_F(Spectra, ReportOfSa) {
+    write_blows();
+    auto const run = overturn(folder, {"run", "c.toml", "-o", "sa.h5", "--set", "levels.measure=\"sa\"", "--set",
+                                       "levels.period=\"2 s\"", "--set", "measures.sa_periods=[\"1 s\"]"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    auto const page = overturn(folder, {"report", "sa.h5", "-o", "sa.html", "--figures", "f"});
+    ASSERT_EQ(page.code, 0) << page.err;
+    EXPECT_NE(read_text(folder / "f/fragility.csv").find("sa_1"), std::string::npos);
+    auto const told = json::parse(overturn(folder, {"fit", "sa.h5", "--json"}).out);
+    EXPECT_EQ(told["fragility"][0]["label"], "sa(2 s)");
+}
+
 // The report shows the same picture of a campaign's waves.
 TEST_F(Spectra, FigureAndReport) {
     write_blows();
