@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <string>
 #include <vector>
 
 #include "generators/detail/axes.hpp"
@@ -69,6 +71,7 @@ struct Request {
     Coarsening coarsening = Coarsening::refused;
     RecordBaseline baseline;
     double scale = 1;
+    double time_scale = 1;
     AxesRequest axes;
 };
 
@@ -92,7 +95,25 @@ Request read_request(config::Table const& table) {
     request.baseline = read_baseline(table);
     request.axes = read_axes(table);
     request.scale = table.number("scale", Dimension::none, {.low = 0, .high = 1000, .low_open = true}, request.scale);
+    request.time_scale =
+        table.number("time_scale", Dimension::none, {.low = 0, .high = 100, .low_open = true}, request.time_scale);
     return request;
+}
+
+// The names of a table's files, as they lie in the folder of all records.
+std::string placed(std::string const& folder, std::string const& name) {
+    return folder.empty() ? name : (std::filesystem::path(folder) / name).string();
+}
+
+std::string read_folder(config::Table const& waves, InputFiles const& files) {
+    auto folder = waves.text("folder", "");
+    if (!folder.empty() && !files.has_folder(folder)) {
+        waves.fail("folder",
+                   fmt::format("'{}' (no such folder; records are not part of the program). Name the one where "
+                               "yours lie: --set waves.folder=FOLDER",
+                               folder));
+    }
+    return folder;
 }
 
 // All components alike: what they are to each other stays.
@@ -133,9 +154,18 @@ void turn_to_axes(config::Table const& table, Record& record, AxesRequest const&
                                 principal ? " to its principal axes" : "");
 }
 
+// Corners of filters and polynomials are of the ground's own time.
+void scale_time(Record& record, double factor) {
+    if (factor != 1) {
+        record.motion.time_step_s *= factor;
+        record.label += fmt::format(", time times {:g}", factor);
+    }
+}
+
 void finish_record(config::Table const& table, Request const& request, Record& record) {
     correct(table, record, request.baseline);
     turn_to_axes(table, record, request.axes);
+    scale_time(record, request.time_scale);
     scale(record, request.scale);
     record.drift = drift_of(record.motion, request.scale);
 }
@@ -162,7 +192,7 @@ Record read_horizontal(config::Table const& table, std::string_view key, std::st
 }
 
 void add_component(config::Table const& table, std::string_view key, Request request, StationFiles& files,
-                   Record& record, std::vector<double> GroundMotion::*place) {
+                   std::string const& folder, Record& record, std::vector<double> GroundMotion::*place) {
     if (!table.has(key)) {
         return;
     }
@@ -171,7 +201,7 @@ void add_component(config::Table const& table, std::string_view key, Request req
     }
     request.record.component.clear();
     request.record.components = ComponentChoice::horizontal;
-    auto component = read_motion(table, key, table.text(key), request, files);
+    auto component = read_motion(table, key, placed(folder, table.text(key)), request, files);
     if (component.motion.time_step_s != record.motion.time_step_s) {
         table.fail(key, fmt::format("time step {} s beside {} s of the horizontal component (they must agree). State "
                                     "the time_step to which both are resampled",
@@ -208,11 +238,11 @@ bool cut_to_shortest(GroundMotion& motion) {
     return cut;
 }
 
-Record read_table(config::Table const& table, StationFiles& files) {
+Record read_table(config::Table const& table, StationFiles& files, std::string const& folder) {
     auto const request = read_request(table);
-    auto record = read_horizontal(table, "horizontal", table.text("horizontal"), request, files);
-    add_component(table, "transverse", request, files, record, &GroundMotion::transverse_mps2);
-    add_component(table, "vertical", request, files, record, &GroundMotion::vertical_mps2);
+    auto record = read_horizontal(table, "horizontal", placed(folder, table.text("horizontal")), request, files);
+    add_component(table, "transverse", request, files, folder, record, &GroundMotion::transverse_mps2);
+    add_component(table, "vertical", request, files, folder, record, &GroundMotion::vertical_mps2);
     if (cut_to_shortest(record.motion)) {
         record.label += fmt::format(" (components cut to {} samples)", record.motion.samples());
     }
@@ -229,15 +259,16 @@ std::unique_ptr<WaveSource> make_records(config::Table const& waves, InputFiles&
     }
     std::vector<Record> records;
     StationFiles station_files(files);
+    auto const folder = read_folder(waves, files);
     if (waves.has("files")) {
         auto const request = read_request(waves);
         for (auto const& name : waves.texts("files")) {
-            records.push_back(read_horizontal(waves, "files", name, request, station_files));
+            records.push_back(read_horizontal(waves, "files", placed(folder, name), request, station_files));
             finish_record(waves, request, records.back());
         }
     } else {
         for (auto const& table : waves.children("records")) {
-            records.push_back(read_table(table, station_files));
+            records.push_back(read_table(table, station_files, folder));
         }
     }
     if (records.empty()) {

@@ -18,7 +18,11 @@ namespace overturn {
 /// - `time_step`: for files that state none; a record with another step is resampled to it by resample(), to a longer
 ///   one only with `resample` = "coarser".
 /// - `baseline`: how its baseline is corrected (read_baseline; default: not at all), before axes and scale.
+/// - `time_scale`: of a model whose time runs so many times the prototype's (s^1/2): the time step times it,
+/// accelerations
+///   as they are, after baseline and axes (default 1).
 /// - `scale`: a factor on all components (default 1).
+/// `folder`, of all of them: where the files lie, relative to the campaign unless absolute (default: beside it).
 /// Components from several files need one time step and are cut to the shortest of them. The wave's label says which
 /// files were used and what was cut, resampled, corrected or scaled. All files are read
 /// at once, here.

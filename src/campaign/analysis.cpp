@@ -183,7 +183,8 @@ class Analyst {
         result.name = name_of(measure, spec_);
         result.label = label_of(measure, spec_);
         result.units = units_of(measure, spec_.levels);
-        result.told = told_unit(result.units, spec_.levels);
+        result.told =
+            options_.velocities && result.units == "m/s" ? *options_.velocities : told_unit(result.units, spec_.levels);
         if (is_grid_) {
             result.fit.state = FragilityState::grid;
             result.fit.passing = spec_.limits[limit].passing();

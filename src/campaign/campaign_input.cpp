@@ -129,7 +129,7 @@ CampaignInput load_campaign(std::filesystem::path const& path, std::span<std::st
              "{}: {} bytes (a results file can carry {}). Move long tables into files that the campaign names",
              path.string(), input.text.size(), longest);
     InputFiles files(path.has_parent_path() ? path.parent_path() : std::filesystem::path("."));
-    (void)parse_campaign(input, files);
+    refuse_drifting_levels(input, parse_campaign(input, files));
     input.files = files.contents();
     return input;
 }

@@ -161,6 +161,11 @@ void check_drift(Table const& levels, LevelSpec const& spec, WaveSource const& s
 
 }  // namespace
 
+void refuse_drifting_levels(CampaignInput const& input, CampaignSpec const& spec) {
+    auto const root = Table::parse(input.text, input.name, input.settings);
+    check_drift(root.child("levels"), spec.levels, *spec.source, spec.source->available() ? spec.wave_count : 0);
+}
+
 bool CampaignSpec::has_target() const {
     return std::ranges::any_of(limits, [](LimitState const& limit) { return limit.target.asks(); });
 }
@@ -194,7 +199,6 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
         root.child("levels").fail("waves", "independent (this source has the same waves for every level). Use shared");
     }
     waves.finish();
-    check_drift(root.child("levels"), spec.levels, *spec.source, available ? spec.wave_count : 0);
     auto const effects = root.child_or_empty("effects");
     spec.effects = read_effects(effects);
     effects.finish();

@@ -56,6 +56,9 @@ struct CampaignSpec {
 
 /// \throws InputError naming file, line and column for anything wrong
 [[nodiscard]] CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files);
+/// Levels by a PGV or PGD that is drift are no levels of a campaign to be run; a file of results that has them from
+/// before that was known is still read. \throws InputError at the key
+void refuse_drifting_levels(CampaignInput const& input, CampaignSpec const& spec);
 /// From the input's own files alone.
 [[nodiscard]] CampaignSpec parse_campaign(CampaignInput const& input);
 

@@ -7,8 +7,11 @@
 
 #include <fmt/format.h>
 
+#include "core/error.hpp"
 #include "core/field.hpp"
+#include "core/units.hpp"
 #include "response/registry.hpp"
+#include "rocking/closed_forms.hpp"
 
 namespace overturn {
 namespace {
@@ -47,6 +50,27 @@ void GridLine::add(TrialRow const& row, LimitOutcomes const& limits) {
 }
 
 double GridMap::value(std::optional<std::size_t> level) const { return level ? levels.at(*level) : never; }
+
+double steady_rotation_ratio(LevelSpec const& levels, double level, double period_s, RigidBody const& body) {
+    double const omega = 2 * pi / period_s;
+    double amplitude = never;
+    if (levels.measure == LevelMeasure::pga) {
+        amplitude = level;
+    } else if (levels.measure == LevelMeasure::pgv) {
+        amplitude = level * omega;
+    } else if (levels.measure == LevelMeasure::pgd) {
+        amplitude = level * omega * omega;
+    }
+    if (std::isnan(amplitude) || amplitude <= body.uplift_acceleration_mps2()) {
+        return never;
+    }
+    try {
+        return steady_harmonic_rotation(
+            {omega / body.p_radps(), amplitude / (g0 * body.alpha_rad()), body.restitution()});
+    } catch (InputError const&) {
+        return never;  // P^2 + 1 < Q^2
+    }
+}
 
 std::string grid_table(GridMap const& map) {
     auto const unit = map.told.symbol.empty() || map.told.symbol == "1" ? map.measure : map.told.symbol;

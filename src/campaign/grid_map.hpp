@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "body/rigid_body.hpp"
+#include "campaign/level_spec.hpp"
 #include "campaign/limit_state.hpp"
 #include "campaign/rows.hpp"
 #include "stats/fragility.hpp"
@@ -42,6 +44,12 @@ struct GridMap {
     /// The value of a level; NaN: none.
     [[nodiscard]] double value(std::optional<std::size_t> level) const;
 };
+
+/// The steady rotation over alpha of a body under a sinusoid whose level is this, by the paper's Eq. 1 (Spanos & Koh
+/// 1984, linearised; at its central restitution). NaN where the level is no amplitude of a sinusoid (pga, pgv and pgd
+/// are), does not lift the body off, or has no such steady state.
+[[nodiscard]] double steady_rotation_ratio(LevelSpec const& levels, double level, double period_s,
+                                           RigidBody const& body);
 
 /// The table for the terminal: least level that lifts the body off, overturns it and passes its other limits.
 [[nodiscard]] std::string grid_table(GridMap const& map);

@@ -41,14 +41,14 @@ LognormalFragility curve_of(Replicate const& refit, double beside) {
     return {std::exp(refit.log_median), std::hypot(refit.beta, beside)};
 }
 
+Interval hull(Interval const& a, Interval const& b) { return {std::min(a.lower, b.lower), std::max(a.upper, b.upper)}; }
+
 // Refits without a curve bound nothing: neither how often it is passed nor how seldom.
-Interval interval_of_mean(FragilityFit const& fit, HazardCurve const& hazard, double confidence) {
-    // What was drawn is in the refits; what was stated stands beside.
-    double const beside = std::sqrt(std::max(0.0, fit.beta_u * fit.beta_u - fit.beta_u_drawn * fit.beta_u_drawn));
+Interval interval_of(std::span<Replicate const> refits, double beside, HazardCurve const& hazard, double confidence) {
     std::vector<double> frequencies;
     double const all = hazard.points().front().annual_exceedance;
     std::size_t open = 0;
-    for (auto const& refit : fit.refits) {
+    for (auto const& refit : refits) {
         if (std::isnan(refit.log_median) || std::isnan(refit.beta)) {
             ++open;
         } else {
@@ -62,10 +62,23 @@ Interval interval_of_mean(FragilityFit const& fit, HazardCurve const& hazard, do
     return {middle_of(low, confidence, {0, all}).lower, middle_of(high, confidence, {0, all}).upper};
 }
 
-BodyFrequency frequency_of(FragilityFit const& fit, std::span<FragilityPoint const> stripes, HazardCurve const& hazard,
+// Whatever trials without a verdict would have done.
+Interval interval_of_mean(FragilityFit const& fit, HazardCurve const& hazard, double confidence) {
+    // What was drawn is in the refits; what was stated stands beside.
+    double const beside = std::sqrt(std::max(0.0, fit.beta_u * fit.beta_u - fit.beta_u_drawn * fit.beta_u_drawn));
+    auto ends = interval_of(fit.refits, beside, hazard, confidence);
+    for (auto const& refits : fit.extreme_refits) {
+        ends = hull(ends, refits.empty() ? Interval{0, hazard.points().front().annual_exceedance}
+                                         : interval_of(refits, beside, hazard, confidence));
+    }
+    return ends;
+}
+
+BodyFrequency frequency_of(FragilityFit const& fit, FragilityData const& stripes, HazardCurve const& hazard,
                            double confidence) {
     BodyFrequency made;
-    made.seen = annual_frequency_seen(hazard, stripes);
+    made.seen = hull(annual_frequency_seen(hazard, with_undecided(stripes, false)),
+                     annual_frequency_seen(hazard, with_undecided(stripes, true)));
     if (!fit.identifiable()) {
         return made;
     }
@@ -116,7 +129,7 @@ std::vector<BodyFrequency> frequencies_of(CampaignSpec const& spec, Statistics c
     for (std::size_t b = 0; b < analysis.size(); ++b) {
         for (std::size_t limit = 0; limit < spec.limits.size(); ++limit) {
             auto const& fits = limit == 0 ? analysis[b].fragility : analysis[b].limits[limit - 1].fragility;
-            auto const stripes = FragilityData::of_stripes(statistics.bodies()[b].stripes_of(limit)).points;
+            auto const stripes = FragilityData::of_stripes(statistics.bodies()[b].stripes_of(limit));
             all.push_back(frequency_of(fits.front().fit, stripes, hazard, confidence));
             all.back().body = analysis[b].body;
             all.back().limit = spec.limits[limit].name;

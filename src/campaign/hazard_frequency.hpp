@@ -21,13 +21,14 @@ struct BodyFrequency {
     std::string body, limit;
     /// By the curve over the levels with beta_R and beta_U together, if there is a curve: their mean.
     std::optional<AnnualFrequency> mean;
-    Interval interval;  ///< of that mean, from refits to resampled waves or trials
+    Interval
+        interval;  ///< of that mean, from refits to resampled waves or trials, with undecided trials as either extreme
     /// Where beta_U is known: the frequency by the curves at 5, 50 and 95 % confidence, median exp(-+1.645 beta_U).
     struct Fractiles {
         double low = 0, median = 0, high = 0;
     };
     std::optional<Fractiles> fractiles;
-    Interval seen;                          ///< from the stripes alone (annual_frequency_seen)
+    Interval seen;                          ///< from the stripes alone (annual_frequency_seen), likewise
     std::optional<FrequencyShares> shares;  ///< of the mean: below, between and above the levels that were tried
 };
 

@@ -20,7 +20,9 @@ FigureBody figure_body(std::string const& name, RigidBody const& body, GroundMot
             window_energy(motion.horizontal_mps2, motion.time_step_s, band, options).v_wes_mps};
 }
 
-// The target stands in the campaign's own text; sources without one state none.
+}  // namespace
+
+// The target stands in the campaign's own text.
 std::optional<TargetSpectrum> target_of(CampaignInput const& input) {
     auto const waves = config::Table::parse(input.text, input.name, input.settings).child("waves");
     if (waves.text("source") != "spectrum-compatible" || !waves.has("target")) {
@@ -29,8 +31,6 @@ std::optional<TargetSpectrum> target_of(CampaignInput const& input) {
     InputFiles files(input.files);
     return read_target(waves.child("target"), files);
 }
-
-}  // namespace
 
 report::WaveFigure campaign_wave_figure(CampaignInput const& input, CampaignSpec const& spec,
                                         GeneratedWave const& made) {
@@ -54,17 +54,20 @@ report::WaveFigure campaign_wave_figure(CampaignInput const& input, CampaignSpec
 }
 
 void draw_campaign_wave(CampaignInput const& input, CampaignSpec const& spec, GeneratedWave const& made,
-                        std::string const& output) {
-    report::draw_wave(campaign_wave_figure(input, spec, made), output);
+                        VelocityUnit const& unit, std::string const& output) {
+    auto figure = campaign_wave_figure(input, spec, made);
+    figure.velocities = {unit.symbol, unit.si()};
+    report::draw_wave(figure, output);
 }
 
 void draw_record(std::string const& name, PlacedRecord const& record, double damping,
-                 std::optional<BodySpec> const& body, std::string const& output) {
+                 std::optional<BodySpec> const& body, VelocityUnit const& unit, std::string const& output) {
     report::WaveFigure figure;
     figure.title = std::filesystem::path(name).filename().string();
     figure.subtitle = record.says;
     figure.motion = record.motion;
     figure.damping = damping;
+    figure.velocities = {unit.symbol, unit.si()};
     if (body) {
         figure.bodies = {figure_body(body->name, body->body, record.motion, {})};
     }

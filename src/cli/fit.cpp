@@ -18,6 +18,7 @@
 #include "cli/rare_json.hpp"
 #include "cli/stripe_csv.hpp"
 #include "cli/together_json.hpp"
+#include "cli/velocity_unit.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
 #include "core/input_files.hpp"
@@ -34,6 +35,7 @@ struct FitOptions {
     double beta_u = 0;
     std::optional<double> confidence;  ///< none: the campaign's, or 0.95
     double design_basis = 0;
+    VelocityUnit unit;
     std::string hazard;
     std::string measures;
     Unverified unverified;
@@ -81,7 +83,8 @@ int fit_file(FitOptions const& options) {
     auto const spec = parse_campaign(input_of(file));
     auto const statistics = recount(file, spec);
     double const confidence = options.confidence.value_or(spec.confidence);
-    auto const analysis = analyse(spec, statistics, {.confidence = confidence, .beta_u = options.beta_u});
+    auto const analysis = analyse(
+        spec, statistics, {.confidence = confidence, .beta_u = options.beta_u, .velocities = options.unit.measures()});
     auto const rare = read_rare_estimates(file, spec);
     auto const telling = telling_trials(spec, file);
     std::optional<HazardCurve> hazard;
@@ -193,6 +196,7 @@ void add_fit(CommandLine& line) {
     verb.takes("--hazard", options->hazard,
                "annual frequency by this hazard curve: '<measure> [unit], annual_exceedance' (csv)");
     verb.takes("--measures", options->measures, "also fit a curve over two measures: pga,v_wes");
+    options->unit.offered_by(verb);
     options->unverified.offered_by(verb);
     verb.does([options] {
         check(*options);

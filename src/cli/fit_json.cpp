@@ -121,8 +121,8 @@ Json quantiles_json(std::string const& body, LevelQuantiles const& at) {
 namespace {
 
 // One frequency of a grid: amplitudes in SI, null where none that was tried did it.
-Json grid_json(std::string const& body, GridMap const& map, GridLine const& line) {
-    Json json{{"body", body},
+Json grid_json(BodySpec const& body, LevelSpec const& levels, GridMap const& map, GridLine const& line) {
+    Json json{{"body", body.name},
               {"wave", line.wave},
               {"period_s", line.period_s},
               {"frequency_hz", 1 / line.period_s},
@@ -131,7 +131,11 @@ Json grid_json(std::string const& body, GridMap const& map, GridLine const& line
               {"standing", number(map.value(line.standing))},
               {"undecided", line.undecided},
               {"limits", Json::object()},
-              {"ends", Json::array()}};
+              {"ends", Json::array()},
+              {"steady_rotation_ratio", Json::array()}};
+    for (double const level : map.levels) {
+        json["steady_rotation_ratio"].push_back(number(steady_rotation_ratio(levels, level, line.period_s, body.body)));
+    }
     for (std::size_t limit = 1; limit < map.limits.size(); ++limit) {
         json["limits"][map.limits[limit]] = number(map.value(line.least.at(limit)));
     }
@@ -208,9 +212,10 @@ Json fit_json(CampaignSpec const& spec, Statistics const& statistics, std::vecto
               {"criterion", Json::array()},
               {"response", Json::array()},
               {"verdict", Json::array()}};
-    for (auto const& body : analysis) {
+    for (std::size_t b = 0; b < analysis.size(); ++b) {
+        auto const& body = analysis[b];
         for (std::size_t line = 0; body.grid && line < body.grid->lines.size(); ++line) {
-            json["grid"].push_back(grid_json(body.body, *body.grid, body.grid->lines[line]));
+            json["grid"].push_back(grid_json(spec.bodies[b], spec.levels, *body.grid, body.grid->lines[line]));
         }
         for (auto const& at : body.quantiles) {
             json["quantiles"].push_back(quantiles_json(body.body, at));

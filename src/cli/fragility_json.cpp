@@ -167,8 +167,11 @@ void add_curve(Json& json, FragilityFit const& fit) {
 
 Json fragility_json(std::string const& body, MeasuredFragility const& measured, double confidence, WarningUnits units) {
     auto const& fit = measured.fit;
-    Json json{
-        {"body", body}, {"limit", measured.limit}, {"measure", measured.name}, {"identifiable", fit.identifiable()}};
+    Json json{{"body", body},
+              {"limit", measured.limit},
+              {"measure", measured.name},
+              {"label", measured.label},
+              {"identifiable", fit.identifiable()}};
     add_curve(json, fit);
     json["units"] = measured.units;
     json["confidence"] = confidence;

@@ -44,6 +44,7 @@ int start(int argc, char** argv) {
     cli::add_rock(line);
     cli::add_spectrum(line);
     cli::add_wave(line);
+    cli::add_spectra(line);
     cli::add_list(line);
     return line.run(argc, argv);
 }

@@ -10,6 +10,7 @@
 #include "cli/history.hpp"
 #include "cli/other_bits.hpp"
 #include "cli/trial_history.hpp"
+#include "cli/velocity_unit.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
 #include "core/note.hpp"
@@ -25,6 +26,7 @@ struct ReplayOptions {
     std::string history, plot;
     std::string rare;
     std::string limit = overturning_limit;
+    VelocityUnit unit;
     Unverified unverified;
 };
 
@@ -40,6 +42,7 @@ int tell_difference(ReplayOptions const& options, store::ResultsReader const& fi
 }
 
 int replay(ReplayOptions const& options) {
+    (void)options.unit.si();
     if (!options.plot.empty()) {
         report::check_figure_name(options.plot);
         validate(options.rare.empty(), "--plot beside --rare (only rows of /trials are drawn). Leave one of them out");
@@ -75,7 +78,7 @@ int replay(ReplayOptions const& options) {
         MeasureSpec const* const measures = spec.measures.energy ? &spec.measures : nullptr;
         draw_history(kept,
                      {title, spec.bodies[place], prepared.bodies[place].body, prepared.motion, row.scale, measures},
-                     options.plot);
+                     options.unit, options.plot);
         if (measures == nullptr) {
             note("{}: without V_WES (the campaign states [measures] energy = false)\n", options.plot);
         }
@@ -106,6 +109,7 @@ void add_replay(CommandLine& line) {
     verb.takes("--limit", options->limit, "beside --rare: the limit state; default: overturning");
     verb.takes("--history", options->history, "write the trial's history to this csv file");
     verb.takes("--plot", options->plot, "draw wave, rotation, energy and contact over time, .svg, .png or .pdf");
+    options->unit.offered_by(verb);
     options->unverified.offered_by(verb);
     verb.does([options] { return replay(*options); });
 }

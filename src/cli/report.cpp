@@ -22,6 +22,8 @@
 #include "cli/json_values.hpp"
 #include "cli/rare_json.hpp"
 #include "cli/shown_trials.hpp"
+#include "cli/spectra_of_waves.hpp"
+#include "cli/velocity_unit.hpp"
 #include "cli/verbs.hpp"
 #include "core/note.hpp"
 #include "report/cost_page.hpp"
@@ -37,6 +39,7 @@ namespace fs = std::filesystem;
 struct ReportOptions {
     std::string file, page, figures;
     double beta_u = 0;
+    VelocityUnit unit;
     std::optional<double> confidence;  ///< none: the campaign's
     Unverified unverified;
 };
@@ -142,6 +145,20 @@ Json waves_of(CampaignInput const& input, CampaignSpec const& spec, Plan const& 
     return figures;
 }
 
+// Enough of them for their 16 % and 84 % to be seen, few enough not to be waited for.
+Json spectra_of(CampaignInput const& input, CampaignSpec const& spec) {
+    constexpr std::int64_t most = 50;
+    constexpr double paper_damping = 0.1;
+    if (spec.wave_count < 2) {
+        return nullptr;
+    }
+    try {
+        return spectra_json(spec, spectra_of_waves(input, spec, most, paper_damping));
+    } catch (InputError const&) {
+        return nullptr;  // none of them can be made: failed rows
+    }
+}
+
 Json cost_lines(Json const& runtime, fs::path const& path) {
     auto lines = Json::array();
     auto const& legs = runtime.at("legs");
@@ -196,6 +213,7 @@ int write_report(ReportOptions const& options) {
         store::require_writable(fs::path(options.figures) / "fragility.svg");
     }
     check_fit_options(options.beta_u, options.confidence);
+    (void)options.unit.si();
     store::ResultsReader const file(options.file, options.unverified.trust());
     auto const input = input_of(file);
     auto const spec = parse_campaign(input);
@@ -209,9 +227,11 @@ int write_report(ReportOptions const& options) {
         data["bodies"].push_back(body.name);
     }
     double const confidence = options.confidence.value_or(spec.confidence);
-    auto const analysis =
-        analyse(spec, statistics, {.confidence = confidence, .beta_u = options.beta_u, .band_points = 61});
+    auto const analysis = analyse(
+        spec, statistics,
+        {.confidence = confidence, .beta_u = options.beta_u, .band_points = 61, .velocities = options.unit.measures()});
     data["parts"] = parts_of(spec);
+    data["velocity_unit"] = options.unit.json();
     data["fit"] = fit_json(spec, statistics, analysis, confidence, WarningUnits::as_written);
     auto const telling = telling_trials(spec, file);
     data["fit"]["telling_trials"] = telling_json(spec, telling);
@@ -228,6 +248,7 @@ int write_report(ReportOptions const& options) {
         data["facts"].push_back({"beta_U as stated", fmt::format("{:g}", options.beta_u)});
     }
     data["waves"] = waves_of(input, spec, plan, file);
+    data["spectra"] = spectra_of(input, spec);
     data["wave_notes"] = Json::array();
     if (auto const said = statistics.waves().text(spec.source->acceptance()); !said.empty()) {
         data["wave_notes"].push_back(said);
@@ -258,6 +279,7 @@ void add_report(CommandLine& line) {
     verb.needs("-o,--output", options->page, "the page, .html");
     verb.takes("--figures", options->figures, "write the figures as svg and png and the tables as csv there too",
                "DIR");
+    options->unit.offered_by(verb);
     verb.takes("--beta-u", options->beta_u, "lognormal standard deviation of what is not known of the body");
     verb.takes("--confidence", options->confidence, "of the intervals; default: the campaign's");
     options->unverified.offered_by(verb);

@@ -13,6 +13,7 @@
 #include "cli/history.hpp"
 #include "cli/scene_files.hpp"
 #include "cli/trial_history.hpp"
+#include "cli/velocity_unit.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
 #include "motion/drift.hpp"
@@ -27,6 +28,7 @@ struct RockOptions {
     RecordOptions record;
     std::string body, effects = "auto", history, plot;
     double scale = 1;
+    VelocityUnit unit;
     bool json = false;
 };
 
@@ -129,6 +131,7 @@ void print_text(BodySpec const& spec, PlacedRecord const& record, Drift const& d
 
 int rock(RockOptions const& options) {
     validate(std::isfinite(options.scale), "--scale {} (must be finite). Give a factor such as 1.5", options.scale);
+    (void)options.unit.si();
     if (!options.plot.empty()) {
         report::check_figure_name(options.plot);
     }
@@ -155,7 +158,7 @@ int rock(RockOptions const& options) {
             "{} under {}{}: {}", spec.name, std::filesystem::path(options.record.wave).filename().string(),
             options.scale == 1 ? "" : fmt::format(" times {:g}", options.scale), entry_of(response.verdict).name);
         MeasureSpec const usual;
-        draw_history(kept, {title, spec, spec.body, motion, options.scale, &usual}, options.plot);
+        draw_history(kept, {title, spec, spec.body, motion, options.scale, &usual}, options.unit, options.plot);
     }
     (options.json ? print_json : print_text)(spec, record, drift_of(motion), response, ladder, own);
     if (response.verdict == Verdict::failed) {
@@ -176,6 +179,7 @@ void add_rock(CommandLine& line) {
     verb.takes("--effects", options->effects, "auto, none, or a list such as vertical");
     verb.takes("--history", options->history, "write the history to this csv file");
     verb.takes("--plot", options->plot, "draw wave, rotation, energy and contact over time, .svg, .png or .pdf");
+    options->unit.offered_by(verb);
     verb.takes("--json", options->json, "as JSON");
     verb.does([options] { return rock(*options); });
 }

@@ -6,6 +6,7 @@
 #include "campaign/warnings.hpp"
 #include "cli/figures.hpp"
 #include "cli/scene_files.hpp"
+#include "cli/velocity_unit.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
 #include "motion/drift.hpp"
@@ -22,6 +23,7 @@ struct SpectrumOptions {
     RecordOptions record;
     std::string body, plot;
     double damping = 0.05;
+    VelocityUnit unit;
     bool json = false;
 };
 
@@ -99,27 +101,31 @@ void print_record_json(PlacedRecord const& record, Measures const& m, double dam
 }
 
 void print_record_text(PlacedRecord const& record, Measures const& m, double damping,
-                       std::optional<BodyEnergy> const& energy) {
+                       std::optional<BodyEnergy> const& energy, VelocityUnit const& unit) {
+    auto const& symbol = unit.symbol;
     fmt::print("read as {}\n", record.read_as());
-    fmt::print("PGA {:.6g} m/s2 = {:.2f} gal, PGV {:.5g} m/s, PGD {:.5g} m, Arias {:.5g} m/s\n", m.intensity.pga_mps2,
-               100 * m.intensity.pga_mps2, m.intensity.pgv_mps, m.intensity.pgd_m, m.intensity.arias_mps);
+    fmt::print("PGA {:.6g} m/s2 = {:.2f} gal, PGV {:.5g} {}, PGD {:.5g} m, Arias {:.5g} m/s\n", m.intensity.pga_mps2,
+               100 * m.intensity.pga_mps2, unit.of(m.intensity.pgv_mps), symbol, m.intensity.pgd_m,
+               m.intensity.arias_mps);
     fmt::print("{}{}\n", m.drift.text(),
                m.drift.excessive() ? ": its baseline drifts, correct it with --baseline" : "");
     if (energy) {
         auto const verdict = [&](double v) { return v < energy->v_ereq_mps ? "does not overturn" : "may overturn"; };
-        fmt::print("T0 {:.4f} s, T1 {:.4f} s, V_Ereq {:.4f} m/s\n", energy->band.t0_s, energy->band.t1_s,
-                   energy->v_ereq_mps);
-        fmt::print("ouV_E {:.4f} m/s: {}\n", energy->restarted.ou_v_e_mps, verdict(energy->restarted.ou_v_e_mps));
-        fmt::print("V_WES {:.4f} m/s at {:.2f} s: {} (running window: {:.4f} m/s)\n", energy->restarted.v_wes_max_mps,
-                   energy->restarted.v_wes_time_s, verdict(energy->restarted.v_wes_max_mps),
-                   energy->running.v_wes_max_mps);
+        fmt::print("T0 {:.4f} s, T1 {:.4f} s, V_Ereq {:.4f} {}\n", energy->band.t0_s, energy->band.t1_s,
+                   unit.of(energy->v_ereq_mps), symbol);
+        fmt::print("ouV_E {:.4f} {}: {}\n", unit.of(energy->restarted.ou_v_e_mps), symbol,
+                   verdict(energy->restarted.ou_v_e_mps));
+        fmt::print("V_WES {:.4f} {} at {:.2f} s: {} (running window: {:.4f} {})\n",
+                   unit.of(energy->restarted.v_wes_max_mps), symbol, energy->restarted.v_wes_time_s,
+                   verdict(energy->restarted.v_wes_max_mps), unit.of(energy->running.v_wes_max_mps), symbol);
     }
-    fmt::print("\n{:>9} {:>12} {:>12} {:>12} {:>12} {:>12}\n", "period s", "Sa m/s2", "pSv m/s", "Sd m", "V_E m/s",
-               "V_E0 m/s");
+    fmt::print("\n{:>9} {:>12} {:>12} {:>12} {:>12} {:>12}\n", "period s", "Sa m/s2", "pSv " + symbol, "Sd m",
+               "V_E " + symbol, "V_E0 " + symbol);
     constexpr std::size_t every = 5;
     for (std::size_t i = 0; i < m.response.period_s.size(); i += every) {
         fmt::print("{:>9.4f} {:>12.5g} {:>12.5g} {:>12.5g} {:>12.5g} {:>12.5g}\n", m.response.period_s[i],
-                   m.response.sa_mps2[i], m.response.psv_mps[i], m.response.sd_m[i], m.v_e_mps[i], m.v_e0_mps[i]);
+                   m.response.sa_mps2[i], unit.of(m.response.psv_mps[i]), m.response.sd_m[i], unit.of(m.v_e_mps[i]),
+                   unit.of(m.v_e0_mps[i]));
     }
     fmt::print("damping {:g}; all {} periods with --json\n", damping, m.response.period_s.size());
 }
@@ -128,6 +134,7 @@ int spectrum(SpectrumOptions const& options) {
     validate(options.damping >= 0 && options.damping < 1,
              "--damping {} (a ratio, 0 to below 1: {} would be {:g} %). Write 0.05 for 5 %", options.damping,
              options.damping, 100 * options.damping);
+    (void)options.unit.si();
     if (!options.plot.empty()) {
         report::check_figure_name(options.plot);
     }
@@ -144,9 +151,13 @@ int spectrum(SpectrumOptions const& options) {
         energy = energy_for(*body, motion);
     }
     if (!options.plot.empty()) {
-        draw_record(options.record.wave, record, options.damping, body, options.plot);
+        draw_record(options.record.wave, record, options.damping, body, options.unit, options.plot);
     }
-    (options.json ? print_record_json : print_record_text)(record, measures, options.damping, energy);
+    if (options.json) {
+        print_record_json(record, measures, options.damping, energy);
+    } else {
+        print_record_text(record, measures, options.damping, energy, options.unit);
+    }
     return done;
 }
 
@@ -160,6 +171,7 @@ void add_spectrum(CommandLine& line) {
     verb.takes("--body", options->body, "body file (TOML): adds its energy measures");
     verb.takes("--damping", options->damping, "damping ratio");
     verb.takes("--plot", options->plot, "draw it: out.svg, .png or .pdf");
+    options->unit.offered_by(verb);
     verb.takes("--json", options->json, "as JSON");
     verb.does([options] { return spectrum(*options); });
 }

@@ -161,9 +161,12 @@ Json history_data(KeptHistory const& history, HistoryOf const& of, std::size_t m
     return data;
 }
 
-void draw_history(KeptHistory const& history, HistoryOf const& of, std::string const& output) {
+void draw_history(KeptHistory const& history, HistoryOf const& of, VelocityUnit const& unit,
+                  std::string const& output) {
     validate(!history.empty(), "{}: nothing to draw (no model ran {}). Choose another trial", output, of.title);
-    report::draw_figure("history_figure.py", history_data(history, of, for_a_file), output);
+    auto data = history_data(history, of, for_a_file);
+    data["velocity_unit"] = unit.json();
+    report::draw_figure("history_figure.py", data, output);
 }
 
 }  // namespace overturn::cli

@@ -11,6 +11,7 @@
 
 #include "campaign/body_spec.hpp"
 #include "campaign/campaign_spec.hpp"
+#include "cli/velocity_unit.hpp"
 #include "model/history.hpp"
 #include "motion/ground_motion.hpp"
 
@@ -56,6 +57,6 @@ inline constexpr std::size_t for_a_file = 6000;
 [[nodiscard]] nlohmann::ordered_json history_data(KeptHistory const& history, HistoryOf const& of, std::size_t most);
 
 /// Draws it. \throws InputError where the history is empty; else as report::draw_figure
-void draw_history(KeptHistory const& history, HistoryOf const& of, std::string const& output);
+void draw_history(KeptHistory const& history, HistoryOf const& of, VelocityUnit const& unit, std::string const& output);
 
 }  // namespace overturn::cli

@@ -28,6 +28,7 @@ void add_cost(CommandLine& line);
 void add_rock(CommandLine& line);
 void add_spectrum(CommandLine& line);
 void add_wave(CommandLine& line);
+void add_spectra(CommandLine& line);
 void add_list(CommandLine& line);
 
 }  // namespace overturn::cli

@@ -9,6 +9,7 @@
 #include "campaign/plan.hpp"
 #include "campaign/warnings.hpp"
 #include "cli/figures.hpp"
+#include "cli/velocity_unit.hpp"
 #include "cli/verbs.hpp"
 #include "cli/wave_report.hpp"
 #include "core/note.hpp"
@@ -23,6 +24,7 @@ struct WaveOptions {
     std::string campaign, output, plot;
     std::vector<std::string> settings;
     std::int64_t wave = 0;
+    VelocityUnit unit;
     bool json = false;
 };
 
@@ -78,6 +80,7 @@ int show_wave(WaveOptions const& options) {
     if (!options.output.empty()) {
         (void)kind_of(options.output);
     }
+    (void)options.unit.si();
     if (!options.plot.empty()) {
         report::check_figure_name(options.plot);
     }
@@ -100,7 +103,7 @@ int show_wave(WaveOptions const& options) {
         write_output(options, spec.seed, made);
     }
     if (!options.plot.empty()) {
-        draw_campaign_wave(input, spec, made, options.plot);
+        draw_campaign_wave(input, spec, made, options.unit, options.plot);
         note("{}: {}\n", options.plot, made.label);
     }
     note("{}", wave_report(spec, made, check));
@@ -119,6 +122,7 @@ void add_wave(CommandLine& line) {
     verb.needs("--wave", options->wave, "number of the wave, from 0");
     verb.takes("-o,--output", options->output, "out.csv, or out.at2 (one file per component); default: csv here");
     verb.takes("--plot", options->plot, "draw it: out.svg, .png or .pdf");
+    options->unit.offered_by(verb);
     verb.takes("--json", options->json, "how right the wave is, clause by clause, on standard output");
     verb.takes("--set", options->settings, "override a key: seed=2");
     verb.does([options] { return show_wave(*options); });

@@ -26,6 +26,11 @@ std::string const& InputFiles::read(std::string const& name) {
     return contents_.emplace(name, std::move(bytes)).first->second;
 }
 
+bool InputFiles::has_folder(std::string const& name) const {
+    std::error_code error;
+    return from_memory_ || std::filesystem::is_directory(folder_ / name, error);
+}
+
 std::vector<std::string> InputFiles::beside(std::string const& name) const {
     auto const folder = std::filesystem::path(name).parent_path();
     std::vector<std::string> names;

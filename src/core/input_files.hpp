@@ -22,6 +22,9 @@ class InputFiles {
     /// \throws InputError if there is no such file or it cannot be read.
     [[nodiscard]] std::string const& read(std::string const& name);
 
+    /// Is there such a folder? From memory every folder is.
+    [[nodiscard]] bool has_folder(std::string const& name) const;
+
     /// All files in the folder of `name`, as the campaign would call them, in the order of their names; from memory,
     /// the stored ones of that folder.
     [[nodiscard]] std::vector<std::string> beside(std::string const& name) const;

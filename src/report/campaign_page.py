@@ -13,6 +13,8 @@ import fragility_figures
 import history_figure
 import limit_sections
 import rare_figures
+import spectra_figure
+import style
 import trial_figures
 import wave_figure
 from fragility_figures import MEASURES
@@ -37,6 +39,8 @@ class Report:
         self.results = Results(path_of(data["file"]), data["bodies"])
         self.stripes = {limit["name"]: [s for s in self.fit["stripes"] if s["limit"] == limit["name"]]
                         for limit in self.fit["limits"]}
+        for fit in self.fit["fragility"]:  # Sa at the campaign's own periods
+            MEASURES.setdefault(fit["measure"], (fit["label"].replace("sa", "Sa", 1), "m/s²"))
         self.fits = self.fits_of(OVERTURNING)
         self.folder = path_of(data["figures"]) or scratch
         self.keep = bool(data["figures"])
@@ -96,12 +100,12 @@ class Report:
     def bodies(self):
         rows = []
         for body in self.results.bodies:
-            n = body.numbers
+            n = {**body.numbers, "v_ereq": style.speed(body.numbers["v_ereq"])}
             rows.append([body.name] + [value_of(n[key]) for key in
                         ("mass", "half_width", "centre_height", "radius", "p", "restitution", "housner_restitution",
                          "t0", "t1", "v_ereq")] + [value_of(n["alpha"] * 57.29577951308232)])
         head = ["body", "m [kg]", "b [m]", "h [m]", "R [m]", "p [rad/s]", "e", "e Housner", "T0 [s]", "T1 [s]",
-                "V_Ereq [m/s]", "α [°]"]
+                f"V_Ereq [{style.speed_unit()}]", "α [°]"]
         drawn = [self.figure("bodies" + part, lambda path, shown=shown: body_figure.draw(shown, self.data["parts"], path),
                              "bodies to one scale")
                  for part, shown in in_pages(self.results.bodies, body_figure.MOST_ON_A_PAGE)]
@@ -114,6 +118,9 @@ class Report:
         for count, wave in enumerate(self.data["waves"]):
             name = f"wave-{count}"
             parts.append(self.figure(name, lambda path, wave=wave: wave_figure.draw(wave, path), wave["title"]))
+        spectra = self.data["spectra"]
+        if spectra:
+            parts.append(self.figure("spectra", lambda path: spectra_figure.draw(spectra, path), "spectra of many waves"))
         quality = self.figure("wave-quality", lambda path: trial_figures.wave_quality(self.results, path),
                               "how well the waves meet their target")
         notes = list(self.data["wave_notes"])
@@ -265,7 +272,7 @@ class Report:
 
 if __name__ == "__main__":
     with open(sys.argv[1], encoding="utf-8") as source:
-        report = Report(json.load(source), os.path.dirname(sys.argv[1]))
+        report = Report(style.told(json.load(source)), os.path.dirname(sys.argv[1]))
     if report.keep:
         os.makedirs(report.folder, exist_ok=True)
     text = report.page()

@@ -202,6 +202,8 @@ def criterion(results, body, path):
     lost = body.ended("moved") & ~body.ended("decided")  # neither stood nor fell
     moved = body.ended("moved") & body.ended("decided")
     limit = body.trials("v_ereq")
+    absolute = style.speed_unit() != "m/s"  # as the paper draws it; else in units of V_Ereq
+    unit = style.speed(body.numbers["v_ereq"]) if absolute else 1
     ratio, response = body.trials("v_wes") / limit, body.trials("v_resp") / limit
     slipped = body.trials("peak_slip") > 0
     fell = body.ended("fell")
@@ -211,13 +213,14 @@ def criterion(results, body, path):
         at = np.flatnonzero(which)
         at = at[sample(len(at))] if len(at) else at
         if len(at):
-            left.plot(ratio[at], response[at], marker, ms=2.4, mew=0.6, color=colour, alpha=0.5, label=label,
+            left.plot(unit * ratio[at], unit * response[at], marker, ms=2.4, mew=0.6, color=colour, alpha=0.5, label=label,
                       rasterized=len(at) > 1000)
     whole = body.trials("ou_v_e") / limit
     top, whole_top = (max(1.2, float(np.nanmax(x[moved])) if moved.any() else 1.2) for x in (ratio, whole))
-    left.plot([0, 1], [0, 1], color=INK, lw=0.9, label="1 : 1")
-    left.axvline(1, color=GREY, lw=0.8, ls="--", label="criterion: V_WES = V_Ereq")
-    left.set(xlim=(0, 1.03 * top), ylim=(-0.02, 1.08), xlabel="V_WES / V_Ereq", ylabel="V_resp / V_Ereq",
+    left.plot([0, unit], [0, unit], color=INK, lw=0.9, label="1 : 1")
+    left.axvline(unit, color=GREY, lw=0.8, ls="--", label="criterion: V_WES = V_Ereq")
+    of = f"[{style.speed_unit()}]" if absolute else "/ V_Ereq"
+    left.set(xlim=(0, 1.03 * top * unit), ylim=(-0.02 * unit, 1.08 * unit), xlabel=f"V_WES {of}", ylabel=f"V_resp {of}",
              title="response against energy offered")
     said(axes["window"], "V_WES", ratio, moved & ~fell, fell, top)
     said(axes["whole"], "ouV_E", whole, moved & ~fell, fell, whole_top)

@@ -83,6 +83,42 @@ def draw(results, bodies, lines, path):
     style.save(figure, path)
 
 
+def steady(results, bodies, lines, path):
+    """Peak rotations of what stood over frequency, a colour a level, and the steady ones of the paper's Eq. 1; False where
+    no level has one."""
+    mine = {body.name: distinct([line for line in lines if line["body"] == body.name]) for body in bodies}
+    if not any(value is not None for of_body in mine.values() for line in of_body for value in line["steady_rotation_ratio"]):
+        return False
+    style.use()
+    figure, panels = plt.subplots(len(bodies), 1, figsize=(5.0, 0.1 + 2.4 * len(bodies)), squeeze=False, layout="constrained")
+    handles = {"peak of a trial that stood": Line2D([], [], color=INK, marker="o", ms=3.4, ls=""),
+               "steady state by Eq. 1": Line2D([], [], color=INK)}
+    for axes, body in zip(panels[:, 0], bodies):
+        levels, unit = results.in_units(body.stripes["amplitude"])
+        frequency = np.array([line["frequency_hz"] for line in mine[body.name]])
+        which = {int(wave): place for place, wave in enumerate(line["wave"] for line in mine[body.name])}
+        peaks = np.full((len(frequency), len(levels)), np.nan)
+        stood = body.ended("moved") & body.ended("decided") & ~body.ended("fell")
+        for wave, level, peak, counts in zip(body.trials("wave"), body.trials("level"), body.trials("peak_rotation_ratio"), stood):
+            if counts and int(wave) in which:
+                peaks[which[int(wave)], int(level)] = peak
+        shown = np.unique(np.linspace(0, len(levels) - 1, min(len(levels), len(style.SERIES))).round().astype(int))
+        for colour, level in zip(style.SERIES, shown):
+            closed = [line["steady_rotation_ratio"][level] for line in mine[body.name]]
+            axes.plot(frequency, np.array(closed, dtype=float), color=colour, lw=1.1)
+            axes.plot(frequency, peaks[:, level], "o", ms=3.4, color=colour)
+            name = f"{plain(float(levels[level]), 4)} {unit}".strip()
+            handles[name] = Line2D([], [], color=colour, lw=2)
+        axes.set_xscale("log")
+        axes.xaxis.set_major_locator(FixedLocator(frequency[::max(1, -(-len(frequency) // 9))]))
+        axes.xaxis.set_minor_locator(NullLocator())
+        axes.xaxis.set_major_formatter(FuncFormatter(lambda f, _: f"{f:.3g}"))
+        axes.set(title=style.literal(body.name), xlabel="frequency [Hz]", ylabel="rotation / α", ylim=(0, None))
+    style.legend_below(figure, list(handles.values()), list(handles))
+    style.save(figure, path)
+    return True
+
+
 def reached(report, value, line):
     """The least level; the highest that was tried where none did it."""
     tried = report.results.bodies[0].stripes["amplitude"]
@@ -132,5 +168,8 @@ def section(report):
         paragraphs([why[0].upper() + why[1:] + ", no probability and no quantile."]),
         *(report.figure("grid" + part, lambda path, shown=shown: draw(report.results, shown, lines, path),
                         "outcomes over frequency and level")
+          for part, shown in in_pages(report.results.bodies, MOST_ON_A_PAGE)),
+        *(report.figure("steady" + part, lambda path, shown=shown: steady(report.results, shown, lines, path),
+                        "rotation over frequency beside Eq. 1")
           for part, shown in in_pages(report.results.bodies, MOST_ON_A_PAGE)),
         table(head, rows, "Stood up to: the highest level at which it stood; it may lie above the least that overturned it."))

@@ -6,7 +6,7 @@ import sys
 import textwrap
 
 import style
-from style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, SKY, VERMILION, plain
+from style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, SKY, VERMILION, plain, speed
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -40,19 +40,20 @@ def draw_tilt(axes, time, tilt):
 
 def draw_energy(axes, time, data):
     """What the wave offered within its window against what the body held: the paper's figure 11."""
-    limit, answer = data["v_ereq_mps"], data["channels"]["v_resp_mps"]
+    limit, answer = speed(data["v_ereq_mps"]), speed(np.asarray(data["channels"]["v_resp_mps"], dtype=float))
+    unit = style.speed_unit()
     tops = [np.max(answer)]
     if "v_wes" in data:
-        offered = data["v_wes"]
-        tops.append(np.max(offered["values"]))
-        axes.plot(offered["time_s"], offered["values"], color=INK, lw=1.0,
-                  label=f"$V_{{WES}}$, at most {plain(tops[1])} m/s")
-    axes.plot(time, answer, color=GREEN, lw=0.8, label=f"$V_{{resp}}$, at most {plain(tops[0])} m/s")
+        offered = speed(np.asarray(data["v_wes"]["values"], dtype=float))
+        tops.append(np.max(offered))
+        axes.plot(data["v_wes"]["time_s"], offered, color=INK, lw=1.0,
+                  label=f"$V_{{WES}}$, at most {plain(tops[1])} {unit}")
+    axes.plot(time, answer, color=GREEN, lw=0.8, label=f"$V_{{resp}}$, at most {plain(tops[0])} {unit}")
     if max(tops) > 0.3 * limit:
-        axes.axhline(limit, color=VERMILION, lw=0.7, ls="--", label=f"$V_{{Ereq}}$ {plain(limit)} m/s")
+        axes.axhline(limit, color=VERMILION, lw=0.7, ls="--", label=f"$V_{{Ereq}}$ {plain(limit)} {unit}")
         tops.append(limit)
     axes.set_ylim(0, 1.1 * max(*tops, 1e-9))
-    axes.set_ylabel("velocity\n[m/s]")
+    axes.set_ylabel(f"velocity\n[{unit}]")
     axes.legend(loc="lower right", ncols=3, bbox_to_anchor=(1, 0.98))
 
 
@@ -126,4 +127,4 @@ def draw(data, path):
 
 if __name__ == "__main__":
     with open(sys.argv[1], encoding="utf-8") as file:
-        draw(json.load(file), sys.argv[2])
+        draw(style.told(json.load(file)), sys.argv[2])

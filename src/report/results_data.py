@@ -69,7 +69,7 @@ class Results:
 
     def in_units(self, amplitude):
         """Amplitudes as people in the field read them, and the unit's name."""
-        if self.measure in ("pga", "vector-pga"):
+        if self.measure in ("pga", "vector-pga", "sa", "sa-average"):
             return np.asarray(amplitude) * 100, "gal"
         if self.measure == "pgv":
             return np.asarray(amplitude) * 100, "kine"

@@ -54,6 +54,24 @@ def use():
     })
 
 
+SPEED = {"symbol": "m/s", "si": 1.0}  # in which velocities are shown
+
+
+def told(data):
+    """Takes from a figure's data in which unit it shows velocities; returns the data."""
+    SPEED.update(data.get("velocity_unit", {}))
+    return data
+
+
+def speed(mps):
+    """A velocity, or an array of them, in the unit it is shown in."""
+    return mps / SPEED["si"]
+
+
+def speed_unit():
+    return SPEED["symbol"]
+
+
 def name(figure, text):
     """Heads a figure with a user's own words, on one line."""
     figure.suptitle(literal(textwrap.shorten(text, 70)), x=0.012, ha="left", fontsize=9.5, fontweight="bold")

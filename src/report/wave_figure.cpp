@@ -81,6 +81,7 @@ Json wave_data(WaveFigure const& figure) {
     double const energy_damping = energy_target ? figure.target->damping() : default_energy_damping;
     Json data{{"title", figure.title},
               {"subtitle", figure.subtitle},
+              {"velocity_unit", {{"symbol", figure.velocities.symbol}, {"si", figure.velocities.si}}},
               {"pga_mps2", intensity.pga_mps2},
               {"pgv_mps", intensity.pgv_mps},
               {"pgd_m", intensity.pgd_m},

@@ -42,6 +42,10 @@ struct WaveFigure {
     std::optional<TargetSpectrum> target;
     std::vector<AcceptanceBand> bands;
     std::vector<FigureBody> bodies;
+    struct Unit {
+        std::string symbol = "m/s";
+        double si = 1;  ///< SI value of one of it
+    } velocities;       ///< what velocities are drawn in
 };
 
 /// What the script draws from, for pages that hold the figure among others.

@@ -5,7 +5,7 @@ import sys
 import textwrap
 
 import style
-from style import BLUE, BODIES, GREEN, GREY, INK, ORANGE, SKY, number
+from style import BLUE, BODIES, GREEN, GREY, INK, ORANGE, SKY, number, speed
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -45,16 +45,16 @@ def draw_history(axes, time, values, name, unit, peak):
 def draw_window_energy(axes, time, bodies, pga_mps2):
     """V_WES(t) of each body against the velocity that overturns it."""
     for body, (colour, line) in zip(bodies, (BODIES * len(bodies))):
-        v = np.array(body["v_wes_mps"])
-        peak, limit = v.max(), body["v_ereq_mps"]
+        v = speed(np.array(body["v_wes_mps"]))
+        peak, limit, unit = v.max(), speed(body["v_ereq_mps"]), style.speed_unit()
         gal = 100 * pga_mps2
         reach = f"reached at {number(limit / peak)} times this wave, PGA {gal * limit / peak:.0f} gal" if peak > 0 else ""
         axes.plot((time[1] - time[0]) * np.arange(len(v)) if len(time) > 1 else [time[0]] * len(v), v, color=colour, ls=line, lw=1.2,
-                  label=f"{body['name']}: at most {number(peak)} m/s; level line: $V_{{Ereq}}$ {number(limit)} m/s, {reach}")
+                  label=f"{body['name']}: at most {number(peak)} {unit}; level line: $V_{{Ereq}}$ {number(limit)} {unit}, {reach}")
         axes.axhline(limit, color=colour, ls=line, lw=0.8, alpha=0.75)
-    top = max([max(np.max(b["v_wes_mps"]), b["v_ereq_mps"]) for b in bodies])
+    top = speed(max([max(np.max(b["v_wes_mps"]), b["v_ereq_mps"]) for b in bodies]))
     axes.set_ylim(0, top * (1.2 + 0.12 * len(bodies)))
-    axes.set_ylabel("$V_{WES}$\nm/s")
+    axes.set_ylabel(f"$V_{{WES}}$\n{style.speed_unit()}")
     axes.legend(loc="upper left")
 
 
@@ -94,21 +94,21 @@ def draw_response(axes, data):
 
 def draw_energy(axes, data, bodies):
     periods = np.array(data["period_s"])
-    highest = max(max(data["v_e0_mps"]), 1e-12)
+    highest = speed(max(max(data["v_e0_mps"]), 1e-12))
     top = highest * (1.05 + 0.09 * len(bodies))
     for row, (body, (colour, _)) in enumerate(zip(bodies, BODIES * len(bodies))):
         y = highest * (1.06 + 0.09 * row)
         axes.plot([body["t0_s"], body["t1_s"]], [y, y], color=colour, lw=2.2, solid_capstyle="butt")
         axes.annotate(f"$T_0$ to $T_1$, {body['name']}", (body["t1_s"], y), xytext=(0, 2), textcoords="offset points",
                       ha="right", va="bottom", color=colour, fontsize=7)
-    axes.plot(periods, data["v_e0_mps"], color=GREY, lw=0.6, label="Fourier amplitude = $V_{E0}$")
-    axes.plot(periods, data["v_e_mps"], color=BLUE, lw=1.4, label=f"$V_E$, {100 * data['energy_damping']:g} % damping")
+    axes.plot(periods, speed(np.array(data["v_e0_mps"])), color=GREY, lw=0.6, label="Fourier amplitude = $V_{E0}$")
+    axes.plot(periods, speed(np.array(data["v_e_mps"])), color=BLUE, lw=1.4, label=f"$V_E$, {100 * data['energy_damping']:g} % damping")
     target = data.get("energy_target")
     if target:
-        axes.plot(target["period_s"], target["v_e_mps"], color=INK, lw=1.0, ls="--", label=f"target {target['name']}")
-        top = max(top, 1.05 * max(target["v_e_mps"]))
+        axes.plot(target["period_s"], speed(np.array(target["v_e_mps"])), color=INK, lw=1.0, ls="--", label=f"target {target['name']}")
+        top = max(top, speed(1.05 * max(target["v_e_mps"])))
     axes.set_ylim(0, top)
-    axes.set_ylabel("equivalent velocity, m/s")
+    axes.set_ylabel(f"equivalent velocity, {style.speed_unit()}")
     axes.set_title("Fourier and input energy spectra", pad=28 if target else 17)
     period_axis(axes, periods)
     axes.legend(loc="lower left", bbox_to_anchor=(-0.02, 0.995), ncol=2, columnspacing=1.0, handlelength=1.6)
@@ -135,8 +135,8 @@ def draw(data, path):
         values = np.array(component["acceleration_mps2"])
         draw_history(axes[component["name"]], time, values, component["name"], "m/s²",
                      f"{number(np.max(np.abs(values)))} m/s²")
-    draw_history(axes["velocity"], time, np.array(data["velocity_mps"]), "velocity", "m/s",
-                 f"PGV {number(data['pgv_mps'])} m/s")
+    draw_history(axes["velocity"], time, speed(np.array(data["velocity_mps"])), "velocity", style.speed_unit(),
+                 f"PGV {number(speed(data['pgv_mps']))} {style.speed_unit()}")
     draw_history(axes["displacement"], time, np.array(data["displacement_m"]), "displacement", "m",
                  f"PGD {number(data['pgd_m'])} m")
     if bodies:
@@ -153,4 +153,4 @@ def draw(data, path):
 
 if __name__ == "__main__":
     with open(sys.argv[1], encoding="utf-8") as file:
-        draw(json.load(file), sys.argv[2])
+        draw(style.told(json.load(file)), sys.argv[2])

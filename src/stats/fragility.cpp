@@ -80,6 +80,7 @@ void fit_line(FragilityFit& fit, FragilityData const& data, FragilityRequest con
             return;
         }
         ends = extremes.ends;
+        fit.extreme_refits = extremes.refits;
     }
     fit.line = curve.line;
     fit.profile = curve.profile;
@@ -212,6 +213,20 @@ std::optional<double> FragilityFit::one_percent_point() const {
 std::optional<double> FragilityFit::median_at(double confidence) const {
     return beta_u_known ? std::optional(std::exp(line->log_median() - beta_u * gsl_cdf_ugaussian_Pinv(confidence)))
                         : std::nullopt;
+}
+
+std::vector<FragilityPoint> with_undecided(FragilityData const& data, bool fallen) {
+    auto points = data.points;
+    for (auto const& open : data.open_points) {
+        auto at = std::ranges::find(points, open.log_intensity, &FragilityPoint::log_intensity);
+        if (at == points.end()) {
+            at = points.insert(at, {open.log_intensity, 0, 0, 0});
+        }
+        at->trials += open.undecided;
+        at->overturned += fallen ? open.undecided : 0;
+    }
+    std::ranges::sort(points, {}, &FragilityPoint::log_intensity);
+    return points;
 }
 
 FragilityFit fit_fragility(FragilityData const& data, FragilityRequest const& request) {

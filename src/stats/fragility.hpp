@@ -119,6 +119,9 @@ struct BandPoint {
     Interval bounds;
 };
 
+/// The decided points with the undecided trials counted as fallen, or as standing.
+[[nodiscard]] std::vector<FragilityPoint> with_undecided(FragilityData const& data, bool fallen);
+
 /// The exact bound that is left where nothing, or everything, overturned.
 struct TailBound {
     double from = 0, to = 0;  ///< intensities it was seen at
@@ -146,6 +149,8 @@ struct FragilityFit {
     Method method = Method::profile_likelihood;
     std::size_t replicates = 0, replicates_without_curve = 0;
     std::vector<Replicate> refits;  ///< of the bootstrap, for what is computed from the curve
+    /// Of undecided trials all standing and all fallen, an empty list where that holds no curve; none without any.
+    std::vector<std::vector<Replicate>> extreme_refits;
 
     std::optional<GoodnessOfFit> goodness;
     MonotoneTest monotone;

@@ -2,7 +2,9 @@
 // hazard curve that states its measure and unit; what rests on no data is said.
 #include "campaign/hazard_frequency.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -43,7 +45,9 @@ TEST(HazardTable, WhatCannotBeMeantIsRefused) {
 // Trials whose proportions are those of a lognormal curve, so that curve, stripes and the closed form agree.
 class Frequency : public ::testing::Test {
   protected:
-    Frequency()
+    Frequency() : Frequency(std::nullopt) {}
+    /// \param above what became of every 40th wave at the highest levels; nothing: what the curve says
+    explicit Frequency(std::optional<Verdict> above)
         : spec(testing::campaign_from(testing::quick_waves + testing::type_b
                                       + "[levels]\nmeasure='pga'\nvalues={from=2, to=18, count=17}\n")),
           statistics(spec) {
@@ -63,6 +67,9 @@ class Frequency : public ::testing::Test {
                 trial.amplitude = spec.levels.levels[level].value;
                 trial.scale = trial.amplitude;
                 trial.verdict = truth.probability(trial.amplitude) > share ? Verdict::overturned : Verdict::rocked;
+                if (above && trial.amplitude > 11 && w % 40 == 7) {
+                    trial.verdict = *above;
+                }
                 trial.v_ereq_mps = 1;
                 statistics.add(trial);
             }
@@ -101,6 +108,33 @@ TEST_F(Frequency, IsThatOfTheCurveAndWithinTheStripes) {
     EXPECT_NEAR(with.fractiles->median / mean, 1, 1e-9);
     EXPECT_NEAR(with.fractiles->high / with.fractiles->median, std::exp(3 * 1.6448536 * 0.3), 0.02);
     EXPECT_NEAR(with.fractiles->median / with.fractiles->low, std::exp(3 * 1.6448536 * 0.3), 0.02);
+}
+
+// Trials without a verdict: the frequency holds whatever they would have done.
+class OfUndecided : public Frequency {
+  public:
+    explicit OfUndecided(Verdict above) : Frequency(above) {}
+    void TestBody() override {}
+    [[nodiscard]] BodyFrequency of(HazardCurve const& hazard) const {
+        auto const analysis = analyse(spec, statistics, {.confidence = 0.95, .beta_u = 0, .replicates = 200});
+        return frequencies_of(spec, statistics, analysis, hazard, 0.95).front();
+    }
+};
+
+TEST(FrequencyOfUndecided, HoldsBothExtremes) {
+    HazardCurve const hazard({{0.5, 1e-2}, {50, 1e-8}});
+    auto const open = OfUndecided(Verdict::contact_lost).of(hazard);
+    auto const standing = OfUndecided(Verdict::rocked).of(hazard);
+    auto const fallen = OfUndecided(Verdict::overturned).of(hazard);
+    ASSERT_TRUE(open.mean && standing.mean && fallen.mean);
+    constexpr double rounding = 1e-9;
+    for (auto const* extreme : {&standing, &fallen}) {
+        EXPECT_LE(open.interval.lower, extreme->interval.lower * (1 + rounding));
+        EXPECT_GE(open.interval.upper, extreme->interval.upper * (1 - rounding));
+    }
+    EXPECT_NEAR(open.seen.lower, std::min(standing.seen.lower, fallen.seen.lower), rounding * open.seen.lower);
+    EXPECT_NEAR(open.seen.upper, std::max(standing.seen.upper, fallen.seen.upper), rounding * open.seen.upper);
+    EXPECT_LT(standing.seen.lower, fallen.seen.lower);
 }
 
 TEST_F(Frequency, WhatRestsOnNoDataIsSaid) {

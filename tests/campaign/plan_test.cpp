@@ -160,7 +160,12 @@ TEST(Plan, BlockSizeFollowsTheWavesOnly) {
 /// Levels by a PGD that is the baseline's and not the ground's are refused, where they are stated.
 TEST(Plan, RefusesLevelsByAPgdThatIsDrift) {
     auto const by_pgd = [](std::string const& waves) {
-        return campaign_from(waves + testing::type_b + "[levels]\nmeasure='pgd'\nvalues=['18 mm']\n");
+        std::string const levels = "[levels]\nmeasure='pgd'\nvalues=['18 mm']\n";
+        auto const input = testing::input_from(waves + testing::type_b + levels);
+        auto spec = parse_campaign(input);  // as of a file from before: read all the same
+        EXPECT_EQ(spec.levels.levels.size(), 1U);
+        refuse_drifting_levels(input, spec);
+        return spec;
     };
     testing::expect_input_error([&] { (void)by_pgd(testing::quick_waves); },
                                 "c.toml:", "measure: pgd of waves that drift",

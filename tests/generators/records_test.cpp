@@ -60,6 +60,34 @@ TEST(Records, ScaleIsForAllComponents) {
     EXPECT_EQ(list->make(1, 1).label, "b.csv, times 2");
 }
 
+// Requirement: a record is brought to a model's time: accelerations stay, velocities go with the root of length.
+TEST(Records, TimeOfAModel) {
+    auto const scaled =
+        source_of("source='records'\nfiles=['a.csv','slow.csv']\nunit='gal'\ntime_scale=0.632\n", files);
+    auto const made = scaled->make(1, 0);
+    auto const plain = source_of("source='records'\nfiles=['a.csv','slow.csv']\nunit='gal'\n", files);
+    EXPECT_EQ(made.motion.horizontal_mps2, plain->make(1, 0).motion.horizontal_mps2);
+    EXPECT_DOUBLE_EQ(made.motion.time_step_s, 0.632 * plain->make(1, 0).motion.time_step_s);
+    EXPECT_EQ(made.label, "a.csv, time times 0.632");
+    EXPECT_NEAR(scaled->drift(1)->end_velocity_mps, 0.632 * plain->drift(1)->end_velocity_mps, 1e-15);
+    EXPECT_NE(plain->drift(1)->end_velocity_mps, 0);
+    expect_input_error([] { (void)source_of("source='records'\nfiles=['a.csv']\nunit='gal'\ntime_scale=0\n", files); },
+                       "time_scale");
+}
+
+// Requirement: records lie in a folder of the user's, for all lists and components alike.
+TEST(Records, FolderOfTheUsers) {
+    std::map<std::string, std::string> const there{{"mine/a.csv", files.at("a.csv")},
+                                                   {"mine/b.csv", files.at("b.csv")}};
+    auto const list = source_of("source='records'\nfolder='mine'\nfiles=['a.csv']\nunit='gal'\n", there);
+    EXPECT_EQ(list->make(1, 0).motion.samples(), 4U);
+    auto const tables = source_of(
+        "source='records'\nfolder='mine'\n[[records]]\nhorizontal='a.csv'\nvertical='b.csv'\nunit='gal'\n", there);
+    EXPECT_EQ(tables->make(1, 0).motion.vertical_mps2.size(), 3U);
+    expect_input_error([&] { (void)source_of("source='records'\nfiles=['a.csv']\nunit='gal'\n", there); },
+                       "file 'a.csv'");
+}
+
 // Requirement: two horizontal components may be turned to their principal axes, and the row says by how much.
 TEST(Records, AxesMayBeTurned) {
     // Of strength 3 along 30 deg and 1 across, in time with nothing: x = 3 c p - s q, y = 3 s p + c q.

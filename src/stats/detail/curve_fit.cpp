@@ -77,21 +77,6 @@ void widen(Intervals& to, Intervals const& by) {
 // An extreme that holds no curve leaves every end open.
 constexpr Intervals all_open{{0, infinite}, {0, infinite}, {0, infinite}, std::nullopt};
 
-// The decided points with the undecided trials counted as fallen, or as standing.
-std::vector<FragilityPoint> with_open(FragilityData const& data, bool fallen) {
-    auto points = data.points;
-    for (auto const& open : data.open_points) {
-        auto at = std::ranges::find(points, open.log_intensity, &FragilityPoint::log_intensity);
-        if (at == points.end()) {
-            at = points.insert(at, {open.log_intensity, 0, 0, 0});
-        }
-        at->trials += open.undecided;
-        at->overturned += fallen ? open.undecided : 0;
-    }
-    std::ranges::sort(points, {}, &FragilityPoint::log_intensity);
-    return points;
-}
-
 std::vector<SingleTrial> with_open_trials(FragilityData const& data, bool fallen) {
     auto trials = data.trials;
     for (auto trial : data.open) {
@@ -104,7 +89,7 @@ std::vector<SingleTrial> with_open_trials(FragilityData const& data, bool fallen
 // Undecided trials as `overturned` of all, per stripe or tenth of the trials.
 std::vector<FragilityPoint> undecided_shares(FragilityData const& data) {
     constexpr std::size_t groups = 10;
-    auto points = with_open(data, false);
+    auto points = with_undecided(data, false);
     for (auto& point : points) {
         point.overturned = 0;
     }
@@ -150,14 +135,15 @@ CurveAttempt fit_curve(std::span<FragilityPoint const> points, std::span<SingleT
 
 UndecidedExtremes weigh_undecided(FragilityData const& data, CurveFit const& decided, FragilityRequest const& request,
                                   FragilityFit::Method method) {
-    UndecidedExtremes extremes{false, decided.ends(method)};
+    UndecidedExtremes extremes{false, decided.ends(method), {}};
     double highest = decided.line.log_median();
     for (bool const fallen : {false, true}) {
-        auto const points = with_open(data, fallen);
+        auto const points = with_undecided(data, fallen);
         auto const attempt = state_of(points) == FragilityState::fitted
                                  ? fit_curve(points, with_open_trials(data, fallen), request)
                                  : CurveAttempt{};
         widen(extremes.ends, attempt.curve ? attempt.curve->ends(method) : all_open);
+        extremes.refits.push_back(attempt.curve ? attempt.curve->refits.replicates() : std::vector<Replicate>{});
         double const median = attempt.curve ? attempt.curve->line.log_median() : infinite;
         highest = std::max(highest, median);
     }

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "stats/detail/profile_likelihood.hpp"
 #include "stats/fragility.hpp"
@@ -35,6 +36,7 @@ struct UndecidedExtremes {
     /// The median cannot be told: more than 5 % of a stripe (or tenth of the trials) at or below it has no verdict.
     bool hide_median = false;
     FragilityFit::Intervals ends;  ///< the hull of those of `decided`, of all undecided standing and of all fallen
+    std::vector<std::vector<Replicate>> refits;  ///< of the bootstrap of either extreme; none where it holds no curve
 };
 [[nodiscard]] UndecidedExtremes weigh_undecided(FragilityData const& data, CurveFit const& decided,
                                                 FragilityRequest const& request, FragilityFit::Method method);

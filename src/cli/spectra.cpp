@@ -1,0 +1,95 @@
+#include <cmath>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "campaign/warnings.hpp"
+#include "cli/spectra_of_waves.hpp"
+#include "cli/velocity_unit.hpp"
+#include "cli/verbs.hpp"
+#include "core/error.hpp"
+#include "core/note.hpp"
+#include "report/figure.hpp"
+
+namespace overturn::cli {
+namespace {
+
+struct SpectraOptions {
+    std::string campaign, plot;
+    std::vector<std::string> settings;
+    VelocityUnit unit;
+    std::int64_t waves = 100;
+    double damping = 0.1;
+    bool json = false;
+};
+
+void print_spectra(CampaignSpec const& spec, SpectraOfWaves const& spectra, VelocityUnit const& unit) {
+    fmt::print("{} waves{}, unscaled; they differ by {}\n", spectra.waves.size(),
+               spectra.left_out > 0 ? fmt::format(" ({} more cannot be made)", spectra.left_out) : "",
+               spec.source->variability());
+    auto const heads = [](std::string const& what) { return fmt::format(" {:>10} {:>10} {:>10}", what, "", ""); };
+    auto const three = [] { return fmt::format(" {:>10} {:>10} {:>10}", "16 %", "50 %", "84 %"); };
+    auto const cell = [](double value) { return std::isnan(value) ? std::string("-") : fmt::format("{:.4g}", value); };
+    auto const cells = [&](SpectrumBand const& band, std::size_t i, double si) {
+        return fmt::format(" {:>10} {:>10} {:>10}", cell(band.p16[i] / si), cell(band.p50[i] / si),
+                           cell(band.p84[i] / si));
+    };
+    fmt::print("{:>9}{}{}{}\n", "", heads("pSa m/s2"), spectra.targets ? heads("targets") : "",
+               heads("V_E " + unit.symbol));
+    fmt::print("{:>9}{}{}{}\n", "period s", three(), spectra.targets ? three() : "", three());
+    constexpr std::size_t every = 5;
+    for (std::size_t i = 0; i < spectra.period_s.size(); i += every) {
+        fmt::print("{:>9.4f}{}{}{}\n", spectra.period_s[i], cells(spectra.psa_mps2, i, 1),
+                   spectra.targets ? cells(*spectra.targets, i, 1) : "", cells(spectra.v_e_mps, i, unit.si()));
+    }
+    fmt::print("damping {:g} of pSa{}, {:g} of V_E; every wave at all {} periods with --json\n", spectra.damping,
+               spectra.targets ? " and of targets" : "", spectra.energy_damping, spectra.period_s.size());
+}
+
+int show_spectra(SpectraOptions const& options) {
+    validate(options.damping >= 0 && options.damping < 1,
+             "--damping {} (a ratio, 0 to below 1: {} would be {:g} %). Write 0.1 for 10 %", options.damping,
+             options.damping, 100 * options.damping);
+    validate(options.waves >= 1, "--waves {} (at least one). Leave it out for the first 100", options.waves);
+    (void)options.unit.si();
+    if (!options.plot.empty()) {
+        report::check_figure_name(options.plot);
+    }
+    auto const input = load_campaign(options.campaign, options.settings);
+    auto const spec = parse_campaign(input);
+    for (auto const& line : warnings_of(spec)) {
+        note("warning: {}\n", line);
+    }
+    auto const spectra = spectra_of_waves(input, spec, options.waves, options.damping);
+    auto json = spectra_json(spec, spectra);
+    if (!options.plot.empty()) {
+        auto data = json;
+        data["velocity_unit"] = options.unit.json();
+        report::draw_figure("spectra_figure.py", data, options.plot);
+        note("{}: {} waves\n", options.plot, spectra.waves.size());
+    }
+    if (options.json) {
+        fmt::print("{}\n", json.dump(2));
+    } else {
+        print_spectra(spec, spectra, options.unit);
+    }
+    return done;
+}
+
+}  // namespace
+
+void add_spectra(CommandLine& line) {
+    auto verb = line.verb("spectra", "response and energy spectra of a campaign's waves, beside their targets");
+    auto options = std::make_shared<SpectraOptions>();
+    verb.needs("campaign", options->campaign, "campaign file (TOML)");
+    verb.takes("--waves", options->waves, "so many, from the first");
+    verb.takes("--damping", options->damping, "damping ratio of V_E");
+    options->unit.offered_by(verb);
+    verb.takes("--plot", options->plot, "draw them: out.svg, .png or .pdf");
+    verb.takes("--json", options->json, "as JSON");
+    verb.takes("--set", options->settings, "override a key: seed=2");
+    verb.does([options] { return show_spectra(*options); });
+}
+
+}  // namespace overturn::cli

@@ -1,0 +1,42 @@
+/// In which unit figures and tables show velocities; JSON and csv stay SI.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/command_line.hpp"
+#include "core/error.hpp"
+#include "core/units.hpp"
+#include "stats/fragility.hpp"
+
+namespace overturn::cli {
+
+/// "m/s", or what the user asked for: kine.
+struct VelocityUnit {
+    static constexpr char const* usual = "m/s";
+    std::string symbol = usual;
+
+    void offered_by(Verb& verb) {
+        verb.takes("--velocities", symbol, "unit of velocities in figures and tables: kine, m/s");
+    }
+    /// SI value of one of it. \throws InputError if it is no unit of velocity
+    [[nodiscard]] double si() const {
+        try {
+            return unit_factor(symbol, Dimension::velocity);
+        } catch (InputError const& error) {
+            throw InputError(std::string("--velocities: ") + error.what());
+        }
+    }
+    /// Of measures in a table; nothing where the user did not say.
+    [[nodiscard]] std::optional<IntensityUnit> measures() const {
+        auto const one = si();
+        return symbol == usual ? std::optional<IntensityUnit>() : IntensityUnit{symbol, one};
+    }
+    [[nodiscard]] double of(double mps) const { return mps / si(); }
+    /// What the scripts of figures read as `velocity_unit`.
+    [[nodiscard]] nlohmann::ordered_json json() const { return {{"symbol", symbol}, {"si", si()}}; }
+};
+
+}  // namespace overturn::cli

@@ -1,0 +1,54 @@
+#!/bin/bash
+# Requirement: every table and figure of the paper is laid beside ours by one command, from the program alone: what does
+# not hang on how many waves are run (the law of similarity, Eq. 1) comes out here too.
+# paper_test.sh PROGRAM SOURCE_TREE; exit 77: skipped
+set -euo pipefail
+program=$1 source=$2
+/usr/bin/python3 -c 'import matplotlib, h5py' 2> /dev/null || { echo "skipped: python3-matplotlib or python3-h5py is missing"; exit 77; }
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+records=${OVERTURN_RECORDS:-$source/../shared/records}
+[ -d "$records" ] || records=
+export OVERTURN=$program OVERTURN_RANKS=1
+
+bash "$source/campaigns/paper.sh" --quick --out "$scratch/paper" ${records:+--records "$records"} | tail -1
+/usr/bin/python3 -B - "$scratch/paper" "$records" << 'END'
+import json, pathlib, sys
+
+folder, records = pathlib.Path(sys.argv[1]), sys.argv[2]
+items = json.loads((folder / "paper.json").read_text())
+told = {item["paper"]: item for item in items}
+wanted = ["Table 1", "Table 2", "Table 3", "Eq. 1", "Eq. 6", "Outcomes", "Horizontal with vertical"] + [f"igure {n}" for n in (3, 6, 7, 8, 9, 10, 11, 12, 13)]
+for part in wanted:
+    assert any(part in name for name in told), f"{part} is not on the page"
+assert len(items) >= 17, len(items)
+missing = [name for name, item in told.items() if item["verdict"] == "not run"]
+assert len(missing) == (0 if records else 1), missing
+
+model = told["Table 1, the model as a prototype"]
+assert model["verdict"] == "reproduced", model
+steady = told["Eq. 1 and figure 10: type A under sinusoids of 18 mm"]
+assert steady["verdict"] == "reproduced", steady
+known = [row for row in steady["rows"][1:] if row[4] != "–"]
+assert len(known) >= 6, steady["rows"]
+for hertz, full, linear, eq1, *_ in known:
+    assert abs(float(linear) / float(eq1) - 1) < 0.02, (hertz, linear, eq1)
+    assert 0.8 < float(full) / float(eq1) < 1, (hertz, full, eq1)
+
+page = (folder / "paper.html").read_text()
+for name, item in told.items():
+    assert item["why"] and item["verdict"] in page
+for item in items:
+    for figure in item["figures"]:
+        assert "<svg" in (folder / figure).read_text(), figure
+assert page.count("<svg") == sum(len(item["figures"]) for item in items) >= (6 if records else 5), page.count("<svg")
+assert "http://" not in page.replace("http://www.w3.org", "").replace("http://purl.org", "").replace("http://creativecommons.org", "")
+END
+# A second call finds its studies and makes the same page.
+cp "$scratch/paper/paper.html" "$scratch/first.html"
+before=$(stat -c %Y.%i "$scratch/paper/axes.h5")
+bash "$source/campaigns/paper.sh" --quick --out "$scratch/paper" ${records:+--records "$records"} > "$scratch/said"
+! grep -q "paper: axes" "$scratch/said" && [ "$before" = "$(stat -c %Y.%i "$scratch/paper/axes.h5")" ] || { echo "paper: ran again what was there" >&2; exit 1; }
+cmp "$scratch/paper/paper.html" "$scratch/first.html"
+bash "$source/campaigns/paper.sh" --records /nowhere 2> "$scratch/said" && exit 1
+grep -q "no such folder" "$scratch/said"
