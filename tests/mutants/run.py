@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Breaks the program one line at a time, and says which tests notice.
 
-tests/mutants/run.py [--only TEXT] [--minutes M] [--report FILE]
+tests/mutants/run.py [--only TEXT] [--from N] [--minutes M] [--report FILE]
 
 Works in a scratch copy of this tree and of .build/dev (which has to be built), seen at this tree's own path in a mount
 namespace of its own (root), so that only what a mutant touches is built again. Every mutant of mutants.txt is applied
@@ -52,7 +52,8 @@ def killer_of(copy, mutant):
         program, _, only = program.partition(":")
         if inside(copy, "nice", "cmake", "--build", BUILD, "--target", program) != 0:
             return "the compiler"
-        if inside(copy, "nice", f"{BUILD}/tests/{program}", "--gtest_brief=1", f"--gtest_filter={only or '*'}") != 0:
+        if inside(copy, "nice", f"{BUILD}/tests/{program}", "--gtest_brief=1", "--gtest_fail_fast",
+                  f"--gtest_filter={only or '*'}") != 0:
             return program + (f" ({only})" if only else "")
     return None
 
@@ -60,10 +61,11 @@ def killer_of(copy, mutant):
 def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("--only", default="", help="mutants of files whose name holds TEXT")
+    options.add_argument("--from", dest="first", type=int, default=1, help="begin with the N-th of these")
     options.add_argument("--minutes", type=float, default=1e9, help="begin no further mutant after so long")
     options.add_argument("--report", type=pathlib.Path, help="write the table there too")
     options = options.parse_args()
-    chosen = [mutant for mutant in mutants() if options.only in mutant.file]
+    chosen = [mutant for mutant in mutants() if options.only in mutant.file][options.first - 1:]
     begun = time.monotonic()
     rows = []
     with tempfile.TemporaryDirectory(prefix="overturn-mutants.") as scratch:

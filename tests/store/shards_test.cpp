@@ -130,6 +130,15 @@ TEST_F(Shards, BlockUnderAnotherSpellingIsNotCountedTwice) {
     EXPECT_EQ(sound("/3.block", "left alone"), (Blocks{0, 1, 2, 3}));
 }
 
+/// As a signed number would be written out by whoever names blocks: none of ours.
+TEST_F(Shards, NumbersBelowNoughtAreForeignNames) {
+    std::filesystem::rename(file("0000000003.block"), file("-000000003.block"));
+
+    EXPECT_EQ(sound("-000000003.block", "not a block of ours"), (Blocks{0, 1, 2}));
+    shards.remove();
+    EXPECT_TRUE(std::filesystem::exists(file("-000000003.block")));
+}
+
 TEST_F(Shards, ForeignNamesAreLeftAlone) {
     spill(file("notes.block"), "shopping list");
 
