@@ -12,7 +12,7 @@ constexpr std::int64_t ids_per_level = 1'000'000'000;
 constexpr std::int64_t blocks_wanted = 256;     // enough for a workstation to balance, few enough to merge at once
 constexpr std::int64_t largest_block = 64;      // waves: some seconds, which a killed rank loses
 constexpr std::int64_t unmeasured_block = 128;  // waves at least: 0.2 ms each, a commit takes 1 ms to 6 ms
-constexpr std::int64_t most_blocks = 1 << 20U;  // files in one folder
+constexpr std::int64_t most_blocks = 1 << 20U;  // files, 1024 in a folder
 
 // Looks at a target come at the ends of blocks, so that a campaign which has one keeps them short.
 std::int64_t waves_per_block(std::int64_t waves, bool quick) {
