@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
+#include <optional>
 #include <vector>
 
+#include "core/withheld.hpp"
 #include "generators/detail/axes.hpp"
 #include "generators/record_baseline.hpp"
 #include "motion/resample.hpp"
@@ -19,6 +22,7 @@ struct Record {
     Direction direction = Direction::unknown;
     double turned_rad = 0;
     Drift drift;
+    std::string withheld;  ///< name of a file that is not there
 };
 
 // Equal up to what printing or a quotient such as 1/100 costs.
@@ -33,6 +37,8 @@ class Records : public WaveSource {
 
     [[nodiscard]] GeneratedWave make(std::uint64_t /*seed*/, std::uint64_t wave) const override {
         validate_wave(wave, records_.size());
+        validate(records_[wave].withheld.empty(),
+                 "record {} (withheld: only its hash is there). Put it beside the file", records_[wave].withheld);
         GeneratedWave made;
         made.motion = records_[wave].motion;
         made.label = records_[wave].label;
@@ -146,11 +152,15 @@ Record read_motion(config::Table const& table, std::string_view key, std::string
         auto placed = files.read(name, request.record);
         auto const step = request.record.time_step_s;
         if (!step || same_step(*step, placed.motion.time_step_s)) {
-            return Record{std::move(placed.motion), std::move(placed.says), placed.direction, 0, {}};
+            return Record{std::move(placed.motion), std::move(placed.says), placed.direction, 0, {}, {}};
         }
         auto resampled = resample(placed.motion, *step, request.coarsening);
-        return Record{
-            std::move(resampled.motion), fmt::format("{}, {}", placed.says, resampled.says), placed.direction, 0, {}};
+        return Record{std::move(resampled.motion),
+                      fmt::format("{}, {}", placed.says, resampled.says),
+                      placed.direction,
+                      0,
+                      {},
+                      {}};
     });
 }
 
@@ -194,6 +204,19 @@ void add_component(config::Table const& table, std::string_view key, Request req
     record.label += fmt::format(", {} {}", key, component.label);
 }
 
+// In the place of a record that is known by its hash alone: enough to count and to name it.
+std::optional<Record> withheld_record(config::Table const& table, std::initializer_list<std::string> names,
+                                      InputFiles const& files) {
+    for (auto const& name : names) {
+        auto const found = files.contents().find(name);
+        if (found != files.contents().end() && is_withheld(found->second)) {
+            (void)read_request(table);
+            return Record{{}, name + " (withheld)", Direction::unknown, 0, {}, name};
+        }
+    }
+    return std::nullopt;
+}
+
 // Cuts all components to the shortest; true if that took anything away.
 bool cut_to_shortest(GroundMotion& motion) {
     auto shortest = motion.samples();
@@ -208,7 +231,12 @@ bool cut_to_shortest(GroundMotion& motion) {
     return cut;
 }
 
-Record read_table(config::Table const& table, StationFiles& files) {
+Record read_table(config::Table const& table, StationFiles& files, InputFiles const& contents) {
+    if (auto const stands_for_it = withheld_record(
+            table, {table.text("horizontal"), table.text("transverse", ""), table.text("vertical", "")}, contents)) {
+        table.finish();
+        return *stands_for_it;
+    }
     auto const request = read_request(table);
     auto record = read_horizontal(table, "horizontal", table.text("horizontal"), request, files);
     add_component(table, "transverse", request, files, record, &GroundMotion::transverse_mps2);
@@ -232,12 +260,16 @@ std::unique_ptr<WaveSource> make_records(config::Table const& waves, InputFiles&
     if (waves.has("files")) {
         auto const request = read_request(waves);
         for (auto const& name : waves.texts("files")) {
+            if (auto const stands_for_it = withheld_record(waves, {name}, files)) {
+                records.push_back(*stands_for_it);
+                continue;
+            }
             records.push_back(read_horizontal(waves, "files", name, request, station_files));
             finish_record(waves, request, records.back());
         }
     } else {
         for (auto const& table : waves.children("records")) {
-            records.push_back(read_table(table, station_files));
+            records.push_back(read_table(table, station_files, files));
         }
     }
     if (records.empty()) {

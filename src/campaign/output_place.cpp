@@ -13,6 +13,7 @@
 
 #include "campaign/agreement.hpp"
 #include "campaign/trial.hpp"
+#include "campaign/withheld_inputs.hpp"
 #include "core/note.hpp"
 #include "store/durable.hpp"
 #include "store/results_file.hpp"
@@ -129,7 +130,7 @@ void check_complete(std::filesystem::path const& output, CampaignInput const& in
     store::ResultsReader const file(output);
     refuse_other({file.text("campaign_name"), file.text("campaign"), {}, {}},
                  {file.text("campaign_name"), input.text, {}, {}}, output.string());
-    validate(file.text("input_sha256") == input.sha256(),
+    validate(has_withheld(input) || file.text("input_sha256") == input.sha256(),
              "output {} (made with other settings or input files). Name another with -o", output.string());
     store::ShardFolder const shards(output, input.block_key());
     if (!shards.exists() || !(claimed || becomes_free(shards))) {
