@@ -8,14 +8,13 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 cmake --preset release
 CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)} cmake --build --preset release --target overturn
 
-# One machine: more ranks than cores are no error, no rank is bound to a core, messages go through shared memory.
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
-export OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_pml=ob1 OMPI_MCA_btl=self,vader
-
 overturn=.build/release/src/overturn
 result=.build/quickstart.h5
 rm -rf "$result" "$result.parts" "${result%.h5}.runtime.json"
-mpirun -n "$(nproc)" "$overturn" run campaigns/quickstart.toml -o "$result"
+# One machine: more ranks than cores are no error, no rank is bound to a core, messages go through shared memory.
+OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 \
+    OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_pml=ob1 OMPI_MCA_btl=self,vader \
+    mpirun -n "$(nproc)" "$overturn" run campaigns/quickstart.toml -o "$result"
 
 cat <<END
 

@@ -4,9 +4,12 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <initializer_list>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/withheld.hpp"
 #include "generators/detail/axes.hpp"
 #include "generators/record_baseline.hpp"
 #include "motion/resample.hpp"
@@ -21,6 +24,7 @@ struct Record {
     Direction direction = Direction::unknown;
     double turned_rad = 0;
     Drift drift;
+    std::string withheld;  ///< name of a file that is not there
 };
 
 // Equal up to what printing or a quotient such as 1/100 costs.
@@ -35,6 +39,8 @@ class Records : public WaveSource {
 
     [[nodiscard]] GeneratedWave make(std::uint64_t /*seed*/, std::uint64_t wave) const override {
         validate_wave(wave, records_.size());
+        validate(records_[wave].withheld.empty(),
+                 "record {} (withheld: only its hash is there). Put it beside the file", records_[wave].withheld);
         GeneratedWave made;
         made.motion = records_[wave].motion;
         made.label = records_[wave].label;
@@ -101,7 +107,7 @@ Request read_request(config::Table const& table) {
 }
 
 // The names of a table's files, as they lie in the folder of all records.
-std::string placed(std::string const& folder, std::string const& name) {
+std::string in_folder(std::string const& folder, std::string const& name) {
     return folder.empty() ? name : (std::filesystem::path(folder) / name).string();
 }
 
@@ -176,11 +182,15 @@ Record read_motion(config::Table const& table, std::string_view key, std::string
         auto placed = files.read(name, request.record);
         auto const step = request.record.time_step_s;
         if (!step || same_step(*step, placed.motion.time_step_s)) {
-            return Record{std::move(placed.motion), std::move(placed.says), placed.direction, 0, {}};
+            return Record{std::move(placed.motion), std::move(placed.says), placed.direction, 0, {}, {}};
         }
         auto resampled = resample(placed.motion, *step, request.coarsening);
-        return Record{
-            std::move(resampled.motion), fmt::format("{}, {}", placed.says, resampled.says), placed.direction, 0, {}};
+        return Record{std::move(resampled.motion),
+                      fmt::format("{}, {}", placed.says, resampled.says),
+                      placed.direction,
+                      0,
+                      {},
+                      {}};
     });
 }
 
@@ -201,7 +211,7 @@ void add_component(config::Table const& table, std::string_view key, Request req
     }
     request.record.component.clear();
     request.record.components = ComponentChoice::horizontal;
-    auto component = read_motion(table, key, placed(folder, table.text(key)), request, files);
+    auto component = read_motion(table, key, in_folder(folder, table.text(key)), request, files);
     if (component.motion.time_step_s != record.motion.time_step_s) {
         table.fail(key, fmt::format("time step {} s beside {} s of the horizontal component (they must agree). State "
                                     "the time_step to which both are resampled",
@@ -224,6 +234,19 @@ void add_component(config::Table const& table, std::string_view key, Request req
     record.label += fmt::format(", {} {}", key, component.label);
 }
 
+// In the place of a record that is known by its hash alone: enough to count and to name it.
+std::optional<Record> withheld_record(config::Table const& table, std::initializer_list<std::string> names,
+                                      InputFiles const& files) {
+    for (auto const& name : names) {
+        auto const found = files.contents().find(name);
+        if (found != files.contents().end() && is_withheld(found->second)) {
+            (void)read_request(table);
+            return Record{{}, name + " (withheld)", Direction::unknown, 0, {}, name};
+        }
+    }
+    return std::nullopt;
+}
+
 // Cuts all components to the shortest; true if that took anything away.
 bool cut_to_shortest(GroundMotion& motion) {
     auto shortest = motion.samples();
@@ -238,9 +261,18 @@ bool cut_to_shortest(GroundMotion& motion) {
     return cut;
 }
 
-Record read_table(config::Table const& table, StationFiles& files, std::string const& folder) {
+Record read_table(config::Table const& table, StationFiles& files, InputFiles const& contents,
+                  std::string const& folder) {
+    auto const name = [&](std::string_view key) {
+        return table.has(key) ? in_folder(folder, table.text(key)) : std::string();
+    };
+    if (auto const stands_for_it =
+            withheld_record(table, {name("horizontal"), name("transverse"), name("vertical")}, contents)) {
+        table.finish();
+        return *stands_for_it;
+    }
     auto const request = read_request(table);
-    auto record = read_horizontal(table, "horizontal", placed(folder, table.text("horizontal")), request, files);
+    auto record = read_horizontal(table, "horizontal", in_folder(folder, table.text("horizontal")), request, files);
     add_component(table, "transverse", request, files, folder, record, &GroundMotion::transverse_mps2);
     add_component(table, "vertical", request, files, folder, record, &GroundMotion::vertical_mps2);
     if (cut_to_shortest(record.motion)) {
@@ -263,12 +295,17 @@ std::unique_ptr<WaveSource> make_records(config::Table const& waves, InputFiles&
     if (waves.has("files")) {
         auto const request = read_request(waves);
         for (auto const& name : waves.texts("files")) {
-            records.push_back(read_horizontal(waves, "files", placed(folder, name), request, station_files));
+            auto const placed_name = in_folder(folder, name);
+            if (auto const stands_for_it = withheld_record(waves, {placed_name}, files)) {
+                records.push_back(*stands_for_it);
+                continue;
+            }
+            records.push_back(read_horizontal(waves, "files", placed_name, request, station_files));
             finish_record(waves, request, records.back());
         }
     } else {
         for (auto const& table : waves.children("records")) {
-            records.push_back(read_table(table, station_files, folder));
+            records.push_back(read_table(table, station_files, files, folder));
         }
     }
     if (records.empty()) {

@@ -7,6 +7,7 @@
 
 #include "campaign/rows.hpp"
 #include "campaign/wave_check.hpp"
+#include "campaign/withheld_inputs.hpp"
 
 namespace overturn {
 namespace {
@@ -179,9 +180,10 @@ std::vector<double> CampaignSpec::grid_periods_s() const {
 CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
     auto const root = Table::parse(input.text, input.name, input.settings);
     root.may_have({"title", "seed", "waves", "bodies", "scatter", "levels", "effects", "measures", "accuracy", "rare",
-                   "statistics", "limits"});
+                   "statistics", "limits", "inputs"});
     CampaignSpec spec;
     spec.title = root.text("title", "");
+    (void)keeps_hashes_only(root);
     spec.seed = static_cast<std::uint64_t>(root.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
     spec.bodies = read_bodies(root, files);
     spec.sampling = read_sampling(root.child_or_empty("scatter"));

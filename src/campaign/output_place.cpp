@@ -4,12 +4,16 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <thread>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
+#include "campaign/agreement.hpp"
 #include "campaign/trial.hpp"
+#include "campaign/withheld_inputs.hpp"
 #include "core/note.hpp"
 #include "store/durable.hpp"
 #include "store/results_file.hpp"
@@ -81,12 +85,16 @@ bool are_leftovers(store::ShardFolder const& shards, CampaignInput const& input)
     return notes.empty();
 }
 
+std::vector<std::int64_t> committed_in(store::ShardFolder const& shards, Plan const& plan, store::BlockRange range,
+                                       std::vector<std::string>& notes) {
+    return shards.committed(range, notes, [&](std::int64_t block) { return BlockRows::packed_size(plan, block); });
+}
+
 }  // namespace
 
 std::vector<std::int64_t> sound_blocks(store::ShardFolder const& shards, Plan const& plan, store::BlockRange range) {
     std::vector<std::string> notes;
-    auto committed =
-        shards.committed(range, notes, [&](std::int64_t block) { return BlockRows::packed_size(plan, block); });
+    auto committed = committed_in(shards, plan, range, notes);
     for (auto const& note : notes) {
         put_note(note + "\n");
     }
@@ -122,7 +130,7 @@ void check_complete(std::filesystem::path const& output, CampaignInput const& in
     store::ResultsReader const file(output);
     refuse_other({file.text("campaign_name"), file.text("campaign"), {}, {}},
                  {file.text("campaign_name"), input.text, {}, {}}, output.string());
-    validate(file.text("input_sha256") == input.sha256(),
+    validate(has_withheld(input) || file.text("input_sha256") == input.sha256(),
              "output {} (made with other settings or input files). Name another with -o", output.string());
     store::ShardFolder const shards(output, input.block_key());
     if (!shards.exists() || !(claimed || becomes_free(shards))) {
@@ -154,7 +162,7 @@ OutputState take_output(std::filesystem::path const& output, store::ShardFolder 
     refuse_taken();  // another run may have finished meanwhile
     if (std::filesystem::exists(output)) {
         check_complete(output, input, claim.has_value());
-        return {true, {}};
+        return {.complete = true};
     }
     auto const begun = sound_record(shards, input, wish.resume);
     if (!begun) {
@@ -167,20 +175,55 @@ OutputState take_output(std::filesystem::path const& output, store::ShardFolder 
                  "{} (an unfinished run lies there). Go on with --resume, or remove it", shards.folder().string());
         refuse_other(*begun, input, shards.folder().string());
     }
+    shards.remove_unfinished(plan.blocks_of(wish.part));
+    return {.begun = begun.has_value()};
+}
+
+std::vector<std::int64_t> take_blocks(std::filesystem::path const& output, store::ShardFolder const& shards,
+                                      Plan const& plan, OutputWish const& wish, bool begun,
+                                      parallel::Communicator const& comm) {
     auto const range = plan.blocks_of(wish.part);
-    shards.remove_unfinished(range);
-    auto committed = sound_blocks(shards, plan, range);
-    validate(wish.resume || committed.empty(), "{}: part {}/{} (has been begun there). Go on with --resume",
-             shards.folder().string(), wish.part.number, wish.part.of);
-    if (!begun && committed.empty()) {
-        return {};
+    auto const place = [&](int rank) { return range.first + range.count() * rank / comm.size(); };
+    std::vector<std::string> notes;
+    nlohmann::json mine;
+    try {
+        mine["blocks"] = committed_in(shards, plan, {place(comm.rank()), place(comm.rank() + 1)}, notes);
+        mine["notes"] = notes;
+    } catch (SystemError const& error) {
+        mine["error"] = error.what();
     }
-    if (wish.resume) {
-        note("resuming {}: {} of {} blocks are done, {} are left\n", output.string(), committed.size(),
-             plan.blocks_of(wish.part).count(),
-             plan.blocks_of(wish.part).count() - static_cast<std::int64_t>(committed.size()));
-    }
-    return {false, std::move(committed)};
+    auto const of_ranks = comm.gather(mine.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    return nlohmann::json::parse(from_root(comm,
+                                           [&] {
+                                               std::vector<std::int64_t> committed;
+                                               std::set<std::string> told;  // what is foreign is seen by several
+                                               for (auto const& text : of_ranks) {
+                                                   auto const found = nlohmann::json::parse(text);
+                                                   if (found.contains("error")) {
+                                                       throw SystemError(found.at("error").get<std::string>());
+                                                   }
+                                                   for (auto const& block : found.at("blocks")) {
+                                                       committed.push_back(block.get<std::int64_t>());
+                                                   }
+                                                   for (auto const& line : found.at("notes")) {
+                                                       told.insert(line.get<std::string>());
+                                                   }
+                                               }
+                                               for (auto const& line : told) {
+                                                   put_note(line + "\n");
+                                               }
+                                               validate(wish.resume || committed.empty(),
+                                                        "{}: part {}/{} (has been begun there). Go on with --resume",
+                                                        shards.folder().string(), wish.part.number, wish.part.of);
+                                               if (wish.resume && (begun || !committed.empty())) {
+                                                   note("resuming {}: {} of {} blocks are done, {} are left\n",
+                                                        output.string(), committed.size(), range.count(),
+                                                        range.count() - static_cast<std::int64_t>(committed.size()));
+                                               }
+                                               warn_of_little_space(output, plan, wish.part, committed);
+                                               return nlohmann::json(committed).dump();
+                                           }))
+        .get<std::vector<std::int64_t>>();
 }
 
 }  // namespace overturn

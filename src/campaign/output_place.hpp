@@ -8,14 +8,15 @@
 
 #include "campaign/campaign_input.hpp"
 #include "campaign/plan.hpp"
+#include "parallel/communicator.hpp"
 #include "store/shards.hpp"
 
 namespace overturn {
 
 /// What a run finds when it starts.
 struct OutputState {
-    bool complete = false;                ///< the finished file of this very campaign is there
-    std::vector<std::int64_t> committed;  ///< blocks of the part that an earlier run left behind
+    bool complete = false;  ///< the finished file of this very campaign is there
+    bool begun = false;     ///< there is a record of it that an earlier run left behind
 };
 
 /// What a run wants to do there.
@@ -24,14 +25,20 @@ struct OutputWish {
     Part part;
 };
 
-/// Looks at the place, refuses what must not be touched, says on stderr what is reused, claims the part's blocks and
-/// begins the shard folder. Parts of one campaign share the folder.
-/// \param claim holds the blocks from here on
-/// \throws InputError if something is there and `resume` is off, it belongs to another campaign, or another run is
-/// writing there
+/// Looks at the place, refuses what must not be touched, claims the part's blocks and begins the shard folder. Parts of
+/// one campaign share the folder. \param claim holds the blocks from here on \throws InputError if something is there
+/// and `resume` is off, it belongs to another campaign, or another run is writing there
 [[nodiscard]] OutputState take_output(std::filesystem::path const& output, store::ShardFolder const& shards,
                                       CampaignInput const& input, Plan const& plan, OutputWish const& wish,
                                       std::optional<store::Claim>& claim);
+
+/// The part's blocks that an earlier run left behind, in rising order, each read and hashed by one of the ranks; what
+/// is reused and what is not sound is said on stderr, and where room is short. Collective; all ranks see the folder.
+/// \throws InputError on every rank if there are some and `resume` is off, AgreedError if they cannot be listed
+[[nodiscard]] std::vector<std::int64_t> take_blocks(std::filesystem::path const& output,
+                                                    store::ShardFolder const& shards, Plan const& plan,
+                                                    OutputWish const& wish, bool begun,
+                                                    parallel::Communicator const& comm);
 
 /// One line on stderr where the disk has less room than what is still to be written: blocks, and the file that they are
 /// merged into while they lie there.

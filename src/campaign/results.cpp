@@ -10,6 +10,7 @@
 #include "campaign/detail/limit_results.hpp"
 #include "campaign/rare_results.hpp"
 #include "campaign/version.hpp"
+#include "campaign/withheld_inputs.hpp"
 #include "response/registry.hpp"
 
 namespace overturn {
@@ -33,9 +34,10 @@ void write_provenance(store::ResultsWriter& file, CampaignInput const& input, Ca
     file.attribute("wave_source", spec.source->describe());
     file.attribute("wave_variability", spec.source->variability());
     file.attribute("wave_acceptance", spec.source->acceptance());
-    for (auto const& [name, content] : input.files) {
+    auto const kept = kept_inputs(input);
+    for (auto const& [name, content] : kept) {
         // Names hold '/', which HDF5 reads as a path; the number is the place, the attribute the name.
-        auto const place = fmt::format("{:04}", std::distance(input.files.begin(), input.files.find(name)));
+        auto const place = fmt::format("{:04}", std::distance(kept.begin(), kept.find(name)));
         file.bytes("inputs", place, name, content);
     }
 }

@@ -79,13 +79,10 @@ class Run {
                  "--part {}/{} of a campaign with [rare] (its stages need what all parts found before). Run it whole, "
                  "under mpirun",
                  options_.part.number, options_.part.of);
+        OutputWish const wish{options_.resume, options_.part};
         auto const found = nlohmann::json::parse(from_root(comm_, [&] {
-            auto const state =
-                take_output(options_.output, shards_, input_, plan_, {options_.resume, options_.part}, claim_);
-            if (!state.complete) {
-                warn_of_little_space(options_.output, plan_, options_.part, state.committed);
-            }
-            return nlohmann::json{{"complete", state.complete}, {"committed", state.committed}}.dump();
+            auto const state = take_output(options_.output, shards_, input_, plan_, wish, claim_);
+            return nlohmann::json{{"complete", state.complete}, {"begun", state.begun}}.dump();
         }));
         if (found.at("complete").get<bool>()) {
             if (comm_.is_root()) {
@@ -94,7 +91,7 @@ class Run {
             return RunEnd::complete;
         }
         require_shared(shards_, input_.block_key(), comm_);
-        auto const committed = found.at("committed").get<std::vector<std::int64_t>>();
+        auto const committed = take_blocks(options_.output, shards_, plan_, wish, found.at("begun").get<bool>(), comm_);
         if (comm_.is_root()) {
             note("waves: {}\n", spec_.source->describe());
             note("they differ by {}\n", spec_.source->variability());

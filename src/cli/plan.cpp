@@ -105,6 +105,11 @@ void tell_limits(CampaignSpec const& spec) {
     }
 }
 
+std::string count_of_folders(std::int64_t blocks) {
+    auto const folders = (blocks + store::blocks_in_a_folder - 1) / store::blocks_in_a_folder;
+    return folders == 1 ? std::string("one folder") : fmt::format("{} folders", folders);
+}
+
 int plan_campaign(std::string const& path, std::vector<std::string> const& settings) {
     auto const input = load_campaign(path, settings);
     auto const spec = parse_campaign(input);
@@ -175,6 +180,9 @@ int plan_campaign(std::string const& path, std::vector<std::string> const& setti
     fmt::print("time      about {} on one rank, {} on the {} cores here\n", duration_text(all),
                duration_text(all / cores), cores);
     fmt::print("file      about {:.2f} MB\n", static_cast<double>(file_bytes(input, spec, plan)) / 1e6);
+    auto const bytes = static_cast<double>(BlockRows::packed_size(plan, 0));
+    fmt::print("parts     {} files of {:.1f} kB, {:.2f} MB, in {} until they are merged\n", plan.blocks(), bytes / 1e3,
+               bytes * static_cast<double>(plan.blocks()) / 1e6, count_of_folders(plan.blocks()));
     return done;
 }
 

@@ -7,6 +7,7 @@
 
 #include "campaign/rare_results.hpp"
 #include "campaign/results.hpp"
+#include "campaign/withheld_inputs.hpp"
 #include "cli/history.hpp"
 #include "cli/other_bits.hpp"
 #include "cli/trial_history.hpp"
@@ -48,7 +49,8 @@ int replay(ReplayOptions const& options) {
         validate(options.rare.empty(), "--plot beside --rare (only rows of /trials are drawn). Leave one of them out");
     }
     store::ResultsReader const file(options.file, options.unverified.trust());
-    auto const input = input_of(file);
+    auto input = input_of(file);
+    fetch_withheld(input, options.file);
     auto const spec = parse_campaign(input);
     if (!options.rare.empty()) {
         auto const again = replay_rare(file, spec, options.rare, options.limit, options.trial);

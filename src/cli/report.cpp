@@ -17,6 +17,7 @@
 #include "campaign/runtime_file.hpp"
 #include "campaign/telling_trials.hpp"
 #include "campaign/warnings.hpp"
+#include "campaign/withheld_inputs.hpp"
 #include "cli/figures.hpp"
 #include "cli/fit_json.hpp"
 #include "cli/json_values.hpp"
@@ -215,7 +216,8 @@ int write_report(ReportOptions const& options) {
     check_fit_options(options.beta_u, options.confidence);
     (void)options.unit.si();
     store::ResultsReader const file(options.file, options.unverified.trust());
-    auto const input = input_of(file);
+    auto input = input_of(file);
+    fetch_withheld(input, options.file);
     auto const spec = parse_campaign(input);
     Plan const plan(spec);
     auto const statistics = recount(file, spec);

@@ -6,6 +6,7 @@
 
 #include "campaign/agreement.hpp"
 #include "campaign/results.hpp"
+#include "campaign/withheld_inputs.hpp"
 #include "cli/collective.hpp"
 #include "cli/other_bits.hpp"
 #include "cli/verbs.hpp"
@@ -45,7 +46,9 @@ int verify(VerifyOptions const& options, parallel::Communicator const& comm) {
         return std::string();
     });
     store::ResultsReader const file(options.file, store::Trust::unverified);
-    auto const spec = parse_campaign(input_of(file));
+    auto input = input_of(file);
+    fetch_withheld(input, options.file);
+    auto const spec = parse_campaign(input);
     auto const found = verify_rows(file, spec, options.wish, comm);
     return std::stoi(from_root(comm, [&] { return fmt::format("{}", tell(options, found)); }));
 }

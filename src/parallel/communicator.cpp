@@ -49,7 +49,9 @@ std::string Communicator::library() {
     int length = 0;
     check(MPI_Get_library_version(name.data(), &length), "asking for its version");
     std::string const text(name.data(), static_cast<std::size_t>(length));
-    return text.substr(0, text.find_first_of(",\n"));
+    auto line = text.substr(0, text.find_first_of(",\n"));
+    std::replace(line.begin(), line.end(), '\t', ' ');  // MPICH's pages of text begin with "MPICH Version:<tab>4.0.2"
+    return line;
 }
 
 void Communicator::broadcast(std::string& text) const {

@@ -5,18 +5,21 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <vector>
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "core/error.hpp"
+#include "report/detail/figure_folder.hpp"
 #include "report/detail/scripts.hpp"
 
 namespace overturn::report {
@@ -26,41 +29,6 @@ namespace fs = std::filesystem;
 
 constexpr char const* packages = "apt-get install python3 python3-matplotlib python3-h5py";
 
-/// A folder of its own, gone with the object.
-class TemporaryFolder {
-  public:
-    TemporaryFolder() {
-        auto name = (fs::temp_directory_path() / "overturn-figure-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr) {
-            throw SystemError("no temporary folder (the figure's data go there). Make room, or set TMPDIR");
-        }
-        path_ = name;
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    TemporaryFolder(TemporaryFolder const&) = delete;
-    TemporaryFolder& operator=(TemporaryFolder const&) = delete;
-    TemporaryFolder(TemporaryFolder&&) = delete;
-    TemporaryFolder& operator=(TemporaryFolder&&) = delete;
-
-    /// Writes a file of that name and gives its path. \throws SystemError
-    [[nodiscard]] std::string write(std::string_view name, std::string_view text) const {
-        auto const path = path_ / name;
-        std::ofstream file(path, std::ios::binary);
-        file << text;
-        if (!file.flush()) {
-            throw SystemError(fmt::format("{}: cannot be written (is the disk full?). Make room", path.string()));
-        }
-        return path.string();
-    }
-    [[nodiscard]] fs::path operator/(std::string_view name) const { return path_ / name; }
-
-  private:
-    fs::path path_;
-};
-
 std::string interpreter() {
     if (char const* stated = std::getenv("OVERTURN_PYTHON"); stated != nullptr && *stated != '\0') {
         return stated;
@@ -69,7 +37,7 @@ std::string interpreter() {
     return ::access(system_python, X_OK) == 0 ? system_python : "python3";
 }
 
-/// While it lives, signals that end a process are noted instead, and waiting ends.
+/// While it lives, signals that end a process are noted instead, so that its folder is removed before it ends.
 class Stopped {
   public:
     Stopped() {
@@ -92,6 +60,12 @@ class Stopped {
 
     /// The signal, 0 if there was none.
     [[nodiscard]] static int by() { return seen_; }
+    /// \throws SystemError if there was one
+    static void check() {
+        if (by() != 0) {
+            throw SystemError(fmt::format("stopped by signal {} (no figure). Ask again", by()));
+        }
+    }
 
   private:
     static constexpr std::array signals{SIGTERM, SIGINT, SIGHUP};
@@ -121,15 +95,12 @@ int run(std::vector<std::string> arguments, std::string const& errors) {
         return not_found;
     }
     int status = 0;
-    Stopped const stopped;  // else a signal would end this process before its folder is removed
     while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
         if (Stopped::by() != 0) {
             ::kill(child, SIGTERM);
         }
     }
-    if (Stopped::by() != 0) {
-        throw SystemError(fmt::format("stopped by signal {} (no figure). Ask again", Stopped::by()));
-    }
+    Stopped::check();
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
@@ -175,7 +146,7 @@ void check_figure_name(fs::path const& output) {
 namespace {
 
 // Runs a script within `folder`; the figure's place.
-fs::path drawn_in(TemporaryFolder const& folder, std::string_view script, nlohmann::ordered_json const& data,
+fs::path drawn_in(FigureFolder const& folder, std::string_view script, nlohmann::ordered_json const& data,
                   std::string const& extension) {
     std::string program;
     for (auto const& each : scripts()) {
@@ -186,6 +157,7 @@ fs::path drawn_in(TemporaryFolder const& folder, std::string_view script, nlohma
     auto const input =
         folder.write("data.json", data.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     auto drawn = folder / ("figure" + extension);
+    Stopped::check();
     run_script({interpreter(), "-B", program, input, drawn.string()}, (folder / "errors").string());
     return drawn;
 }
@@ -194,17 +166,22 @@ fs::path drawn_in(TemporaryFolder const& folder, std::string_view script, nlohma
 
 void draw_figure(std::string_view script, nlohmann::ordered_json const& data, fs::path const& output) {
     check_figure_name(output);
-    TemporaryFolder const folder;
+    Stopped const stopped;
+    FigureFolder const folder;
     auto const drawn = drawn_in(folder, script, data, extension_of(output));
     std::error_code error;
     fs::copy_file(drawn, output, fs::copy_options::overwrite_existing, error);
+    Stopped::check();
     validate(!error, "{}: cannot be written ({}). Choose another place", output.string(), error.message());
 }
 
 std::string figure_text(std::string_view script, nlohmann::ordered_json const& data, std::string const& kind) {
-    TemporaryFolder const folder;
+    Stopped const stopped;
+    FigureFolder const folder;
     std::ifstream file(drawn_in(folder, script, data, kind), std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
+    std::string text{std::istreambuf_iterator<char>(file), {}};
+    Stopped::check();
+    return text;
 }
 
 }  // namespace overturn::report

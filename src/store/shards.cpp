@@ -1,21 +1,22 @@
 #include "store/shards.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <optional>
+#include <limits>
+#include <system_error>
 
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "store/detail/shard_files.hpp"
 #include "store/durable.hpp"
 #include "store/sha256.hpp"
 
 namespace overturn::store {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr std::string_view magic = "overturn-block 1\n";
-constexpr std::string_view ending = ".block";
 constexpr std::string_view leg_ending = ".leg";
 constexpr std::string_view record_name = "campaign.record";
 constexpr std::size_t hash_length = 64;
@@ -30,32 +31,24 @@ std::string shard_text(std::string const& campaign, std::int64_t block, std::spa
     return text;
 }
 
-std::string name_of(std::int64_t block) { return fmt::format("{:010}{}", block, ending); }
-
-// The number of the block a file of this name holds; nothing if we never give out such a name.
-std::optional<std::int64_t> block_of(std::string_view name) {
-    std::int64_t block = -1;
-    std::from_chars(name.data(), name.data() + name.size(), block);
-    return block >= 0 && name == name_of(block) ? std::optional(block) : std::nullopt;
+[[noreturn]] void cannot_make(fs::path const& folder, std::error_code const& error, char const* advice) {
+    throw SystemError(fmt::format("cannot make {} ({}). {}", folder.string(), error.message(), advice));
 }
 
-bool is_unfinished(std::string_view name) { return name.find(unfinished_mark) != std::string_view::npos; }
-
-// What the file is, or was to become.
-std::string_view finished_name(std::string_view name) { return name.substr(0, name.find(unfinished_mark)); }
+constexpr BlockRange everything{0, std::numeric_limits<std::int64_t>::max()};
 
 }  // namespace
 
-ShardFolder::ShardFolder(std::filesystem::path output, std::string campaign)
+ShardFolder::ShardFolder(fs::path output, std::string campaign)
     : folder_(std::move(output)), campaign_(std::move(campaign)) {
     folder_ += ".parts";
 }
 
-bool ShardFolder::exists() const { return std::filesystem::is_directory(folder_); }
+bool ShardFolder::exists() const { return fs::is_directory(folder_); }
 
 std::string ShardFolder::begun_with() const {
     auto const record = folder_ / record_name;
-    if (!std::filesystem::exists(record)) {
+    if (!fs::exists(record)) {
         return {};
     }
     auto const text = read_file(record);
@@ -69,12 +62,11 @@ std::string ShardFolder::begun_with() const {
 
 void ShardFolder::begin(std::string const& campaign_record) const {
     std::error_code error;
-    std::filesystem::create_directories(folder_, error);
+    fs::create_directories(folder_, error);
     if (error) {
-        throw SystemError(
-            fmt::format("cannot make {} ({}). Choose another place with -o", folder_.string(), error.message()));
+        cannot_make(folder_, error, "Choose another place with -o");
     }
-    make_durable(folder_.has_parent_path() ? folder_.parent_path() : std::filesystem::path("."));
+    make_durable(folder_.has_parent_path() ? folder_.parent_path() : fs::path("."));
     (void)create_durably(folder_ / record_name, bytes_of(campaign_record + sha256(campaign_record)));
 }
 
@@ -82,11 +74,22 @@ void ShardFolder::begin_again(std::string const& campaign_record) const {
     write_durably(folder_ / record_name, bytes_of(campaign_record + sha256(campaign_record)));
 }
 
-std::filesystem::path ShardFolder::file_of(std::int64_t block) const { return folder_ / name_of(block); }
+fs::path ShardFolder::file_of(std::int64_t block) const { return folder_ / place_of_block(block); }
 
 void ShardFolder::commit(std::int64_t block, std::span<std::byte const> rows) const {
     auto const text = shard_text(campaign_, block, rows);
-    write_durably(file_of(block), bytes_of(text));
+    auto const file = file_of(block);
+    // Whoever made the folder may have been killed before it was safe: each rank sees to the folders that it uses.
+    if (auto const group = file.parent_path(); group != folder_ && group != safe_group_) {
+        std::error_code error;
+        fs::create_directory(group, error);
+        if (error) {
+            cannot_make(group, error, "Bring the folder back or free space, then go on with --resume");
+        }
+        make_durable(folder_);
+        safe_group_ = group;
+    }
+    write_durably(file, bytes_of(text));
 }
 
 ShardFolder::Block ShardFolder::look_into(std::int64_t block) const {
@@ -119,22 +122,18 @@ std::vector<std::byte> ShardFolder::read(std::int64_t block) const {
 }
 
 // By name alone; others that look alike are told of in `notes`, if given.
-std::vector<std::int64_t> ShardFolder::block_files(std::vector<std::string>* notes) const {
+std::vector<std::int64_t> ShardFolder::block_files(BlockRange range, std::vector<std::string>* notes) const {
     std::vector<std::int64_t> blocks;
-    if (!exists()) {
-        return blocks;
-    }
-    for (auto const& entry : std::filesystem::directory_iterator(folder_)) {
-        auto const name = entry.path().filename().string();
-        if (!name.ends_with(ending)) {
-            continue;
+    each_file(folder_, range, [&](ShardEntry const& entry) {
+        if (!entry.name.ends_with(block_ending)) {
+            return;
         }
-        if (auto const block = block_of(name)) {
+        if (auto const block = entry.block()) {
             blocks.push_back(*block);
         } else if (notes != nullptr) {
-            notes->push_back(fmt::format("{}: not a block of ours (left alone)", entry.path().string()));
+            notes->push_back(fmt::format("{}: not a block of ours (left alone)", entry.path.string()));
         }
-    }
+    });
     std::sort(blocks.begin(), blocks.end());
     return blocks;
 }
@@ -142,7 +141,7 @@ std::vector<std::int64_t> ShardFolder::block_files(std::vector<std::string>* not
 std::vector<std::int64_t> ShardFolder::committed(BlockRange range, std::vector<std::string>& notes,
                                                  std::function<std::size_t(std::int64_t)> const& bytes) const {
     std::vector<std::int64_t> sound;
-    for (auto const block : block_files(&notes)) {
+    for (auto const block : block_files(range, &notes)) {
         if (!range.holds(block)) {
             continue;
         }
@@ -165,12 +164,12 @@ std::vector<std::int64_t> ShardFolder::committed(BlockRange range, std::vector<s
 }
 
 bool ShardFolder::holds_foreign_blocks() const {
-    auto const blocks = block_files(nullptr);
+    auto const blocks = block_files(everything, nullptr);
     return std::any_of(blocks.begin(), blocks.end(),
                        [&](std::int64_t block) { return look_into(block).content == Content::foreign; });
 }
 
-bool ShardFolder::holds_blocks() const { return !block_files(nullptr).empty(); }
+bool ShardFolder::holds_blocks() const { return !block_files(everything, nullptr).empty(); }
 
 void ShardFolder::keep_leg(std::string const& text) const {
     int number = 1;
@@ -180,9 +179,9 @@ void ShardFolder::keep_leg(std::string const& text) const {
 }
 
 std::vector<std::string> ShardFolder::legs() const {
-    std::vector<std::filesystem::path> files;
+    std::vector<fs::path> files;
     std::error_code ignored;
-    for (auto const& entry : std::filesystem::directory_iterator(folder_, ignored)) {
+    for (auto const& entry : fs::directory_iterator(folder_, ignored)) {
         if (entry.path().filename().string().ends_with(leg_ending)) {
             files.push_back(entry.path());
         }
@@ -197,32 +196,30 @@ std::vector<std::string> ShardFolder::legs() const {
 }
 
 void ShardFolder::remove_unfinished(BlockRange range) const {
-    std::error_code ignored;
-    for (auto const& entry : std::filesystem::directory_iterator(folder_, ignored)) {
-        auto const name = entry.path().filename().string();
-        auto const block = block_of(finished_name(name));
-        if (is_unfinished(name) && block && range.holds(*block)) {
-            std::filesystem::remove(entry.path(), ignored);
+    each_file(folder_, range, [&](ShardEntry const& entry) {
+        auto const block = entry.block();
+        if (entry.is_unfinished() && block && range.holds(*block)) {
+            std::error_code ignored;
+            fs::remove(entry.path, ignored);
         }
-    }
+    });
 }
 
 // The record goes after the blocks, so that what a kill leaves in between can still be told.
 void ShardFolder::remove() const {
     std::error_code ignored;
-    for (auto const& entry : std::filesystem::directory_iterator(folder_, ignored)) {
-        if (block_of(finished_name(entry.path().filename().string()))) {
-            std::filesystem::remove(entry.path(), ignored);
+    each_file(folder_, everything, [&](ShardEntry const& entry) {
+        if (entry.block()) {
+            fs::remove(entry.path, ignored);
         }
-    }
-    for (auto const& entry : std::filesystem::directory_iterator(folder_, ignored)) {
-        auto const file = entry.path().filename().string();
-        if (finished_name(file) == record_name || finished_name(file).ends_with(leg_ending)
-            || file == Claim::file_name) {
-            std::filesystem::remove(entry.path(), ignored);
+    });
+    each_beside_record(folder_, [&](ShardEntry const& entry) {
+        auto const file = entry.finished_name();
+        if (file == record_name || file.ends_with(leg_ending) || file == Claim::file_name || entry.is_group()) {
+            fs::remove(entry.path, ignored);  // folders stay if anything foreign lies in them
         }
-    }
-    std::filesystem::remove(folder_, ignored);  // stays if anything foreign lies in it
+    });
+    fs::remove(folder_, ignored);
 }
 
 }  // namespace overturn::store

@@ -13,7 +13,10 @@
 
 namespace overturn::store {
 
-/// The folder `OUTPUT.parts` with one checked file per finished block.
+/// With 10^5 files a folder is slow on every file system.
+inline constexpr std::int64_t blocks_in_a_folder = 1024;
+
+/// The folder `OUTPUT.parts` with one checked file per finished block, but for the first 1024 in folders of its own.
 class ShardFolder {
   public:
     /// \param campaign what the blocks belong to: a hash of everything that decides their content
@@ -61,10 +64,11 @@ class ShardFolder {
     };
     [[nodiscard]] std::filesystem::path file_of(std::int64_t block) const;
     [[nodiscard]] Block look_into(std::int64_t block) const;
-    [[nodiscard]] std::vector<std::int64_t> block_files(std::vector<std::string>* notes) const;
+    [[nodiscard]] std::vector<std::int64_t> block_files(BlockRange range, std::vector<std::string>* notes) const;
 
     std::filesystem::path folder_;
     std::string campaign_;
+    mutable std::filesystem::path safe_group_;  ///< the folder of blocks that this process last made sure of
 };
 
 }  // namespace overturn::store

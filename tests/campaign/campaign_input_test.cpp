@@ -48,6 +48,22 @@ TEST(CampaignInput, HashSeesEverythingButTheName) {
     }
 }
 
+/// Each alone moves last bits, so that blocks of two of either must not be mixed.
+TEST(CampaignInput, BlocksBelongToCampaignProgramAndMachine) {
+    auto const base = example();
+    auto text = base;
+    text.text += " ";
+    auto program = base;
+    program.program += "+";
+    auto machine = base;
+    machine.machine = "another";
+    for (auto const& other : {text, program, machine}) {
+        EXPECT_NE(other.block_key(), base.block_key());
+    }
+    EXPECT_EQ(program.sha256(), base.sha256());
+    EXPECT_EQ(machine.sha256(), base.sha256());
+}
+
 TEST(CampaignInput, DifferencesNameTheKey) {
     auto const base = example();
     auto other = base;

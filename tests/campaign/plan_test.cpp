@@ -148,7 +148,19 @@ TEST(Plan, BlocksOfWhatIsNotMeasuredAreLong) {
     EXPECT_EQ(Plan(few).block_size(), 5);
 }
 
-// Bodies, levels and seed do not enter the block size, and nothing from outside can: it is a function of the campaign.
+// Requirement: the rows of a block fit beside a rank's own work, however many levels a wave has.
+TEST(Plan, BlocksOfVeryManyLevelsAreShort) {
+    auto spec = campaign(20'000, "{from=1,to=9,count=2000}");  // two bodies
+    EXPECT_EQ(Plan(spec).block_size(), 16) << "65 536 trials, 64 waves otherwise";
+    spec.measures.energy = spec.measures.wave_quality = false;
+    EXPECT_EQ(Plan(spec).block_size(), 16);
+    spec.limits.front().target.half_width = 0.1;
+    EXPECT_EQ(Plan(spec).block_size(), 64) << "looks at a target stay where they were";
+    EXPECT_EQ(Plan(campaign(3, "{from=1,to=9,count=50000}")).block_size(), 1);
+}
+
+// Bodies, a few levels and seed do not enter the block size, and nothing from outside can: it is a function of the
+// campaign.
 TEST(Plan, BlockSizeFollowsTheWavesOnly) {
     auto const one = campaign(600, "[3]", false, false);
     auto const many = campaign(600, "[1,2,3,4,5,6,7,8,9]", false, true);

@@ -135,6 +135,47 @@ TEST_F(Edges, AKilledReportLeavesNothing) {
     EXPECT_FALSE(folder.has("page.html"));
 }
 
+/// Nothing can be done against KILL but by the next, which leaves alone what others use.
+TEST_F(Edges, TheNextFigureRemovesWhatAKilledOneLeft) {
+    if (!has_python(folder, "h5py, matplotlib")) {
+        GTEST_SKIP() << "no h5py and matplotlib to draw with";
+    }
+    make();
+    fs::create_directory(folder / "tmp");
+    auto const folders = [&] {
+        std::error_code error;
+        std::vector<fs::path> found;
+        for (auto const& each : fs::directory_iterator(folder / "tmp", error)) {
+            found.push_back(each.path());
+        }
+        return found;
+    };
+    auto const in_there = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), {"/usr/bin/env", "TMPDIR=" + (folder / "tmp").string(), OVERTURN_PROGRAM});
+        return arguments;
+    };
+    auto const figure = in_there({"wave", "c.toml", "--wave", "0", "--plot", "wave.svg"});
+    Running killed(folder, figure);
+    ASSERT_TRUE(comes_true([&] { return !folders().empty() && fs::exists(folders().front() / "errors"); }));
+    killed.signal(SIGKILL);
+    (void)killed.wait();
+    ASSERT_EQ(folders().size(), 1U);
+    auto const left = folders().front();
+    fs::create_directory(folder / "tmp/overturn-figure-fresh");  // as just made, not locked yet
+    fs::create_directory(folder / "tmp/others");
+    Running alive(folder, in_there({"report", "c.h5", "-o", "page.html"}));
+    ASSERT_TRUE(comes_true([&] {
+        auto const all = folders();
+        return std::ranges::any_of(all, [&](auto const& each) { return each != left && fs::exists(each / "errors"); });
+    }));
+
+    EXPECT_EQ(execute(folder, figure).code, 0);
+
+    EXPECT_EQ(alive.wait().code, 0) << "nobody took its folder";
+    EXPECT_FALSE(fs::exists(left));
+    EXPECT_EQ(folders().size(), 2U);
+}
+
 TEST_F(Edges, MessagesQuoteNoKilobytes) {
     std::string const key(10'000, 'k');
     folder.write("long.toml", key + " = 1\n" + small_campaign());

@@ -102,6 +102,20 @@ TEST_F(Guard, BlocksWithoutARecordAreSaid) {
     expect_as_unbroken();
 }
 
+/// Each rank reads and hashes a share of what is there; together they miss none, and tell of each once.
+TEST_F(Guard, RanksShareTheBlocksThatAreThere) {
+    ASSERT_EQ(overturn(folder, {"run", "c.toml", "--part", "2/2"}).code, 0);
+    folder.write("c.h5.parts/0000000007.block", "damaged");
+    auto const resumed = execute(folder, mpirun(3, {"run", "c.toml", "--resume"}));
+
+    EXPECT_EQ(resumed.code, 0) << resumed.err;
+    EXPECT_NE(resumed.err.find("resuming c.h5: 5 of 12 blocks are done, 7 are left"), std::string::npos) << resumed.err;
+    auto const damage = resumed.err.find("0000000007.block: not a whole block");
+    ASSERT_NE(damage, std::string::npos) << resumed.err;
+    EXPECT_EQ(resumed.err.find("0000000007.block", damage + 1), std::string::npos) << resumed.err;
+    expect_as_unbroken();
+}
+
 TEST_F(Guard, BlocksOfTwoProgramsAreNotMixed) {
     half();
     begun_as([](CampaignInput& begun) { begun.program = "0.0.9 (abcdef)"; });

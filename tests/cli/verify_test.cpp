@@ -95,6 +95,20 @@ TEST_F(Verify, WhatDiffersIsCountedAndTheFirstIsNamed) {
     EXPECT_NE(other.err.find("(abcdef012345, sources ffffffffffff); this is"), std::string::npos) << other.err;
 }
 
+/// What only one model knows of a trial lies in columns of its own.
+TEST_F(Verify, AModelsOwnColumnsAreComparedToo) {
+    make(campaign_on_points(1));
+    if (!has_python(folder, "h5py")) {
+        GTEST_SKIP() << "no h5py to write with (install python3-h5py)";
+    }
+    edit("f['trials/contact/peak_crush'][2] = 7");
+    auto const ended = overturn(folder, {"verify", "c.h5", "--unverified"});
+
+    EXPECT_EQ(ended.code, 1);
+    EXPECT_NE(ended.out.find("1 trials, 0 waves differ; first trial 2 "), std::string::npos) << ended.out;
+    EXPECT_NE(ended.out.find("peak_crush"), std::string::npos) << ended.out;
+}
+
 TEST_F(Verify, ASampleFindsWhatItMeets) {
     make(small_campaign("shared", 2));
     if (!has_python(folder, "h5py")) {

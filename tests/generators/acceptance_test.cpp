@@ -63,6 +63,9 @@ TEST(Acceptance, SrpLimitsAreThosePrinted) {
     EXPECT_EQ(failing(wave_clauses(srp, {0.0101, 19.9, 1.1e-6, 0.17})),
               (Names{"time step", "duration", "end velocity", "component correlation"}));
     EXPECT_TRUE(all_passed(wave_clauses(srp, {0.01, 20, 1e-6, 0.16})));
+    facts = borderline();
+    facts.intensity_ratio = -1;
+    EXPECT_TRUE(all_passed(spectrum_clauses(srp, facts))) << "the Japanese rule's, of which this one says nothing";
 }
 
 TEST(Acceptance, JapaneseLimitsAreThosePrinted) {
@@ -159,6 +162,7 @@ TEST(Acceptance, IsRefusedWhereNoTargetIsStated) {
     testing::expect_input_error(
         [&] { (void)with("spectrum='rg-1.60'\n", "[vertical.target]\nspectrum='rg-1.60-vertical'\ndamping=0.1\n"); },
         "at 5 % damping");
+    EXPECT_NO_THROW((void)with("points=[[0.1,6],[0.5,6],[10,1]]\nkind='acceleration'\n")) << "judged from 0.1 s on";
     auto const source = with("points=[[0.02,2],[0.1,6],[0.5,6],[3,1]]\nkind='acceleration'\nlongest=10\n");
     EXPECT_EQ(source->compared_periods()->to_s, 3);
     EXPECT_NE(source->describe().find("beyond its end at 3 s"), std::string::npos) << source->describe();

@@ -51,6 +51,10 @@ TEST(Pulse, RickerIsSymmetricAndEndsAtRest) {
     EXPECT_NEAR(end_velocity(motion), 0, 1e-13);
     for (std::size_t i = 0; i < a.size(); ++i) {
         EXPECT_NEAR(a[i], a[a.size() - 1 - i], 1e-14);
+        // Ricker (1953), over four periods; what its cut ends leave is taken off.
+        double const u = motion.time_step_s * static_cast<double>(i) / 0.73 - 2;
+        double const v = pi * pi * u * u;
+        EXPECT_NEAR(a[i], 2.5 * (1 - 2 * v) * std::exp(-v), 1e-6);
     }
 }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Breaks the program one line at a time, and says which tests notice.
 
-tests/mutants/run.py [--only TEXT] [--minutes M] [--report FILE]
+tests/mutants/run.py [--only TEXT] [--from N] [--minutes M] [--list FILE] [--report FILE]
 
 Works in a scratch copy of this tree and of .build/dev (which has to be built), seen at this tree's own path in a mount
 namespace of its own (root), so that only what a mutant touches is built again. Every mutant of mutants.txt is applied
@@ -22,18 +22,18 @@ BUILD = ".build/dev"
 Mutant = collections.namedtuple("Mutant", "file old new programs why")
 
 
-def mutants():
-    """One block of mutants.txt each: file, `- old`, `+ new`, `? test programs [filter]`, and `! why it may survive`."""
-    for number, block in enumerate((HERE / "mutants.txt").read_text(encoding="utf-8").split("\n\n")):
+def mutants(place):
+    """One block of the list each: file, `- old`, `+ new`, `? test programs [filter]`, and `! why it may survive`."""
+    for number, block in enumerate(place.read_text(encoding="utf-8").split("\n\n")):
         lines = [line for line in block.splitlines() if line and not line.startswith("#")]
         if not lines:
             continue
         kinds = {line[0]: line[2:] for line in lines[1:]}
         if not {"-", "+", "?"} <= kinds.keys():
-            sys.exit(f"mutants.txt: block {number}: {lines[0]} (no '-', '+' or '?' line). Complete it")
+            sys.exit(f"{place.name}: block {number}: {lines[0]} (no '-', '+' or '?' line). Complete it")
         source = (ROOT / lines[0]).read_text(encoding="utf-8")
         if source.count(kinds["-"]) != 1:
-            sys.exit(f"mutants.txt: {lines[0]}: '{kinds['-']}' (is there {source.count(kinds['-'])} times). Mend it")
+            sys.exit(f"{place.name}: {lines[0]}: '{kinds['-']}' (is there {source.count(kinds['-'])} times). Mend it")
         yield Mutant(lines[0], kinds["-"], kinds["+"], kinds["?"].split(), kinds.get("!", ""))
 
 
@@ -52,7 +52,8 @@ def killer_of(copy, mutant):
         program, _, only = program.partition(":")
         if inside(copy, "nice", "cmake", "--build", BUILD, "--target", program) != 0:
             return "the compiler"
-        if inside(copy, "nice", f"{BUILD}/tests/{program}", "--gtest_brief=1", f"--gtest_filter={only or '*'}") != 0:
+        if inside(copy, "nice", f"{BUILD}/tests/{program}", "--gtest_brief=1", "--gtest_fail_fast",
+                  f"--gtest_filter={only or '*'}") != 0:
             return program + (f" ({only})" if only else "")
     return None
 
@@ -60,10 +61,12 @@ def killer_of(copy, mutant):
 def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("--only", default="", help="mutants of files whose name holds TEXT")
+    options.add_argument("--from", dest="first", type=int, default=1, help="begin with the N-th of these")
     options.add_argument("--minutes", type=float, default=1e9, help="begin no further mutant after so long")
+    options.add_argument("--list", type=pathlib.Path, default=HERE / "mutants.txt", help="another list than mutants.txt")
     options.add_argument("--report", type=pathlib.Path, help="write the table there too")
     options = options.parse_args()
-    chosen = [mutant for mutant in mutants() if options.only in mutant.file]
+    chosen = [mutant for mutant in mutants(options.list) if options.only in mutant.file][options.first - 1:]
     begun = time.monotonic()
     rows = []
     with tempfile.TemporaryDirectory(prefix="overturn-mutants.") as scratch:

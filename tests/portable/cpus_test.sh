@@ -1,7 +1,7 @@
 #!/bin/bash
 # Requirement: one campaign gives one file on every x86-64 CPU: SSE4.2 alone (Nehalem), AVX2 and FMA (Haswell), this machine's
 # own, and this machine's without AVX2 and FMA for libm; with planar, sliding, compliant and spatial trials, matched and
-# drawn waves, and rare levels.
+# drawn waves, and rare levels by plain trials, subset simulation and pulses.
 # cpus_test.sh PROGRAM CAMPAIGNS
 set -u
 program=$1 campaigns=$2
@@ -13,11 +13,12 @@ command -v qemu-x86_64 >/dev/null || { echo "cpus: no qemu-x86_64 here (apt-get 
 
 cp "$here"/*.toml "$campaigns"/bodies/type_b_model.toml "$scratch"
 cd "$scratch" || exit 1
-run() {  # NAME COMMAND...: the three campaigns by the program under COMMAND
+campaigns_here="rigid compliant rare rare_subset rare_pulses"
+run() {  # NAME COMMAND...: the campaigns by the program under COMMAND
     local name=$1 campaign
     shift
     mkdir "$name"
-    for campaign in rigid compliant rare; do
+    for campaign in $campaigns_here; do
         "$@" "$program" run $campaign.toml -o "$name/$campaign.h5" >>"$name/log" 2>&1 || echo failed >>"$name/log"
     done
 }
@@ -34,7 +35,7 @@ wait
 ! grep -q '"lanes": "AVX' Nehalem/rigid.runtime.json || fail "Nehalem is not emulated: $(grep lanes Nehalem/rigid.runtime.json)"
 grep -q '"lanes": "AVX2"' Haswell/rigid.runtime.json || fail "Haswell is not emulated: $(grep lanes Haswell/rigid.runtime.json)"
 for cpu in without-fma Nehalem Haswell; do
-    for campaign in rigid compliant rare; do
+    for campaign in $campaigns_here; do
         cmp native/$campaign.h5 $cpu/$campaign.h5 || fail "$campaign.toml on $cpu: other bytes; $(tail -1 $cpu/log)"
     done
 done

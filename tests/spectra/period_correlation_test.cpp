@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/random_stream.hpp"
+#include "core/units.hpp"
 #include "support/expect_input_error.hpp"
 
 namespace overturn {
@@ -25,6 +26,10 @@ TEST(BakerJayaram, HasTheValuesOfThePrintedEquation) {
         EXPECT_NEAR(baker_jayaram_2008(a, b), rho, 1e-6) << a << " s and " << b << " s";
         EXPECT_EQ(baker_jayaram_2008(a, b), baker_jayaram_2008(b, a));
     }
+    // At 0.2 s itself the branch from there on holds, whose C2 is nothing: C4 = C1 + (sqrt(C1) - C1) (1 + cos) / 2.
+    double const c1 = 1 - std::cos(pi / 2 - 0.366 * std::log(0.2 / 0.109));
+    EXPECT_NEAR(baker_jayaram_2008(0.05, 0.2), c1 + 0.5 * (std::sqrt(c1) - c1) * (1 + std::cos(pi * 0.05 / 0.109)),
+                1e-12);
     EXPECT_EQ(baker_jayaram_2008(0.7, 0.7), 1);
     EXPECT_EQ(baker_jayaram_2008(10, 17), 1) << "beyond 10 s its last value holds";
 }

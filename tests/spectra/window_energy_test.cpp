@@ -143,6 +143,16 @@ TEST(WindowEnergy, IsLinearInAmplitude) {
     EXPECT_GT(one.v_wes_time_s, 0);
 }
 
+/// A history ends when window and mean have left the wave, not before.
+TEST_P(Readings, HistoryRunsUntilNothingIsLeft) {
+    auto const wave = testing::broad_wave(1000, 0.01);
+    auto const energy = window_energy(wave, 0.01, band, {.reading = GetParam(), .keep_history = true});
+
+    ASSERT_EQ(energy.v_wes_mps.size(), 1000U + 500 + 50) << "T1 and T0 after the last sample";
+    EXPECT_LT(energy.v_wes_mps.back(), 1e-6 * energy.v_wes_max_mps);
+    EXPECT_GT(energy.v_wes_mps[1000 + 500], 1e-4 * energy.v_wes_max_mps) << "the mean still holds what was";
+}
+
 TEST(WindowEnergy, SmoothingIsATrailingMean) {
     std::vector<double> values(103);
     std::iota(values.begin(), values.end(), 1.0);

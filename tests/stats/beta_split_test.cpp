@@ -1,13 +1,17 @@
 // Requirement: beta_R (waves) and beta_U (what is not known of the body) are told apart from one sampled campaign.
 #include "stats/beta_split.hpp"
 
+#include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
 #include <gtest/gtest.h>
 
 #include "core/random_stream.hpp"
+#include "stats/detail/probit_regression.hpp"
 
 namespace overturn {
 namespace {
@@ -45,6 +49,38 @@ TEST(BetaSplit, FindsWhatMadeTheTrials) {
     }
     EXPECT_NEAR(split->beta_r, beta_r, 0.01);
     EXPECT_NEAR(split->beta_u, std::hypot(0.2, 0.1), 0.01);
+}
+
+// Closed form: E shift^2 = c^2 + error^2, which is taken off; what is left of nothing is not below nothing.
+TEST(BetaSplit, TakesOffWhatChanceAdds) {
+    for (auto const& shifts : {std::vector<double>{0.2, -0.1}, {0.05}, {0.0, 0.0}}) {
+        auto const split = split_beta(simulated(3, 400, shifts));
+        ASSERT_TRUE(split);
+        double squares = 0;
+        for (std::size_t k = 0; k < shifts.size(); ++k) {
+            squares +=
+                split->per_score[k] * split->per_score[k] - split->per_score_error[k] * split->per_score_error[k];
+        }
+        EXPECT_NEAR(split->beta_u * split->beta_u, std::max(0.0, squares), 1e-12);
+    }
+}
+
+// Closed form: of k falls in n waves of one trial each Phi(b) = k / n = p, and b's variance is p q / ((n - 1)
+// phi(b)^2).
+TEST(ProbitRegression, ScatterOfWavesIsTheBinomialOne) {
+    constexpr int waves = 20;
+    constexpr int fell = 6;
+    ProbitDesign design{Eigen::MatrixXd::Ones(waves, 1), {}, {}};
+    for (int i = 0; i < waves; ++i) {
+        design.overturned.push_back(i < fell);
+        design.waves.push_back(i);
+    }
+    auto const fit = regress(design);
+    ASSERT_TRUE(fit);
+
+    double const b = gsl_cdf_ugaussian_Pinv(0.3);
+    EXPECT_NEAR(fit->coefficients[0], b, 1e-9);
+    EXPECT_NEAR(fit->covariance(0, 0), 0.3 * 0.7 / (waves - 1) / std::pow(gsl_ran_ugaussian_pdf(b), 2), 1e-9);
 }
 
 // Property: over 300 repetitions the standard errors are those of the estimates, and beta_U^2 is not biased upwards.

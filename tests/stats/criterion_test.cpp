@@ -33,6 +33,13 @@ TEST(CriterionStudy, CountsTrialsAndWaves) {
     EXPECT_EQ(study.highest_standing->highest, 1.4);
 }
 
+/// A body that stands again at a higher level, or whose levels come in another order, stood at the highest of them.
+TEST(CriterionStudy, TheHighestStandingOfAWaveIsNotTheLast) {
+    std::vector<CriterionTrial> const trials{{0.9, 1, false}, {1.2, 1, false}, {0.4, 1, false}, {1.5, 1, true}};
+
+    EXPECT_EQ(study_criterion(trials, 0.95).highest_standing->highest, 1.2);
+}
+
 /// Trials that never left the ground put no criterion to the test: they are not counted, nor are waves that have no
 /// others.
 TEST(CriterionStudy, CountsWhatUplifted) {

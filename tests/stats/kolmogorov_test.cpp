@@ -29,6 +29,7 @@ TEST(Kolmogorov, DistanceByHand) {
     EXPECT_EQ(ks_distance({1, 2, 3, 4}, {3, 4, 5, 6}), 0.5);
     EXPECT_EQ(ks_distance({1, 1, 1, 2}, {1, 2, 2, 2}), 0.5) << "ties step together";
     EXPECT_EQ(ks_distance(std::vector{0.25}, [](double x) { return x; }), 0.75);
+    EXPECT_EQ(ks_distance(std::vector{0.875}, [](double x) { return x; }), 0.875) << "below the step, too";
     EXPECT_TRUE(std::isnan(ks_distance({}, std::vector{1.0})));
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "store/durable.hpp"
 #include "store/sha256.hpp"
 #include "support/expect_system_error.hpp"
 #include "support/full_disk.hpp"
@@ -130,6 +131,15 @@ TEST_F(Shards, BlockUnderAnotherSpellingIsNotCountedTwice) {
     EXPECT_EQ(sound("/3.block", "left alone"), (Blocks{0, 1, 2, 3}));
 }
 
+/// As a signed number would be written out by whoever names blocks: none of ours.
+TEST_F(Shards, NumbersBelowNoughtAreForeignNames) {
+    std::filesystem::rename(file("0000000003.block"), file("-000000003.block"));
+
+    EXPECT_EQ(sound("-000000003.block", "not a block of ours"), (Blocks{0, 1, 2}));
+    shards.remove();
+    EXPECT_TRUE(std::filesystem::exists(file("-000000003.block")));
+}
+
 TEST_F(Shards, ForeignNamesAreLeftAlone) {
     spill(file("notes.block"), "shopping list");
 
@@ -208,6 +218,53 @@ TEST_F(Shards, DamagedRecordIsSaid) {
     }
     spill(file("campaign.record"), "short");
     expect_system_error([&] { (void)shards.begun_with(); }, "campaign.record", "damaged");
+}
+
+/// No folder ever holds more than 1024 blocks, however many a campaign has.
+TEST_F(Shards, ManyBlocksLieInFoldersOfTheirOwn) {
+    for (std::int64_t const block : {std::int64_t{1023}, std::int64_t{1024}, std::int64_t{2047}, std::int64_t{5000},
+                                     std::int64_t{2'000'000'001}}) {
+        shards.commit(block, rows_of(10, static_cast<int>(block % 256)));
+    }
+    EXPECT_TRUE(std::filesystem::exists(file("0000001023.block")));
+    EXPECT_TRUE(std::filesystem::exists(file("0000001.blocks/0000001024.block")));
+    EXPECT_TRUE(std::filesystem::exists(file("0000001.blocks/0000002047.block")));
+    EXPECT_TRUE(std::filesystem::exists(file("0000004.blocks/0000005000.block")));
+
+    std::vector<std::string> notes;
+    EXPECT_EQ(shards.committed({0, 1'000'000}, notes), (Blocks{0, 1, 2, 3, 1023, 1024, 2047, 5000}));
+    EXPECT_EQ(shards.committed({1024, 2048}, notes), (Blocks{1024, 2047}));
+    EXPECT_EQ(shards.committed({2, 1025}, notes), (Blocks{2, 3, 1023, 1024}));
+    EXPECT_EQ(shards.committed({2'000'000'000, 3'000'000'000}, notes), (Blocks{2'000'000'001}));
+    EXPECT_TRUE(notes.empty());
+    EXPECT_EQ(shards.read(5000), rows_of(10, 5000 % 256));
+    shards.remove();
+    EXPECT_FALSE(shards.exists());
+}
+
+TEST_F(Shards, BlocksInAnotherFolderAreForeign) {
+    shards.commit(1500, rows_of(10, 1));
+    std::filesystem::rename(file("0000001.blocks/0000001500.block"), file("0000001500.block"));
+    std::filesystem::rename(file("0000000003.block"), file("0000001.blocks/0000000003.block"));
+
+    std::vector<std::string> notes;
+    EXPECT_EQ(shards.committed({0, 10'000}, notes), (Blocks{0, 1, 2}));
+    EXPECT_EQ(notes.size(), 2U);
+    shards.remove();
+    EXPECT_TRUE(std::filesystem::exists(file("0000001500.block")));
+    EXPECT_TRUE(std::filesystem::exists(file("0000001.blocks/0000000003.block")));
+}
+
+TEST_F(Shards, UnfinishedWritesGoFromFoldersToo) {
+    shards.commit(1500, rows_of(10, 1));
+    auto const half = "0000001.blocks/0000001501.block" + std::string(unfinished_mark) + "-host-1";
+    spill(file(half), "half");
+
+    shards.remove_unfinished({0, 1501});
+    EXPECT_TRUE(std::filesystem::exists(file(half)));
+    shards.remove_unfinished({1501, 1502});
+    EXPECT_FALSE(std::filesystem::exists(file(half)));
+    EXPECT_TRUE(std::filesystem::exists(file("0000001.blocks/0000001500.block")));
 }
 
 TEST_F(Shards, FullDiskIsReportedAndTheOldBlockStays) {

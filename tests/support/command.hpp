@@ -157,9 +157,10 @@ template <class Condition> bool comes_true(Condition&& condition) {
 inline int blocks_done(Folder const& folder, std::string const& output) {
     int count = 0;
     std::error_code error;
-    for (auto const& file : std::filesystem::directory_iterator(folder / (output + ".parts"), error)) {
-        auto const name = file.path().filename().string();
-        count += name.ends_with(".block") ? 1 : 0;
+    // Folders of blocks and those of rare events too; what comes and goes meanwhile is no matter.
+    std::filesystem::recursive_directory_iterator at(folder / (output + ".parts"), error);
+    for (; !error && at != std::filesystem::recursive_directory_iterator(); at.increment(error)) {
+        count += at->path().filename().string().ends_with(".block") ? 1 : 0;
     }
     return count;
 }

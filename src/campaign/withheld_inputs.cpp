@@ -1,0 +1,74 @@
+#include "campaign/withheld_inputs.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "config/registry.hpp"
+#include "core/error.hpp"
+#include "core/withheld.hpp"
+#include "store/durable.hpp"
+#include "store/sha256.hpp"
+
+namespace overturn {
+namespace {
+
+enum class Kept { whole, hashes };
+
+constexpr std::array kinds{config::Entry<Kept>{"stored", "the results file holds every input file", Kept::whole},
+                           config::Entry<Kept>{"hash-only", "of records it holds names and hashes", Kept::hashes}};
+
+std::string stands_for(std::string const& content) { return withheld_text(store::sha256(content), content.size()); }
+
+bool is_there(std::filesystem::path const& place) {
+    std::error_code error;
+    return std::filesystem::is_regular_file(place, error);
+}
+
+}  // namespace
+
+bool keeps_hashes_only(config::Table const& root) {
+    bool const hashes = root.choice<Kept>("inputs", kinds, Kept::whole) == Kept::hashes;
+    if (hashes && root.child("waves").text("source") != "records") {
+        root.fail("inputs",
+                  "hash-only (for source = \"records\": other waves cannot be made without their files). "
+                  "Leave it out");
+    }
+    return hashes;
+}
+
+std::map<std::string, std::string> kept_inputs(CampaignInput const& input) {
+    auto files = input.files;
+    if (keeps_hashes_only(config::Table::parse(input.text, input.name, input.settings))) {
+        for (auto& [name, content] : files) {
+            content = name.ends_with(".toml") ? content : stands_for(content);
+        }
+    }
+    return files;
+}
+
+bool has_withheld(CampaignInput const& input) {
+    return std::ranges::any_of(input.files, [](auto const& file) { return is_withheld(file.second); });
+}
+
+void fetch_withheld(CampaignInput& input, std::filesystem::path const& results) {
+    for (auto& [name, content] : input.files) {
+        if (!is_withheld(content)) {
+            continue;
+        }
+        auto const beside = results.parent_path() / name;
+        auto const place = is_there(beside) ? beside : std::filesystem::path(name);
+        validate(
+            is_there(place),
+            "{}: input {} (its campaign keeps hashes of records alone, and the record is not beside the file). Put "
+            "it there",
+            results.string(), name);
+        auto found = store::read_file(place);
+        validate(stands_for(found) == content,
+                 "{}: input {} ({} is another file than the one it was made from: its SHA-256 differs). Put that one "
+                 "there",
+                 results.string(), name, place.string());
+        content = std::move(found);
+    }
+}
+
+}  // namespace overturn

@@ -1,0 +1,26 @@
+/// Records that may not be passed on: a campaign with inputs = "hash-only" keeps their names and hashes alone.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "campaign/campaign_input.hpp"
+#include "config/table.hpp"
+
+namespace overturn {
+
+/// Reads the campaign's key `inputs`. \throws InputError if it is "hash-only" and the waves are no records
+[[nodiscard]] bool keeps_hashes_only(config::Table const& root);
+
+/// What a results file keeps of the input files: all of them, or hashes in place of what is no TOML.
+[[nodiscard]] std::map<std::string, std::string> kept_inputs(CampaignInput const& input);
+
+/// Is the content of any input file not there?
+[[nodiscard]] bool has_withheld(CampaignInput const& input);
+
+/// Puts the records back into the input of a results file: from its folder, else from the current one.
+/// \throws InputError if one is not there, or is another than the hash says
+void fetch_withheld(CampaignInput& input, std::filesystem::path const& results);
+
+}  // namespace overturn

@@ -1,0 +1,31 @@
+/// Where a figure's scripts and data lie while Python draws it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace overturn::report {
+
+/// A folder of its own, gone with the object. What a killed program left is removed by the next: a lock that the kernel
+/// drops with its holder tells which folders are in use.
+class FigureFolder {
+  public:
+    /// \throws SystemError
+    FigureFolder();
+    ~FigureFolder();
+    FigureFolder(FigureFolder const&) = delete;
+    FigureFolder& operator=(FigureFolder const&) = delete;
+    FigureFolder(FigureFolder&&) = delete;
+    FigureFolder& operator=(FigureFolder&&) = delete;
+
+    /// Writes a file of that name and gives its path. \throws SystemError
+    [[nodiscard]] std::string write(std::string_view name, std::string_view text) const;
+    [[nodiscard]] std::filesystem::path operator/(std::string_view name) const { return path_ / name; }
+
+  private:
+    std::filesystem::path path_;
+    int lock_ = -1;
+};
+
+}  // namespace overturn::report

@@ -1,0 +1,108 @@
+// Requirement: of records that may not be passed on a results file holds names and hashes alone; who has the file can
+// read and fit it, who has the records too can compute it again, and no other record is taken for one of them.
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "cli/python.hpp"
+#include "support/command.hpp"
+
+namespace overturn::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string record(double amplitude_gal) {
+    std::string text = "time_s,acc (gal)\n";
+    for (int i = 0; i <= 1000; ++i) {
+        double const t = 0.01 * i;
+        text +=
+            fmt::format("{:.2f},{:.6f}\n", t, amplitude_gal * std::sin(6.3 * t) * std::pow(std::sin(0.3141 * t), 2));
+    }
+    return text;
+}
+
+class Withheld : public ::testing::Test {
+  protected:
+    Withheld() {
+        folder.write("one.csv", record(600));
+        folder.write("two.csv", record(700));
+        folder.write("body.toml",
+                     "mass='12.6 t'\nbase_width='0.9 m'\ncentre_height='1.045 m'\ninertia='uniform-block'\n");
+        folder.write("c.toml", campaign("hash-only"));
+        EXPECT_EQ(overturn(folder, {"run", "c.toml", "-o", "away/c.h5"}).code, 2) << "no such folder yet";
+        fs::create_directory(folder / "away");
+        auto const ended = overturn(folder, {"run", "c.toml", "-o", "away/c.h5"});
+        EXPECT_EQ(ended.code, 0) << ended.err;
+    }
+
+    static std::string campaign(std::string const& inputs) {
+        return "seed=1\ninputs='" + inputs
+               + "'\n[waves]\nsource='records'\nrecords=[{horizontal='one.csv', baseline='mean'}, "
+                 "{horizontal='one.csv', transverse='two.csv', axes='principal'}]\n"
+                 "[[bodies]]\nfile='body.toml'\n[levels]\nmeasure='factor'\nvalues=[0.5,1,2]\n";
+    }
+    [[nodiscard]] Ended there(std::vector<std::string> arguments) const {
+        auto line = "cd away && exec " OVERTURN_PROGRAM + std::string();
+        for (auto const& argument : arguments) {
+            line += " " + argument;
+        }
+        return execute(folder, {"/bin/sh", "-c", line});
+    }
+
+    Folder folder;
+};
+
+TEST_F(Withheld, TheFileHoldsNamesAndHashesAlone) {
+    auto const bytes = folder.read("away/c.h5");
+    EXPECT_NE(bytes.find("one.csv"), std::string::npos);
+    EXPECT_EQ(bytes.find("acc (gal)"), std::string::npos);
+    folder.write("whole.toml", campaign("stored"));
+    ASSERT_EQ(overturn(folder, {"run", "whole.toml"}).code, 0);
+
+    EXPECT_EQ(there({"status", "c.h5"}).code, 0);
+    auto const fit = there({"fit", "c.h5"});
+    EXPECT_EQ(fit.code, 0) << fit.err;
+    auto const whole = overturn(folder, {"fit", "whole.h5"}).out;
+    auto const stripes = fit.out.substr(0, fit.out.find("hand"));
+    EXPECT_FALSE(stripes.empty());
+    EXPECT_EQ(whole.substr(0, whole.find("hand")).substr(0, 500), stripes.substr(0, 500));
+}
+
+TEST_F(Withheld, WhoComputesNeedsTheRecords) {
+    auto const refused = [&](std::vector<std::string> const& arguments, std::string const& why) {
+        auto const ended = there(arguments);
+        EXPECT_EQ(ended.code, 2) << arguments[0];
+        EXPECT_TRUE(is_one_error_line(ended.err)) << ended.err;
+        EXPECT_NE(ended.err.find(why), std::string::npos) << ended.err;
+    };
+    std::string const missing = "c.h5: input one.csv (its campaign keeps hashes of records alone";
+    refused({"replay", "c.h5", "--trial", "3"}, missing);
+    refused({"verify", "c.h5"}, missing);
+    refused({"report", "c.h5", "-o", "page.html"}, missing);
+    folder.write("away/one.csv", record(601));
+    refused({"replay", "c.h5", "--trial", "3"}, "is another file than the one it was made from");
+    folder.write("away/one.csv", record(600));
+    refused({"verify", "c.h5"}, "c.h5: input two.csv (its campaign");
+    folder.write("away/two.csv", record(700));
+
+    EXPECT_EQ(there({"replay", "c.h5", "--trial", "3"}).code, 0);
+    auto const verified = there({"verify", "c.h5"});
+    EXPECT_EQ(verified.code, 0) << verified.err << verified.out;
+    EXPECT_NE(overturn(folder, {"run", "c.toml", "-o", "away/c.h5", "--resume"}).out.find("complete already"),
+              std::string::npos);
+}
+
+TEST_F(Withheld, OtherWavesKeepTheirFiles) {
+    folder.write("pulse.toml",
+                 "seed=1\ninputs='hash-only'\n[waves]\nsource='pulse'\namplitude=3\nperiod=1\nshape='one-sine'\n"
+                 "[[bodies]]\nfile='body.toml'\n[levels]\nmeasure='factor'\nvalues=[1]\n");
+    auto const ended = overturn(folder, {"plan", "pulse.toml"});
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_NE(ended.err.find("pulse.toml:2:8: inputs: hash-only (for source = \"records\""), std::string::npos)
+        << ended.err;
+}
+
+}  // namespace
+}  // namespace overturn::testing
