@@ -10,13 +10,13 @@ namespace overturn {
 namespace {
 
 // The order is that of stored bits: never change it, only add.
-constexpr std::array names{"time step",         "duration",      "judged to",    "lowest ratio",
-                           "adjacent below",    "highest ratio", "SI ratio",     "cov of the ratio",
-                           "error of the mean", "worst decade",  "end velocity", "component correlation",
-                           "rocking band"};
+constexpr std::array clause_texts{"time step",         "duration",      "judged to",    "lowest ratio",
+                                  "adjacent below",    "highest ratio", "SI ratio",     "cov of the ratio",
+                                  "error of the mean", "worst decade",  "end velocity", "component correlation",
+                                  "rocking band"};
 
-Clause at_most(std::size_t name, double figure, double limit) { return {names.at(name), figure, limit, false}; }
-Clause at_least(std::size_t name, double figure, double limit) { return {names.at(name), figure, limit, true}; }
+Clause at_most(std::size_t name, double figure, double limit) { return {clause_texts.at(name), figure, limit, false}; }
+Clause at_least(std::size_t name, double figure, double limit) { return {clause_texts.at(name), figure, limit, true}; }
 
 }  // namespace
 
@@ -49,15 +49,15 @@ std::string Clause::text() const {
                        passed() ? "pass" : "fail");
 }
 
-std::vector<std::string> clause_names() { return {names.begin(), names.end()}; }
+std::vector<std::string> clause_names() { return {clause_texts.begin(), clause_texts.end()}; }
 
 std::int64_t failed_clauses(std::span<Clause const> clauses) {
     std::int64_t bits = 0;
     for (auto const& clause : clauses) {
-        auto const* const found =
-            std::find_if(names.begin(), names.end(), [&](char const* name) { return clause.name.starts_with(name); });
-        if (!clause.passed() && found != names.end()) {
-            bits |= std::int64_t{1} << (found - names.begin());
+        auto const* const found = std::find_if(clause_texts.begin(), clause_texts.end(),
+                                               [&](char const* name) { return clause.name.starts_with(name); });
+        if (!clause.passed() && found != clause_texts.end()) {
+            bits |= std::int64_t{1} << (found - clause_texts.begin());
         }
     }
     return bits;

@@ -9,7 +9,7 @@ namespace {
 
 using Measure = LevelMeasureEntry;
 
-constexpr std::array measures{
+constexpr std::array measure_entries{
     config::Entry<Measure>{"pga", "peak horizontal acceleration", {LevelMeasure::pga, Dimension::acceleration}},
     config::Entry<Measure>{"pgv", "peak horizontal velocity", {LevelMeasure::pgv, Dimension::velocity}},
     config::Entry<Measure>{"pgd", "peak horizontal displacement", {LevelMeasure::pgd, Dimension::length}},
@@ -83,12 +83,12 @@ void name_level(std::vector<Level>& levels, double value, LevelClass purpose) {
 }
 
 config::Entry<Measure> const& entry_of(LevelMeasure measure) {
-    return *std::ranges::find(measures, measure, [](auto const& entry) { return entry.value.measure; });
+    return *std::ranges::find(measure_entries, measure, [](auto const& entry) { return entry.value.measure; });
 }
 
 }  // namespace
 
-std::span<config::Entry<LevelMeasureEntry> const> level_measures() { return measures; }
+std::span<config::Entry<LevelMeasureEntry> const> level_measures() { return measure_entries; }
 
 std::string name_of(LevelClass purpose) {
     switch (purpose) {
@@ -151,7 +151,7 @@ std::optional<double> LevelSpec::scale(Level const& level, Intensity const& wave
 LevelSpec read_levels(config::Table const& table) {
     table.may_have({"measure", "period", "values", "waves", "design_basis", "beyond_design"});
     LevelSpec spec;
-    auto const chosen = table.choice<Measure>("measure", measures);
+    auto const chosen = table.choice<Measure>("measure", measure_entries);
     spec.measure = chosen.measure;
     if (spec.measure == LevelMeasure::sa) {
         spec.sa_period_s = table.number("period", Dimension::time, {.low = 0.02, .high = 20});

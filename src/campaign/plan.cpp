@@ -9,11 +9,11 @@ namespace {
 
 constexpr std::int64_t ids_per_level = 1'000'000'000;
 // See worker.hpp for what a block's length costs and saves.
-constexpr std::int64_t blocks_wanted = 256;     // enough for a workstation to balance, few enough to merge at once
-constexpr std::int64_t largest_block = 64;      // waves: some seconds, which a killed rank loses
-constexpr std::int64_t most_trials = 1 << 16U;  // in a block of several waves: 20 MB of rows
-constexpr std::int64_t unmeasured_block = 128;  // waves at least: 0.2 ms each, a commit takes 1 ms to 6 ms
-constexpr std::int64_t most_blocks = 1 << 20U;  // files, 1024 in a folder
+constexpr std::int64_t blocks_wanted = 256;  // enough for a workstation to balance, few enough to merge at once
+constexpr std::int64_t largest_block = 64;   // waves: some seconds, which a killed rank loses
+constexpr std::int64_t most_block_trials = 1 << 16U;  // in a block of several waves: 20 MB of rows
+constexpr std::int64_t unmeasured_block = 128;        // waves at least: 0.2 ms each, a commit takes 1 ms to 6 ms
+constexpr std::int64_t most_blocks = 1 << 20U;        // files, 1024 in a folder
 
 // Looks at a target come at the ends of blocks, so that a campaign which has one keeps them short, and their ends where
 // they are. Else a block is no longer than a rank, and the one that merges, can hold many of.
@@ -21,7 +21,7 @@ std::int64_t waves_per_block(std::int64_t waves, std::int64_t trials_per_wave, C
     bool const quick = !spec.measures.energy && !spec.measures.wave_quality && !spec.has_target();
     auto const least = quick ? std::min(unmeasured_block, waves) : 1;
     auto const wanted = std::max(std::clamp(waves / blocks_wanted, std::int64_t{1}, largest_block), least);
-    auto const most = spec.has_target() ? wanted : std::max(std::int64_t{1}, most_trials / trials_per_wave);
+    auto const most = spec.has_target() ? wanted : std::max(std::int64_t{1}, most_block_trials / trials_per_wave);
     return std::max(std::min(wanted, most), (waves + most_blocks - 1) / most_blocks);
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "core/elapsed.hpp"
 #include "core/note.hpp"
 
 namespace overturn {
@@ -33,11 +34,9 @@ Progress::Progress(std::int64_t total, std::int64_t done, double trials_per_bloc
       before_(done),
       trials_per_block_(trials_per_block),
       counted_(std::move(counted)),
-      begin_(std::chrono::steady_clock::now()) {}
+      begin_(Clock::now()) {}
 
-double Progress::elapsed_s() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-}
+double Progress::elapsed_s() const { return seconds_since(begin_); }
 
 bool Progress::is_due() const {
     constexpr double terminal_every_s = 0.2;

@@ -1,9 +1,10 @@
 /// Progress of long work on stderr: one line that rewrites itself on a terminal, plain lines elsewhere.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <string>
+
+#include "core/elapsed.hpp"
 
 namespace overturn {
 
@@ -27,7 +28,7 @@ class Progress {
     std::int64_t total_, before_;
     double trials_per_block_;
     std::string counted_;
-    std::chrono::steady_clock::time_point begin_;
+    Clock::time_point begin_;
     double shown_s_ = -1;
 };
 

@@ -9,7 +9,7 @@ namespace {
 
 using Wish = std::optional<rare::Method>;
 
-constexpr std::array methods{
+constexpr std::array rare_methods{
     config::Entry<Wish>{"auto", "what each level calls for, another one where that cannot be trusted", std::nullopt},
     config::Entry<Wish>{"pulse-mixture", "importance sampling with the pulses that failing waves have in common",
                         rare::Method::pulse_mixture},
@@ -55,7 +55,7 @@ std::optional<RareSpec> read_rare(config::Table const& root, LevelSpec const& le
     }
     auto const table = root.child("rare");
     RareSpec spec;
-    spec.method = table.choice<Wish>("method", methods, std::nullopt);
+    spec.method = table.choice<Wish>("method", rare_methods, std::nullopt);
     spec.target_cov = table.number("target_cov", Dimension::none, {.low = 0.01, .high = 1}, spec.target_cov);
     constexpr std::int64_t fewest_replicates = 4;  // fewer give no interval
     constexpr std::int64_t most_replicates = 4095;

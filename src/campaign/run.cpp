@@ -13,6 +13,7 @@
 #include "campaign/rare_run.hpp"
 #include "campaign/runtime_file.hpp"
 #include "campaign/warnings.hpp"
+#include "core/elapsed.hpp"
 #include "core/note.hpp"
 
 namespace overturn {
@@ -169,12 +170,12 @@ class Run {
 
     RunEnd merge() {
         auto const table = from_root(comm_, [&] {
-            auto const begin = std::chrono::steady_clock::now();
+            auto const begin = Clock::now();
             earlier_legs_ = shards_.legs();
             auto const tables = merge_blocks(
                 options_.output, input_, spec_, plan_, shards_, [&] { return leave_.may_merge(); },
                 rare_.value_or(std::vector<RareBody>{}));
-            done_.seconds.store += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+            done_.seconds.store += seconds_since(begin);
             return tables.value_or("");
         });
         if (comm_.is_root() && !table.empty()) {

@@ -15,7 +15,7 @@ using config::Table;
 
 enum class DistributionKind { fixed, normal, lognormal, uniform };
 
-constexpr std::array kinds{
+constexpr std::array distribution_kinds{
     config::Entry<DistributionKind>{"fixed", "known exactly: value", DistributionKind::fixed},
     config::Entry<DistributionKind>{"normal", "mean, deviation, low, high", DistributionKind::normal},
     config::Entry<DistributionKind>{"lognormal", "median, beta, low, high", DistributionKind::lognormal},
@@ -44,7 +44,7 @@ Distribution read_distribution(Table const& table, std::string_view key, Dimensi
         return Distribution::fixed(table.number(key, dimension, range));
     }
     auto const given = table.child(key);
-    auto const kind = given.choice<DistributionKind>("distribution", kinds);
+    auto const kind = given.choice<DistributionKind>("distribution", distribution_kinds);
     auto distribution = given.located("distribution", [&] { return read_stated(given, kind, dimension, range); });
     if (kind == DistributionKind::normal || kind == DistributionKind::lognormal) {
         double const low = given.number("low", dimension, range, range.low);

@@ -5,6 +5,8 @@
 #include <csignal>
 #include <ctime>
 
+#include "core/elapsed.hpp"
+
 namespace overturn {
 namespace {
 
@@ -62,11 +64,9 @@ void leave_on_signals() {
     }
 }
 
-Leave::Leave(double after_s) : begin_(std::chrono::steady_clock::now()), after_s_(after_s) {}
+Leave::Leave(double after_s) : begin_(Clock::now()), after_s_(after_s) {}
 
-double Leave::elapsed_s() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-}
+double Leave::elapsed_s() const { return seconds_since(begin_); }
 
 bool Leave::may_begin() const { return requested == 0 && elapsed_s() + longest_s_ <= after_s_; }
 

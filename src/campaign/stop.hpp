@@ -1,8 +1,9 @@
 /// Leaving on time: what signals and the time limit ask of a run.
 #pragma once
 
-#include <chrono>
 #include <limits>
+
+#include "core/elapsed.hpp"
 
 namespace overturn {
 
@@ -32,7 +33,7 @@ class Leave {
   private:
     [[nodiscard]] double elapsed_s() const;
 
-    std::chrono::steady_clock::time_point begin_;
+    Clock::time_point begin_;
     double after_s_;
     double longest_s_ = 0;
 };

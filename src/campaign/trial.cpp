@@ -1,11 +1,11 @@
 #include "campaign/trial.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "campaign/detail/wave_rows.hpp"
 #include "campaign/wave_check.hpp"
+#include "core/elapsed.hpp"
 #include "core/error.hpp"
 
 namespace overturn {
@@ -13,8 +13,8 @@ namespace {
 
 class Stopwatch {
   public:
-    explicit Stopwatch(double& seconds) : seconds_(seconds), begin_(std::chrono::steady_clock::now()) {}
-    ~Stopwatch() { seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+    explicit Stopwatch(double& seconds) : seconds_(seconds), begin_(Clock::now()) {}
+    ~Stopwatch() { seconds_ += seconds_since(begin_); }
     Stopwatch(Stopwatch const&) = delete;
     Stopwatch& operator=(Stopwatch const&) = delete;
     Stopwatch(Stopwatch&&) = delete;
@@ -22,7 +22,7 @@ class Stopwatch {
 
   private:
     double& seconds_;
-    std::chrono::steady_clock::time_point begin_;
+    Clock::time_point begin_;
 };
 
 }  // namespace

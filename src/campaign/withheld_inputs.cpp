@@ -14,8 +14,9 @@ namespace {
 
 enum class Kept { whole, hashes };
 
-constexpr std::array kinds{config::Entry<Kept>{"stored", "the results file holds every input file", Kept::whole},
-                           config::Entry<Kept>{"hash-only", "of records it holds names and hashes", Kept::hashes}};
+constexpr std::array keeping_kinds{
+    config::Entry<Kept>{"stored", "the results file holds every input file", Kept::whole},
+    config::Entry<Kept>{"hash-only", "of records it holds names and hashes", Kept::hashes}};
 
 std::string stands_for(std::string const& content) { return withheld_text(store::sha256(content), content.size()); }
 
@@ -27,7 +28,7 @@ bool is_there(std::filesystem::path const& place) {
 }  // namespace
 
 bool keeps_hashes_only(config::Table const& root) {
-    bool const hashes = root.choice<Kept>("inputs", kinds, Kept::whole) == Kept::hashes;
+    bool const hashes = root.choice<Kept>("inputs", keeping_kinds, Kept::whole) == Kept::hashes;
     if (hashes && root.child("waves").text("source") != "records") {
         root.fail("inputs",
                   "hash-only (for source = \"records\": other waves cannot be made without their files). "

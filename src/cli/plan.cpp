@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <span>
@@ -14,6 +13,7 @@
 #include "campaign/warnings.hpp"
 #include "cli/verbs.hpp"
 #include "contact/matching.hpp"
+#include "core/elapsed.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -152,15 +152,14 @@ int plan_campaign(std::string const& path, std::vector<std::string> const& setti
     PhaseSeconds seconds;
     TrialRows trials;
     WaveCounts waves;
-    auto const begin = std::chrono::steady_clock::now();
+    auto const begin = Clock::now();
     for (std::int64_t i = 0; i < probes; ++i) {
         auto const wave = i * plan.waves() / probes;
         auto const prepared = prepare_wave(spec, plan, wave, seconds);
         append_trials(spec, plan, std::span(&prepared, 1), trials, seconds);
         waves.add(prepared.row);
     }
-    double const each =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() / static_cast<double>(probes);
+    double const each = seconds_since(begin) / static_cast<double>(probes);
     double const all = each * static_cast<double>(plan.waves());
     auto const cores = std::max(1U, std::thread::hardware_concurrency());
     auto const n = static_cast<double>(probes);

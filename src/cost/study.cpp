@@ -1,19 +1,15 @@
 #include "cost/study.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 
+#include "core/elapsed.hpp"
 #include "core/note.hpp"
 #include "cost/detail/runner.hpp"
 
 namespace overturn::cost {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 constexpr int timings = 2;                 // a time is the best of them
 constexpr std::int64_t fewest_waves = 4;   // unless stated

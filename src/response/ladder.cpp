@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <utility>
 
+#include "core/elapsed.hpp"
 #include "core/error.hpp"
 
 namespace overturn {
@@ -19,12 +19,12 @@ constexpr std::size_t most_models = 8;
 class Stopwatch {
   public:
     [[nodiscard]] double lap() {
-        auto const now = std::chrono::steady_clock::now();
+        auto const now = Clock::now();
         return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
     }
 
   private:
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+    Clock::time_point last_ = Clock::now();
 };
 
 // Beyond a million g nothing here means anything, and products overflow without a sound.

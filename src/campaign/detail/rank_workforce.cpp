@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "campaign/agreement.hpp"
+#include "core/elapsed.hpp"
 #include "core/note.hpp"
 
 namespace overturn {
@@ -49,7 +50,7 @@ std::vector<std::byte> RankWorkforce::portion(rare::Stage const& stage, std::int
     auto const bytes = static_cast<std::size_t>(count) * stage.row_bytes;
     auto text = from_root(comm_, [&] { return committed(head, bytes); });
     if (text.empty()) {
-        auto const begin = std::chrono::steady_clock::now();
+        auto const begin = Clock::now();
         bool const stops = !leave_.may_begin();
         auto const own = stops ? std::string() : own_rows(stage, first, count, work);
         // One that left early leaves the portion unfinished.
@@ -64,7 +65,7 @@ std::vector<std::byte> RankWorkforce::portion(rare::Stage const& stage, std::int
             return whole;
         });
         computed_ += count;
-        leave_.block_took(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+        leave_.block_took(seconds_since(begin));
     }
     ++shard_;
     std::vector<std::byte> rows(text.size());

@@ -1,21 +1,17 @@
 #include "campaign/detail/worker.hpp"
 
 #include <algorithm>
-#include <chrono>
 
 #include "campaign/agreement.hpp"
+#include "core/elapsed.hpp"
 
 namespace overturn {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
-
 // From here on rank 0 serves the counters and leaves computing to the others.
 constexpr int ranks_worth_serving = 64;
 // Shares of what is left that each rank takes at once; ever smaller ones, so that all end together.
-constexpr std::int64_t shares = 4;
+constexpr std::int64_t shares_each = 4;
 constexpr double report_every_s = 1;
 constexpr std::int64_t stop_mark = std::int64_t{1} << 40U;  // beside the blocks done, which never come near it
 
@@ -67,7 +63,7 @@ class Worker {
         }
         auto const count = static_cast<std::int64_t>(left_.size());
         if (next_ == end_) {
-            auto const share = std::max<std::int64_t>(1, (count - end_) / (shares * comm_.size()));
+            auto const share = std::max<std::int64_t>(1, (count - end_) / (shares_each * comm_.size()));
             next_ = given_.take(share);
             end_ = next_ + share;
         }

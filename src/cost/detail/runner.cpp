@@ -1,16 +1,13 @@
 #include "cost/detail/runner.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
+#include "core/elapsed.hpp"
+
 namespace overturn::cost {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 // Relative errors of `values` against `exact`, `each` of them averaged into one.
 Spread relative_errors(std::vector<double> const& values, std::vector<double> const& exact, std::size_t each) {

@@ -10,7 +10,7 @@
 namespace overturn::store {
 namespace {
 
-constexpr char const* advice = "Give the file that overturn wrote";
+constexpr char const* foreign_advice = "Give the file that overturn wrote";
 
 struct Link {
     std::string name;
@@ -30,7 +30,7 @@ std::vector<Link> links_of(Object const& group, std::string const& path) {
 void require_stored_within(Object const& dataset, std::string const& path) {
     PropertyList const made(checked(H5Dget_create_plist(dataset.id()), "read how " + path + " is stored"));
     validate(H5Pget_external_count(made.id()) <= 0 && H5Pget_layout(made.id()) != H5D_VIRTUAL,
-             "{} is stored in another file (results hold all that they tell). {}", path, advice);
+             "{} is stored in another file (results hold all that they tell). {}", path, foreign_advice);
     auto const filters = H5Pget_nfilters(made.id());
     for (int i = 0; i < filters; ++i) {
         unsigned flags = 0;
@@ -39,7 +39,7 @@ void require_stored_within(Object const& dataset, std::string const& path) {
             H5Pget_filter2(made.id(), static_cast<unsigned>(i), &flags, &parameters, nullptr, 0, nullptr, nullptr);
         validate(filter >= 0 && filter < H5Z_FILTER_RESERVED,
                  "{} is stored through filter {} (a plugin, which is never loaded). {}", path, static_cast<int>(filter),
-                 advice);
+                 foreign_advice);
     }
 }
 
@@ -59,11 +59,11 @@ void each_object(File const& file, std::function<void(std::string const&, Object
         H5O_info_t info{};
         checked(H5Oget_info2(group.id(), &info, H5O_INFO_BASIC), "look at " + path);
         validate(seen.insert(info.addr).second, "{} is reached by two names (results know no such group). {}", path,
-                 advice);
+                 foreign_advice);
         for (auto const& link : links_of(group, path)) {
             auto const name = (path == "/" ? path : path + "/") + link.name;
             validate(link.type == H5L_TYPE_HARD, "{} is a link to elsewhere (results hold all that they tell). {}",
-                     name, advice);
+                     name, foreign_advice);
             Object const object(checked(H5Oopen(group.id(), link.name.c_str(), H5P_DEFAULT), "open " + name));
             auto const kind = H5Iget_type(object.id());
             if (kind == H5I_DATASET) {
