@@ -178,7 +178,7 @@ class Run {
             done_.seconds.store += seconds_since(begin);
             return tables.value_or("");
         });
-        if (comm_.is_root() && !table.empty()) {
+        if (comm_.is_root() && !table.empty() && !options_.quiet) {
             fmt::print("{}results: {}\n", table, options_.output.string());
         }
         return table.empty() ? RunEnd::stopped : RunEnd::complete;

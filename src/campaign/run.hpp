@@ -14,7 +14,8 @@ struct RunOptions {
     std::filesystem::path output;
     bool resume = false;
     double max_walltime_s = std::numeric_limits<double>::infinity();
-    Part part;  ///< the whole, or one part of an array job, whose blocks wait for merge_parts
+    Part part;           ///< the whole, or one part of an array job, whose blocks wait for merge_parts
+    bool quiet = false;  ///< no table on stdout
 };
 
 /// A part that is done is complete.

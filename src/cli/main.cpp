@@ -38,6 +38,7 @@ int start(int argc, char** argv) {
     cli::add_status(line);
     cli::add_replay(line);
     cli::add_verify(line);
+    cli::add_qualify(line);
     cli::add_fit(line);
     cli::add_report(line);
     cli::add_cost(line);

@@ -22,6 +22,7 @@ void add_merge(CommandLine& line);
 void add_status(CommandLine& line);
 void add_replay(CommandLine& line);
 void add_verify(CommandLine& line);
+void add_qualify(CommandLine& line);
 void add_fit(CommandLine& line);
 void add_report(CommandLine& line);
 void add_cost(CommandLine& line);

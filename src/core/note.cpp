@@ -1,5 +1,6 @@
 #include "core/note.hpp"
 
+#include <atomic>
 #include <cstdio>
 
 #include <fcntl.h>
@@ -7,7 +8,19 @@
 
 namespace overturn {
 
+namespace {
+
+std::atomic<int> quiet_wishes{0};
+
+}  // namespace
+
+QuietNotes::QuietNotes() noexcept { ++quiet_wishes; }
+QuietNotes::~QuietNotes() { --quiet_wishes; }
+
 void put_note(std::string const& text) noexcept {
+    if (quiet_wishes > 0) {
+        return;
+    }
     (void)std::fflush(stdout);  // lines keep their order where both go into one file
     (void)std::fwrite(text.data(), 1, text.size(), stderr);
     (void)std::fflush(stderr);

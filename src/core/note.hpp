@@ -14,6 +14,17 @@ template <class... Args> void note(fmt::format_string<Args...> text, Args&&... a
     put_note(fmt::format(text, std::forward<Args>(args)...));
 }
 
+/// While one lives, notes are dropped: of a run within a check of many.
+class QuietNotes {
+  public:
+    QuietNotes() noexcept;
+    ~QuietNotes();
+    QuietNotes(QuietNotes const&) = delete;
+    QuietNotes& operator=(QuietNotes const&) = delete;
+    QuietNotes(QuietNotes&&) = delete;
+    QuietNotes& operator=(QuietNotes&&) = delete;
+};
+
 /// Opens /dev/null under each of the descriptors 0 to 2 that is closed: else the next file opened gets its number, and
 /// what is meant for people is written into it.
 void keep_standard_streams() noexcept;

@@ -1,0 +1,100 @@
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "campaign/agreement.hpp"
+#include "campaign/version.hpp"
+#include "cli/collective.hpp"
+#include "cli/verbs.hpp"
+#include "core/error.hpp"
+#include "qualify/installation.hpp"
+#include "qualify/known_answers.hpp"
+#include "qualify/page.hpp"
+#include "store/durable.hpp"
+
+namespace overturn::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct QualifyOptions {
+    std::string folder = ".";
+    std::optional<std::string> page;
+    bool json = false;
+};
+
+// A folder of this run's own on the file system in question, for all ranks, gone with it.
+class Bench {
+  public:
+    Bench(fs::path const& where, parallel::Communicator const& comm) : root_(comm.is_root()) {
+        folder_ = from_root(comm, [&] {
+            store::require_writable(where / "output");
+            auto name = (fs::absolute(where) / "overturn-qualify-XXXXXX").string();
+            if (::mkdtemp(name.data()) == nullptr) {
+                throw SystemError(fmt::format("{} (no folder can be made there). Name another", where.string()));
+            }
+            return name;
+        });
+    }
+    ~Bench() {
+        std::error_code ignored;
+        if (root_) {
+            fs::remove_all(folder_, ignored);
+        }
+    }
+    Bench(Bench const&) = delete;
+    Bench& operator=(Bench const&) = delete;
+    Bench(Bench&&) = delete;
+    Bench& operator=(Bench&&) = delete;
+
+    [[nodiscard]] fs::path const& folder() const { return folder_; }
+
+  private:
+    fs::path folder_;
+    bool root_;
+};
+
+int tell(QualifyOptions const& options, qualify::Qualification const& shown) {
+    if (options.page) {
+        auto const page = qualify::page_of(shown);
+        store::write_durably(*options.page, std::as_bytes(std::span(page)));
+    }
+    fmt::print("{}", options.json ? qualify::json_of(shown).dump(2) + "\n" : qualify::text_of(shown));
+    return shown.passed() ? done : other_failure;
+}
+
+int qualify_here(QualifyOptions const& options, parallel::Communicator const& comm) {
+    Bench const bench(options.folder, comm);
+    auto const campaign = qualify::campaign_checks(bench.folder(), comm);
+    return std::stoi(from_root(comm, [&] {
+        qualify::Qualification shown{.checks = {},
+                                     .program = program_identity(),
+                                     .machine = machine(),
+                                     .compiler = compiler(),
+                                     .libraries = library_versions(),
+                                     .mpi = parallel::Communicator::library(),
+                                     .folder = fs::absolute(options.folder).lexically_normal().string(),
+                                     .ranks = comm.size()};
+        for (auto const& part : {qualify::mechanics(), qualify::contact(), qualify::spectra(), qualify::numbers(),
+                                 campaign, qualify::file_system_checks(bench.folder())}) {
+            shown.checks.insert(shown.checks.end(), part.begin(), part.end());
+        }
+        return fmt::format("{}", tell(options, shown));
+    }));
+}
+
+}  // namespace
+
+void add_qualify(CommandLine& line) {
+    auto verb = line.verb("qualify", "hold this installation against known answers, alone or under mpirun");
+    auto options = std::make_shared<QualifyOptions>();
+    verb.takes("folder", options->folder, "where outputs will lie: its file system is looked at too; default: here");
+    verb.takes("--html", options->page, "write a page that needs no network");
+    verb.takes("--json", options->json, "for scripts");
+    verb.does([options] { return on_all_ranks([&](auto const& comm) { return qualify_here(*options, comm); }); });
+}
+
+}  // namespace overturn::cli

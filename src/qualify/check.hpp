@@ -1,0 +1,25 @@
+/// One thing that an installation must show: a number found here, held against one that is known.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace overturn::qualify {
+
+struct Check {
+    std::string number;  ///< "M-03"; never given to another check
+    std::string shows;   ///< what holds if it passes
+    std::string source;  ///< whence the expected value: author and year, or the law
+    std::string unit;    ///< of found and expected; "1" where they are pure numbers
+    double found = 0, expected = 0;
+    double tolerance = 0;     ///< largest |found - expected| that passes
+    std::string remark = {};  ///< what else a reader may want to know
+
+    [[nodiscard]] double error() const;
+    /// False also where nothing finite was found.
+    [[nodiscard]] bool passed() const;
+};
+
+using Checks = std::vector<Check>;
+
+}  // namespace overturn::qualify

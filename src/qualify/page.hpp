@@ -1,0 +1,27 @@
+/// What was shown, for people and for scripts.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "qualify/check.hpp"
+
+namespace overturn::qualify {
+
+/// What was checked where.
+struct Qualification {
+    Checks checks;
+    std::string program, machine, compiler, libraries, mpi, folder;
+    int ranks = 1;
+
+    [[nodiscard]] bool passed() const;
+};
+
+/// One line per check, then the sum of them.
+[[nodiscard]] std::string text_of(Qualification const& shown);
+[[nodiscard]] nlohmann::ordered_json json_of(Qualification const& shown);
+/// One page of HTML that needs no network.
+[[nodiscard]] std::string page_of(Qualification const& shown);
+
+}  // namespace overturn::qualify
