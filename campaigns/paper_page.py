@@ -112,7 +112,7 @@ class Page:
         study = Study(self.folder / "vertical_mode.h5")
         rows = [["type A", "overturned", "of"]] + [[body, *study.fell(body)] for body in study.bodies]
         self.item("Figure 3: vertical mode at 67 Hz (prototype) and 98 Hz (model)", "mass on compliant corners or a flat bed of these frequencies",
-                  REPRODUCED, "the frequencies are put in, not found: cask, pallet and pad are one mass on one bed. What follows from them is "
+                  UNKNOWN, "the frequencies are put in, not found: cask, pallet and pad are one mass on one bed. What follows from them is "
                               "found: they hardly matter, corners or a flat base do", rows=rows)
 
     def waves(self):
@@ -188,7 +188,8 @@ class Page:
         for body, gal, published in (("type-a", 1406, "stood"), ("type-b", 892, "overturned")):
             which = study.of(body) & (np.abs(study.amplitude - gal * GAL) < 1e-9)
             rows.append([body, f"{gal} gal", int(np.sum(which & study.is_["overturned"])), int(np.sum(which)), published])
-        likely = rows[1][2] < rows[1][3] and rows[2][2] > 0
+        # Neither may be a rarity: each in a tenth of the waves at least.
+        likely = rows[1][2] <= 0.9 * rows[1][3] and rows[2][2] >= 0.1 * rows[2][3]
         self.item("Outcomes under AW01: type A stood at 1406 gal, type B fell at 892 gal",
                   f"{rows[1][2]} of {rows[1][3]} and {rows[2][2]} of {rows[2][3]} overturn under waves of CH1",
                   REPRODUCED if likely else DIFFERS, "both can happen here; one test each weighs little, and type B's width is assumed", rows=rows)
@@ -230,7 +231,8 @@ class Page:
                 wrong.append([c["body"], c["radius_unit"], safe["of"], safe["count"]])
         held = all(row[3] == 0 for row in wrong[1:] if row[1] == "cm")
         self.item("Eq. 6: V_WES < V_Ereq does not overturn", "", REPRODUCED if held else DIFFERS,
-                  "conservative with R in centimetres, by 1.6 and more; not with metres", rows=wrong)
+                  "conservative with R in centimetres, in this sample by 1.6 and more (with scattered bodies in campaigns/margin.toml the "
+                  "least is 1.13); not with metres", rows=wrong)
 
     def axes(self):
         study = Study(self.folder / "axes.h5")

@@ -113,6 +113,7 @@ class FilteredNoise : public WaveSource {
     [[nodiscard]] bool is_gaussian() const { return gaussian_; }
 
     [[nodiscard]] std::string describe() const override { return summary_; }
+    [[nodiscard]] bool of_one_spectrum() const override { return true; }
     [[nodiscard]] std::string variability() const override {
         return "noise of one power density: no event, path or site differs";
     }

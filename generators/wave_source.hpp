@@ -84,9 +84,9 @@ class WaveSource {
     [[nodiscard]] virtual bool draws_targets() const { return false; }
     /// Why PGD of its waves is no amplitude of the ground but what their baseline does; empty: it is one.
     [[nodiscard]] virtual std::string pgd_drift() const { return {}; }
-    /// Is every wave fitted to one spectrum, or all of them to its median? Measures of intensity then hardly differ
-    /// from each other but for a factor, and their trials cannot tell which is the better one.
-    [[nodiscard]] virtual bool matches_one_spectrum() const { return false; }
+    /// Are all waves of one spectrum or density, matched to it or not, so that chance phases alone tell them apart?
+    /// Their trials cannot tell which measure of intensity is the better one among motions of several events and sites.
+    [[nodiscard]] virtual bool of_one_spectrum() const { return false; }
     /// So many waves in a row may share what was drawn, and are no independent samples.
     [[nodiscard]] virtual std::uint64_t waves_alike() const { return 1; }
     /// The periods at which its waves are compared with what its target states; nothing if there is none.

@@ -77,7 +77,7 @@ class Analyst {
         BodyAnalysis body;
         body.body = spec_.bodies[b].name;
         body.variability = spec_.source->variability();
-        body.matched_waves = spec_.source->matches_one_spectrum();
+        body.one_spectrum = spec_.source->of_one_spectrum();
         body.fragility = fragility(b, 0);
         for (std::size_t limit = 1; limit < spec_.limits.size(); ++limit) {
             auto const& stated = spec_.limits[limit];

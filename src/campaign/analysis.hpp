@@ -74,7 +74,7 @@ struct LevelQuantiles {
 struct BodyAnalysis {
     std::string body;
     std::string variability;                   ///< what makes the waves differ, on which every spread below hangs
-    bool matched_waves = false;                ///< to one spectrum: no measure can prove better than another
+    bool one_spectrum = false;                 ///< of all waves: no measure can prove better than another
     std::vector<MeasuredFragility> fragility;  ///< of overturning
     std::vector<LimitAnalysis> limits;
     std::vector<LevelQuantiles> quantiles;  ///< of peak slip (unless it cannot slip) and rotation, level by level

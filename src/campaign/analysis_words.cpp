@@ -96,8 +96,8 @@ std::optional<Interval> ratio_of_betas(FragilityFit const& a, FragilityFit const
 }
 
 constexpr char const* not_testable =
-    "not testable with matched waves: all have one spectrum, and every measure follows the others in them "
-    "([waves.variability] or records tell them apart)";
+    "not testable with waves of one target or density: phases alone tell them apart, no event, path or site does "
+    "([waves.variability] or records do)";
 
 // V_WES against PGA, PGV and ouV_E: is anything simpler at least as good?
 void compare_dispersion(CriterionVerdict& verdict, BodyAnalysis const& body, double confidence) {
@@ -106,7 +106,7 @@ void compare_dispersion(CriterionVerdict& verdict, BodyAnalysis const& body, dou
         verdict.open.emplace_back("no curve over V_WES: its dispersion cannot be compared");
         return;
     }
-    if (body.matched_waves) {
+    if (body.one_spectrum) {
         verdict.open.push_back(fmt::format("dispersion and rank of V_WES beside other measures: {}", not_testable));
         return;
     }
@@ -131,7 +131,7 @@ void compare_dispersion(CriterionVerdict& verdict, BodyAnalysis const& body, dou
 
 void compare_rank(CriterionVerdict& verdict, BodyAnalysis const& body) {
     auto const own = std::find_if(body.fragility.begin(), body.fragility.end(), is_v_wes);
-    if (own == body.fragility.end() || std::isnan(own->rank_area) || body.matched_waves) {
+    if (own == body.fragility.end() || std::isnan(own->rank_area) || body.one_spectrum) {
         return;
     }
     for (auto const& other : body.fragility) {

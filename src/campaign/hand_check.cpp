@@ -91,6 +91,12 @@ void check_sliding(HandCheck& check, double friction, double level, std::vector<
     }
 }
 
+std::string further_components(GroundMotion const& motion) {
+    bool const transverse = !motion.transverse_mps2.empty();
+    bool const vertical = !motion.vertical_mps2.empty();
+    return transverse && vertical ? "transverse and vertical" : transverse ? "transverse" : vertical ? "vertical" : "";
+}
+
 }  // namespace
 
 std::vector<HandCheck> hand_checks(CampaignSpec const& spec) {
@@ -104,6 +110,7 @@ std::vector<HandCheck> hand_checks(CampaignSpec const& spec) {
         HandCheck check;
         check.body = body.name;
         check.waves = static_cast<std::int64_t>(motions.size());
+        check.left_out = further_components(motions.front());
         check_rocking(check, body.body, motions);
         if (body.friction && basis != spec.levels.levels.end()) {
             check_sliding(check, body.friction->kinetic_coefficient, basis->value, motions);
@@ -121,6 +128,9 @@ std::string hand_check_text(CampaignSpec const& spec, std::vector<HandCheck> con
         "\nby hand: reserve energy as in ASCE/SEI 43-05 Appendix A (from recollection), 84 % spectrum of the first {} "
         "waves\n",
         checks.front().waves);
+    if (!checks.front().left_out.empty()) {
+        text += fmt::format("  the waves' {} component is left out of it, which is unsafe\n", checks.front().left_out);
+    }
     for (auto const& check : checks) {
         auto const level =
             fmt::format("{:.4g} {}", spec.levels.shown(check.overturning_level), spec.levels.shown_units());

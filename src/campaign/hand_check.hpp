@@ -14,6 +14,7 @@ namespace overturn {
 struct HandCheck {
     std::string body;
     std::int64_t waves = 0;  ///< the campaign's first, whose spectra's 84 % fractile is the demand
+    std::string left_out;    ///< components of these waves that the method as it stands here knows nothing of
     /// The level at which the spectrum asks as much as the body can give at `rocking` and more at any other rotation:
     /// it overturns beyond [SI of the levels' measure]
     double overturning_level = 0;
@@ -23,7 +24,8 @@ struct HandCheck {
     double sliding_frequency_hz = 0;
 };
 
-/// Of the bodies as stated, undrawn, under the horizontal component. Empty where waves are a grid or none can be
+/// Of the bodies as stated, undrawn, under the horizontal component: others that the waves have are left out, which is
+/// unsafe, and said. Empty where waves are a grid or none can be
 /// scaled.
 [[nodiscard]] std::vector<HandCheck> hand_checks(CampaignSpec const& spec);
 

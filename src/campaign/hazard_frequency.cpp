@@ -14,19 +14,30 @@
 namespace overturn {
 namespace {
 
-// SI value of the unit that the first column's name states; the name itself has to be the levels' measure.
+// SI value of the unit that the first column's name states; the name itself has to be the levels' measure, and the
+// second column's the mean number of exceedances in a year.
 double unit_of(PairTable const& table, LevelSpec const& levels, Location const& where) {
-    auto const measure = levels.measure_name();
+    auto const measure = levels.measure_label();
     auto const name = lowered(table.first_name);
-    if (!name.starts_with(measure)) {
+    auto const behind = name.substr(std::min(measure.size(), name.size()));
+    if (!name.starts_with(measure)
+        || (!behind.empty() && std::string_view(" _\t([").find(behind[0]) == std::string::npos)) {
         throw InputError(where, fmt::format("hazard over '{}' (the levels are {}). State it over {}", table.first_name,
                                             measure, measure));
+    }
+    auto const frequency = lowered(table.second_name);
+    if (frequency != "annual_exceedance" && frequency != "annual_exceedance [1/a]"
+        && frequency != "annual_exceedance (1/a)") {
+        throw InputError(
+            where, fmt::format("'{}' (must be annual_exceedance [1/a]: exceedances in a year; of a return period its "
+                               "inverse, of a probability in t years -ln(1 - p) / t). Convert it",
+                               table.second_name));
     }
     auto const dimension = levels.dimension();
     if (dimension == Dimension::none) {
         return 1;
     }
-    auto const unit = unit_of_values(table.first_name, dimension);
+    auto const unit = unit_of_values("a" + behind, dimension);
     if (!unit) {
         throw InputError(
             where, fmt::format("'{}' states no unit of {} (one of {}). Write for example '{} [{}]'", table.first_name,
@@ -77,8 +88,8 @@ Interval interval_of_mean(FragilityFit const& fit, HazardCurve const& hazard, do
 BodyFrequency frequency_of(FragilityFit const& fit, FragilityData const& stripes, HazardCurve const& hazard,
                            double confidence) {
     BodyFrequency made;
-    made.seen = hull(annual_frequency_seen(hazard, with_undecided(stripes, false)),
-                     annual_frequency_seen(hazard, with_undecided(stripes, true)));
+    made.seen = hull(annual_frequency_seen(hazard, with_undecided(stripes, false), confidence),
+                     annual_frequency_seen(hazard, with_undecided(stripes, true), confidence));
     if (!fit.identifiable()) {
         return made;
     }
@@ -86,6 +97,10 @@ BodyFrequency frequency_of(FragilityFit const& fit, FragilityData const& stripes
     LognormalFragility const composite{median, std::hypot(fit.beta_r(), fit.beta_u)};
     made.mean = annual_frequency(hazard, composite);
     made.interval = interval_of_mean(fit, hazard, confidence);
+    made.poor = has(fit.flags, FragilityFlag::poor_fit) || has(fit.flags, FragilityFlag::no_five_percent_point);
+    if (made.poor || fit.undecided > 0) {  // with all of them fallen, or standing, it may not describe the data
+        made.interval = hull(made.interval, made.seen);
+    }
     if (made.mean->annual > 0) {
         made.shares = shares_of(hazard, composite, fit.lowest, fit.highest);
     }
@@ -118,6 +133,10 @@ HazardCurve parse_hazard(std::string_view content, std::string const& name, Leve
     std::vector<HazardPoint> points;
     for (auto const& [intensity, annual] : table.points) {
         points.push_back({intensity * unit, annual});
+    }
+    if (points.size() < 2) {
+        throw InputError(where, fmt::format("hazard curve of {} point{} (at least two). Add some", points.size(),
+                                            points.size() == 1 ? "" : "s"));
     }
     return HazardCurve(std::move(points));
 }
@@ -183,8 +202,15 @@ std::string frequency_table(CampaignSpec const& spec, std::vector<BodyFrequency>
                 "says nothing, are left out. State the curve from lower on\n",
                 name, f.mean->at_first);
         }
+        if (f.poor) {
+            text += fmt::format(
+                "  note: {}: comes from a curve that does not describe the data: believe the stripes, which the "
+                "interval "
+                "holds\n",
+                name);
+        }
         // Stripes know nothing of a beta_U that is stated beside them.
-        if (!f.fractiles && (f.interval.lower > f.seen.upper || f.interval.upper < f.seen.lower)) {
+        if (!f.fractiles && (whole(*f.mean) > f.seen.upper || whole(*f.mean) < f.seen.lower)) {
             text += fmt::format(
                 "  note: {}: the curve's frequency lies outside what the stripes alone allow: believe "
                 "the stripes\n",

@@ -21,8 +21,10 @@ struct BodyFrequency {
     std::string body, limit;
     /// By the curve over the levels with beta_R and beta_U together, if there is a curve: their mean.
     std::optional<AnnualFrequency> mean;
-    Interval
-        interval;  ///< of that mean, from refits to resampled waves or trials, with undecided trials as either extreme
+    /// Of that mean, from refits to resampled waves or trials, with undecided trials as either extreme; where the curve
+    /// does not describe the data, or might not with them, as far as the stripes alone allow too.
+    Interval interval;
+    bool poor = false;  ///< the curve does not describe the data
     /// Where beta_U is known: the frequency by the curves at 5, 50 and 95 % confidence, median exp(-+1.645 beta_U).
     struct Fractiles {
         double low = 0, median = 0, high = 0;

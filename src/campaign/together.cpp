@@ -102,7 +102,9 @@ std::string together_table(CampaignSpec const& spec, std::vector<BodiesTogether>
 MeasurePair parse_measures(std::string const& text, CampaignSpec const& spec) {
     auto const known = measures_of(spec);
     std::vector<std::string> names;
+    std::vector<std::string> labels;  // "sa(1.9 s)", as tables write them
     std::ranges::transform(known, std::back_inserter(names), [&](auto measure) { return name_of(measure, spec); });
+    std::ranges::transform(known, std::back_inserter(labels), [&](auto measure) { return label_of(measure, spec); });
     auto const comma = text.find(',');
     validate(comma != std::string::npos,
              "--measures: '{}' is not two measures (a comma parts them). State for example {},{}", text, names[0],
@@ -110,7 +112,10 @@ MeasurePair parse_measures(std::string const& text, CampaignSpec const& spec) {
     MeasurePair pair{};
     std::array const stated{text.substr(0, comma), text.substr(comma + 1)};
     for (std::size_t i = 0; i < pair.size(); ++i) {
-        auto const at = std::ranges::find(names, stated.at(i));
+        auto at = std::ranges::find(names, stated.at(i));
+        if (at == names.end()) {
+            at = names.begin() + (std::ranges::find(labels, stated.at(i)) - labels.begin());
+        }
         validate(at != names.end(),
                  "--measures: '{}' is no measure of this campaign (its curves are over others). State two of {}",
                  stated.at(i), fmt::join(names, ", "));

@@ -109,16 +109,6 @@ void add_rare(CampaignSpec const& spec, Lines& lines) {
     }
 }
 
-void add_alike(CampaignSpec const& spec, Lines& lines) {
-    if (auto const alike = spec.source->waves_alike(); alike > 1) {
-        lines.push_back(
-            fmt::format("{} waves in a row share what was drawn: bootstraps resample them together, but the exact "
-                        "intervals of stripes count them as independent and are too narrow. State per_target = 1, or "
-                        "read the curves",
-                        alike));
-    }
-}
-
 // Beyond anything felt, by a factor of some two: a unit was left out.
 void add_levels(LevelSpec const& levels, Lines& lines) {
     struct Bound {
@@ -180,6 +170,16 @@ void add_motions(CampaignSpec const& spec, Lines& lines) {
 
 }  // namespace
 
+std::string warning_of_alike_waves(CampaignSpec const& spec) {
+    auto const alike = spec.source->waves_alike();
+    return alike == 1 ? std::string()
+                      : fmt::format(
+                          "{} waves in a row share what was drawn: bootstraps resample them together, but the exact "
+                          "intervals of stripes count them as independent and are too narrow. State per_target = 1, or "
+                          "read the curves",
+                          alike);
+}
+
 std::vector<std::string> warnings_of(BodySpec const& body) {
     Lines lines;
     auto const& b = body.body;
@@ -230,7 +230,9 @@ std::vector<std::string> warnings_of(CampaignSpec const& spec) {
     add_targets(spec, lines);
     add_first_wave(spec, lines);
     add_levels(spec.levels, lines);
-    add_alike(spec, lines);
+    if (auto alike = warning_of_alike_waves(spec); !alike.empty()) {
+        lines.push_back(std::move(alike));
+    }
     add_rare(spec, lines);
     add_limits(spec, lines);
     add_motions(spec, lines);

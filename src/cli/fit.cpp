@@ -1,6 +1,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -11,6 +12,8 @@
 #include "campaign/telling_trials.hpp"
 #include "campaign/together.hpp"
 #include "campaign/version.hpp"
+#include "campaign/warnings.hpp"
+#include "campaign/withheld_inputs.hpp"
 #include "cli/fit_json.hpp"
 #include "cli/frequency_json.hpp"
 #include "cli/json_values.hpp"
@@ -80,7 +83,8 @@ int tell_refit(FitOptions const& options, store::ResultsReader const& file, Camp
 
 int fit_file(FitOptions const& options) {
     store::ResultsReader const file(options.file, options.unverified.trust());
-    auto const spec = parse_campaign(input_of(file));
+    auto const input = input_of(file);
+    auto const spec = parse_campaign(input);
     auto const statistics = recount(file, spec);
     double const confidence = options.confidence.value_or(spec.confidence);
     auto const analysis = analyse(
@@ -98,6 +102,9 @@ int fit_file(FitOptions const& options) {
         frequencies = frequencies_of(spec, statistics, analysis, *hazard, confidence);
     }
     auto const by_hand = hand_checks(spec);
+    std::string const without_records = by_hand.empty() && has_withheld(input)
+                                            ? "\nby hand: nothing, without the records (inputs = \"hash-only\")\n"
+                                            : "";
     std::vector<TwoMeasures> pairs;
     if (!options.measures.empty()) {
         pairs = over_two_measures(spec, statistics, parse_measures(options.measures, spec), confidence);
@@ -125,8 +132,11 @@ int fit_file(FitOptions const& options) {
         }
         fmt::print("{}\n", json.dump(2));
     } else {
-        fmt::print("{}{}{}{}{}{}{}{}", stripe_table(spec, statistics), analysis_table(analysis, confidence),
-                   together_table(spec, bodies_together(spec, statistics), confidence), hand_check_text(spec, by_hand),
+        auto const alike = warning_of_alike_waves(spec);
+        auto const shared = alike.empty() ? std::string() : "  note: " + alike + "\n";
+        fmt::print("{}{}{}{}{}{}{}{}", stripe_table(spec, statistics) + shared, analysis_table(analysis, confidence),
+                   together_table(spec, bodies_together(spec, statistics), confidence),
+                   hand_check_text(spec, by_hand) + without_records,
                    pairs.empty() ? std::string() : two_measures_text(pairs, confidence),
                    hazard ? frequency_table(spec, frequencies, *hazard, confidence) : std::string(),
                    rare_table(spec, rare), telling_table(spec, telling, options.file));

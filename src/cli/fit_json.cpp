@@ -203,6 +203,7 @@ Json all_fragility_json(std::vector<BodyAnalysis> const& analysis, double confid
 Json fit_json(CampaignSpec const& spec, Statistics const& statistics, std::vector<BodyAnalysis> const& analysis,
               double confidence, WarningUnits units) {
     Json json{{"variability", spec.source->variability()},
+              {"waves_alike", spec.source->waves_alike()},
               {"limits", limits_json(spec)},
               {"stripes", all_stripes_json(spec, statistics, confidence)},
               {"fragility", all_fragility_json(analysis, confidence, units)},

@@ -17,6 +17,7 @@ nlohmann::ordered_json frequency_json(std::vector<BodyFrequency> const& frequenc
         if (f.mean) {
             one["mean"] = f.mean->annual + f.mean->beyond_least;
             one["interval"] = Json::array({f.interval.lower, f.interval.upper});
+            one["poor_fit"] = f.poor;
             for (auto const& part : f.mean->parts) {
                 one["parts"].push_back({{"from", part.from}, {"to", part.to}, {"annual", part.annual}});
             }

@@ -50,6 +50,7 @@ Json hand_check_json(CampaignSpec const& spec, std::vector<HandCheck> const& che
         list.push_back({{"body", check.body},
                         {"method", "reserve energy, as ASCE/SEI 43-05 Appendix A (from recollection)"},
                         {"waves", check.waves},
+                        {"left_out", check.left_out},
                         {"demand_fractile", 0.84},
                         {"overturning_level", check.overturning_level},
                         {"rotation_ratio", check.rocking.rotation_rad / spec.bodies[b].body.alpha_rad()},

@@ -67,6 +67,9 @@ std::string wave_report(CampaignSpec const& spec, GeneratedWave const& wave, Wav
             spec.bodies[b].name, band.t0_s, band.t1_s, 100 * check.bands[b].mean_misfit,
             100 * check.bands[b].max_misfit, check.bands[b].mean_ratio, uncovered_text(spec, band));
     }
+    if (auto const drift = spec.source->pgd_drift(); !drift.empty()) {
+        text += fmt::format("its peak displacement is no ground's: {}\n", drift);
+    }
     text += fmt::format("strong motion: {:.1f} s (5 to 75 %), {:.1f} s (5 to 95 %)\n", check.quality.duration_5_75_s,
                         check.quality.duration_5_95_s);
     for (auto const& clause : check.clauses) {
@@ -88,6 +91,7 @@ std::string wave_json(CampaignSpec const& spec, GeneratedWave const& wave, WaveC
               {"pga_mps2", intensity.pga_mps2},
               {"pgv_mps", intensity.pgv_mps},
               {"pgd_m", intensity.pgd_m},
+              {"pgd_drift", spec.source->pgd_drift()},
               {"arias_mps", intensity.arias_mps},
               {"duration_5_75_s", q.duration_5_75_s},
               {"duration_5_95_s", q.duration_5_95_s},

@@ -16,7 +16,7 @@ namespace overturn::qualify {
 namespace {
 
 Check durable_writes(std::filesystem::path const& folder) {
-    constexpr std::size_t bytes = 64 * 1024;  // a block's
+    constexpr std::size_t bytes = 65'536;  // a block's
     constexpr int writes = 20;
     std::vector<std::byte> const content(bytes, std::byte{0x5a});
     std::vector<double> milliseconds;

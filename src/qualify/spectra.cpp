@@ -31,7 +31,7 @@ Check triangle_energy() {
 // A constant acceleration sets in at once: the first peak comes after half a damped period.
 Check step_response() {
     constexpr double period = 2, damping = 0.05, acceleration = 1;
-    constexpr int steps = 200;
+    constexpr std::size_t steps = 200;
     double const w = 2 * pi / period;
     double const root = std::sqrt(1 - damping * damping);
     std::vector<double> const constant(3 * steps, acceleration);

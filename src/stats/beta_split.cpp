@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <map>
 
+#include <gsl/gsl_cdf.h>
+
 #include "core/error.hpp"
 #include "stats/detail/probit_regression.hpp"
 #include "stats/extended_real.hpp"
@@ -88,6 +90,17 @@ void add_replicates(BetaSplit& split, ProbitRegression const& fit, WaveMeans con
 }
 
 }  // namespace
+
+bool BetaSplit::moves_median() const {
+    constexpr double chance = 0.05;
+    double const score = gsl_cdf_ugaussian_Qinv(chance / 2 / static_cast<double>(per_score.size()));
+    for (std::size_t k = 0; k < per_score.size(); ++k) {
+        if (std::abs(per_score[k]) > score * per_score_error[k]) {
+            return true;
+        }
+    }
+    return false;
+}
 
 std::optional<BetaSplit> split_beta(std::vector<DrawnTrial> const& trials, std::optional<BootstrapKey> const& key) {
     if (trials.empty()) {

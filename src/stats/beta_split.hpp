@@ -32,6 +32,9 @@ struct BetaSplit {
         per_score_error;  ///< their standard errors, waves as independent: sandwich by waves (Liang & Zeger 1986)
     /// With waves resampled as bootstrap_waves does under the same key: replicate by replicate its partner.
     std::vector<SplitReplicate> replicates;
+
+    /// Does anything that was drawn move the median beyond chance, at 5 % for all of it (Bonferroni)?
+    [[nodiscard]] bool moves_median() const;
 };
 
 /// Maximum likelihood by Newton's method on the concave log-likelihood (Pratt 1981). Nothing if the trials hold no such

@@ -62,7 +62,9 @@ bool lies_outside(FragilityFit const& fit, ProbitLine const& line) {
 void add_betas(FragilityFit& fit, FragilityRequest const& request) {
     fit.beta_u_drawn = request.split ? request.split->beta_u : 0;
     fit.beta_u = std::hypot(fit.beta_u_drawn, request.beta_u);
-    fit.beta_u_known = request.drawn ? request.split.has_value() : request.beta_u > 0;
+    // What was drawn and moves nothing, a mass, says nothing of what is not known.
+    bool const told_apart = request.split && (request.split->moves_median() || request.beta_u > 0);
+    fit.beta_u_known = fit.beta_u > 0 && (!request.drawn || told_apart);
 }
 
 void fit_line(FragilityFit& fit, FragilityData const& data, FragilityRequest const& request) {
@@ -224,6 +226,7 @@ std::vector<FragilityPoint> with_undecided(FragilityData const& data, bool falle
         }
         at->trials += open.undecided;
         at->overturned += fallen ? open.undecided : 0;
+        at->undecided = 0;
     }
     std::ranges::sort(points, {}, &FragilityPoint::log_intensity);
     return points;

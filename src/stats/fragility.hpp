@@ -159,7 +159,7 @@ struct FragilityFit {
     std::optional<ProbitLine> penalised;  ///< Firth's fit of separated data
     std::optional<TailBound> bound;       ///< nothing, or everything, overturned; or all that did lies at one end
     std::optional<SeenBound> pooled;  ///< of several stripes together: its upper end at `from`, its lower one at `to`
-    bool beta_u_known = false;        ///< stated, or drawn and told apart
+    bool beta_u_known = false;        ///< stated, or drawn and told apart from none
     double beta_u = 0;                ///< drawn and stated together
     double beta_u_drawn = 0;          ///< the part of it that the fitted beta holds
     std::vector<QuotedProbability> quotes;

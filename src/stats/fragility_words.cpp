@@ -216,9 +216,10 @@ std::vector<std::string> warnings_of(FragilityFit const& fit, IntensityUnit cons
     add_if(FragilityFlag::no_five_percent_point,
            "the proportions contradict the curve where 5 % and HCLPF would be read off it: neither is told");
     if (!has(fit.flags, FragilityFlag::no_five_percent_point)) {
-        add_if(FragilityFlag::no_beta_u,
-               "no beta_U was drawn (scattered bodies) or stated (--beta-u): the 5 % point is that of one curve, and "
-               "there is no HCLPF");
+        add_if(
+            FragilityFlag::no_beta_u,
+            "no beta_U was stated (--beta-u), or drawn (scattered bodies) that moves the median beyond chance: the 5 % "
+            "point is that of one curve, and there is no HCLPF");
     }
     add_if(FragilityFlag::median_outside_data, "the median lies outside what was tried: extrapolated");
     add_if(FragilityFlag::hclpf_outside_data, "HCLPF lies below all that was tried: extrapolated");

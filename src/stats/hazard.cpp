@@ -7,8 +7,8 @@
 #include <gsl/gsl_cdf.h>
 
 #include "core/error.hpp"
+#include "stats/detail/quotes.hpp"
 #include "stats/extended_real.hpp"
-#include "stats/isotonic.hpp"
 
 namespace overturn {
 
@@ -111,21 +111,25 @@ FrequencyShares shares_of(HazardCurve const& hazard, LognormalFragility const& f
     return {below / all, between / all, above / all};
 }
 
-Interval annual_frequency_seen(HazardCurve const& hazard, std::span<FragilityPoint const> stripes) {
-    std::vector<double> at, pooled;
-    for (auto const& block : isotonic_estimate(stripes)) {
-        for (std::size_t i = 0; i < block.points; ++i) {
-            at.push_back(std::exp(stripes[at.size()].log_intensity));
-            pooled.push_back(block.probability());
-        }
+Interval annual_frequency_seen(HazardCurve const& hazard, std::span<FragilityPoint const> stripes, double confidence) {
+    std::vector<double> at;
+    std::vector<double> least_from, most_up_to;  // by what any stripe below, or above, allows
+    for (auto const& stripe : stripes) {
+        auto const seen = interval_of(stripe, confidence);
+        at.push_back(std::exp(stripe.log_intensity));
+        least_from.push_back(std::max(seen.lower, least_from.empty() ? 0.0 : least_from.back()));
+        most_up_to.push_back(seen.upper);
+    }
+    for (std::size_t i = most_up_to.size(); i-- > 1;) {
+        most_up_to[i - 1] = std::min(most_up_to[i - 1], most_up_to[i]);
     }
     auto const least = [&](double intensity) {
         auto const above = std::upper_bound(at.begin(), at.end(), intensity);
-        return above == at.begin() ? 0.0 : pooled[static_cast<std::size_t>(above - at.begin()) - 1];
+        return above == at.begin() ? 0.0 : least_from[static_cast<std::size_t>(above - at.begin()) - 1];
     };
     auto const most = [&](double intensity) {
         auto const from = std::lower_bound(at.begin(), at.end(), intensity);
-        return from == at.end() ? 1.0 : pooled[static_cast<std::size_t>(from - at.begin())];
+        return from == at.end() ? 1.0 : most_up_to[static_cast<std::size_t>(from - at.begin())];
     };
     std::vector<double> ends{hazard.first(), hazard.last()};
     std::ranges::copy_if(at, std::back_inserter(ends), [&](double x) { return x > ends[0] && x < ends[1]; });

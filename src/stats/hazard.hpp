@@ -59,10 +59,12 @@ struct AnnualFrequency {
 /// rest is a normal integral with a shifted mean: the closed form of Cornell (1996) where one power law holds for all).
 [[nodiscard]] AnnualFrequency annual_frequency(HazardCurve const& hazard, LognormalFragility const& fragility);
 
-/// Bounds on it from stripes alone, if P rises with intensity: between two stripes it is at least the lower one's and
-/// at most the higher one's estimate; below all at least 0, above all at most 1. Estimates are pooled where they fall.
-/// [1/a], beyond the last point of the curve included in the upper end
-[[nodiscard]] Interval annual_frequency_seen(HazardCurve const& hazard, std::span<FragilityPoint const> stripes);
+/// Bounds on it from stripes alone, if P rises with intensity: it is at least the lower end of the exact interval of
+/// any stripe below, and at most the upper end of any above (Clopper & Pearson 1934); below all at least 0, above all
+/// at most 1. Each stripe holds with this confidence; all of them together hold with less, and what they add up to
+/// with more. [1/a], beyond the last point of the curve included in the upper end
+[[nodiscard]] Interval annual_frequency_seen(HazardCurve const& hazard, std::span<FragilityPoint const> stripes,
+                                             double confidence);
 
 /// The parts of the integral by where motions lie: below `lowest`, above `highest` and between, 1 in sum. \pre annual >
 /// 0

@@ -192,18 +192,18 @@ TEST_F(AnalysisOfRows, DispersionsAreComparedInPairs) {
         return fmt::format("{} {} {}", fmt::join(verdict.supports, "\n"), fmt::join(verdict.against, "\n"),
                            fmt::join(verdict.open, "\n"));
     };
-    body.matched_waves = false;
+    body.one_spectrum = false;
     auto const compared = all(verdict_on(body, 0.95));
     EXPECT_NE(compared.find("over V_WES and"), std::string::npos) << compared;
     EXPECT_NE(compared.find("with waves resampled in pairs"), std::string::npos) << compared;
     EXPECT_NE(compared.find("rank: "), std::string::npos) << compared;
-    body.matched_waves = true;
+    body.one_spectrum = true;
     auto const matched = all(verdict_on(body, 0.95));
-    EXPECT_NE(matched.find("not testable with matched waves"), std::string::npos) << matched;
+    EXPECT_NE(matched.find("not testable with waves of one target"), std::string::npos) << matched;
     EXPECT_EQ(matched.find("resampled in pairs"), std::string::npos) << matched;
 
     // A measure that is V_WES by another name has a ratio of exactly 1: neither better nor worse.
-    body.matched_waves = false;
+    body.one_spectrum = false;
     for (auto& measured : body.fragility) {
         if (measured.measure == FragilityMeasure::pgv) {
             auto const own = std::ranges::find(body.fragility, FragilityMeasure::v_wes, &MeasuredFragility::measure);

@@ -37,9 +37,33 @@ TEST(HazardTable, WhatCannotBeMeantIsRefused) {
     auto const parse = [&](char const* text) { (void)parse_hazard(text, "h.csv", levels); };
     expect_input_error([&] { parse("0.1, 1e-2\n1, 1e-5\n"); }, "h.csv:1", "pga [gal]");
     expect_input_error([&] { parse("pgv [kine], n\n10, 1e-2\n100, 1e-5\n"); }, "h.csv:1", "levels are pga");
-    expect_input_error([&] { parse("pga, n\n10, 1e-2\n100, 1e-5\n"); }, "states no unit");
-    expect_input_error([&] { parse("pga [gal], n\n100, 1e-5\n200, 1e-2\n"); }, "h.csv:3", "rarer");
-    expect_input_error([&] { parse("pga [gal], n\n200, 1e-2\n100, 1e-5\n"); }, "h.csv:3", "rise");
+    std::string const n = "annual_exceedance\n";
+    expect_input_error([&] { parse(("pga, " + n + "10, 1e-2\n100, 1e-5\n").c_str()); }, "states no unit");
+    expect_input_error([&] { parse(("pga [gal], " + n + "100, 1e-5\n200, 1e-2\n").c_str()); }, "h.csv:3", "rarer");
+    expect_input_error([&] { parse(("pga [gal], " + n + "200, 1e-2\n100, 1e-5\n").c_str()); }, "h.csv:3", "rise");
+    expect_input_error([&] { parse(("pga [gal], " + n + "200, 1e-2\n").c_str()); }, "h.csv:1", "1 point");
+    expect_input_error([&] { parse(("pgaverage [gal], " + n + "1, 1e-2\n2, 1e-5\n").c_str()); }, "h.csv:1",
+                       "levels are pga");
+    for (std::string const second : {"return_period", "annual_exceedance [%]", "n", "probability in 50 years"}) {
+        expect_input_error([&] { parse(("pga [gal], " + second + "\n100, 475\n200, 50\n").c_str()); }, "h.csv:1",
+                           "must be annual_exceedance");
+    }
+}
+
+// A spectral acceleration is one of its period.
+TEST(HazardTable, ThePeriodOfSaIsRead) {
+    auto const levels = testing::campaign_from(testing::quick_waves + testing::type_b
+                                               + "[measures]\nsa_periods=['1.9 s']\n[levels]\nmeasure='sa'\nperiod='1.9 s'\n"
+                                                 "values=['300 gal', '600 gal']\n")
+                            .levels;
+    auto const parse = [&](std::string const& over) {
+        return parse_hazard(over + ", annual_exceedance [1/a]\n0.1, 1e-2\n1, 1e-5\n", "h.csv", levels);
+    };
+    EXPECT_DOUBLE_EQ(parse("sa(1.9 s) [g]").last(), g0);
+    EXPECT_DOUBLE_EQ(parse("Sa(1.9 s)_gal").last(), 0.01);
+    for (std::string const other : {"sa(0.5 s) [g]", "sa [g]", "sa-average [g]", "sa(1.95 s) [g]"}) {
+        expect_input_error([&] { (void)parse(other); }, "h.csv:1", "levels are sa(1.9 s)");
+    }
 }
 
 // Trials whose proportions are those of a lognormal curve, so that curve, stripes and the closed form agree.

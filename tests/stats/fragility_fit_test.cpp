@@ -183,6 +183,26 @@ TEST(FragilityFit, StatedUncertaintyAddsToWhatWasDrawn) {
     EXPECT_FALSE(untold.hclpf()) << "drawn, but not told apart: no beta_R to be had";
 }
 
+/// What was drawn and moves nothing beyond chance, a mass, buys no HCLPF; nor does a beta_U of nothing.
+TEST(FragilityFit, WhatWasDrawnMustMoveTheMedian) {
+    FragilityRequest request;
+    request.drawn = true;
+    request.split = BetaSplit{0.2, 0.01, {0.022}, {0.02}, {}};
+    auto const chance = fit_of(known, request);
+    EXPECT_FALSE(chance.hclpf());
+    EXPECT_TRUE(has(chance.flags, FragilityFlag::no_beta_u));
+    EXPECT_TRUE(chance.five_percent_point());
+    request.split = BetaSplit{0.2, 0.0, {0.002}, {0.02}, {}};
+    EXPECT_FALSE(fit_of(known, request).hclpf());
+    request.beta_u = 0.3;
+    EXPECT_TRUE(fit_of(known, request).hclpf()) << "stated";
+    request.beta_u = 0;
+    request.split = BetaSplit{0.2, 0.15, {0.15, 0.01}, {0.06, 0.02}, {}};
+    EXPECT_TRUE(fit_of(known, request).hclpf()) << "2.5 standard errors, one of two quantities";
+    request.split = BetaSplit{0.2, 0.15, {0.15, 0.01}, {0.07, 0.02}, {}};
+    EXPECT_FALSE(fit_of(known, request).hclpf()) << "2.1 of them: chance, where two might have done it";
+}
+
 /// Cells of equal width stand in for very many distinct intensities; what that moves is far below what sampling
 /// leaves.
 TEST(FragilityFit, CellsMoveNothingThatMatters) {

@@ -74,21 +74,35 @@ TEST(Hazard, AStepIsPassedAsOftenAsItIsExceeded) {
     EXPECT_EQ(annual_frequency(hazard, {1e9, 0.2}).annual, 0) << "no remainder of large numbers";
 }
 
-// Stripes of a step at 2: P is 0 up to it and 1 from it on, so both bounds are what exceeds 2 and what exceeds 1.
+// Stripes of a step at 2: below 1 P is at most u, from 2 on at least 1 - u, where u is the exact upper end of 0 of 100.
 TEST(Hazard, StripesBoundTheFrequencyWithoutACurve) {
     HazardCurve const hazard({{0.5, 1e-2}, {1, 2e-3}, {2, 4e-4}, {4, 5e-5}});
     std::vector<FragilityPoint> const stripes{
         {std::log(1.0), 100, 0, 0}, {std::log(2.0), 100, 100, 0}, {std::log(8.0), 100, 100, 0}};
-    auto const bounds = annual_frequency_seen(hazard, stripes);
-    EXPECT_NEAR(bounds.lower, 4e-4, 1e-15);
-    EXPECT_NEAR(bounds.upper, 2e-3, 1e-15);
+    auto const bounds = annual_frequency_seen(hazard, stripes, 0.95);
+    double const u = 1 - std::pow(0.025, 0.01);
+    EXPECT_NEAR(bounds.lower, (1 - u) * 4e-4, 1e-15);
+    EXPECT_NEAR(bounds.upper, u * (1e-2 - 2e-3) + 2e-3, 1e-15);
+    // Nothing fell anywhere: what was seen allows as much as the exact ends, and all beyond what was tried.
+    std::vector<FragilityPoint> const calm{{std::log(1.0), 100, 0, 0}, {std::log(2.0), 100, 0, 0}};
+    auto const quiet = annual_frequency_seen(hazard, calm, 0.95);
+    EXPECT_EQ(quiet.lower, 0);
+    EXPECT_NEAR(quiet.upper, u * (1e-2 - 4e-4) + 4e-4, 1e-15);
+    // A small stripe among large ones widens nothing that its neighbours hold.
+    std::vector<FragilityPoint> const uneven{
+        {std::log(1.0), 1000, 300, 0}, {std::log(1.5), 3, 0, 0}, {std::log(2.0), 1000, 400, 0}};
+    std::vector<FragilityPoint> const even{uneven[0], uneven[2]};
+    auto const three = annual_frequency_seen(hazard, uneven, 0.95);
+    auto const two = annual_frequency_seen(hazard, even, 0.95);
+    EXPECT_NEAR(three.lower, two.lower, 1e-15);
+    EXPECT_NEAR(three.upper, two.upper, 1e-15);
     // A lognormal through finer stripes lies between its own bounds.
     LognormalFragility const fragility{2, 0.3};
     std::vector<FragilityPoint> fine;
     for (double a = 0.5; a < 5; a *= 1.1) {
-        fine.push_back({std::log(a), 1000, 1000 * fragility.probability(a), 0});
+        fine.push_back({std::log(a), 1e6, std::round(1e6 * fragility.probability(a)), 0});
     }
-    auto const close = annual_frequency_seen(hazard, fine);
+    auto const close = annual_frequency_seen(hazard, fine, 0.95);
     auto const curve = annual_frequency(hazard, fragility);
     EXPECT_LE(close.lower, curve.annual + curve.beyond_least);
     EXPECT_GE(close.upper, curve.annual + curve.beyond_least);
