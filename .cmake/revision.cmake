@@ -1,4 +1,4 @@
-# cmake -DSOURCE_DIR=... -DHEADER=... -P revision.cmake : writes what is compiled into a header, only when it changes: the
+# cmake -DSOURCE_DIR=... -DHEADER=... -DFLAGS=... -P revision.cmake : writes what is compiled into a header, only when it changes: the
 # git revision, for people, and a hash of all sources, which tells programs apart outside git and between commits too.
 cmake_minimum_required(VERSION 3.25)
 execute_process(COMMAND git -C "${SOURCE_DIR}" describe --always --dirty --abbrev=12
@@ -8,13 +8,15 @@ if(failed)
 endif()
 file(GLOB_RECURSE sources RELATIVE "${SOURCE_DIR}" "${SOURCE_DIR}/src/*.cpp" "${SOURCE_DIR}/src/*.hpp" "${SOURCE_DIR}/src/*.py"
      "${SOURCE_DIR}/generators/*.cpp" "${SOURCE_DIR}/generators/*.hpp")
-list(APPEND sources src/CMakeLists.txt .cmake/rooms.cmake)  # options decide bits
+# Options decide bits.
+list(APPEND sources src/CMakeLists.txt .cmake/rooms.cmake .cmake/portable_math.cmake CMakeLists.txt CMakePresets.json)
 list(SORT sources)
 set(digests "")
 foreach(source IN LISTS sources)
   file(SHA256 "${SOURCE_DIR}/${source}" digest)
   string(APPEND digests "${digest}  ${source}\n")
 endforeach()
+string(APPEND digests "${FLAGS}\n")  # a builder's own: CXXFLAGS, -DCMAKE_CXX_FLAGS=...
 string(SHA256 sources_sha256 "${digests}")
 set(text "#define OVERTURN_GIT_REVISION \"${revision}\"\n#define OVERTURN_SOURCES_SHA256 \"${sources_sha256}\"\n")
 if(EXISTS "${HEADER}")

@@ -45,6 +45,7 @@ std::string CampaignInput::serialise() const {
     json["name"] = name;
     json["program"] = program;
     json["machine"] = machine;
+    json["libraries"] = libraries;
     auto const bytes = Json::to_cbor(json);
     return {bytes.begin(), bytes.end()};
 }
@@ -57,7 +58,8 @@ CampaignInput CampaignInput::deserialise(std::string_view bytes) {
                             json.at("settings").get<std::vector<std::string>>(),
                             {},
                             json.value("program", "an older one"),
-                            json.value("machine", "an unnamed machine")};
+                            json.value("machine", "an unnamed machine"),
+                            json.value("libraries", "libraries that it does not name")};
         for (auto const& [name, content] : json.at("files").items()) {
             input.files.emplace(name, text_of(content));
         }
@@ -72,7 +74,7 @@ std::string CampaignInput::sha256() const {
     return store::sha256({reinterpret_cast<char const*>(bytes.data()), bytes.size()});
 }
 
-std::string CampaignInput::block_key() const { return store::sha256(sha256() + program + machine); }
+std::string CampaignInput::block_key() const { return store::sha256(sha256() + program + machine + libraries); }
 
 std::vector<std::string> CampaignInput::differences(CampaignInput const& other) const {
     std::vector<std::string> found;
@@ -81,6 +83,10 @@ std::vector<std::string> CampaignInput::differences(CampaignInput const& other) 
     }
     if (machine != other.machine) {
         found.push_back(fmt::format("begun on {}, this is {}: their last bits differ", machine, other.machine));
+    }
+    if (libraries != other.libraries) {
+        found.push_back(
+            fmt::format("begun with {}, this has {}: their last bits may differ", libraries, other.libraries));
     }
     auto const ours = lines_of(text);
     auto const theirs = lines_of(other.text);

@@ -23,10 +23,12 @@ struct CampaignInput {
     std::string program = program_identity();
     /// What kind of machine computes it: all x86-64 give the same last bits, aarch64 others.
     std::string machine = overturn::machine();
+    /// With what: a library or a compiler of another version may give other last bits.
+    std::string libraries = overturn::library_versions() + ", " + overturn::compiler();
 
-    /// SHA-256 of text, settings and files; neither the name nor program and machine count.
+    /// SHA-256 of text, settings and files; neither the name nor program, machine and libraries count.
     [[nodiscard]] std::string sha256() const;
-    /// What finished blocks belong to: sha256(), the program and the kind of machine.
+    /// What finished blocks belong to: sha256(), the program, the kind of machine and the libraries.
     [[nodiscard]] std::string block_key() const;
 
     [[nodiscard]] std::string serialise() const;

@@ -99,6 +99,12 @@ void require_same_program(CampaignInput const& begun, std::filesystem::path cons
         "{}: begun on {}, this is {} (their last bits differ, blocks must not be mixed). Finish it on {}, or start "
         "anew with another -o",
         output.string(), begun.machine, machine(), begun.machine);
+    CampaignInput const here;
+    validate(
+        begun.libraries == here.libraries,
+        "{}: begun with {}, this has {} (their last bits may differ, blocks must not be mixed). Finish it with those, "
+        "or start anew with another -o",
+        output.string(), begun.libraries, here.libraries);
 }
 
 MergeEnd merge_parts(std::filesystem::path const& output) {

@@ -1,5 +1,7 @@
 #include "cli/collective.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <exception>
 
@@ -26,9 +28,25 @@ std::string other_launcher() {
     return {};
 }
 
+// srun starts processes that Open MPI cannot join where it was built without Slurm's PMI, and MPI_Init then ends each
+// of them with a page of its own.
+bool is_cut_off() {
+    char const* const tasks = std::getenv("SLURM_STEP_NUM_TASKS");
+    auto const is_set = [](char const* name) { return std::getenv(name) != nullptr; };
+    return tasks != nullptr && std::atoi(tasks) > 1 && parallel::Communicator::library().starts_with("Open MPI")
+           && std::ranges::none_of(std::array{"PMIX_RANK", "PMI_RANK", "PMI_FD", "OMPI_COMM_WORLD_SIZE"}, is_set);
+}
+
 }  // namespace
 
 int on_all_ranks(std::function<int(parallel::Communicator const&)> const& action) {
+    if (is_cut_off()) {
+        say_once(
+            fmt::format("SLURM_STEP_NUM_TASKS says {} ranks (srun tells {} nothing of them). Start it with mpirun, or "
+                        "srun --mpi=pmix",
+                        std::getenv("SLURM_STEP_NUM_TASKS"), parallel::Communicator::library()));
+        return bad_input;
+    }
     parallel::Environment const environment;
     parallel::Communicator const comm;
     if (auto const other = other_launcher(); comm.size() == 1 && !other.empty()) {

@@ -62,21 +62,28 @@ void check(FitOptions const& options) {
 // Curves are fitted by the program that runs; those that the file holds may be another's.
 int tell_refit(FitOptions const& options, store::ResultsReader const& file, CampaignSpec const& spec,
                Statistics const& statistics) {
-    if (is_of_this_program(file)) {
+    if (is_of_this_program(file) && file.text("library_versions") == library_versions()) {
         return done;
     }
     constexpr double same = 1e-9;
     RefitDifference largest;
     auto const analysis = analyse(spec, statistics, {.confidence = spec.confidence});
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
-        auto const one = refit_difference(file, "fragility/" + spec.bodies[b].name, analysis[b].fragility);
-        largest = one.relative > largest.relative ? one : largest;
+        auto const& body = spec.bodies[b].name;
+        auto const look = [&](std::string const& group, std::vector<MeasuredFragility> const& fits) {
+            auto const one = refit_difference(file, group + "fragility/" + body, fits);
+            largest = one.relative > largest.relative ? one : largest;
+        };
+        look("", analysis[b].fragility);
+        for (std::size_t l = 1; l < spec.limits.size(); ++l) {
+            look("limits/" + spec.limits[l].name + "/", analysis[b].limits[l - 1].fragility);
+        }
     }
     bool const differs = largest.relative > same;
     note("overturn: {}: refitted by overturn {} (the file holds the fit of {}, {}). {}\n", options.file,
          program_identity(), maker_of(file),
          differs ? fmt::format("another one: {} differs by {:.2g}", largest.column, largest.relative)
-                 : std::string("equal to 1e-9"),
+                 : std::string("all curves equal to 1e-9"),
          differs ? "Quote either with its program" : "Either may be quoted");
     return differs ? refitted_otherwise : done;
 }
@@ -86,6 +93,7 @@ int fit_file(FitOptions const& options) {
     auto const input = input_of(file);
     auto const spec = parse_campaign(input);
     auto const statistics = recount(file, spec);
+    bool const changed = options.unverified.told_of(file, options.file);
     double const confidence = options.confidence.value_or(spec.confidence);
     auto const analysis = analyse(
         spec, statistics, {.confidence = confidence, .beta_u = options.beta_u, .velocities = options.unit.measures()});
@@ -119,6 +127,7 @@ int fit_file(FitOptions const& options) {
         for (auto const& level : spec.levels.levels) {
             json["levels"]["stated"].push_back(spec.levels.shown(level.value));
         }
+        json["unverified"] = changed;
         json["telling_trials"] = telling_json(spec, telling);
         json["hand_check"] = hand_check_json(spec, by_hand);
         if (!pairs.empty()) {

@@ -26,7 +26,7 @@ std::string why_bits_differ(store::ResultsReader const& file) {
                            libraries, library_versions());
     }
     return fmt::format("(this very program made it: {}). Replay it on the kind of machine that made it",
-                       file.is_sealed()
+                       file.is_as_written()
                            ? "another kind of machine than " + machine() + " decides last bits"
                            : "it was edited, or another kind of machine than " + machine() + " decides last bits");
 }

@@ -49,6 +49,7 @@ int replay(ReplayOptions const& options) {
         validate(options.rare.empty(), "--plot beside --rare (only rows of /trials are drawn). Leave one of them out");
     }
     store::ResultsReader const file(options.file, options.unverified.trust());
+    (void)options.unverified.told_of(file, options.file);
     auto input = input_of(file);
     fetch_withheld(input, options.file);
     auto const spec = parse_campaign(input);

@@ -219,6 +219,7 @@ int write_report(ReportOptions const& options) {
     auto input = input_of(file);
     fetch_withheld(input, options.file);
     auto const spec = parse_campaign(input);
+    bool const changed = options.unverified.told_of(file, options.file);
     Plan const plan(spec);
     auto const statistics = recount(file, spec);
     Json data;
@@ -244,6 +245,7 @@ int write_report(ReportOptions const& options) {
             data["rare"][spec.bodies[b].name] = rare_waves_json(rare_waves(file, spec, b));
         }
     }
+    data["unverified"] = changed;
     data["facts"] = facts_of(spec, plan, file);
     data["facts"].push_back({"confidence", fmt::format("{:g} %", 100 * confidence)});
     if (options.beta_u > 0) {

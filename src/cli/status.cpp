@@ -17,15 +17,16 @@
 namespace overturn::cli {
 namespace {
 
-int status_of_file(std::string const& path, store::Trust trust) {
-    store::ResultsReader const file(path, trust);
+int status_of_file(std::string const& path, Unverified const& unverified) {
+    store::ResultsReader const file(path, unverified.trust());
     auto const spec = parse_campaign(input_of(file));
+    bool const changed = unverified.told_of(file, path);
     auto const verdicts = file.integers("trials/verdict");
     auto const waves = recount(file, spec).waves().text(file.text("wave_acceptance"));
     auto const done_waves = static_cast<std::int64_t>(file.integers("waves/id").size());
     auto const planned = Plan(spec).waves();
-    fmt::print("{}: complete, {} trials of '{}'{}{}{}\n", path, verdicts.size(), file.text("title"),
-               waves.empty() ? "" : "; ", waves,
+    fmt::print("{}: complete{}, {} trials of '{}'{}{}{}\n", path, changed ? " but edited or damaged" : "",
+               verdicts.size(), file.text("title"), waves.empty() ? "" : "; ", waves,
                done_waves < planned ? fmt::format("; precise enough after {} of {} waves", done_waves, planned)
                                     : std::string());
     auto const reasons = file.integers("trials/failure");
@@ -77,9 +78,9 @@ void tell_so_far(CampaignSpec const& spec, Plan const& plan, store::ShardFolder 
     fmt::print("{}", failed.text());
 }
 
-int status(std::string const& path, store::Trust trust) {
+int status(std::string const& path, Unverified const& unverified) {
     if (std::filesystem::exists(path)) {
-        return status_of_file(path, trust);
+        return status_of_file(path, unverified);
     }
     store::ShardFolder const unnamed(path, "");
     require_begun(unnamed, path);
@@ -118,7 +119,7 @@ void add_status(CommandLine& line) {
     auto unverified = std::make_shared<Unverified>();
     verb.needs("file", *path, "results file");
     unverified->offered_by(verb);
-    verb.does([path, unverified] { return status(*path, unverified->trust()); });
+    verb.does([path, unverified] { return status(*path, *unverified); });
 }
 
 }  // namespace overturn::cli

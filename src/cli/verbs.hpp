@@ -1,6 +1,8 @@
 /// One function per verb: declares its options and what it does.
 #pragma once
 
+#include <string>
+
 #include "cli/command_line.hpp"
 #include "store/results_file.hpp"
 
@@ -14,6 +16,9 @@ struct Unverified {
         verb.takes("--unverified", wished, "read a file that was edited or damaged since overturn wrote it, as it is");
     }
     [[nodiscard]] store::Trust trust() const { return wished ? store::Trust::unverified : store::Trust::sealed; }
+    /// Says that a file is not as it was written, and that what follows is read from it as it is. \return whether it is
+    /// so
+    [[nodiscard]] bool told_of(store::ResultsReader const& file, std::string const& path) const;
 };
 
 void add_run(CommandLine& line);

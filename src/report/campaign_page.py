@@ -263,6 +263,9 @@ class Report:
             part()
         title = escape(self.results.title)
         answers = paragraphs(limit_sections.answers(self))
+        if self.data["unverified"]:
+            answers = paragraphs(["The results file is NOT as it was written: edited, damaged or never sealed. It was read as it is."],
+                                 " class=warning") + answers
         contents = " · ".join(self.contents)
         return (f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">\n'
                 f'<meta name="viewport" content="width=device-width, initial-scale=1">\n<title>{title}</title>\n'

@@ -113,8 +113,10 @@ class ResultsReader {
     explicit ResultsReader(std::filesystem::path const& path, Trust trust = Trust::sealed,
                            std::string_view format = format_name);
 
-    /// Is it as it was written?
+    /// Was it held against what was written when it was opened?
     [[nodiscard]] bool is_sealed() const { return trust_ == Trust::sealed; }
+    /// Is it as it was written? Reads all of it where that was not asked for.
+    [[nodiscard]] bool is_as_written() const;
 
     [[nodiscard]] std::string text(std::string const& name) const;
     [[nodiscard]] std::int64_t integer(std::string const& name) const;
@@ -137,6 +139,7 @@ class ResultsReader {
     void open(std::string_view format);
     [[noreturn]] void refuse(Seal seal, std::string_view format);
     [[nodiscard]] std::string what_changed() const;
+    [[nodiscard]] std::string digest_faults() const;
 
     std::filesystem::path path_;
     Trust trust_;

@@ -46,6 +46,12 @@ void require_readable(std::filesystem::path const& path) {
     validate(!written, "{}: another program has it open for writing (h5py?). Close it there", path.string());
 }
 
+std::string damaged(std::filesystem::path const& path, std::string const& why) {
+    return fmt::format(
+        "{}: damaged or edited ({}). Restore it or run the campaign again; as it is, it is read with --unverified",
+        path.string(), why);
+}
+
 }  // namespace
 
 ResultsReader::ResultsReader(std::filesystem::path const& path, Trust trust, std::string_view format)
@@ -64,6 +70,10 @@ ResultsReader::ResultsReader(std::filesystem::path const& path, Trust trust, std
         refuse(seal, format);
     }
     open(format);
+    // A seal can be made anew by who edits; then the digests inside still tell.
+    if (auto const faults = trust == Trust::sealed ? digest_faults() : std::string(); !faults.empty()) {
+        throw InputError(damaged(path_, faults));
+    }
 }
 
 void ResultsReader::open(std::string_view format) {
@@ -118,12 +128,16 @@ void ResultsReader::refuse(Seal seal, std::string_view format) {
     if (why && why->starts_with(said_by_itself)) {
         throw InputError(why->substr(1));
     }
-    throw InputError(fmt::format(
-        "{}: damaged or edited ({}). Restore it or run the campaign again; as it is, it is read with --unverified",
-        path_.string(), why.value_or("so that HDF5 cannot read it")));
+    throw InputError(damaged(path_, why.value_or("so that HDF5 cannot read it")));
 }
 
 std::string ResultsReader::what_changed() const {
+    auto const faults = digest_faults();
+    return faults.empty() ? "no value changed, but bytes between them did, or another program wrote to it" : faults;
+}
+
+// What does not fit the digests that the file holds of its objects; empty where all do.
+std::string ResultsReader::digest_faults() const {
     auto const list = fmt::format("{}/{}", digest_group, digest_list);
     if (!has(list)) {
         return fmt::format("/{} is gone", list);
@@ -133,12 +147,14 @@ std::string ResultsReader::what_changed() const {
         if (text(digest_of_all) != sha256(told)) {
             return fmt::format("/{} is not as it was written", list);
         }
-        auto const changed = differences(told, digests_of(file_));
-        return changed.empty() ? "no value changed, but bytes between them did, or another program wrote to it"
-                               : changed;
+        return differences(told, digests_of(file_));
     } catch (SystemError const&) {
         return fmt::format("/{} or what it lists cannot be read", list);
     }
+}
+
+bool ResultsReader::is_as_written() const {
+    return trust_ == Trust::sealed || (seal_of(path_) == Seal::intact && digest_faults().empty());
 }
 
 }  // namespace overturn::store

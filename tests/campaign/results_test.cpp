@@ -147,7 +147,7 @@ TEST(Statistics, CountWhatTheRowsSay) {
     statistics.add(row_of(1, 0, Verdict::overturned, false, false));
     statistics.add(row_of(1, 0, Verdict::rocked, true, false));
     statistics.add(row_of(1, 0, Verdict::at_rest, false, true));
-    statistics.add(row_of(1, 0, Verdict::failed, true, true));
+    statistics.add(row_of(1, 0, Verdict::failed, true, false));
     statistics.add(row_of(1, 1, Verdict::contact_lost, false, true));
     statistics.add(row_of(1, 1, Verdict::slid, true, true));
     auto slipping = row_of(0, 1, Verdict::rocked, true, true);
@@ -159,6 +159,8 @@ TEST(Statistics, CountWhatTheRowsSay) {
     EXPECT_EQ(b.stripes[0].overturned, 2);
     EXPECT_EQ(b.stripes[0].failed, 1);
     EXPECT_EQ(b.v_wes[0].undecided_safe, 1) << "said safe, and nobody knows";
+    EXPECT_EQ(b.ou_v_e[0].undecided_safe, 0) << "each measure by its own word";
+    EXPECT_EQ(b.ou_v_e[0].undecided_unsafe, 1);
     EXPECT_EQ(b.stripes[0].probability(), 0.5);
     EXPECT_EQ(b.stripes[1].trials, 2);
     EXPECT_EQ(b.stripes[1].undecided, 1);

@@ -35,6 +35,19 @@ class Parts : public ::testing::Test {
     Folder folder;
 };
 
+/// A library upgraded between two tasks may move a bit: their blocks are never put together.
+TEST_F(Parts, OfOtherLibrariesAreNotMixed) {
+    auto const other = execute(folder, {"/usr/bin/env", "LD_PRELOAD=" OVERTURN_OTHER_QUANTILE, OVERTURN_PROGRAM, "run",
+                                        "c.toml", "--part", "1/2"});
+    ASSERT_EQ(other.code, 0) << other.err;
+    for (auto const& ended : {part("2/2"), merge()}) {
+        EXPECT_EQ(ended.code, 2) << ended.out;
+        EXPECT_NE(ended.err.find("GSL 9.9"), std::string::npos) << ended.err;
+        EXPECT_TRUE(is_one_error_line(ended.err)) << ended.err;
+    }
+    EXPECT_FALSE(folder.has("c.h5"));
+}
+
 TEST_F(Parts, MergedAreTheBytesOfOneRun) {
     expect_part_done(part("2/3"));
     expect_part_done(execute(folder, mpirun(2, {"run", "c.toml", "--part", "3/3"})));

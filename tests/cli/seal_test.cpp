@@ -85,6 +85,42 @@ TEST_F(SealedFile, EveryReaderLooks) {
     EXPECT_NE(replayed.out.find("NOT bit-equal to the stored row: v_wes differ"), std::string::npos) << replayed.out;
 }
 
+/// A seal can be made anew; the digests inside tell all the same, and whoever reads what was edited is told so.
+TEST_F(SealedFile, ASealMadeAnewDoesNotHide) {
+    if (!has_python(folder, "h5py")) {
+        GTEST_SKIP() << "no h5py to write with (install python3-h5py)";
+    }
+    ASSERT_EQ(edit_results(folder, "c.h5", "f['trials/v_wes'][...] = f['trials/v_wes'][...] * 1.1").code, 0);
+    folder.write("seal.py",
+                 "import hashlib\nbody = open('c.h5', 'rb').read().split(b'\\noverturn-seal sha256 ')[0]\n"
+                 "line = f'\\noverturn-seal sha256 {hashlib.sha256(body).hexdigest()} of {len(body):020} bytes\\n'\n"
+                 "open('c.h5', 'wb').write(body + line.encode())\n");
+    ASSERT_EQ(execute(folder, {OVERTURN_PYTHON, "seal.py"}).code, 0);
+    for (std::string const verb : {"status", "fit"}) {
+        expect_refused({verb, "c.h5"}, "/trials/v_wes changed");
+    }
+
+    auto const status = overturn(folder, {"status", "c.h5", "--unverified"});
+    EXPECT_TRUE(status.out.starts_with("c.h5: complete but edited or damaged, ")) << status.out;
+    auto const fit = overturn(folder, {"fit", "c.h5", "--unverified", "--json"});
+    EXPECT_NE(fit.err.find("c.h5: NOT as it was written"), std::string::npos) << fit.err;
+    EXPECT_NE(fit.out.find("\"unverified\": true"), std::string::npos);
+    folder.write("c.h5", sound);
+    auto const fine = overturn(folder, {"fit", "c.h5", "--unverified", "--json"});
+    EXPECT_EQ(fine.err, "");
+    EXPECT_NE(fine.out.find("\"unverified\": false"), std::string::npos);
+    EXPECT_TRUE(overturn(folder, {"status", "c.h5", "--unverified"}).out.starts_with("c.h5: complete, "));
+}
+
+TEST_F(SealedFile, ItsPageSaysThatItWasEdited) {
+    if (!has_python(folder, "h5py") || !has_python(folder, "matplotlib")) {
+        GTEST_SKIP() << "nothing to draw with (install python3-h5py python3-matplotlib)";
+    }
+    ASSERT_EQ(edit_results(folder, "c.h5", "f['trials/v_wes'][5] *= 2").code, 0);
+    ASSERT_EQ(overturn(folder, {"report", "c.h5", "-o", "edited.html", "--unverified"}).code, 0);
+    EXPECT_NE(folder.read("edited.html").find("The results file is NOT as it was written"), std::string::npos);
+}
+
 /// Where no reader of HDF5 would ever look, too.
 TEST_F(SealedFile, FlippedBitsAreNoticed) {
     std::mt19937_64 random(2013);
