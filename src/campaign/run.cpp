@@ -12,6 +12,7 @@
 #include "campaign/progress.hpp"
 #include "campaign/rare_run.hpp"
 #include "campaign/runtime_file.hpp"
+#include "campaign/validated_range.hpp"
 #include "campaign/warnings.hpp"
 #include "core/elapsed.hpp"
 #include "core/note.hpp"
@@ -96,6 +97,7 @@ class Run {
         if (comm_.is_root()) {
             note("waves: {}\n", spec_.source->describe());
             note("they differ by {}\n", spec_.source->variability());
+            note("validated range: {}\n", validated_range_text(spec_));
             for (auto const& line : warnings_of(spec_)) {
                 note("warning: {}\n", line);
             }

@@ -10,6 +10,7 @@
 #include "campaign/progress.hpp"
 #include "campaign/results.hpp"
 #include "campaign/shown_levels.hpp"
+#include "campaign/validated_range.hpp"
 #include "campaign/warnings.hpp"
 #include "cli/verbs.hpp"
 #include "contact/matching.hpp"
@@ -141,6 +142,7 @@ int plan_campaign(std::string const& path, std::vector<std::string> const& setti
         fmt::print("levels    {}", more);
     }
     tell_limits(spec);
+    fmt::print("validated {}\n", validated_range_text(spec));
     for (auto const& line : warnings_of(spec)) {
         fmt::print("warning   {}\n", line);
     }

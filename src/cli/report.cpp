@@ -16,6 +16,7 @@
 #include "campaign/results.hpp"
 #include "campaign/runtime_file.hpp"
 #include "campaign/telling_trials.hpp"
+#include "campaign/validated_range.hpp"
 #include "campaign/warnings.hpp"
 #include "campaign/withheld_inputs.hpp"
 #include "cli/figures.hpp"
@@ -74,6 +75,7 @@ Json facts_of(CampaignSpec const& spec, Plan const& plan, store::ResultsReader c
     auto const waves = static_cast<std::int64_t>(file.integers("waves/id").size());
     add("waves", fmt::format("{} ({})", ran_text(waves, plan.waves()), spec.source->describe()));
     add("waves differ by", spec.source->variability());
+    add("validated range", validated_range_text(spec));
     add("acceptance of waves", spec.source->acceptance());
     add("levels", fmt::format("{} of {}, {:.6g} to {}{}", levels.size(), spec.levels.measure_name(),
                               spec.levels.shown(levels.front().value), spec.levels.text(levels.back().value),

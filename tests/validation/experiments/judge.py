@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Holds the program against real outcomes: judge.py PROGRAM DATASET.toml [--json OUT.json].
+"""Holds the program against real outcomes: judge.py PROGRAM DATASET.toml [--json OUT.json | --records FOLDER].
 
 Every measured motion is run once under every body of a grid of what cannot be measured (alpha, restitution). Those bodies
 that agree with the outcomes of all motions but one within a standard error of the best (Breiman et al. 1984) vote on that
 one: the single best of them is chosen by chance (it misses specimen 2 by 5 % more). A motion is shaken at many strengths, so
 that leaving out single tests would judge a body by the motion that chose it. Thresholds on PGA and PGV are chosen and judged
-likewise. Intervals resample motions. Exits with 77 where the data are missing: ../shared/experiments, or
+likewise. Intervals resample motions. --records only writes the motions as files, for campaigns/granite.toml. Exits with 77 where the data are missing: ../shared/experiments, or
 OVERTURN_EXPERIMENTS."""
 
 import csv
@@ -44,17 +44,23 @@ def data_of(dataset):
     return folder
 
 
-def campaign(dataset, folder, scratch, tests):
-    """Writes records and campaign. Returns the grid, a pair of alpha and restitution for each body in their order."""
-    motions, block = dataset["motions"], dataset["block"]
+def records(dataset, folder, to, tests):
+    """Writes the motions as the program reads them. Returns their names."""
+    motions, files = dataset["motions"], []
     accelerations = np.load(folder / "motions.npz")
-    files = []
     for test in tests:
         values = accelerations[f"t{int(test['test']):03d}"]
         files.append(f"t{int(test['test']):03d}.csv")
-        with open(scratch / files[-1], "w", encoding="ascii") as file:
+        with open(to / files[-1], "w", encoding="ascii") as file:
             file.write(f"time_s,acc ({motions['unit']})\n")
             file.writelines(f"{motions['step_s'] * i:.3f},{a:.6g}\n" for i, a in enumerate(values))
+    return files
+
+
+def campaign(dataset, folder, scratch, tests):
+    """Writes records and campaign. Returns the grid, a pair of alpha and restitution for each body in their order."""
+    motions, block = dataset["motions"], dataset["block"]
+    files = records(dataset, folder, scratch, tests)
     grid = [(alpha, e) for alpha in dataset["fitted"]["alpha"] for e in dataset["fitted"]["restitution"]]
     text = [f"title = {json.dumps(dataset['title'])}\nseed = 1\n[waves]\nsource = 'records'\nfiles = {json.dumps(files)}",
             "baseline = {high_pass = '%s'}" % motions["corner"]]
@@ -214,6 +220,11 @@ def main():
     folder = data_of(dataset)
     with open(folder / "outcomes.csv", encoding="utf-8", newline="") as file:
         tests = list(csv.DictReader(file))
+    if "--records" in sys.argv:
+        to = Path(sys.argv[sys.argv.index("--records") + 1])
+        to.mkdir(parents=True, exist_ok=True)
+        records(dataset, folder, to, tests)
+        return
     motions = np.array([test["motion"].strip("'").removesuffix(".xlsx") for test in tests])
     told = {"title": dataset["title"], "doi": dataset["doi"], "specimens": {}}
     with tempfile.TemporaryDirectory() as scratch:

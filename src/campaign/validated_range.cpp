@@ -1,0 +1,69 @@
+#include "campaign/validated_range.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+namespace overturn {
+namespace {
+
+constexpr std::array tested{
+    ValidatedRange{"alpha", 0.08, 0.14, "", "fitted to the outcomes of other motions"},
+    ValidatedRange{"p", 4.0, 5.4, "rad/s", "of a centre assumed 0.25 to 0.45 m high; mass measured"},
+    ValidatedRange{"PGV", 0.01, 0.94, "m/s", "measured"},
+};
+constexpr std::size_t of_alpha = 0;
+constexpr std::size_t of_p = 1;
+constexpr std::size_t of_pgv = 2;
+
+void add_outside(std::vector<std::string>& list, std::size_t place, double least, double most) {
+    auto const& range = tested.at(place);
+    if (least >= range.lowest && most <= range.highest) {
+        return;
+    }
+    auto const unit = std::string(range.unit).empty() ? "" : std::string(" ") + range.unit;
+    auto const value = least == most ? fmt::format("{:.3g}", least) : fmt::format("{:.3g} to {:.3g}", least, most);
+    list.push_back(
+        fmt::format("{} {}{} (tested: {:g} to {:g})", range.quantity, value, unit, range.lowest, range.highest));
+}
+
+}  // namespace
+
+std::span<ValidatedRange const> validated_ranges() { return tested; }
+
+std::vector<std::string> outside_validated_range(CampaignSpec const& spec) {
+    std::vector<std::string> lines;
+    for (auto const& body : spec.bodies) {
+        std::vector<std::string> outside;
+        add_outside(outside, of_alpha, body.body.alpha_rad(), body.body.alpha_rad());
+        add_outside(outside, of_p, body.body.p_radps(), body.body.p_radps());
+        if (spec.levels.measure == LevelMeasure::pgv) {
+            add_outside(outside, of_pgv, spec.levels.levels.front().value, spec.levels.levels.back().value);
+        }
+        if (body.friction) {
+            outside.emplace_back("friction (no test measured it)");
+        }
+        if (body.footing.stated) {
+            outside.emplace_back("base and pad (tested: blocks of uneven base, as two corners)");
+        }
+        if (!outside.empty()) {
+            lines.push_back(fmt::format("{}: {}", body.name, fmt::join(outside, ", ")));
+        }
+    }
+    return lines;
+}
+
+std::string validated_range_text(CampaignSpec const& spec) {
+    constexpr std::size_t most_told = 4;  // bodies
+    constexpr char const* tests = "245 shaking-table tests of two granite blocks";
+    auto const outside = outside_validated_range(spec);
+    return outside.empty()
+               ? fmt::format("all bodies lie within what {} hold", tests)
+               : fmt::format(
+                   "outside what {} hold, in {}{}", tests,
+                   fmt::join(std::span(outside).first(std::min(most_told, outside.size())), "; "),
+                   outside.size() > most_told ? fmt::format("; and {} bodies more", outside.size() - most_told) : "");
+}
+
+}  // namespace overturn

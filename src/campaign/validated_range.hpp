@@ -1,0 +1,31 @@
+/// What the program was held against real outcomes for, and where a campaign leaves that.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "campaign/campaign_spec.hpp"
+
+namespace overturn {
+
+/// A quantity of the bodies that were tested, from its lowest to its highest value [SI].
+struct ValidatedRange {
+    char const* quantity;
+    double lowest, highest;
+    char const* unit;  ///< "" for pure numbers
+    char const* basis;
+};
+
+/// 245 tests of two granite blocks on a shaking table (doi 10.26443/seismica.v3i1.692; tests/validation/experiments):
+/// one component, no base that was measured to be flat, friction unknown.
+[[nodiscard]] std::span<ValidatedRange const> validated_ranges();
+
+/// "alpha 0.577 (tested: 0.08 to 0.14), ..." for each body that leaves the range: its name, and in which quantities.
+/// Empty: all are inside.
+[[nodiscard]] std::vector<std::string> outside_validated_range(CampaignSpec const& spec);
+
+/// One line: what was tested, and which bodies lie outside in what.
+[[nodiscard]] std::string validated_range_text(CampaignSpec const& spec);
+
+}  // namespace overturn

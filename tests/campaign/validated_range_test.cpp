@@ -1,0 +1,48 @@
+// Requirement: a campaign says in which quantity its bodies lie outside what was held against real outcomes.
+#include "campaign/validated_range.hpp"
+
+#include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "support/campaigns.hpp"
+
+namespace overturn {
+namespace {
+
+std::string body(char const* name, double width, double height, char const* more = "") {
+    return fmt::format(
+        "[[bodies]]\nname='{}'\nmass=354\nbase_width={}\ncentre_height={}\ninertia='uniform-block'\nrestitution=0.9\n{"
+        "}",
+        name, width, height, more);
+}
+
+CampaignSpec spec_of(std::string const& bodies, std::string const& levels = testing::levels("values=[3,6]\n")) {
+    return testing::campaign_from(testing::quick_waves + bodies + levels);
+}
+
+// A block like those that were tested: alpha .11, p 4.57 rad/s.
+TEST(ValidatedRange, HoldsWhatWasTested) {
+    auto const spec = spec_of(body("granite", 0.0773, 0.35));
+    EXPECT_TRUE(outside_validated_range(spec).empty());
+    EXPECT_EQ(validated_range_text(spec),
+              "all bodies lie within what 245 shaking-table tests of two granite blocks hold");
+}
+
+TEST(ValidatedRange, NamesEveryQuantityThatLeavesIt) {
+    auto const lines =
+        outside_validated_range(spec_of(body("granite", 0.0773, 0.35) + body("wide", 0.2, 0.35)
+                                        + body("large", 0.22, 1.0) + body("slips", 0.0773, 0.35, "friction=0.5\n")));
+    ASSERT_EQ(lines.size(), 3U);
+    EXPECT_EQ(lines[0], "wide: alpha 0.278 (tested: 0.08 to 0.14)");
+    EXPECT_EQ(lines[1], "large: p 2.7 rad/s (tested: 4 to 5.4)");
+    EXPECT_EQ(lines[2], "slips: friction (no test measured it)");
+    auto const fast =
+        spec_of(body("granite", 0.0773, 0.35), "[levels]\nmeasure='pgv'\nvalues=['50 kine', '120 kine']\n");
+    ASSERT_EQ(outside_validated_range(fast).size(), 1U);
+    EXPECT_EQ(outside_validated_range(fast)[0], "granite: PGV 0.5 to 1.2 m/s (tested: 0.01 to 0.94)");
+}
+
+}  // namespace
+}  // namespace overturn
