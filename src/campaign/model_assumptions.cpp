@@ -67,8 +67,8 @@ Bears with_friction(CampaignSpec const& spec) {
 }
 
 Bears without_friction(CampaignSpec const& spec) {
-    bool const none = spec.effects.mode == EffectMode::none || !allows(spec, Effect::sliding);
-    return none ? Bears::yes : of_bodies(spec, [](BodySpec const& body) { return !body.friction; });
+    bool const may_not_slide = spec.effects.mode == EffectMode::none || !allows(spec, Effect::sliding);
+    return may_not_slide ? Bears::yes : of_bodies(spec, [](BodySpec const& body) { return !body.friction; });
 }
 
 Bears of_known_bodies(CampaignSpec const& spec) {
@@ -88,7 +88,7 @@ Bears of_several_components(CampaignSpec const& spec) {
 
 constexpr std::string_view not_measured = "not measured";
 
-constexpr std::array table{
+constexpr std::array assumptions{
     ModelAssumption{"rigid-body", "cask, contents and pallet are one rigid body that neither bends nor breaks",
                     Misjudged::unknown, "none", not_measured, "Housner 1963", always},
     ModelAssumption{"fixed-contents", "nothing inside shifts, rattles or sloshes", Misjudged::unknown, "none",
@@ -161,6 +161,6 @@ constexpr std::array table{
 
 }  // namespace
 
-std::span<ModelAssumption const> model_assumptions() { return table; }
+std::span<ModelAssumption const> model_assumptions() { return assumptions; }
 
 }  // namespace overturn

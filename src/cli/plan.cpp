@@ -119,7 +119,7 @@ struct PlanOptions {
 };
 
 // Without the probe, whose times are never the same.
-int print_json(CampaignSpec const& spec, Plan const& plan) {
+int print_plan_json(CampaignSpec const& spec, Plan const& plan) {
     Json const json{{"title", spec.title},           {"waves", plan.waves()},
                     {"trials", plan.trials()},       {"blocks", plan.blocks()},
                     {"warnings", warnings_of(spec)}, {"assumptions", assumptions_json(spec)}};
@@ -133,7 +133,7 @@ int plan_campaign(PlanOptions const& options) {
     auto const spec = parse_campaign(input);
     Plan const plan(spec);
     if (options.json) {
-        return print_json(spec, plan);
+        return print_plan_json(spec, plan);
     }
     fmt::print("{}\n", spec.title.empty() ? path : spec.title);
     fmt::print("waves     {} ({})\n", plan.waves(), spec.source->describe());

@@ -1,7 +1,9 @@
 // Where values come from: {value = ..., basis = "...", source = "...", range = [...]} in place of a value; of a whole
 // table basis = "..." and source = "..." among its keys, or a table `basis` with an entry per key.
 #include <array>
-#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <toml++/toml.h>
 
@@ -23,26 +25,29 @@ bool is_with_origin(toml::node const& node) {
            && (table->contains("basis") || table->contains("source") || table->contains("range"));
 }
 
+// As people write it, on one line: texts without their quotes, numbers without digits that nobody stated.
 std::string one_line(toml::node const& node) {
+    std::string line;
+    if (auto const* list = node.as_array()) {
+        for (auto const& element : *list) {
+            line += (line.empty() ? "" : ", ") + one_line(element);
+        }
+        return "[" + line + "]";
+    }
+    if (auto const* table = node.as_table()) {
+        for (auto const& [key, value] : *table) {
+            line += fmt::format("{}{} = {}", line.empty() ? "" : ", ", key.str(), one_line(value));
+        }
+        return "{" + line + "}";
+    }
     if (auto const text = node.value_exact<std::string>()) {
         return *text;
     }
-    std::ostringstream stream;
-    node.visit([&](auto const& concrete) { stream << concrete; });
-    std::string line;
-    for (char const c : stream.str()) {
-        bool const blank = c == '\n' || c == ' ';
-        if (!blank || (!line.empty() && line.back() != ' ')) {
-            line += blank ? ' ' : c;
-        }
+    if (auto const truth = node.value_exact<bool>()) {
+        return *truth ? "true" : "false";
     }
-    return line;
-}
-
-// As people write it: a text without its quotes, a number without digits that nobody stated.
-std::string written(toml::node const& node) {
-    auto const number = node.is_number() ? node.value<double>() : std::nullopt;
-    return number ? fmt::format("{}", *number) : one_line(node);
+    auto const number = node.value<double>();
+    return number ? fmt::format("{}", *number) : "a date";
 }
 
 // The ends of a range, of a number held to it.
@@ -53,7 +58,7 @@ std::vector<std::string> range_of(toml::array const& ends, std::optional<double>
         validate(low <= *number && *number <= high, "{:.6g} outside its range ({:.6g} to {:.6g}). Mend one of them",
                  *number, low, high);
     }
-    return {written(*ends.get(0)), written(*ends.get(1))};
+    return {one_line(*ends.get(0)), one_line(*ends.get(1))};
 }
 
 }  // namespace
@@ -209,7 +214,9 @@ std::shared_ptr<Table::Node> Table::Node::below(std::string_view key, toml::tabl
     node->ledger_path = ledger_key(numbered);
     node->depth = depth;
     node->inherited = origin_of(key);
-    node->inherited.range = nullptr;
+    validate(node->inherited.range == nullptr,
+             "range of a table (it is each value that lies between two). State it "
+             "there");
     return node;
 }
 

@@ -3,6 +3,7 @@
 from page_parts import fold, paragraphs, table
 
 MOST_OPEN = 12  # rows of inputs
+MOST = 300  # of a campaign of very many bodies
 
 
 def of_input(stated):
@@ -34,7 +35,8 @@ def add(report):
     report.csv("assumptions", keys, ([one[key] for key in keys] for one in model))
     words = (f"{counts['assumed']} of {counts['inputs']} inputs are assumed, {counts['published']} published, "
              f"{counts['measured']} measured, {counts['not_stated']} not stated, {counts['default']} defaults of this program.")
-    drawn = table(["input", "value (range)", "basis", "source, and where it is said"], map(input_row, inputs))
+    drawn = table(["input", "value (range)", "basis", "source, and where it is said"], map(input_row, inputs[:MOST]),
+                  f"{len(inputs) - MOST} more: overturn fit --json tells all." if len(inputs) > MOST else "")
     report.section("assumptions", "Assumptions", paragraphs([words]),
                    fold("inputs, by their own word", drawn) if len(inputs) > MOST_OPEN else drawn,
                    "<h3>What the model assumes</h3>",

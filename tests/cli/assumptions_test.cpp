@@ -1,4 +1,4 @@
-// Requirement: what is assumed is told by list, plan, fit and report.
+// Requirement: what is assumed is told by list, plan, fit and report, and cost says what it decides.
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -92,6 +92,36 @@ TEST_F(Assumptions, AreASectionOfTheReport) {
     EXPECT_EQ(section.find("independent-components") != std::string::npos, true);
     EXPECT_TRUE(folder.has("f/inputs.csv"));
     EXPECT_TRUE(folder.has("f/assumptions.csv"));
+}
+
+TEST_F(Assumptions, AreMovedByCost) {
+    auto const table = overturn(folder, {"cost", "c.toml", "--sensitivity"});
+    ASSERT_EQ(table.code, 0) << table.err;
+    EXPECT_NE(table.err.find("100 %"), std::string::npos) << "no word of progress: " << table.err;
+    EXPECT_NE(table.out.find("bodies[1].centre_height"), std::string::npos) << table.out;
+    auto const study = json::parse(overturn(folder, {"cost", "c.toml", "--sensitivity", "--json"}).out);
+    ASSERT_EQ(study["rows"].size(), 1U);
+    EXPECT_EQ(study["rows"][0]["body"], "type-b");
+    EXPECT_EQ(study["waves"], 4);
+
+    auto const wrong = overturn(folder, {"cost", "c.toml", "--sensitivity", "-o", "x.h5"});
+    EXPECT_EQ(wrong.code, 2);
+    EXPECT_NE(wrong.err.find("-o beside --sensitivity"), std::string::npos) << wrong.err;
+}
+
+TEST_F(Assumptions, MovedAreAPageOfTheirOwn) {
+    if (!has_python(folder, "matplotlib")) {
+        GTEST_SKIP() << "no matplotlib to draw with";
+    }
+    auto const ended = overturn(folder, {"cost", "c.toml", "--sensitivity", "--html", "s.html"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+
+    auto const page = folder.read("s.html");
+    EXPECT_NE(page.find("<svg"), std::string::npos);
+    EXPECT_NE(page.find("bodies[1].centre_height"), std::string::npos);
+    for (char const* loads : {"src=", "<link", "@import", "url(http"}) {
+        EXPECT_EQ(page.find(loads), std::string::npos) << loads;
+    }
 }
 
 }  // namespace

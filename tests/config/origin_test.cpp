@@ -30,7 +30,7 @@ InputValue input(Table const& table, std::string const& key) {
 /// Reader and value are those of the plain form; only the ledger knows more.
 TEST(Origin, AValueReadsAsItsPlainForm) {
     auto const table = Table::parse(R"(
-friction = {value = 0.5, basis = "measured", source = "tilt test of 2019"}
+friction = {value = 0.55, basis = "measured", source = "tilt test of 2019"}
 mass = {value = "12.6 t", basis = "published", source = "PATRAM 2013", range = ["12 t", 13000]}
 shape = {value = "round", basis = "assumed"}
 periods = {value = [1, "2 s"], basis = "published: RG 1.60, table 1"}
@@ -40,7 +40,7 @@ count = {value = 3, basis = "assumed", range = [2, 5]}
                                     "x.toml");
 
     EXPECT_EQ(table.kind("friction"), Kind::number);
-    EXPECT_EQ(read(table, "friction"), 0.5);
+    EXPECT_EQ(read(table, "friction"), 0.55);
     EXPECT_EQ(read(table, "mass", Dimension::mass), 12600);
     EXPECT_EQ(table.text("shape"), "round");
     EXPECT_EQ(table.numbers("periods", Dimension::time, Range::any()), (std::vector<double>{1, 2}));
@@ -51,12 +51,13 @@ count = {value = 3, basis = "assumed", range = [2, 5]}
 
     EXPECT_EQ(input(table, "friction").basis, Basis::measured);
     EXPECT_EQ(input(table, "friction").source, "tilt test of 2019");
-    EXPECT_EQ(input(table, "friction").number, 0.5);
+    EXPECT_EQ(input(table, "friction").number, 0.55);
+    EXPECT_EQ(input(table, "friction").text, "0.55");
     EXPECT_EQ(input(table, "mass").text, "12.6 t");
     EXPECT_EQ(input(table, "mass").range, (std::vector<std::string>{"12 t", "13000"}));
     EXPECT_EQ(input(table, "shape").basis, Basis::assumed);
     EXPECT_EQ(input(table, "periods").source, "RG 1.60, table 1");
-    EXPECT_EQ(input(table, "periods").text, "[ 1, '2 s' ]");
+    EXPECT_EQ(input(table, "periods").text, "[1, 2 s]");
 }
 
 /// A span is where the value stands, so that it can be replaced in the text.
@@ -147,19 +148,47 @@ TEST(Origin, DefaultsAreToldWhereNothingIsStated) {
 
 /// A table outranks the file it names, a statement any default.
 TEST(Origin, OfNamedFilesCountBelowTheTableThatNamesThem) {
-    auto const body = Table::parse("[[bodies]]\nfriction = 0.6\n", "x.toml").children("bodies")[0];
-    auto const file = body.named_document("basis = 'assumed'\nmass = 2\nfriction = {static = 0.4}\naxes = 1", "b.toml");
+    auto const body = Table::parse("[[bodies]]\nfriction = 0.6\nheight = {value = 4, basis = 'measured'}\n", "x.toml")
+                          .children("bodies")[0];
+    auto const file =
+        body.named_document("basis = 'assumed'\nmass = 2\nheight = 3\nfriction = {static = 0.4}\naxes = 1", "b.toml");
     (void)read(file, "mass");
+    (void)read(file, "height");
     (void)read(file.child("friction"), "static");
     (void)file.integer("axes", 1, 3, 3);
     (void)read(body, "friction");
+    (void)read(body, "height");
     (void)body.integer("axes", 1, 3, 1);
 
     EXPECT_EQ(input(body, "bodies[0].mass").basis, Basis::assumed);
     EXPECT_EQ(input(body, "bodies[0].mass").file, "b.toml");
     EXPECT_EQ(input(body, "bodies[0].friction").file, "x.toml");
     EXPECT_EQ(input(body, "bodies[0].axes").basis, Basis::assumed);
-    EXPECT_EQ(body.inputs().size(), 3U);
+    EXPECT_EQ(input(body, "bodies[0].height").basis, Basis::measured);
+    EXPECT_EQ(body.inputs().size(), 4U);
+}
+
+/// A distribution has a key `value` of its own; what is said beside it is of all its keys.
+TEST(Origin, OfADistributionIsThatOfItsKeys) {
+    auto const root = Table::parse(
+        "mass = {distribution = 'fixed', value = 3, basis = 'measured', source = 'scales'}\n"
+        "parts = {basis = 'assumed', value = {m = 1}}",
+        "x.toml");
+    EXPECT_EQ(root.kind("mass"), Kind::table);
+    auto const mass = root.child("mass");
+    EXPECT_EQ(mass.text("distribution"), "fixed");
+    EXPECT_EQ(read(mass, "value"), 3);
+    EXPECT_NO_THROW(mass.finish());
+    EXPECT_EQ(read(root.child("parts"), "m"), 1);
+
+    EXPECT_EQ(input(root, "mass.value").source, "scales");
+    EXPECT_EQ(input(root, "parts.m").basis, Basis::assumed);
+}
+
+TEST(Origin, ATableHasNoRange) {
+    auto const root = Table::parse("[a]\nb = 1\n[basis]\na = {basis = 'assumed', range = [1, 2]}", "x.toml");
+
+    expect_input_error([&] { (void)root.child("a"); }, "x.toml:1:", "range of a table", "State it there");
 }
 
 /// What is set by hand is not what the file vouches for.
@@ -215,6 +244,8 @@ INSTANTIATE_TEST_SUITE_P(
                             "x.toml:3:12:", "basis: 'friction' (no value of this table)", "where the value stands"},
                       Wrong{"NoPair", "a = {value = 1, basis = 'assumed', range = 3}",
                             "x.toml:1:44:", "range is no pair", "Write [low, high]"},
+                      Wrong{"AboveItsRange", "a = {value = 4, basis = 'assumed', range = [2, 3]}",
+                            "x.toml:1:", "4 outside its range", "Mend one of them"},
                       Wrong{"OutsideItsRange", "a = {value = 1, basis = 'assumed', range = [2, 3]}",
                             "x.toml:1:", "1 outside its range", "Mend one of them"}),
     [](auto const& info) { return info.param.name; });
