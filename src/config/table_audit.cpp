@@ -67,7 +67,8 @@ std::string first_unit(toml::node const& node) {
         }
     } else if (auto const* table = node.as_table()) {
         for (auto const& [key, element] : *table) {
-            unit = unit.empty() ? first_unit(element) : unit;
+            bool const of_origin = key.str() == "basis" || key.str() == "source";  // "2013 PATRAM" has no unit
+            unit = unit.empty() && !of_origin ? first_unit(element) : unit;
         }
     }
     return unit;

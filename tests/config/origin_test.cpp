@@ -185,6 +185,14 @@ TEST(Origin, OfADistributionIsThatOfItsKeys) {
     EXPECT_EQ(input(root, "parts.m").basis, Basis::assumed);
 }
 
+/// Where it comes from may begin with a number, too.
+TEST(Origin, HasNoUnit) {
+    auto const root =
+        Table::parse("values = {basis = 'published', from = 1, source = '2013 PATRAM', to = '3 gal'}", "x.toml");
+
+    EXPECT_EQ(root.unit_at("values"), "gal");
+}
+
 TEST(Origin, ATableHasNoRange) {
     auto const root = Table::parse("[a]\nb = 1\n[basis]\na = {basis = 'assumed', range = [1, 2]}", "x.toml");
 
