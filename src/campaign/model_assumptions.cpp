@@ -144,7 +144,7 @@ constexpr std::array assumptions{
                     "none", not_measured, "Housner 1963", always},
     ModelAssumption{"ends-with-the-wave",
                     "after the last sample the ground is at rest: energy decides what still moves", Misjudged::unsafe,
-                    "waves.duration", not_measured, "Housner 1963", always},
+                    "waves.duration", not_measured, "none", always},
     ModelAssumption{"scaled-waves", "a stronger motion is the same one scaled: as long, of the same frequencies",
                     Misjudged::unknown, "levels.measure", not_measured, "none", always},
     ModelAssumption{"random-phases", "phases of drawn waves are uniform and independent: no pulses of near faults",

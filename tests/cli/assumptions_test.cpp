@@ -113,7 +113,9 @@ TEST_F(Assumptions, MovedAreAPageOfTheirOwn) {
     if (!has_python(folder, "matplotlib")) {
         GTEST_SKIP() << "no matplotlib to draw with";
     }
-    auto const ended = overturn(folder, {"cost", "c.toml", "--sensitivity", "--html", "s.html"});
+    auto const ended =
+        overturn(folder, {"cost", "c.toml", "--sensitivity", "--html", "s.html", "--set", "waves.count=16", "--set",
+                          "levels.values=['900 gal', '1200 gal', '1600 gal', '2200 gal']"});
     ASSERT_EQ(ended.code, 0) << ended.err;
 
     auto const page = folder.read("s.html");
