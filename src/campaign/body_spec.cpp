@@ -235,7 +235,7 @@ BodySpec read_body(Table const& table, InputFiles& files) {
     auto const file = table.text("file");
     auto const name = table.text("name", "");
     auto const inner =
-        Table::parse(table.located("file", [&]() -> std::string const& { return files.read(file); }), file);
+        table.named_document(table.located("file", [&]() -> std::string const& { return files.read(file); }), file);
     auto spec = read_stated(inner, inner.text("name", "body"));
     if (!name.empty()) {
         spec.name = name;

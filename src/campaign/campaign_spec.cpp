@@ -255,6 +255,7 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
     if (trials > static_cast<double>(most_trials)) {
         waves.fail("count", fmt::format("{:.3g} trials in all (more than {}). Lower it", trials, most_trials));
     }
+    spec.inputs = root.inputs();
     return spec;
 }
 

@@ -10,8 +10,10 @@
 #include "campaign/progress.hpp"
 #include "cli/verbs.hpp"
 #include "core/note.hpp"
+#include "cost/sensitivity.hpp"
 #include "cost/study_output.hpp"
 #include "report/cost_page.hpp"
+#include "report/sensitivity_page.hpp"
 #include "store/durable.hpp"
 
 namespace overturn::cli {
@@ -23,6 +25,7 @@ struct CostOptions {
     std::vector<std::string> settings;
     std::optional<std::int64_t> waves;
     bool json = false;
+    bool sensitivity = false;
 };
 
 /// One line that rewrites itself on a terminal, a few plain ones elsewhere.
@@ -49,6 +52,8 @@ class Remaining {
 void check(CostOptions const& options) {
     validate(options.waves.value_or(1) > 0, "--waves {} (no sample). Give 1 or more, or leave it out",
              options.waves.value_or(1));
+    validate(!options.sensitivity || !options.output,
+             "-o beside --sensitivity (its tables are no study in HDF5). Use --json, or --html");
     if (options.output) {
         validate(!options.output->empty(), "-o '' (no name: an unset variable?). Name a file");
         validate(!std::filesystem::exists(*options.output),
@@ -61,8 +66,28 @@ void check(CostOptions const& options) {
     }
 }
 
+void write_page(std::string const& name, std::string const& page) {
+    store::write_durably(name, std::as_bytes(std::span(page)));
+    note("page: {}\n", name);
+}
+
+int sensitivity(CostOptions const& options) {
+    auto const input = load_campaign(options.campaign, options.settings);
+    Remaining remaining;
+    auto const found = cost::study_sensitivity(input, options.waves.value_or(0),
+                                               [&](double done, double left_s) { remaining(done, left_s); });
+    fmt::print("{}", options.json ? cost::sensitivity_json(found).dump(2) + "\n" : cost::sensitivity_table(found));
+    if (!options.page.empty()) {
+        write_page(options.page, report::sensitivity_page(cost::sensitivity_json(found)));
+    }
+    return done;
+}
+
 int study(CostOptions const& options) {
     check(options);
+    if (options.sensitivity) {
+        return sensitivity(options);
+    }
     auto const input = load_campaign(options.campaign, options.settings);
     Remaining remaining;
     auto const found = cost::run_study(input, {.waves = options.waves.value_or(0)},
@@ -73,9 +98,7 @@ int study(CostOptions const& options) {
         note("study: {}\n", *options.output);
     }
     if (!options.page.empty()) {
-        auto const page = report::cost_page(cost::study_json(found));
-        store::write_durably(options.page, std::as_bytes(std::span(page)));
-        note("page: {}\n", options.page);
+        write_page(options.page, report::cost_page(cost::study_json(found)));
     }
     return done;
 }
@@ -89,6 +112,8 @@ void add_cost(CommandLine& line) {
     verb.takes("-o,--output", options->output, "write the study as HDF5 (its times never repeat exactly)");
     verb.takes("--html", options->page, "write a page with figures and tables that needs no network", "PAGE.html");
     verb.takes("--waves", options->waves, "waves of the sample; default: what fits into about a minute");
+    verb.takes("--sensitivity", options->sensitivity,
+               "instead: what every number that is said to be assumed does to median and P (up to 200 waves)");
     verb.takes("--set", options->settings, "override a key: waves.count=50");
     verb.takes("--json", options->json, "as JSON");
     verb.does([options] { return study(*options); });

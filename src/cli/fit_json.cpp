@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "campaign/schema.hpp"
+#include "cli/assumptions_told.hpp"
 #include "cli/json_values.hpp"
 #include "cli/together_json.hpp"
 #include "core/error.hpp"
@@ -212,7 +213,8 @@ Json fit_json(CampaignSpec const& spec, Statistics const& statistics, std::vecto
               {"quantiles", Json::array()},
               {"criterion", Json::array()},
               {"response", Json::array()},
-              {"verdict", Json::array()}};
+              {"verdict", Json::array()},
+              {"assumptions", assumptions_json(spec)}};
     for (std::size_t b = 0; b < analysis.size(); ++b) {
         auto const& body = analysis[b];
         for (std::size_t line = 0; body.grid && line < body.grid->lines.size(); ++line) {

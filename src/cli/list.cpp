@@ -1,7 +1,12 @@
+#include <memory>
+#include <string>
+
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "campaign/limit_state.hpp"
 #include "campaign/results.hpp"
+#include "cli/assumptions_told.hpp"
 #include "cli/verbs.hpp"
 #include "generators/acceptance.hpp"
 #include "generators/envelope.hpp"
@@ -20,7 +25,21 @@ template <class Value> void print_entries(char const* heading, std::span<config:
     }
 }
 
-int list() {
+struct ListOptions {
+    std::string what;
+    bool json = false;
+};
+
+int list(ListOptions const& options) {
+    validate(options.what.empty() || options.what == "assumptions",
+             "list '{}' (unknown). Say assumptions, or nothing: everything else", options.what);
+    validate(!options.json || !options.what.empty(),
+             "--json (of assumptions alone). Say overturn list assumptions "
+             "--json");
+    if (!options.what.empty()) {
+        fmt::print("{}", options.json ? model_assumptions_json().dump(2) + "\n" : model_assumptions_text());
+        return done;
+    }
     print_entries("wave sources (waves.source)", wave_sources());
     print_entries("target spectra (waves.target.spectrum)", named_targets());
     print_entries("damping rules (waves.target.damping_rule)", damping_rules());
@@ -46,13 +65,18 @@ int list() {
             fmt::print("  {:<22} {}\n", fmt::format("{}/{}", model.traits().name, column.name), column.description);
         }
     }
+    fmt::print("what the model assumes: overturn list assumptions\n");
     return done;
 }
 
 }  // namespace
 
 void add_list(CommandLine& line) {
-    line.verb("list", "what can be asked for: sources, targets, formats, effects, measures").does(list);
+    auto verb = line.verb("list", "what can be asked for: sources, targets, formats, effects, measures");
+    auto options = std::make_shared<ListOptions>();
+    verb.takes("what", options->what, "assumptions: what the model takes for granted");
+    verb.takes("--json", options->json, "assumptions as JSON");
+    verb.does([options] { return list(*options); });
 }
 
 }  // namespace overturn::cli

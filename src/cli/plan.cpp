@@ -6,12 +6,14 @@
 #include <thread>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "campaign/progress.hpp"
 #include "campaign/results.hpp"
 #include "campaign/shown_levels.hpp"
 #include "campaign/validated_range.hpp"
 #include "campaign/warnings.hpp"
+#include "cli/assumptions_told.hpp"
 #include "cli/verbs.hpp"
 #include "contact/matching.hpp"
 #include "core/elapsed.hpp"
@@ -111,10 +113,29 @@ std::string count_of_folders(std::int64_t blocks) {
     return folders == 1 ? std::string("one folder") : fmt::format("{} folders", folders);
 }
 
-int plan_campaign(std::string const& path, std::vector<std::string> const& settings) {
-    auto const input = load_campaign(path, settings);
+struct PlanOptions {
+    std::string campaign;
+    std::vector<std::string> settings;
+    bool json = false;
+};
+
+// Without the probe, whose times are never the same.
+int print_plan_json(CampaignSpec const& spec, Plan const& plan) {
+    Json const json{{"title", spec.title},           {"waves", plan.waves()},
+                    {"trials", plan.trials()},       {"blocks", plan.blocks()},
+                    {"warnings", warnings_of(spec)}, {"assumptions", assumptions_json(spec)}};
+    fmt::print("{}\n", json.dump(2));
+    return done;
+}
+
+int plan_campaign(PlanOptions const& options) {
+    auto const& path = options.campaign;
+    auto const input = load_campaign(path, options.settings);
     auto const spec = parse_campaign(input);
     Plan const plan(spec);
+    if (options.json) {
+        return print_plan_json(spec, plan);
+    }
     fmt::print("{}\n", spec.title.empty() ? path : spec.title);
     fmt::print("waves     {} ({})\n", plan.waves(), spec.source->describe());
     fmt::print("differ by {}\n", spec.source->variability());
@@ -146,6 +167,7 @@ int plan_campaign(std::string const& path, std::vector<std::string> const& setti
     for (auto const& line : warnings_of(spec)) {
         fmt::print("warning   {}\n", line);
     }
+    fmt::print("{}", assumptions_lines(spec));
     fmt::print("trials    {} in {} blocks of {} waves\n", plan.trials(), plan.blocks(), plan.block_size());
 
     // A timed probe: a few waves, spread over the campaign, whole.
@@ -190,15 +212,12 @@ int plan_campaign(std::string const& path, std::vector<std::string> const& setti
 }  // namespace
 
 void add_plan(CommandLine& line) {
-    struct PlanOptions {
-        std::string campaign;
-        std::vector<std::string> settings;
-    };
     auto verb = line.verb("plan", "check a campaign, count its trials, estimate time and file size");
     auto options = std::make_shared<PlanOptions>();
     verb.needs("campaign", options->campaign, "campaign file (TOML)");
     verb.takes("--set", options->settings, "override a key: waves.count=50");
-    verb.does([options] { return plan_campaign(options->campaign, options->settings); });
+    verb.takes("--json", options->json, "counts, warnings and all that is assumed, as JSON");
+    verb.does([options] { return plan_campaign(*options); });
 }
 
 }  // namespace overturn::cli

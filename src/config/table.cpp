@@ -24,6 +24,8 @@ std::string_view kind_name(toml::node const& node) {
     return node.is_array() ? "a list" : node.is_table() ? "a table" : "a date";
 }
 
+}  // namespace
+
 double quantity_of(toml::node const& node, Dimension dimension) {
     if (auto const text = node.value_exact<std::string>()) {
         return parse_quantity(*text, dimension);
@@ -36,13 +38,12 @@ double quantity_of(toml::node const& node, Dimension dimension) {
     return value;
 }
 
-}  // namespace
-
 Table Table::parse(std::string_view text, std::string file) { return parse(text, std::move(file), {}); }
 
 Table Table::parse(std::string_view text, std::string file, std::span<std::string const> settings) {
     auto node = std::make_shared<Node>();
     node->file = std::move(file);
+    node->ledger = std::make_shared<Ledger>();
     try {
         node->document = std::make_shared<toml::table>(toml::parse(text, node->file));
     } catch (toml::parse_error const& error) {
@@ -59,7 +60,7 @@ Table Table::parse(std::string_view text, std::string file, std::span<std::strin
 
 Kind Table::kind(std::string_view key) const {
     node_->asked.emplace(key);
-    auto const* found = node_->table->get(key);
+    auto const* found = value_in(node_->table->get(key));
     if (found == nullptr) {
         return Kind::absent;
     }
@@ -100,12 +101,20 @@ double Table::number(std::string_view key, Dimension dimension, Range range) con
     return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
         double const value = quantity_of(node, dimension);
         check_range(value, range, dimension);
+        node_->keep(key, node, value, dimension);
         return value;
     });
 }
 
 double Table::number(std::string_view key, Dimension dimension, Range range, double otherwise) const {
-    return has(key) ? number(key, dimension, range) : otherwise;
+    if (has(key)) {
+        return number(key, dimension, range);
+    }
+    if (std::isfinite(otherwise)) {  // else nothing is taken for granted
+        auto const unit = si_symbol(dimension);
+        keep_default(key, fmt::format("{:.6g}{}{}", otherwise, unit.empty() ? "" : " ", unit));
+    }
+    return otherwise;
 }
 
 std::optional<double> Table::maybe_number(std::string_view key, Dimension dimension, Range range) const {
@@ -120,6 +129,7 @@ std::vector<double> Table::numbers(std::string_view key, Dimension dimension, Ra
             values.push_back(quantity_of(element, dimension));
             check_range(values.back(), range, dimension);
         }
+        node_->keep(key, node, {}, dimension);
         return values;
     });
 }
@@ -135,6 +145,7 @@ std::vector<std::pair<double, double>> Table::pairs(std::string_view key, Dimens
             }
             values.emplace_back(quantity_of(*pair->get(0), first), quantity_of(*pair->get(1), second));
         }
+        node_->keep(key, node, {}, second);
         return values;
     });
 }
@@ -145,39 +156,53 @@ std::int64_t Table::integer(std::string_view key, std::int64_t low, std::int64_t
         validate(value.has_value(), "{} (must be a whole number). Write it without {}", kind_name(node),
                  node.is_string() ? "quotes" : "a point");
         validate(*value >= low && *value <= high, "{} (must be {} to {}). Mend the value", *value, low, high);
+        node_->keep(key, node, {}, Dimension::none);
         return *value;
     });
 }
 
 std::int64_t Table::integer(std::string_view key, std::int64_t low, std::int64_t high, std::int64_t otherwise) const {
-    return has(key) ? integer(key, low, high) : otherwise;
+    if (has(key)) {
+        return integer(key, low, high);
+    }
+    keep_default(key, fmt::format("{}", otherwise));
+    return otherwise;
 }
 
 bool Table::boolean(std::string_view key, bool otherwise) const {
     if (!has(key)) {
+        keep_default(key, otherwise ? "true" : "false");
         return otherwise;
     }
-    return read_key(*this, key, node_->find(key), [](toml::node const& node) {
+    return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
         auto const value = node.value_exact<bool>();
         validate(value.has_value(), "{} (must be true or false). Write it without quotes", kind_name(node));
+        node_->keep(key, node, {}, Dimension::none);
         return *value;
     });
 }
 
 std::string Table::text(std::string_view key) const {
-    return read_key(*this, key, node_->find(key), [](toml::node const& node) {
+    return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
         auto const value = node.value_exact<std::string>();
         validate(value.has_value(), "{} (must be a text). Put it in quotes", kind_name(node));
+        node_->keep(key, node, {}, Dimension::none);
         return *value;
     });
 }
 
 std::string Table::text(std::string_view key, std::string_view otherwise) const {
-    return has(key) ? text(key) : std::string(otherwise);
+    if (has(key)) {
+        return text(key);
+    }
+    if (!otherwise.empty()) {
+        keep_default(key, std::string(otherwise));
+    }
+    return std::string(otherwise);
 }
 
 std::vector<std::string> Table::texts(std::string_view key) const {
-    return read_key(*this, key, node_->find(key), [](toml::node const& node) {
+    return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
         validate(node.is_array(), R"({} (must be a list of texts). Write ["one", "two"])", kind_name(node));
         std::vector<std::string> values;
         for (auto const& element : *node.as_array()) {
@@ -186,6 +211,7 @@ std::vector<std::string> Table::texts(std::string_view key) const {
                      kind_name(element));
             values.push_back(*value);
         }
+        node_->keep(key, node, {}, Dimension::none);
         return values;
     });
 }
@@ -194,17 +220,19 @@ Table Table::child(std::string_view key) const {
     return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
         validate(node.is_table(), "{} (must be a table). Write its keys in braces or under its own heading",
                  kind_name(node));
-        auto inner = std::make_shared<Node>();
-        inner->document = node_->document;
-        inner->table = node.as_table();
-        inner->file = node_->file;
-        inner->path = node_->full(key);
-        return Table(std::move(inner));
+        return Table(node_->below(key, *node.as_table(), {}));
     });
 }
 
 Table Table::child_or_empty(std::string_view key) const {
-    return has(key) ? child(key) : Table::parse("", node_->file);
+    if (has(key)) {
+        return child(key);
+    }
+    auto nothing = Table::parse("", node_->file);
+    nothing.node_->ledger = node_->ledger;
+    nothing.node_->ledger_path = node_->ledger_key(key);
+    nothing.node_->depth = node_->depth;
+    return nothing;
 }
 
 std::vector<Table> Table::children(std::string_view key) const {
@@ -214,12 +242,7 @@ std::vector<Table> Table::children(std::string_view key) const {
         for (auto const& element : *node.as_array()) {
             validate(element.is_table(), "entry {} is {} (must be a table). Write [[{}]]", tables.size() + 1,
                      kind_name(element), key);
-            auto inner = std::make_shared<Node>();
-            inner->document = node_->document;
-            inner->table = element.as_table();
-            inner->file = node_->file;
-            inner->path = fmt::format("{}[{}]", node_->full(key), tables.size());
-            tables.push_back(Table(std::move(inner)));
+            tables.push_back(Table(node_->below(key, *element.as_table(), tables.size())));
         }
         return tables;
     });

@@ -1,6 +1,7 @@
 /// The door where TOML enters: typed, range-checked and audited. Every key is read by somebody or is an error.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <filesystem>
 #include <initializer_list>
@@ -12,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "config/input_value.hpp"
 #include "config/range.hpp"
 #include "config/registry.hpp"
 #include "core/error.hpp"
@@ -69,13 +71,32 @@ class Table {
     }
     template <class Value>
     [[nodiscard]] Value choice(std::string_view key, std::span<Entry<Value> const> entries, Value otherwise) const {
-        return has(key) ? choice(key, entries) : otherwise;
+        if (has(key)) {
+            return choice(key, entries);
+        }
+        if constexpr (std::equality_comparable<Value>) {
+            for (auto const& entry : entries) {
+                if (entry.value == otherwise) {
+                    keep_default(key, std::string(entry.name));
+                }
+            }
+        }
+        return otherwise;
     }
 
     [[nodiscard]] Table child(std::string_view key) const;
     /// An empty table where `key` is absent.
     [[nodiscard]] Table child_or_empty(std::string_view key) const;
     [[nodiscard]] std::vector<Table> children(std::string_view key) const;
+
+    /// Another document, which this table names: its values are told below this table's place.
+    /// \throws InputError on a syntax error
+    [[nodiscard]] Table named_document(std::string_view text, std::string file) const;
+
+    /// All values read so far of this document and those it names, and the defaults that stood in, each with where it
+    /// comes from: `{value = ..., basis = "published" | "measured" | "assumed", source = "...", range = [low, high]}`
+    /// in place of a value, `basis` and `source` of a table for all of it, or a table `basis` with an entry per key.
+    [[nodiscard]] std::vector<InputValue> inputs() const;
 
     /// Where `key` stands (or this table, if it is absent).
     [[nodiscard]] Location where(std::string_view key = {}) const;
@@ -102,6 +123,8 @@ class Table {
     void finish() const;
 
   private:
+    void keep_default(std::string_view key, std::string text) const;
+
     struct Node;
     explicit Table(std::shared_ptr<Node> node) : node_(std::move(node)) {}
     std::shared_ptr<Node> node_;

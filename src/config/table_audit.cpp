@@ -35,7 +35,7 @@ void Table::fail_missing(std::string_view key, std::string_view advice) const {
     std::string unknown;
     for (auto const& [there, node] : *node_->table) {
         bool const known = node_->complete && node_->asked.contains(there.str());
-        if (!node_->used.contains(there.str()) && !known) {
+        if (!node_->used.contains(there.str()) && !known && !node_->speaks_of_origin(there.str())) {
             unread.emplace_back(there.str());
             unknown += fmt::format("{}'{}'", unknown.empty() ? "" : ", ", there.str());
         }
@@ -67,7 +67,8 @@ std::string first_unit(toml::node const& node) {
         }
     } else if (auto const* table = node.as_table()) {
         for (auto const& [key, element] : *table) {
-            unit = unit.empty() ? first_unit(element) : unit;
+            bool const of_origin = key.str() == "basis" || key.str() == "source";  // "2013 PATRAM" has no unit
+            unit = unit.empty() && !of_origin ? first_unit(element) : unit;
         }
     }
     return unit;
@@ -76,13 +77,16 @@ std::string first_unit(toml::node const& node) {
 }  // namespace
 
 std::string Table::unit_at(std::string_view key) const {
-    auto const* node = node_->table->get(key);
+    auto const* node = value_in(node_->table->get(key));
     return node == nullptr ? std::string() : first_unit(*node);
 }
 
 void Table::finish() const {
+    if (node_->table->contains("basis")) {
+        node_->check_origins();
+    }
     for (auto const& [key, node] : *node_->table) {
-        if (node_->used.contains(key.str())) {
+        if (node_->used.contains(key.str()) || node_->speaks_of_origin(key.str())) {
             continue;
         }
         if (node_->complete && node_->asked.contains(key.str())) {

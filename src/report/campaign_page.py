@@ -8,6 +8,7 @@ import json
 import os
 import sys
 
+import assumption_sections
 import body_figure
 import fragility_figures
 import history_figure
@@ -259,7 +260,7 @@ class Report:
 
     def page(self):
         for part in (self.asked, self.bodies, self.waves, lambda: limit_sections.add(self), self.rare, self.criterion, self.trials,
-                     self.provenance):
+                     lambda: assumption_sections.add(self), self.provenance):
             part()
         title = escape(self.results.title)
         answers = paragraphs(limit_sections.answers(self))

@@ -5,41 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
-#include "report/figure.hpp"
+#include "report/detail/study_page.hpp"
 
 namespace overturn::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr char const* style = R"css(
-:root { color-scheme: light; }
-body { font: 15px/1.5 system-ui, "DejaVu Sans", sans-serif; color: #1a1a1a; background: #fff; margin: 0 auto;
-       max-width: 76rem; padding: 1.5rem 1.5rem 4rem; }
-h1 { font-size: 1.5rem; margin: 0 0 .2rem; } h2 { font-size: 1.1rem; margin: 0; }
-p { margin: .3rem 0; } .quiet { color: #666; font-size: .88rem; }
-.answer { border-left: 4px solid #d55e00; background: #fdf3ec; padding: .7rem 1rem; margin: 1.1rem 0 .5rem;
-          font-size: 1.05rem; }
-section { border-top: 1px solid #ddd; margin-top: 1.6rem; padding-top: 1.1rem; display: grid; gap: .4rem 1.6rem;
-          grid-template-columns: minmax(20rem, 1fr) minmax(26rem, 1.15fr); align-items: start; }
-section > header { grid-column: 1 / -1; } figure { margin: 0; overflow-x: auto; }
-svg { width: 100%; min-width: 29rem; height: auto; display: block; }  /* letters of 8 pixels at least */
-table { border-collapse: collapse; font-size: .82rem; font-variant-numeric: tabular-nums; width: 100%; }
-th { font-weight: 600; color: #666; } th, td { text-align: right; padding: .16rem .45rem; white-space: nowrap; }
-th:first-child, td:first-child { text-align: left; } tbody tr { border-top: 1px solid #eee; }
-tr.here td { background: #fdf3ec; font-weight: 600; } tr.front td:first-child::before { content: "\25cf\00a0"; color: #0072b2; }
-tr.here td:first-child::before { content: "\25c6\00a0"; color: #d55e00; }
-tr.plain td:first-child::before { content: "\25cb\00a0"; color: #888; }
-.scroll { overflow-x: auto; } code { font-size: .92em; }
-@media (max-width: 60rem) { section { grid-template-columns: minmax(0, 1fr); } }
-@media (max-width: 40rem) { body { padding: 1rem .8rem 3rem; } }
-@media print {
-  @page { margin: 16mm 14mm; }
-  body { font-size: 10pt; max-width: none; padding: 0; } section { grid-template-columns: minmax(0, 1fr); }
-  figure, .scroll { overflow: visible; } svg { min-width: 0; } figure, tr, .answer { break-inside: avoid; }
-  table { font-size: 8pt; } th, td { white-space: normal; }
-}
-)css";
 
 std::string number(Json const& value, char const* unknown = "&ndash;") {
     return value.is_null() ? unknown : fmt::format("{:.1e}", value.get<double>());
@@ -53,14 +24,8 @@ std::string time_text(double seconds) {
                               : fmt::format("{:.3g} &micro;s", seconds / micro);
 }
 
-// A figure's svg element, without the head that only a file of its own may have.
 std::string figure_of(char const* kind, Json const& data) {
-    auto const svg = figure_text("cost_figure.py", {{"kind", kind}, {"data", data}});
-    auto const begin = svg.find("<svg");
-    if (begin == std::string::npos) {
-        throw SystemError("no figure (Python drew something else than svg). Look at $OVERTURN_PYTHON");
-    }
-    return "<figure>" + svg.substr(begin) + "</figure>\n";
+    return study_figure("cost_figure.py", {{"kind", kind}, {"data", data}});
 }
 
 std::string row_of(Json const& row) {
@@ -155,29 +120,6 @@ std::string rare_section(Json const& rare) {
 
 }  // namespace
 
-std::string escaped(std::string const& text) {
-    std::string safe;
-    for (char const c : text) {
-        switch (c) {
-            case '&':
-                safe += "&amp;";
-                break;
-            case '<':
-                safe += "&lt;";
-                break;
-            case '>':
-                safe += "&gt;";
-                break;
-            case '"':
-                safe += "&quot;";
-                break;
-            default:
-                safe += c;
-        }
-    }
-    return safe;
-}
-
 void check_page_name(std::filesystem::path const& output) {
     validate(output.extension() == ".html", "{}: not the name of a page (its ending says the kind). End it in .html",
              output.string());
@@ -191,7 +133,7 @@ std::string cost_page(Json const& study) {
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>What accuracy costs: "
         "{0}</title>\n"
         "<style>{1}</style></head><body>\n<h1>What accuracy costs</h1>\n<p>{0}</p>\n<p class=\"answer\">{2}</p>\n",
-        title, style, escaped(balance.at("sentence").get<std::string>()));
+        title, study_style, escaped(balance.at("sentence").get<std::string>()));
     bool const sampled = !study.at("sampling").is_null();
     page += sampled ? "<div style=\"max-width:44rem\">" + figure_of("balance", balance) + "</div>\n" : "";
     page += fmt::format(

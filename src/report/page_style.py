@@ -18,13 +18,15 @@ table { border-collapse: collapse; font-size: .84rem; font-variant-numeric: tabu
 th { font-weight: 600; color: #666; } th, td { text-align: right; padding: .16rem .6rem; vertical-align: top; }
 th:first-child, td:first-child { text-align: left; padding-left: 0; white-space: nowrap; } tbody tr { border-top: 1px solid #eee; }
 .short { white-space: nowrap; } #asked td, #provenance td { text-align: left; overflow-wrap: anywhere; } #asked thead, #provenance thead { display: none; }
+#assumptions :is(th, td) { text-align: left; } #assumptions .short { white-space: normal; } #assumptions :is(th, td):nth-child(3) { white-space: nowrap; }
 .fold { max-height: 26rem; overflow: auto; border: 1px solid #e4e4e4; padding: 0 .8rem; margin: .2rem 0 .6rem; }
 pre { font-size: .78rem; background: #f6f6f6; padding: .8rem; margin: 0 -.8rem; white-space: pre-wrap; overflow-wrap: anywhere; }
 @media (max-width: 40rem) { body { padding: 1rem .8rem 3rem; } h1 { font-size: 1.35rem; } }
 @media print {
   body { font-size: 10pt; max-width: none; padding: 0; } nav { display: none; } h2, h3 { break-after: avoid; }
   figure, tr, .answer { break-inside: avoid; } figure { overflow: visible; } figure svg { min-width: 0; max-height: 215mm; }
-  .scroll { overflow: visible; } .fold { max-height: none; overflow: visible; border: 0; padding: 0; } pre { margin: 0; font-size: 7.5pt; }
+  .scroll { overflow: visible; } #assumptions :is(th, td) { text-align: left; } #assumptions .short { white-space: normal; } #assumptions :is(th, td):nth-child(3) { white-space: nowrap; }
+.fold { max-height: none; overflow: visible; border: 0; padding: 0; } pre { margin: 0; font-size: 7.5pt; }
   table { font-size: 7.5pt; } .short { white-space: normal; } th, td { padding: .1rem .32rem; overflow-wrap: anywhere; } th:first-child, td:first-child { white-space: normal; }
   @page { margin: 16mm 14mm; }
 }

@@ -146,7 +146,8 @@ TEST_F(BadInput, CommandLine) {
     expect_refused(overturn(folder, {}), "no verb");
     expect_refused(overturn(folder, {"run", "c.toml", "--reusme"}), "Did you mean '--resume'?");
     expect_refused(overturn(folder, {"run", "c.toml", "--reusme=1"}), "option '--reusme' (unknown)");
-    expect_refused(overturn(folder, {"list", "all"}), "'all' (one argument too many)");
+    expect_refused(overturn(folder, {"list", "all"}), "list 'all' (unknown)");
+    expect_refused(overturn(folder, {"list", "assumptions", "all"}), "'all' (one argument too many)");
     expect_refused(overturn(folder, {"replay", "c.h5", "--trial", "x"}), "--trial");
     expect_refused(overturn(folder, {"run"}), "campaign is required");
 }

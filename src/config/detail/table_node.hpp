@@ -2,17 +2,34 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include "config/detail/ledger.hpp"
 #include "config/table.hpp"
 #include "core/error.hpp"
 
 namespace overturn::config {
+
+/// Where a value comes from, as far as a file says.
+struct Origin {
+    Basis basis = Basis::not_stated;
+    std::string source = {};
+    toml::array const* range = nullptr;  ///< of a single value: two plausible ends
+    toml::node const* said = nullptr;    ///< what says so
+};
+
+/// A number, or a text such as "1.5 t". \throws InputError
+[[nodiscard]] double quantity_of(toml::node const& node, Dimension dimension);
+
+/// The value itself of one that is written with its origin, {value = 0.5, basis = "measured", source = "..."}.
+[[nodiscard]] toml::node const* value_in(toml::node const* node);
 
 /// A view of one toml table. The root node owns the document; children keep their parent, hence the document, alive.
 struct Table::Node {
@@ -20,9 +37,14 @@ struct Table::Node {
     toml::table const* table = nullptr;
     std::string file;
     std::string path;  // "waves.target", "bodies[1]"; empty at the root
-    std::set<std::string, std::less<>> used;
-    bool complete = false;                     // `asked` holds every key there may be
-    std::set<std::string, std::less<>> asked;  // also optional keys that are absent: what a misspelt key may have meant
+    std::set<std::string, std::less<>> used = {};
+    bool complete = false;  // `asked` holds every key there may be
+    std::set<std::string, std::less<>> asked =
+        {};  // also optional keys that are absent: what a misspelt key may have meant
+    std::shared_ptr<Ledger> ledger = {};
+    std::string ledger_path = {};  // as `path`, of a file that a table names below that table
+    int depth = 0;                 // of files that name files
+    Origin inherited = {};         // of every value that is not said to come from elsewhere
 
     [[nodiscard]] toml::node const* find(std::string_view key) {
         asked.emplace(key);
@@ -30,7 +52,7 @@ struct Table::Node {
         if (found != nullptr) {
             used.emplace(key);
         }
-        return found;
+        return value_in(found);
     }
     [[nodiscard]] Location locate(toml::node const* at) const {
         auto const begin = (at != nullptr ? at : static_cast<toml::node const*>(table))->source().begin;
@@ -39,6 +61,21 @@ struct Table::Node {
     [[nodiscard]] std::string full(std::string_view key) const {
         return path.empty() || key.empty() ? fmt::format("{}{}", path, key) : fmt::format("{}.{}", path, key);
     }
+    [[nodiscard]] std::string ledger_key(std::string_view key) const {
+        return ledger_path.empty() ? std::string(key) : fmt::format("{}.{}", ledger_path, key);
+    }
+
+    /// A table of this document below `key`. \param place its number in a list of them
+    [[nodiscard]] std::shared_ptr<Node> below(std::string_view key, toml::table const& inner,
+                                              std::optional<std::size_t> place) const;
+    /// \throws InputError where an origin is wrongly stated
+    [[nodiscard]] Origin origin_of(std::string_view key) const;
+    /// Keeps a value that was read. \param number [SI] if it is one. \throws InputError as origin_of
+    void keep(std::string_view key, toml::node const& value, std::optional<double> number, Dimension dimension) const;
+    /// Is `key` no value but says where this table's values come from?
+    [[nodiscard]] bool speaks_of_origin(std::string_view key) const;
+    /// \throws InputError where this table's own word on origins names no basis, or a key that is not there
+    void check_origins() const;
 };
 
 }  // namespace overturn::config

@@ -1,0 +1,78 @@
+#include "campaign/assumptions.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+namespace overturn {
+namespace {
+
+// What is chosen and not known: how waves are counted and fitted, which levels are looked at, what things are called.
+bool is_choice(std::string_view key) {
+    static constexpr std::array whole{"waves.source",     "waves.count",         "waves.time_step", "waves.match",
+                                      "waves.acceptance", "waves.seed",          "waves.folder",    "waves.files",
+                                      "waves.format",     "waves.unit",          "waves.component", "waves.components",
+                                      "waves.resample",   "levels.measure",      "levels.period",   "levels.waves",
+                                      "levels.values",    "levels.beyond_design"};
+    static constexpr std::array within{"waves.match_", "waves.records", "waves.target.longest", "levels.values."};
+    static constexpr std::array last{"name", "file", "kind", "distribution", "points", "match_restitution"};
+    auto const dot = key.rfind('.');
+    auto const leaf = dot == std::string_view::npos ? key : key.substr(dot + 1);
+    bool const of_body = key.starts_with("bodies");
+    return std::ranges::find(whole, key) != whole.end()
+           || std::ranges::any_of(within, [&](char const* begin) { return key.starts_with(begin); })
+           || (of_body && std::ranges::find(last, leaf) != last.end());
+}
+
+bool is_physical(std::string_view key) {
+    return (key.starts_with("waves.") || key.starts_with("bodies") || key.starts_with("levels.")) && !is_choice(key);
+}
+
+}  // namespace
+
+std::string_view name_of(Misjudged direction) {
+    static constexpr std::array names{"safe", "unsafe", "unknown"};
+    return names.at(static_cast<std::size_t>(direction));
+}
+
+std::vector<config::InputValue> physical_inputs(CampaignSpec const& spec) {
+    std::vector<config::InputValue> inputs;
+    std::ranges::copy_if(spec.inputs, std::back_inserter(inputs),
+                         [](config::InputValue const& value) { return is_physical(value.key); });
+    return inputs;
+}
+
+InputTally tally_of(std::span<config::InputValue const> inputs) {
+    InputTally tally;
+    for (auto const& input : inputs) {
+        switch (input.basis) {
+            case config::Basis::assumed:
+                ++tally.assumed;
+                break;
+            case config::Basis::published:
+                ++tally.published;
+                break;
+            case config::Basis::measured:
+                ++tally.measured;
+                break;
+            case config::Basis::not_stated:
+                ++tally.not_stated;
+                break;
+            case config::Basis::by_default:
+                ++tally.by_default;
+                break;
+        }
+    }
+    return tally;
+}
+
+std::string text_of(InputTally const& tally) {
+    return fmt::format(
+        "{} of {} inputs are assumed, {} published, {} measured, {} not stated, {} default{} of this "
+        "program",
+        tally.assumed, tally.all(), tally.published, tally.measured, tally.not_stated, tally.by_default,
+        tally.by_default == 1 ? "" : "s");
+}
+
+}  // namespace overturn

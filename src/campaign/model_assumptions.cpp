@@ -1,0 +1,166 @@
+// The model's own assumptions, as one table. A measured effect is one that a study of this project found; its file says
+// under which waves.
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "campaign/assumptions.hpp"
+
+namespace overturn {
+namespace {
+
+bool states(CampaignSpec const& spec, std::string_view begin) {
+    return std::ranges::any_of(spec.inputs, [&](config::InputValue const& input) {
+        return input.key.starts_with(begin) && input.basis != config::Basis::by_default;
+    });
+}
+
+bool is_drawn(CampaignSpec const& spec) {
+    return std::ranges::any_of(spec.inputs, [](config::InputValue const& input) {
+        return input.key == "waves.source" && (input.text == "spectrum-compatible" || input.text == "filtered-noise");
+    });
+}
+
+bool has_records(CampaignSpec const& spec) {
+    return std::ranges::any_of(spec.inputs, [](config::InputValue const& input) {
+        return input.key == "waves.source" && input.text == "records";
+    });
+}
+
+template <class Holds> Bears of_bodies(CampaignSpec const& spec, Holds const& holds) {
+    return std::ranges::any_of(spec.bodies, holds) ? Bears::yes : Bears::no;
+}
+
+// May it be simulated at all?
+bool allows(CampaignSpec const& spec, Effect effect) { return has(spec.effects.wanted(), effect); }
+
+Bears always(CampaignSpec const& /*spec*/) { return Bears::yes; }
+
+Bears where_no_second_component(CampaignSpec const& spec) {
+    bool const across = states(spec, "waves.transverse") || has_records(spec);
+    bool const shaken = std::ranges::any_of(spec.bodies, [](BodySpec const& body) { return body.axes > 1; });
+    return across && shaken && allows(spec, Effect::spatial) ? Bears::where_not_called_for : Bears::yes;
+}
+
+Bears where_no_vertical_component(CampaignSpec const& spec) {
+    bool const up = states(spec, "waves.vertical") || has_records(spec);
+    bool const shaken = std::ranges::any_of(spec.bodies, [](BodySpec const& body) { return body.axes > 2; });
+    return up && shaken ? Bears::no : Bears::yes;
+}
+
+Bears where_rigid(CampaignSpec const& spec) {
+    return allows(spec, Effect::contact) ? Bears::where_not_called_for : Bears::yes;
+}
+
+Bears on_corners(CampaignSpec const& spec) {
+    return of_bodies(spec, [](BodySpec const& body) { return body.footing.base.corner_share == 1; });
+}
+
+Bears where_pads_are_elastic(CampaignSpec const& spec) {
+    return of_bodies(spec, [](BodySpec const& body) { return !body.footing.pad.strength_pa; });
+}
+
+Bears on_springs(CampaignSpec const& spec) { return allows(spec, Effect::contact) ? Bears::yes : Bears::no; }
+
+Bears with_friction(CampaignSpec const& spec) {
+    return of_bodies(spec, [](BodySpec const& body) { return body.friction.has_value(); });
+}
+
+Bears without_friction(CampaignSpec const& spec) {
+    bool const may_not_slide = spec.effects.mode == EffectMode::none || !allows(spec, Effect::sliding);
+    return may_not_slide ? Bears::yes : of_bodies(spec, [](BodySpec const& body) { return !body.friction; });
+}
+
+Bears of_known_bodies(CampaignSpec const& spec) {
+    return of_bodies(spec, [](BodySpec const& body) { return body.scattering().empty(); });
+}
+
+Bears of_drawn_waves(CampaignSpec const& spec) { return is_drawn(spec) ? Bears::yes : Bears::no; }
+
+Bears of_one_spectrum(CampaignSpec const& spec) {
+    return is_drawn(spec) && !spec.source->draws_targets() ? Bears::yes : Bears::no;
+}
+
+Bears of_several_components(CampaignSpec const& spec) {
+    return is_drawn(spec) && (states(spec, "waves.transverse") || states(spec, "waves.vertical")) ? Bears::yes
+                                                                                                  : Bears::no;
+}
+
+constexpr std::string_view not_measured = "not measured";
+
+constexpr std::array assumptions{
+    ModelAssumption{"rigid-body", "cask, contents and pallet are one rigid body that neither bends nor breaks",
+                    Misjudged::unknown, "none", not_measured, "Housner 1963", always},
+    ModelAssumption{"fixed-contents", "nothing inside shifts, rattles or sloshes", Misjudged::unknown, "none",
+                    not_measured, "Housner 1963", always},
+    ModelAssumption{"known-bodies", "mass, size, restitution and friction are known exactly", Misjudged::unsafe,
+                    "distributions in bodies",
+                    "type B: beta 0.22 is 0.18 of waves with 0.13 of the body, nearly all of it the restitution",
+                    "campaigns/margin.toml", of_known_bodies},
+    ModelAssumption{"given-motion", "the motion of the pad's top is given; body and pad do not act back on the ground",
+                    Misjudged::unknown, "none", not_measured, "Luk et al. 2005 (NUREG/CR-6865) model pad and soil",
+                    always},
+    ModelAssumption{"level-pad", "the pad moves without tilting and is plane", Misjudged::unknown, "none", not_measured,
+                    "Housner 1963", always},
+    ModelAssumption{"one-plane", "the body moves in one vertical plane", Misjudged::unsafe,
+                    "waves.transverse and bodies.axes",
+                    "overturned of 150, one axis and two: square on corners 4 and 4 (A), 93 and 102 (B); round 22 and "
+                    "100, 112 and 133",
+                    "campaigns/multi_axis.toml", where_no_second_component},
+    ModelAssumption{"no-vertical-motion", "the ground does not move vertically", Misjudged::unsafe,
+                    "waves.vertical and bodies.axes",
+                    "of 1100, without and with 2/3 of the horizontal target: 85 and 142 (A), 698 and 709 (B)",
+                    "campaigns/horizontal_vertical.toml", where_no_vertical_component},
+    ModelAssumption{"rigid-ground", "base and ground do not give way: the body turns about an edge that stays in place",
+                    Misjudged::unknown, "effects.include = [\"contact\"]",
+                    "overturned of 600 (A): 86 rigid, 86 on corners of 98 Hz, 95 of 67 Hz",
+                    "campaigns/vertical_mode.toml", where_rigid},
+    ModelAssumption{"corner-contact",
+                    "the base bears on its corners alone, and an impact keeps the angular momentum about the new one",
+                    Misjudged::unsafe, "bodies.base.bedding",
+                    "a flat base lowers the median from 2380 to 1760 gal (A), from 1100 to 790 gal (B)",
+                    "Housner 1963; campaigns/base_shape.toml", on_corners},
+    ModelAssumption{"constant-restitution", "restitution does not depend on the velocity of the impact",
+                    Misjudged::unknown, "none", not_measured, "Housner 1963", always},
+    ModelAssumption{"one-mass-on-springs", "on points, body, pallet and pad are one mass on one bed of springs",
+                    Misjudged::unknown, "bodies.pad",
+                    "overturned of 600 (A): 86 at 98 Hz, 95 at 67 Hz; on a flat base 260 and 266",
+                    "campaigns/vertical_mode.toml", on_springs},
+    ModelAssumption{"elastic-pad", "the pad is not crushed", Misjudged::unsafe, "bodies.pad.strength",
+                    "overturned of 400, flat base (A): 151 elastic, 150 on 10 MPa, 226 on 3 MPa",
+                    "campaigns/pad_strength.toml", where_pads_are_elastic},
+    ModelAssumption{
+        "constant-friction", "friction is Coulomb's: its coefficients depend on neither velocity, pressure nor wear",
+        Misjudged::unknown, "bodies.friction", "of 100 at 1200 gal (B), friction 0.2, 0.55, 0.8: 0, 80 and 80 overturn",
+        "campaigns/friction.toml", with_friction},
+    ModelAssumption{"no-slip", "a body that states no friction, or may not slide, holds its place", Misjudged::safe,
+                    "bodies.friction and effects",
+                    "type A at 1950 gal: 5 of 100 overturn at friction 0.8, none at 0.55", "campaigns/friction.toml",
+                    without_friction},
+    ModelAssumption{"alone", "bodies have room: they touch neither each other nor a wall", Misjudged::unknown,
+                    "limits (of peak_slip)", "a cask of 138 t slides 0.3 m in half of the waves of 233 kine",
+                    "campaigns/slip_limit.toml", always},
+    ModelAssumption{"starts-at-rest", "the body stands upright and at rest when the wave begins", Misjudged::unsafe,
+                    "none", not_measured, "Housner 1963", always},
+    ModelAssumption{"ends-with-the-wave",
+                    "after the last sample the ground is at rest: energy decides what still moves", Misjudged::unsafe,
+                    "waves.duration", not_measured, "none", always},
+    ModelAssumption{"scaled-waves", "a stronger motion is the same one scaled: as long, of the same frequencies",
+                    Misjudged::unknown, "levels.measure", not_measured, "none", always},
+    ModelAssumption{"random-phases", "phases of drawn waves are uniform and independent: no pulses of near faults",
+                    Misjudged::unsafe, "waves.source = \"records\"", not_measured, "Gasparini and Vanmarcke 1976",
+                    of_drawn_waves},
+    ModelAssumption{"one-spectrum", "all drawn waves have one spectrum, or scatter about it by their phases alone",
+                    Misjudged::unsafe, "waves.variability",
+                    "type B: beta over PGA 0.13 instead of 0.49; at 600 gal none of 1000 overturns instead of 97",
+                    "campaigns/natural_variability.toml", of_one_spectrum},
+    ModelAssumption{"independent-components", "components of drawn waves are as correlated as stated, by default not",
+                    Misjudged::unknown, "correlation in waves.vertical, waves.transverse", not_measured, "none",
+                    of_several_components},
+};
+
+}  // namespace
+
+std::span<ModelAssumption const> model_assumptions() { return assumptions; }
+
+}  // namespace overturn

@@ -1,0 +1,138 @@
+#include "cli/assumptions_told.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace overturn::cli {
+namespace {
+
+using config::Basis;
+using config::InputValue;
+
+std::string_view name_of(Bears bears) {
+    static constexpr std::array names{"none", "all", "where-not-called-for"};
+    return names.at(static_cast<std::size_t>(bears));
+}
+
+// Assumed ones first, then by how little is known of them.
+std::vector<InputValue> in_order_of_doubt(CampaignSpec const& spec) {
+    auto inputs = physical_inputs(spec);
+    static constexpr std::array order{Basis::assumed, Basis::not_stated, Basis::by_default, Basis::measured,
+                                      Basis::published};
+    std::ranges::stable_sort(inputs, {}, [](InputValue const& input) { return std::ranges::find(order, input.basis); });
+    return inputs;
+}
+
+Json model_json(ModelAssumption const& assumption) {
+    return {{"name", assumption.name},
+            {"assumed", assumption.assumed},
+            {"direction", overturn::name_of(assumption.direction)},
+            {"key", assumption.key},
+            {"effect", assumption.effect},
+            {"evidence", assumption.evidence}};
+}
+
+Json input_json(InputValue const& input) {
+    bool const of_file = input.span.is_known();
+    return {{"key", input.key},
+            {"value", input.text},
+            {"basis", config::name_of(input.basis)},
+            {"source", or_null(!input.source.empty(), input.source)},
+            {"range", or_null(!input.range.empty(), input.range)},
+            {"si", input.number ? number(*input.number) : Json(nullptr)},
+            {"units", or_null(input.number.has_value(), si_symbol(input.dimension))},
+            {"file", or_null(of_file, input.file)},
+            {"line", or_null(of_file, input.span.line)},
+            {"column", or_null(of_file, input.span.column)}};
+}
+
+std::string shortened(std::string const& text, std::size_t most) {
+    return text.size() <= most ? text : text.substr(0, most - 3) + "...";
+}
+
+}  // namespace
+
+std::string model_assumptions_text() {
+    std::string text = "what the model assumes (unsafe: where it does not hold, more overturns than is computed)\n";
+    for (auto const& one : model_assumptions()) {
+        text += fmt::format("  {:<22} {}\n  {:<22} {}; without it: {}; effect: {} ({})\n", one.name, one.assumed, "",
+                            overturn::name_of(one.direction), one.key, one.effect, one.evidence);
+    }
+    return text;
+}
+
+Json model_assumptions_json() {
+    auto list = Json::array();
+    for (auto const& one : model_assumptions()) {
+        list.push_back(model_json(one));
+    }
+    return list;
+}
+
+Json assumptions_json(CampaignSpec const& spec) {
+    auto const inputs = in_order_of_doubt(spec);
+    auto const tally = tally_of(inputs);
+    Json json{{"counts",
+               {{"inputs", tally.all()},
+                {"assumed", tally.assumed},
+                {"published", tally.published},
+                {"measured", tally.measured},
+                {"not_stated", tally.not_stated},
+                {"default", tally.by_default}}},
+              {"inputs", Json::array()},
+              {"model", Json::array()}};
+    for (auto const& input : inputs) {
+        json["inputs"].push_back(input_json(input));
+    }
+    for (auto const& one : model_assumptions()) {
+        json["model"].push_back(model_json(one));
+        json["model"].back()["bears"] = name_of(one.bears(spec));
+    }
+    return json;
+}
+
+std::string assumptions_lines(CampaignSpec const& spec) {
+    constexpr std::size_t most_lines = 12;
+    constexpr std::size_t most_letters = 60;
+    auto const inputs = in_order_of_doubt(spec);
+    auto const tally = tally_of(inputs);
+    auto text = fmt::format("inputs    {}\n", text_of(tally));
+    std::size_t told = 0;
+    std::string unstated;
+    for (auto const& input : inputs) {
+        if (input.basis == Basis::not_stated && unstated.size() < 3 * most_letters) {
+            unstated += (unstated.empty() ? "" : ", ") + input.key;
+        } else if (input.basis == Basis::assumed && told++ < most_lines) {
+            text += fmt::format("assumed   {} = {}{}\n", input.key, shortened(input.text, most_letters),
+                                input.source.empty() ? "" : " (" + shortened(input.source, most_letters) + ")");
+        }
+    }
+    if (told > most_lines) {
+        text += fmt::format("assumed   {} more (--json tells all)\n", told - most_lines);
+    }
+    if (!unstated.empty()) {
+        text += fmt::format("unstated  {}: say basis = \"published\", \"measured\" or \"assumed\"\n",
+                            shortened(unstated, 3 * most_letters));
+    }
+    std::string unsafe;
+    std::size_t bearing = 0;
+    for (auto const& one : model_assumptions()) {
+        if (one.bears(spec) == Bears::no) {
+            continue;
+        }
+        ++bearing;
+        if (one.direction == Misjudged::unsafe) {
+            unsafe += fmt::format("{}{}", unsafe.empty() ? "" : ", ", one.name);
+        }
+    }
+    return text
+           + fmt::format("model     {} assumptions of its own (overturn list assumptions); unsafe where wrong: {}\n",
+                         bearing, unsafe);
+}
+
+}  // namespace overturn::cli

@@ -1,0 +1,23 @@
+/// What a campaign assumes, for people and for scripts.
+#pragma once
+
+#include <string>
+
+#include "campaign/assumptions.hpp"
+#include "cli/json_values.hpp"
+
+namespace overturn::cli {
+
+/// The table of model assumptions; with a campaign, only those that bear on it.
+[[nodiscard]] std::string model_assumptions_text();
+[[nodiscard]] Json model_assumptions_json();
+
+/// counts; inputs, assumed ones first, each with basis, source, range and place; model, with `bears`: all,
+/// where-not-called-for or none.
+[[nodiscard]] Json assumptions_json(CampaignSpec const& spec);
+
+/// The lines of `plan`: counts, assumed values with what is said of them, names of what is not stated, and which of the
+/// model's assumptions are unsafe.
+[[nodiscard]] std::string assumptions_lines(CampaignSpec const& spec);
+
+}  // namespace overturn::cli

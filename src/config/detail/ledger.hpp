@@ -1,0 +1,28 @@
+/// What was read of a document and of the files it names, value by value.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "config/input_value.hpp"
+
+namespace overturn::config {
+
+/// Holds one entry per key: what is stated outranks a default, a table outranks the file it names.
+class Ledger {
+  public:
+    void add(InputValue value);
+    /// In the order of reading, without what an outer table outranks.
+    [[nodiscard]] std::vector<InputValue> values() const;
+
+  private:
+    [[nodiscard]] bool is_outranked(InputValue const& value) const;
+
+    std::vector<InputValue> values_;
+    std::map<std::string, std::size_t, std::less<>> places_;
+};
+
+}  // namespace overturn::config

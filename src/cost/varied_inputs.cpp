@@ -1,0 +1,98 @@
+#include "cost/detail/varied_inputs.hpp"
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "campaign/assumptions.hpp"
+#include "core/units.hpp"
+
+namespace overturn::cost {
+namespace {
+
+// Columns count characters, of which UTF-8 has one to four bytes.
+std::size_t offset_of(std::string const& text, int line, int column) {
+    std::size_t at = 0;
+    for (int l = 1; l < line; ++l) {
+        at = text.find('\n', at) + 1;
+    }
+    constexpr unsigned continuation = 0x80;
+    constexpr unsigned leading_bits = 0xC0;
+    for (int c = 1; c < column && at < text.size(); ++c) {
+        do {
+            ++at;
+        } while (at < text.size() && (static_cast<unsigned char>(text[at]) & leading_bits) == continuation);
+    }
+    return at;
+}
+
+// A tenth below and above, in the unit that the value is written in.
+std::array<std::string, 2> ends_of(config::InputValue const& value) {
+    if (!value.range.empty()) {
+        return {value.range[0], value.range[1]};
+    }
+    auto const blank = value.text.find(' ');
+    double number = 0;
+    bool const has_unit = blank != std::string::npos && parse_number(value.text.substr(0, blank), number);
+    number = has_unit ? number : *value.number;
+    auto const unit = has_unit ? value.text.substr(blank) : std::string();
+    return {fmt::format("{:.12g}{}", number * (1 - usual_share), unit),
+            fmt::format("{:.12g}{}", number * (1 + usual_share), unit)};
+}
+
+// A number as it is, anything else as a text.
+std::string toml_of(std::string const& written) {
+    double number = 0;
+    return parse_number(written, number) ? written : fmt::format("'{}'", written);
+}
+
+std::string why_unvaried(config::InputValue const& value) {
+    if (!value.span.is_known()) {
+        return "set on the command line";
+    }
+    if (!value.range.empty()) {
+        return "";
+    }
+    return !value.number        ? "no number: a range of two values would say between what it may lie"
+           : *value.number == 0 ? "0 has no tenth: state a range"
+                                : "";
+}
+
+}  // namespace
+
+CampaignInput with_value(CampaignInput const& input, config::InputValue const& value, std::string const& written) {
+    auto varied = input;
+    auto& text = value.depth == 0 ? varied.text : varied.files.at(value.file);
+    auto const begin = offset_of(text, value.span.line, value.span.column);
+    auto const end = offset_of(text, value.span.end_line, value.span.end_column);
+    text.replace(begin, end - begin, toml_of(written));
+    return varied;
+}
+
+VariedInputs varied_inputs(CampaignSpec const& spec) {
+    VariedInputs found;
+    std::map<std::tuple<std::string, int, int>, std::size_t> places;
+    for (auto const& value : physical_inputs(spec)) {
+        if (value.basis != config::Basis::assumed) {
+            continue;
+        }
+        if (auto const why = why_unvaried(value); !why.empty()) {
+            found.unvaried.push_back({value.key, value.text, why});
+            continue;
+        }
+        auto const [place, is_new] =
+            places.try_emplace({value.file, value.span.line, value.span.column}, found.values.size());
+        if (is_new) {
+            found.values.push_back(value);
+            found.inputs.push_back({{}, value.text, value.source, ends_of(value), {}, !value.range.empty()});
+        }
+        found.inputs[place->second].keys.push_back(value.key);
+    }
+    return found;
+}
+
+}  // namespace overturn::cost

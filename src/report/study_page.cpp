@@ -1,0 +1,72 @@
+#include "report/detail/study_page.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "report/cost_page.hpp"
+#include "report/figure.hpp"
+
+namespace overturn::report {
+
+char const* const study_style = R"css(
+:root { color-scheme: light; }
+body { font: 15px/1.5 system-ui, "DejaVu Sans", sans-serif; color: #1a1a1a; background: #fff; margin: 0 auto;
+       max-width: 76rem; padding: 1.5rem 1.5rem 4rem; }
+h1 { font-size: 1.5rem; margin: 0 0 .2rem; } h2 { font-size: 1.1rem; margin: 0; }
+p { margin: .3rem 0; } .quiet { color: #666; font-size: .88rem; }
+.answer { border-left: 4px solid #d55e00; background: #fdf3ec; padding: .7rem 1rem; margin: 1.1rem 0 .5rem;
+          font-size: 1.05rem; }
+section { border-top: 1px solid #ddd; margin-top: 1.6rem; padding-top: 1.1rem; display: grid; gap: .4rem 1.6rem;
+          grid-template-columns: minmax(20rem, 1fr) minmax(26rem, 1.15fr); align-items: start; }
+section > header { grid-column: 1 / -1; } figure { margin: 0; overflow-x: auto; }
+svg { width: 100%; min-width: 29rem; height: auto; display: block; }  /* letters of 8 pixels at least */
+table { border-collapse: collapse; font-size: .82rem; font-variant-numeric: tabular-nums; width: 100%; }
+th { font-weight: 600; color: #666; } th, td { text-align: right; padding: .16rem .45rem; white-space: nowrap; }
+th:first-child, td:first-child { text-align: left; } tbody tr { border-top: 1px solid #eee; }
+tr.here td { background: #fdf3ec; font-weight: 600; } tr.front td:first-child::before { content: "\25cf\00a0"; color: #0072b2; }
+tr.here td:first-child::before { content: "\25c6\00a0"; color: #d55e00; }
+tr.plain td:first-child::before { content: "\25cb\00a0"; color: #888; }
+.scroll { overflow-x: auto; } code { font-size: .92em; }
+@media (max-width: 60rem) { section { grid-template-columns: minmax(0, 1fr); } }
+@media (max-width: 40rem) { body { padding: 1rem .8rem 3rem; } }
+@media print {
+  @page { margin: 16mm 14mm; }
+  body { font-size: 10pt; max-width: none; padding: 0; } section { grid-template-columns: minmax(0, 1fr); }
+  figure, .scroll { overflow: visible; } svg { min-width: 0; } figure, tr, .answer { break-inside: avoid; }
+  table { font-size: 8pt; } th, td { white-space: normal; }
+}
+)css";
+
+std::string study_figure(char const* script, nlohmann::ordered_json const& data) {
+    auto const svg = figure_text(script, data);
+    auto const begin = svg.find("<svg");
+    if (begin == std::string::npos) {
+        throw SystemError("no figure (Python drew something else than svg). Look at $OVERTURN_PYTHON");
+    }
+    return "<figure>" + svg.substr(begin) + "</figure>\n";
+}
+
+std::string escaped(std::string const& text) {
+    std::string safe;
+    for (char const c : text) {
+        switch (c) {
+            case '&':
+                safe += "&amp;";
+                break;
+            case '<':
+                safe += "&lt;";
+                break;
+            case '>':
+                safe += "&gt;";
+                break;
+            case '"':
+                safe += "&quot;";
+                break;
+            default:
+                safe += c;
+        }
+    }
+    return safe;
+}
+
+}  // namespace overturn::report

@@ -1,0 +1,112 @@
+// Requirement: a campaign knows how many of its inputs are assumed, and which of the model's assumptions bear on it;
+// saying so changes no result.
+#include "campaign/assumptions.hpp"
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "campaign/trial.hpp"
+#include "support/campaigns.hpp"
+
+namespace overturn {
+namespace {
+
+using testing::campaign_from;
+using testing::quick_waves;
+using testing::type_b;
+
+std::string const levels = testing::levels("values=[5, 8]\ndesign_basis=6\n");
+
+/// With and without a word on where values come from: the same bytes of every row.
+TEST(Assumptions, SayingThemChangesNoRow) {
+    auto const annotated = campaign_from(
+        "basis='assumed'\n" + quick_waves + "basis={others='measured: here'}\n"
+            + "[[bodies]]\nname='type-b'\nmass={value='12.6 t', basis='published', source='x', range=['12 t', '13 t']}\n"
+              "base_width={value='0.9 m', basis='assumed'}\ncentre_height='1.045 m'\ninertia='uniform-block'\n"
+              "basis='measured'\nsource='y'\n"
+            + levels);
+    auto const plain = campaign_from(quick_waves + type_b + levels);
+    Plan const plan(plain);
+    for (std::int64_t block = 0; block < plan.blocks(); ++block) {
+        PhaseSeconds ignored;
+        EXPECT_EQ(run_block(annotated, plan, block, ignored).pack(), run_block(plain, plan, block, ignored).pack());
+    }
+}
+
+TEST(Assumptions, AreCountedByWhereValuesComeFrom) {
+    auto const tally = [](std::string const& text) { return tally_of(physical_inputs(campaign_from(text))); };
+
+    auto const plain = tally(quick_waves + type_b + levels);
+    EXPECT_EQ(plain.assumed + plain.published + plain.measured, 0);
+    EXPECT_GT(plain.not_stated, 0);
+    EXPECT_GT(plain.by_default, 0) << "gravity, for one";
+
+    auto const body =
+        tally(quick_waves + type_b + "basis={mass='published: x', base_width='measured', others='assumed'}\n" + levels);
+    EXPECT_EQ(body.published, 1);
+    EXPECT_EQ(body.measured, 1);
+    EXPECT_EQ(body.assumed, 2) << "height and inertia; a name is no input";
+    EXPECT_EQ(body.all(), plain.all());
+
+    auto const all = tally("basis='assumed'\n" + quick_waves + type_b + levels);
+    EXPECT_EQ(all.not_stated, 0);
+    EXPECT_EQ(all.assumed, plain.not_stated);
+    EXPECT_EQ(text_of(InputTally{12, 9, 0, 2, 7}),
+              "12 of 30 inputs are assumed, 9 published, 0 measured, 2 not stated, 7 defaults of this program");
+}
+
+Bears bears(char const* name, std::string const& text) {
+    auto const spec = campaign_from(text);
+    for (auto const& one : model_assumptions()) {
+        if (one.name == name) {
+            return one.bears(spec);
+        }
+    }
+    ADD_FAILURE() << "no assumption " << name;
+    return Bears::no;
+}
+
+TEST(Assumptions, BearOnTheCampaignsTheyAreMadeIn) {
+    auto const plain = quick_waves + type_b + levels;
+    auto const across = quick_waves + "[waves.transverse]\nratio=1\n[waves.vertical]\nratio=0.667\n" + type_b;
+    auto const body = [](std::string const& keys) { return quick_waves + type_b + keys + levels; };
+
+    EXPECT_EQ(bears("one-plane", plain), Bears::yes);
+    EXPECT_EQ(bears("one-plane", across + levels), Bears::where_not_called_for);
+    EXPECT_EQ(bears("one-plane", across + "axes=1\n" + levels), Bears::yes);
+    EXPECT_EQ(bears("no-vertical-motion", plain), Bears::yes);
+    EXPECT_EQ(bears("no-vertical-motion", across + levels), Bears::no);
+    EXPECT_EQ(bears("rigid-ground", plain), Bears::where_not_called_for);
+    EXPECT_EQ(bears("rigid-ground", plain + "[effects]\nmode='none'\n"), Bears::yes);
+    EXPECT_EQ(bears("corner-contact", plain), Bears::yes);
+    EXPECT_EQ(bears("corner-contact", body("base={bedding='flat'}\n")), Bears::no);
+    EXPECT_EQ(bears("elastic-pad", body("pad={strength='30 MPa'}\n")), Bears::no);
+    EXPECT_EQ(bears("no-slip", plain), Bears::yes);
+    EXPECT_EQ(bears("no-slip", body("friction=0.5\n")), Bears::no);
+    EXPECT_EQ(bears("no-slip", body("friction=0.5\n") + "[effects]\nmode='none'\n"), Bears::yes);
+    EXPECT_EQ(bears("constant-friction", plain), Bears::no);
+    EXPECT_EQ(bears("constant-friction", body("friction=0.5\n")), Bears::yes);
+    EXPECT_EQ(bears("known-bodies", body("restitution={distribution='lognormal', median=0.8, beta=0.1, high=0.9}\n")),
+              Bears::no);
+    EXPECT_EQ(bears("one-spectrum", plain), Bears::yes);
+    EXPECT_EQ(bears("independent-components", plain), Bears::no);
+    EXPECT_EQ(bears("independent-components", across + levels), Bears::yes);
+}
+
+/// Every line is whole, and no effect is told without the study that found it.
+TEST(Assumptions, AreToldWhole) {
+    std::set<std::string_view> names;
+    for (auto const& one : model_assumptions()) {
+        EXPECT_TRUE(names.insert(one.name).second) << one.name;
+        EXPECT_FALSE(one.assumed.empty() || one.key.empty() || one.evidence.empty()) << one.name;
+        EXPECT_TRUE(one.effect == "not measured" || one.evidence.find("campaigns/") != std::string_view::npos)
+            << one.name;
+    }
+    EXPECT_GE(names.size(), 15U);
+}
+
+}  // namespace
+}  // namespace overturn
