@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "generators/aftershock.hpp"
 #include "generators/filtered_noise.hpp"
 #include "generators/harmonic.hpp"
 #include "generators/pulse.hpp"
@@ -27,7 +28,7 @@ std::span<config::Entry<WaveSourceMaker> const> wave_sources() {
 }
 
 std::unique_ptr<WaveSource> make_wave_source(config::Table const& waves, InputFiles& files) {
-    return waves.choice("source", wave_sources())(waves, files);
+    return with_aftershock(waves, waves.choice("source", wave_sources())(waves, files));
 }
 
 std::size_t read_samples(config::Table const& waves, double time_step_s) {

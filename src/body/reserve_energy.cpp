@@ -15,8 +15,9 @@ constexpr double two_pi = 2 * std::numbers::pi;
 RockingCapacity rocking_capacity(RigidBody const& body, double rotation_rad) {
     constexpr double rounding = 1e-12;
     OVERTURN_EXPECT(rotation_rad > 0 && rotation_rad <= body.alpha_rad() * (1 + rounding));
-    double const h = body.centre_height_m();
-    double const a = body.half_width_m() / h;
+    // On a slope, or off the middle: as the weaker corner has them, from the vertical.
+    double const h = body.lopsided() ? body.radius_m() * std::cos(body.alpha_rad()) : body.centre_height_m();
+    double const a = body.lopsided() ? std::tan(body.alpha_rad()) : body.half_width_m() / h;
     double const g = body.gravity_mps2();
     // cos theta - 1 without its cancellation at small rotations.
     double const half = std::sin(rotation_rad / 2);

@@ -24,6 +24,7 @@ BodyInput model_of(BodyInput const& prototype, SimilarityLaw const& law) {
     model.mass_kg *= law.mass();
     model.half_width_m *= law.length;
     model.centre_height_m *= law.length;
+    model.offset_m *= law.length;
     model.inertia_kgm2 *= law.inertia();
     return model;
 }
@@ -34,6 +35,7 @@ BodyInput prototype_of(BodyInput const& model, SimilarityLaw const& law) {
     prototype.mass_kg /= law.mass();
     prototype.half_width_m /= law.length;
     prototype.centre_height_m /= law.length;
+    prototype.offset_m /= law.length;
     prototype.inertia_kgm2 /= law.inertia();
     return prototype;
 }

@@ -9,6 +9,7 @@
 #include "campaign/detail/footing_spec.hpp"
 #include "campaign/detail/gyration.hpp"
 #include "campaign/detail/parts_spec.hpp"
+#include "campaign/detail/placement_spec.hpp"
 
 namespace overturn {
 namespace {
@@ -18,10 +19,10 @@ using config::Range;
 using config::Table;
 
 constexpr std::string_view uniform_block = "uniform-block";
-
 BodyInput read_shape(Table const& table, std::vector<BodyPart>& parts) {
     table.may_have({"name", "file", "mass", "base_width", "centre_height", "inertia", "parts", "restitution",
-                    "friction", "gravity", "similarity", "axes", "base", "pad", "inertia_y", "inertia_z"});
+                    "friction", "gravity", "similarity", "axes", "base", "pad", "inertia_y", "inertia_z", "offset",
+                    "slope", "initial_tilt"});
     double const width = table.number("base_width", Dimension::length, Range::positive());
     if (table.has("parts")) {
         parts = read_parts(table);
@@ -138,7 +139,7 @@ std::string inertia_text(RigidBody const& body) {
                    body.inertia_kgm2(), share);
 }
 
-// Every draw must be a body, and one that cannot jam.
+// Every draw must be a body that cannot jam.
 void validate_draws(Table const& table, BodySpec const& spec) {
     auto const& height = spec.scatter.centre_height;
     auto stated = spec.stated;
@@ -146,7 +147,7 @@ void validate_draws(Table const& table, BodySpec const& spec) {
          {height ? height->lowest() : stated.centre_height_m, height ? height->highest() : stated.centre_height_m}) {
         stated.centre_height_m = drawn;
         auto const body = table.located(height ? "centre_height" : "", [&] { return scaled(stated, spec.scaling); });
-        double const bound = painleve_bound(body.inertia_ratio());
+        double const bound = painleve_bound(std::max(body.corner(1).inertia_ratio, body.corner(-1).inertia_ratio));
         auto const& friction = spec.scatter.friction;
         if (friction && friction->highest() >= bound) {
             table.fail("friction",
@@ -174,11 +175,13 @@ void read_uncertain(Table const& table, BodySpec& spec) {
     if (table.has("friction")) {
         read_friction(table, spec);
     }
+    read_placement(table, spec);
     read_footing(table, spec.stated_footing);
     spec.axes = static_cast<int>(table.integer("axes", 1, 3, spec.axes));
     table.finish();
     spec.body = table.located("", [&] { return scaled(spec.stated, spec.scaling); });
     validate_draws(table, spec);
+    validate_placement(table, spec);
     settle_footing(table, spec);
 }
 
@@ -194,7 +197,6 @@ BodySpec read_stated(Table const& table, std::string name) {
     return spec;
 }
 
-// What may scatter, by its key.
 constexpr std::array quantities{
     std::pair{"mass", &BodyScatter::mass}, std::pair{"centre_height", &BodyScatter::centre_height},
     std::pair{"restitution", &BodyScatter::restitution}, std::pair{"friction", &BodyScatter::friction}};

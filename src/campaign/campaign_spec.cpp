@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include "campaign/detail/placement_spec.hpp"
 #include "campaign/rows.hpp"
 #include "campaign/wave_check.hpp"
 #include "campaign/withheld_inputs.hpp"
@@ -218,6 +219,7 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
                                      body.name));
         }
     }
+    check_planar(effects, waves, spec);
     auto const accuracy = root.child_or_empty("accuracy");
     spec.accuracy = read_accuracy(accuracy);
     constexpr double largest_phase = 40;
@@ -243,6 +245,7 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
                                                               : WavesOfLevels::shared,
                               spec.effects);
     check_reachable(root, spec.limits, spec.bodies);
+    check_planar_limits(root, spec);
     if (spec.rare && spec.rare->method == rare::Method::pulse_mixture && spec.limits.size() > 1) {
         root.child("rare").fail("method", fmt::format("pulse-mixture beside limit state '{}' (its pulses are of waves "
                                                       "that overturn). Use auto or subset",

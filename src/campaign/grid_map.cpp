@@ -61,7 +61,7 @@ double steady_rotation_ratio(LevelSpec const& levels, double level, double perio
     } else if (levels.measure == LevelMeasure::pgd) {
         amplitude = level * omega * omega;
     }
-    if (std::isnan(amplitude) || amplitude <= body.uplift_acceleration_mps2()) {
+    if (body.lopsided() || std::isnan(amplitude) || amplitude <= body.uplift_acceleration_mps2()) {
         return never;
     }
     try {

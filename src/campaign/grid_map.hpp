@@ -47,7 +47,7 @@ struct GridMap {
 
 /// The steady rotation over alpha of a body under a sinusoid whose level is this, by the paper's Eq. 1 (Spanos & Koh
 /// 1984, linearised; at its central restitution). NaN where the level is no amplitude of a sinusoid (pga, pgv and pgd
-/// are), does not lift the body off, or has no such steady state.
+/// are), does not lift the body off, or has no such steady state; of a body whose corners differ.
 [[nodiscard]] double steady_rotation_ratio(LevelSpec const& levels, double level, double period_s,
                                            RigidBody const& body);
 

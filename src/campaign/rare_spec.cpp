@@ -32,6 +32,10 @@ void check_levels(config::Table const& root, LevelSpec const& levels) {
 }
 
 void check_waves(config::Table const& root, WaveSource const& source, Wish const& method) {
+    if (root.child("waves").has("aftershock")) {
+        root.child("waves").fail("aftershock",
+                                 "beside [rare] (rare events are sought among single shocks). Leave one of them out");
+    }
     auto const waves = source.from_normals();
     if (waves == nullptr) {
         root.child("waves").fail(

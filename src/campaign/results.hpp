@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,8 +36,11 @@ struct BodyStatistics {
     std::vector<Confusion> v_wes, ou_v_e;
     std::vector<std::vector<std::int64_t>> ends;    ///< trials per verdict, in the order of verdicts(), and level
     std::vector<std::vector<std::int64_t>> called;  ///< trials per effect, in the order of effects(), and level
-    std::vector<std::int64_t> rungs;                ///< trials per rung, in the order of rungs()
-    std::vector<GridLine> grid;                     ///< one per wave where waves are points of a grid; else none
+    /// Trials per level that still rocked when the record ended: they fell, or rose to their peak, only after it. Those
+    /// that rocked on below an earlier peak are not known from rows.
+    std::vector<std::int64_t> fell_after_record, peaked_after_record;
+    std::vector<std::int64_t> rungs;  ///< trials per rung, in the order of rungs()
+    std::vector<GridLine> grid;       ///< one per wave where waves are points of a grid; else none
 
     /// \param limit place of the limit state; 0: overturning
     [[nodiscard]] std::vector<Stripe> const& stripes_of(std::size_t limit) const {
@@ -74,8 +78,12 @@ class Statistics {
 
   private:
     LimitJudge judge_;
+    void count_after_record(TrialRow const& row, BodyStatistics& body) const;
+
     WaveCounts waves_;
     MeasuredTrials measured_;
+    double duration_s_ = never;                       ///< of the first wave
+    std::map<std::int64_t, double> other_durations_;  ///< of waves unlike it, by id
     std::vector<BodyStatistics> bodies_;
 };
 

@@ -34,6 +34,8 @@ Statistics::Statistics(CampaignSpec const& spec)
         auto const levels = statistics.stripes.size();
         statistics.ends.assign(verdicts().size(), std::vector<std::int64_t>(levels));
         statistics.called.assign(effects().size(), std::vector<std::int64_t>(levels));
+        statistics.fell_after_record.resize(levels);
+        statistics.peaked_after_record.resize(levels);
         statistics.rungs.resize(rungs().size());
         auto const periods = spec.grid_periods_s();
         for (std::size_t w = 0; w < periods.size(); ++w) {
@@ -44,6 +46,11 @@ Statistics::Statistics(CampaignSpec const& spec)
 }
 
 void Statistics::add(WaveRow const& row, std::span<MeasureRow const> measures) {
+    if (waves_.waves == 0) {
+        duration_s_ = row.duration_s;
+    } else if (row.duration_s != duration_s_) {
+        other_durations_[row.id] = row.duration_s;
+    }
     waves_.add(row);
     measured_.add(row, measures);
 }
@@ -78,6 +85,7 @@ void Statistics::add(TrialRow const& row, std::span<std::byte const> own) {
     for (std::size_t e = 0; e < effects().size(); ++e) {
         body.called[e][level] += has(static_cast<EffectMask>(row.called), effects()[e].value) ? 1 : 0;
     }
+    count_after_record(row, body);
     if (row.verdict == Verdict::failed) {
         ++stripe.failed;
     } else {
@@ -92,6 +100,17 @@ void Statistics::add(TrialRow const& row, std::span<std::byte const> own) {
     stripe.overturned += end.fell ? 1 : 0;
     body.v_wes[level].add(row.v_wes_safe != 0, end.fell);
     body.ou_v_e[level].add(row.ou_v_e_safe != 0, end.fell);
+}
+
+void Statistics::count_after_record(TrialRow const& row, BodyStatistics& body) const {
+    auto const other = other_durations_.find(row.wave);
+    double const end_s = other == other_durations_.end() ? duration_s_ : other->second;
+    auto const level = static_cast<std::size_t>(row.level);
+    if (row.overturn_time_s > end_s) {
+        ++body.fell_after_record[level];
+    } else if (entry_of(row.verdict).decided && row.time_of_peak_s > end_s) {
+        ++body.peaked_after_record[level];
+    }
 }
 
 void WaveCounts::add(WaveRow const& row) {

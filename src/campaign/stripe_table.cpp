@@ -53,6 +53,22 @@ std::string left_out(CampaignSpec const& spec, BodySpec const& body, BodyStatist
     return text;
 }
 
+// The record ended while these still rocked: what a longer one would have made of them nobody knows.
+std::string cut_short(BodyStatistics const& s) {
+    auto const sum = [](std::vector<std::int64_t> const& levels) {
+        return std::accumulate(levels.begin(), levels.end(), std::int64_t{0});
+    };
+    auto const fell = sum(s.fell_after_record);
+    auto const peaked = sum(s.peaked_after_record);
+    return fell + peaked == 0
+               ? ""
+               : fmt::format(
+                   "note: {} trials still rocked when the record ended ({} fell and {} rose to their peak "
+                   "only after it; followed without shaking). State a longer duration, or quiet_after of a "
+                   "pulse, if the motion goes on\n",
+                   fell + peaked, fell, peaked);
+}
+
 void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& body, BodyStatistics const& s) {
     text += fmt::format("\n{}: alpha {:.1f} deg, R {:.3f} m, e {:.3f}, {}V_Ereq {:.3f} m/s\n", body.name,
                         body.body.alpha_rad() * 180 / pi, body.body.radius_m(), body.body.restitution(),
@@ -94,6 +110,7 @@ void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& bo
     }
     text += '\n';
     text += left_out(spec, body, s);
+    text += cut_short(s);
 }
 
 }  // namespace

@@ -173,6 +173,10 @@ Json all_stripes_json(CampaignSpec const& spec, Statistics const& statistics, do
                 if (!body.grid.empty()) {  // no sample of anything
                     stripe["probability"] = stripe["lower"] = stripe["upper"] = nullptr;
                 }
+                if (limit == 0) {
+                    stripe["fell_after_record"] = body.fell_after_record[l];
+                    stripe["peaked_after_record"] = body.peaked_after_record[l];
+                }
                 for (std::size_t v = 0; limit == 0 && v < verdicts().size(); ++v) {
                     stripe["ends"][column_of(verdicts()[v])] = body.ends[v][l];
                 }

@@ -82,7 +82,9 @@ std::string friction_text(BodySpec const& body) {
         return "no slip";
     }
     double const mu = body.friction->static_coefficient;
-    double const slope = body.body.half_width_m() / body.body.centre_height_m();
+    auto const& weaker = body.body.corner(body.body.weaker_side());
+    double const slope =
+        body.body.lopsided() ? std::tan(weaker.base_angle_rad) : body.body.half_width_m() / body.body.centre_height_m();
     auto const& drawn = body.scatter.friction;
     if (drawn && drawn->scatters() && drawn->lowest() < slope && slope < drawn->highest()) {
         double const below = 0.5 * std::erfc(-drawn->score(slope) / std::sqrt(2.0));
@@ -95,6 +97,25 @@ std::string friction_text(BodySpec const& body) {
     }
     constexpr double near = 1.15;  // up to here slip changes peak rotations by orders of magnitude
     return compared + (mu < near * slope ? ": rocks and slides at once" : ": rocks before it slides");
+}
+
+// Which side is the weaker one, whose figures V_Ereq and all others are; empty where both are alike.
+std::string placement_text(RigidBody const& body) {
+    std::string text;
+    if (body.lopsided()) {
+        auto const tips = [&](double side) {
+            auto const& c = body.corner(side);
+            return fmt::format("alpha {:.2f} deg, uplift {:.4g} m/s2, V_Ereq {:.4f} m/s", c.alpha_rad * 180 / pi,
+                               body.gravity_mps2() * std::tan(c.alpha_rad), c.limit_velocity_mps);
+        };
+        text = fmt::format("towards +x {}; towards -x {}; V_Ereq, alpha, p and e are those of the weaker side, {}x",
+                           tips(1), tips(-1), body.weaker_side() > 0 ? '+' : '-');
+    }
+    if (double const tilt = body.initial_tilt_rad(); tilt != 0) {
+        text += fmt::format("{}let go at a tilt of {:.4g} deg, {:.3f} of alpha", text.empty() ? "" : "; ",
+                            tilt * 180 / pi, std::abs(tilt) / body.corner(tilt).alpha_rad);
+    }
+    return text;
 }
 
 // The limit states of the user's own, and what they make every trial simulate.
@@ -149,6 +170,9 @@ int plan_campaign(PlanOptions const& options) {
             body.name, body.body.mass_kg(), body.body.alpha_rad() * 180 / pi, body.body.p_radps(),
             body.body.restitution(), body.body.housner_restitution(), body.body.uplift_acceleration_mps2(),
             body.body.limit_velocity_mps());
+        if (auto const text = placement_text(body.body); !text.empty()) {
+            fmt::print("placed    {}: {}\n", body.name, text);
+        }
         fmt::print("slip      {}: {}\n", body.name, friction_text(body));
         if (body.footing.stated) {
             fmt::print("stands    {}: {}\n", body.name, footing_text(body));

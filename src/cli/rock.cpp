@@ -106,8 +106,8 @@ void print_text(BodySpec const& spec, PlacedRecord const& record, Drift const& d
     if (std::isnan(r.peak_rotation_rad)) {
         return;  // no model ran it: the error says why
     }
-    fmt::print("peak rotation    {:.6g} rad = {:.4f} alpha, {}\n", r.peak_rotation_rad,
-               r.peak_rotation_rad / b.alpha_rad(), time_text(r.time_of_peak_s));
+    fmt::print("peak rotation    {:.6g} rad = {:.4f} alpha, {}\n", r.peak_rotation_rad, r.peak_rotation_ratio,
+               time_text(r.time_of_peak_s));
     fmt::print("peak energy      {:.4f} of that of critical uplift\n", r.peak_energy_ratio);
     fmt::print("V_resp           {:.4f} m/s\n", r.response_velocity_mps);
     fmt::print("first uplift     {}, {} impacts\n", time_text(r.first_uplift_s), r.impacts);
@@ -142,7 +142,15 @@ int rock(RockOptions const& options) {
     note_warnings(warnings_of(spec));
     note_warnings(warnings_of(motion));
     Scene const scene{spec.body, spec.friction, spec.footing, spec.axes};
-    Ladder const ladder(parse_effects(options.effects));
+    auto const request = parse_effects(options.effects);
+    if (auto const* const key = spec.planar_key(); key != nullptr) {
+        bool const dearer = (request.include & (mask_of(Effect::contact) | mask_of(Effect::spatial))) != 0;
+        validate(!dearer && (spec.axes < 2 || motion.transverse_mps2.empty()),
+                 "{}: {} beside {} (only rocking and sliding in one plane hold it). Leave one of them out, or state "
+                 "axes = 1",
+                 options.body, key, dearer ? "the effects contact or spatial" : "a transverse component");
+    }
+    Ladder const ladder(request);
     std::vector<std::byte> own(ladder.own_bytes());
     SceneTrial const trial{scene, motion, options.scale};
     std::optional<HistoryFile> history;

@@ -49,13 +49,14 @@ class ContactModel : public Model {
     explicit ContactModel(ContactAccuracy const& accuracy) : accuracy_(accuracy) {}
     [[nodiscard]] ModelTraits const& traits() const override { return contact_traits(); }
 
-    /// Not of a body so slender that the usual pad, of which nobody has spoken, could not hold it upright.
+    /// Not of a body that is off the middle, on a slope or tilted at first; nor of one so slender that the usual pad,
+    /// of which nobody has spoken, could not hold it upright.
     [[nodiscard]] EffectMask possible(Trial const& trial) const override {
         constexpr double ample = 6;  // a flat bed is a third as stiff against turning as corners are
         auto const& body = *trial.body;
         double const edge = 2 * pi * trial.footing->pad.vertical_frequency_hz * body.half_width_m();
         bool const holds = edge * edge > ample * body.gravity_mps2() * body.centre_height_m();
-        return trial.footing->stated || holds ? mask_of(Effect::contact) : 0;
+        return !body.needs_planar_rocking() && (trial.footing->stated || holds) ? mask_of(Effect::contact) : 0;
     }
 
     [[nodiscard]] Call called_for(Trial const& trial, Outcome const* said) const override {

@@ -2,8 +2,10 @@
 /// others.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "core/units.hpp"
@@ -14,6 +16,21 @@
 
 namespace overturn {
 
+/// One of two corners that differ.
+struct RockingCorner {
+    double alpha_rad = 0;         ///< the tilt at which it falls by itself: that of its base -/+ slope
+    double base_angle_rad = 0;    ///< atan(b/h), from the base's normal
+    double p_radps = 0;           ///< about this corner
+    double restitution = 1;       ///< of the impact that leaves it for the other one
+    double inertia_ratio = 0.75;  ///< m R^2 / I_O
+};
+
+/// A block whose corners differ, as its centre of gravity is off the base's middle or its ground is inclined.
+struct Lopsided {
+    double slope_rad = 0;                    ///< the ground falls towards +x
+    std::array<RockingCorner, 2> corners{};  ///< at +x and at -x
+};
+
 /// What the rocking equation needs of a body. Plain data, validated where the body is.
 struct RockingBlock {
     double alpha_rad = 0;         ///< critical angle atan(b/h)
@@ -23,6 +40,9 @@ struct RockingBlock {
     double gravity_mps2 = g0;
     double friction_static = std::numeric_limits<double>::infinity();   ///< mu_s; read unless slip is ignored
     double friction_kinetic = std::numeric_limits<double>::infinity();  ///< mu_k <= mu_s
+    /// Of a block whose corners differ; its alpha, p, restitution and inertia ratio are then those of the weaker one,
+    /// which lesser energy tips it over, and energies are told over what that takes.
+    std::optional<Lopsided> lopsided = {};
 
     [[nodiscard]] double radius_m() const { return inertia_ratio * gravity_mps2 / (p_radps * p_radps); }
 };
@@ -53,6 +73,10 @@ struct EnergyBalance {
 /// neutral part, peak_rotation_ratio, peak_impact_velocity_mps, response_velocity_mps, friction_work_jpkg and called
 /// are left to rocking_models.cpp.
 struct RockingOutcome : Outcome {
+    /// Of a block whose corners differ the peak rotation is the one nearest to its corner's alpha, and this is the same
+    /// share of the weaker corner's; else the peak rotation.
+    double peak_reach_rad = 0;
+    double peak_side = 0;          ///< of a block whose corners differ: the sign of the peak rotation
     double impact_spin_radps = 0;  ///< largest |omega| before an impact
     bool slip_called = false;      ///< Slip::watched ended here: nothing else of this outcome counts
     EnergyBalance energy;          ///< with Slip::simulated only
@@ -84,13 +108,18 @@ class RockingObserver {
 /// energy decides. Mirrored motion gives the bit-equal mirrored trial; a trial in which nothing slips is bit-equal in
 /// all three slip modes. Allocates nothing.
 ///
+/// A block whose corners differ rocks on each as a symmetric block of that corner's alpha, R, p does; on inclined
+/// ground theta counts from the ground, alpha from the vertical, forces along and across the ground. Slip is followed
+/// along it.
+///
 /// Loss of contact (N <= 0) below the critical angle or while turning back ends the trial as contact_lost. Beyond it,
 /// on the way out, the fall is certain and free of torque: the trial is overturned, at the instant to which the
 /// rotation at the loss leads, and contact_lost_s tells.
 ///
 /// \pre block quantities are positive, alpha < pi/2, restitution in [0, 1]; components agree in length; friction stays
 ///      below painleve_bound
-/// \throws InputError if the accuracy asks for an order that is not offered, or for slip of the linearised block
+/// \throws InputError if the accuracy asks for an order that is not offered, or for slip or differing corners of the
+/// linearised block
 [[nodiscard]] RockingOutcome simulate_rocking(RockingBlock const& block, Excitation const& shaking,
                                               RockingAccuracy const& accuracy = {}, RockingStart const& start = {},
                                               RockingObserver* observer = nullptr, Slip slip = Slip::ignored);
@@ -98,9 +127,10 @@ class RockingObserver {
 struct RockingTrial {
     RockingBlock block;
     Excitation shaking;
+    RockingStart start = {};
 };
 
-/// Many trials from rest, side by side in the machine's vector lanes: outcomes[i] is bit-equal to that of trials[i]
+/// Many trials, side by side in the machine's vector lanes: outcomes[i] is bit-equal to that of trials[i]
 /// alone. Trials come in any mixture.
 void simulate_rocking(std::span<RockingTrial const> trials, RockingAccuracy const& accuracy, Slip slip,
                       std::span<RockingOutcome> outcomes);

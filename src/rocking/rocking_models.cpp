@@ -35,16 +35,16 @@ struct Pauses : Checkpoints {
 };
 
 RockingTrial rocking_trial(Trial const& trial) {
-    return {block_of(*trial.body, trial.friction), planar_excitation(trial)};
+    return {block_of(*trial.body, trial.friction), planar_excitation(trial), {trial.body->initial_tilt_rad(), 0}};
 }
 
 // What the kernel does not know: the body behind the block.
 void conclude(RockingOutcome const& rocking, Trial const& trial, EffectMask called, Outcome& outcome) {
     outcome = static_cast<Outcome const&>(rocking);
-    outcome.peak_rotation_ratio = rocking.peak_rotation_rad / trial.body->alpha_rad();
+    outcome.peak_rotation_ratio = rocking.peak_reach_rad / trial.body->alpha_rad();
     outcome.friction_work_jpkg = rocking.energy.friction_work;
     outcome.peak_impact_velocity_mps = 2 * trial.body->half_width_m() * rocking.impact_spin_radps;
-    outcome.response_velocity_mps = response_velocity(*trial.body, rocking.peak_rotation_rad);
+    outcome.response_velocity_mps = response_velocity(*trial.body, rocking.peak_rotation_rad, rocking.peak_side);
     outcome.called = called;
 }
 
@@ -125,9 +125,9 @@ class RockingModel : public Model {
     void show(Batch const& batch) const {
         OVERTURN_EXPECT(batch.trials.size() == 1);
         auto const& trial = batch.trials.front();
-        auto const [block, shaking] = rocking_trial(trial);
+        auto const [block, shaking, start] = rocking_trial(trial);
         Shown shown(*batch.observer);
-        conclude_one(simulate_rocking(block, shaking, accuracy_, {}, &shown, slip_of(trial)), trial,
+        conclude_one(simulate_rocking(block, shaking, accuracy_, start, &shown, slip_of(trial)), trial,
                      batch.outcomes.front());
     }
 
@@ -155,7 +155,7 @@ class SlidingModel : public Model {
             auto const* const pause = paused == nullptr ? nullptr : &paused->at.at(batch.places[i]);
             auto const outcome = pause != nullptr && pause->at_hand && !shown
                                      ? go_on_slipping(rocking, accuracy_, *pause)
-                                     : simulate_rocking(rocking.block, rocking.shaking, accuracy_, {},
+                                     : simulate_rocking(rocking.block, rocking.shaking, accuracy_, rocking.start,
                                                         shown ? &*shown : nullptr, Slip::simulated);
             bool const asked = has(static_cast<EffectMask>(batch.outcomes[i].called), Effect::sliding);
             bool const called = asked || outcome.peak_slip_m > 0;
@@ -204,6 +204,12 @@ RockingBlock block_of(RigidBody const& body, std::optional<Friction> const& fric
                        .restitution = body.restitution(),
                        .inertia_ratio = body.inertia_ratio(),
                        .gravity_mps2 = body.gravity_mps2()};
+    if (body.lopsided()) {
+        auto const corner_of = [](Corner const& c) {
+            return RockingCorner{c.alpha_rad, c.base_angle_rad, c.p_radps, c.restitution, c.inertia_ratio};
+        };
+        block.lopsided = Lopsided{body.slope_rad(), {corner_of(body.corner(1)), corner_of(body.corner(-1))}};
+    }
     if (friction) {
         block.friction_static = friction->static_coefficient;
         block.friction_kinetic = friction->kinetic_coefficient;

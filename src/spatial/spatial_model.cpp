@@ -96,6 +96,11 @@ class SpatialModel : public Model {
     explicit SpatialModel(ContactAccuracy const& accuracy) : accuracy_(accuracy) {}
     [[nodiscard]] ModelTraits const& traits() const override { return spatial_traits(); }
 
+    /// Not of a body that is off the middle, on a slope or tilted at first.
+    [[nodiscard]] EffectMask possible(Trial const& trial) const override {
+        return trial.body->needs_planar_rocking() ? 0 : traits().brings();
+    }
+
     [[nodiscard]] Call called_for(Trial const& trial, Outcome const* said) const override {
         auto const all = traits().always | (trial.friction ? mask_of(Effect::sliding) : 0);
         bool const shaken_across = !trial.excitation.transverse_mps2.empty();

@@ -108,5 +108,54 @@ TEST(RigidBody, FiguresThatMakeNoBodyAreRefusedByName) {
         "critical angle");
 }
 
+// Requirement: with the centre of gravity off the middle and inclined ground each corner has closed forms of its own,
+// and the body's are those of the weaker side.
+TEST(RigidBody, CornersThatDifferHaveTheirOwnClosedForms) {
+    for (auto const& [offset, slope] : {std::pair{0.1, 0.0}, {-0.1, 0.0}, {0.0, 0.02}, {0.05, -0.03}}) {
+        auto in = rectangle(0.68, 1.045);
+        in.offset_m = offset;
+        in.slope_rad = slope;
+        RigidBody const body(in);
+        double const m = in.mass_kg;
+        for (double const side : {1.0, -1.0}) {
+            auto const& c = body.corner(side);
+            double const b = 0.68 - side * offset;
+            double const other = 0.68 + side * offset;
+            double const landing = in.inertia_kgm2 + m * (other * other + 1.045 * 1.045);
+            // Angular momentum about the corner that is struck: spin and path of the centre of gravity.
+            double const momentum = in.inertia_kgm2 + m * (1.045 * 1.045 - b * other);
+
+            EXPECT_TRUE(near(c.alpha_rad, std::atan(b / 1.045) - side * slope, exact_formula));
+            EXPECT_TRUE(near(c.restitution, momentum / landing, exact_formula));
+            EXPECT_TRUE(
+                near(c.p_radps * c.p_radps, m * g0 * std::hypot(b, 1.045) / c.corner_inertia_kgm2, exact_formula));
+            EXPECT_TRUE(near(c.limit_velocity_mps * c.limit_velocity_mps,
+                             2 * g0 * std::hypot(b, 1.045) * (1 - std::cos(c.alpha_rad)), exact_formula));
+        }
+        auto const& weaker = body.corner(body.weaker_side());
+        EXPECT_EQ(body.weaker_side(), offset > 0 || slope > 0 ? 1 : -1);
+        EXPECT_LT(weaker.limit_velocity_mps, body.corner(-body.weaker_side()).limit_velocity_mps);
+        EXPECT_EQ(body.limit_velocity_mps(), weaker.limit_velocity_mps);
+        EXPECT_EQ(body.alpha_rad(), weaker.alpha_rad);
+        EXPECT_TRUE(near(body.uplift_acceleration_mps2(), g0 * std::tan(weaker.alpha_rad), exact_formula));
+    }
+}
+
+TEST(RigidBody, WhatFallsByItselfOrGainsEnergyIsRefused) {
+    auto const with = [](double BodyInput::*what, double value) {
+        auto in = rectangle(0.2, 0.8);
+        in.*what = value;
+        return in;
+    };
+    expect_input_error([&] { (void)RigidBody(with(&BodyInput::offset_m, 0.2)); }, "offset of 0.2 m", "falls by itself");
+    expect_input_error([&] { (void)RigidBody(with(&BodyInput::slope_rad, -0.25)); }, "slope of", "tips over its lower");
+    expect_input_error([&] { (void)RigidBody(with(&BodyInput::initial_tilt_rad, 0.245)); }, "initial tilt of",
+                       "falls by itself");
+    EXPECT_EQ(RigidBody(with(&BodyInput::initial_tilt_rad, -0.244)).initial_tilt_rad(), -0.244);
+    auto leaning = with(&BodyInput::offset_m, 0.05);
+    leaning.restitution = 0.999;
+    expect_input_error([&] { (void)RigidBody(leaning); }, "restitution 0.999", "would add energy");
+}
+
 }  // namespace
 }  // namespace overturn

@@ -103,6 +103,37 @@ TEST(BodySpec, FileWithOverrides) {
         "x.toml:1:");
 }
 
+// Requirement: offset, slope and initial tilt are read, go with the similarity law, and are refused beside what only
+// models hold that know nothing of them.
+TEST(BodySpec, PlacedOffTheMiddleOnASlopeAndTilted) {
+    auto const spec =
+        body_of(block + "inertia='uniform-block'\noffset='5 cm'\nslope='0.5 deg'\ninitial_tilt='-1 deg'\n");
+
+    EXPECT_TRUE(near(spec.body.corner(1).alpha_rad, std::atan(0.63 / 1.045) - pi / 360, testing::exact_formula));
+    EXPECT_TRUE(near(spec.body.corner(-1).alpha_rad, std::atan(0.73 / 1.045) + pi / 360, testing::exact_formula));
+    EXPECT_TRUE(near(spec.body.initial_tilt_rad(), -pi / 180, testing::exact_formula));
+    EXPECT_STREQ(spec.planar_key(), "offset");
+    auto const model = body_of(block + "inertia='uniform-block'\noffset=0.05\nslope='0.5 deg'\n"
+                                       "similarity={direction='to-model', length=0.4}\n");
+    EXPECT_TRUE(near(model.body.offset_m(), 0.02, testing::exact_formula));
+    EXPECT_TRUE(near(model.body.corner(1).alpha_rad, spec.body.corner(1).alpha_rad, testing::exact_formula));
+    EXPECT_EQ(body_of(block + "inertia=6000\nslope=0\n").planar_key(), nullptr);
+}
+
+TEST(BodySpec, RefusesPlacementsThatNothingHolds) {
+    auto const body = block + "inertia='uniform-block'\n";
+    refuse(body + "offset='0.7 m'\n", "5:8: offset: offset of 0.7 m");
+    refuse(body + "slope='40 deg'\n", "5:7: slope: slope of 40 deg");
+    refuse(body + "initial_tilt='34 deg'\n", "5:14: initial_tilt: initial tilt of 34 deg");
+    refuse(body + "slope='1 deg'\npad={strength='30 MPa'}\n", "slope beside base or pad");
+    refuse(body + "offset='1 cm'\ninertia_z=6000\n", "offset beside inertia_y or inertia_z");
+    refuse(body + "slope='5 deg'\nfriction={static=0.3,kinetic=0.08}\n", "friction down to 0.08 on a slope of tan");
+    refuse(
+        "mass=12600\nbase_width=1.36\ninertia='uniform-block'\ninitial_tilt='20 deg'\n"
+        "centre_height={distribution='uniform',low=1,high=2}\n",
+        "5:15: centre_height: initial tilt of 20 deg");
+}
+
 TEST(BodySpec, RefusesNonsense) {
     refuse("mass=-5\nbase_width=1\ncentre_height=1\ninertia=1\n", "mass: -5 kg");
     refuse("mass='5 m'\nbase_width=1\ncentre_height=1\ninertia=1\n", "unit 'm'");

@@ -190,5 +190,43 @@ TEST(Statistics, CountWhatTheRowsSay) {
     EXPECT_EQ(b.called, (std::vector<Counts>{{0, 0}, {0, 0}, {0, 0}, {0, 0}}));
 }
 
+// Requirement: a body that still rocked when the record ended is told, as far as rows know it.
+TEST(Statistics, CountWhoFellOrPeakedOnlyAfterTheRecord) {
+    auto const spec = testing::campaign_from(testing::quick_waves + testing::type_a + testing::type_b
+                                             + testing::levels("values=[3,6]\n"));
+    Statistics statistics(spec);
+    std::vector<MeasureRow> const measures(2);
+    for (std::int64_t wave = 0; wave < 2; ++wave) {
+        WaveRow row;
+        row.id = wave;
+        row.duration_s = wave == 0 ? 20 : 40;
+        statistics.add(row, measures);
+    }
+    auto const add = [&](std::int64_t wave, Verdict verdict, double peak_s, double fall_s) {
+        auto row = row_of(0, 1, verdict, true, true);
+        row.wave = wave;
+        row.time_of_peak_s = peak_s;
+        row.overturn_time_s = fall_s;
+        statistics.add(row);
+    };
+    add(0, Verdict::overturned, 20.5, 20.5);
+    add(0, Verdict::overturned, 20, 20);
+    add(0, Verdict::rocked, 20.1, never);
+    add(0, Verdict::rocked, 19.9, never);
+    add(0, Verdict::failed, 30, never);
+    add(1, Verdict::rocked, 30, never);
+    add(1, Verdict::overturned, 40.2, 40.2);
+
+    auto const& body = statistics.bodies()[0];
+    using Counts = std::vector<std::int64_t>;
+    EXPECT_EQ(body.fell_after_record, (Counts{0, 2}));
+    EXPECT_EQ(body.peaked_after_record, (Counts{0, 1}));
+    auto const told = stripe_table(spec, statistics);
+    EXPECT_NE(told.find("note: 3 trials still rocked when the record ended (2 fell and 1 rose to their peak"),
+              std::string::npos)
+        << told;
+    EXPECT_EQ(stripe_table(spec, Statistics(spec)).find("still rocked"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace overturn

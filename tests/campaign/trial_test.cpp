@@ -52,6 +52,39 @@ void expect_same_trials(CampaignSpec const& other, std::int64_t body, std::vecto
     }
 }
 
+// Requirement: an aftershock meets the body where the mainshock left it, and what the mainshock does keeps every bit.
+TEST(Aftershocks, LeaveTheMainshocksTrialsAsTheyAre) {
+    auto const keys = testing::type_b + "[levels]\nmeasure='factor'\nvalues=[0.6,1,1.6,3]\n";
+    auto const plain = campaign_from(testing::quick_waves + keys);
+    auto const both = campaign_from(testing::quick_waves + "[waves.aftershock]\nscale=1\npause='20 s'\n" + keys);
+    int fell_first = 0;
+    int moved_later = 0;
+    for (std::int64_t wave = 0; wave < 3; ++wave) {
+        auto const one = prepared(plain, wave);
+        auto const two = prepared(both, wave);
+        double const end_s = one.row.duration_s;
+        EXPECT_NEAR(two.row.duration_s, 2 * end_s + 20, 2 * one.motion.time_step_s);
+        for (std::int64_t level = 0; level < 4; ++level) {
+            auto const first = run(plain, one, 0, level);
+            auto const whole = run(both, two, 0, level);
+            if (first.overturn_time_s < end_s) {
+                EXPECT_EQ(whole.overturn_time_s, first.overturn_time_s);
+                EXPECT_EQ(whole.impacts, first.impacts);
+                EXPECT_EQ(whole.peak_energy_ratio, first.peak_energy_ratio);
+                ++fell_first;
+            } else {
+                EXPECT_GE(whole.peak_rotation_rad, first.peak_rotation_rad);
+                moved_later += whole.time_of_peak_s > end_s + 20 ? 1 : 0;
+            }
+            if (first.first_uplift_s < end_s) {
+                EXPECT_EQ(whole.first_uplift_s, first.first_uplift_s);
+            }
+        }
+    }
+    EXPECT_GT(fell_first, 0);
+    EXPECT_GT(moved_later, 1);
+}
+
 /// With R in the other unit beside it, each value has the bits that it has where that unit is the campaign's own.
 TEST(TrialMeasures, BothUnitsOfRStandSideBySide) {
     auto const keyed = [](std::string const& keys) {

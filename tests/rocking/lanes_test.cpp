@@ -44,6 +44,13 @@ class Mixture {
                 }
             }
         }
+        for (auto const& block : {testing::lopsided_a(0.05, 0.01, 0.7), testing::lopsided_a(-0.2, 0, 1.1)}) {
+            for (double const level : {4.0, -5.0, 7.0, 9.0, -12.0}) {
+                add(block, short_[2], {}, 0.02, level);
+                add(block, short_[3], short_[4], 0.02, level);
+                trials_.back().start.rotation_rad = -0.02 * level;
+            }
+        }
     }
     [[nodiscard]] std::vector<RockingTrial> const& trials() const { return trials_; }
 
@@ -71,8 +78,8 @@ TEST(Lanes, GiveWhatEachTrialGivesAlone) {
         auto const together = side_by_side(mixture.trials(), slip);
         std::array<int, 6> verdicts{};
         for (std::size_t i = 0; i < together.size(); ++i) {
-            auto const& [block, shaking] = mixture.trials()[i];
-            expect_same_bits(simulate_rocking(block, shaking, {}, {}, nullptr, slip), together[i], i);
+            auto const& [block, shaking, start] = mixture.trials()[i];
+            expect_same_bits(simulate_rocking(block, shaking, {}, start, nullptr, slip), together[i], i);
             ++verdicts.at(static_cast<std::size_t>(together[i].verdict));
         }
         for (Verdict const verdict : {Verdict::at_rest, Verdict::rocked, Verdict::overturned, Verdict::contact_lost}) {
@@ -87,8 +94,8 @@ TEST(Lanes, AnObserverChangesNothing) {
     auto const together = side_by_side(mixture.trials(), Slip::ignored);
     for (std::size_t i = 0; i < together.size(); i += 5) {
         testing::History history;
-        auto const& [block, shaking] = mixture.trials()[i];
-        expect_same_bits(simulate_rocking(block, shaking, {}, {}, &history), together[i], i);
+        auto const& [block, shaking, start] = mixture.trials()[i];
+        expect_same_bits(simulate_rocking(block, shaking, {}, start, &history), together[i], i);
         EXPECT_GT(history.instants.size(), 10U);
     }
 }

@@ -17,6 +17,7 @@ using State = std::array<double, 4>;  ///< x, v, theta, omega
 
 struct Extremes {
     double rotation = 0, slip = 0, residual = 0;
+    std::array<double, 2> reached{};  ///< largest rotation about the corner at +x and at -x
     int impacts = 0, slips = 0, slipping_impacts = 0;
     bool overturned = false;
 };
@@ -27,27 +28,33 @@ class Reference {
     Reference(RockingBlock const& block, std::vector<double> const& horizontal, std::vector<double> const& vertical,
               double dt, double scale)
         : g_(block.gravity_mps2),
-          radius_(block.inertia_ratio * block.gravity_mps2 / (block.p_radps * block.p_radps)),
-          alpha_(block.alpha_rad),
-          half_width_(radius_ * std::sin(alpha_)),
-          height_(radius_ * std::cos(alpha_)),
-          own_inertia_(radius_ * radius_ * (1 / block.inertia_ratio - 1)),
+          slope_(block.lopsided ? block.lopsided->slope_rad : 0),
+          corners_{corner_of(block, 0), corner_of(block, 1)},
+          own_inertia_(corners_[0].own_inertia),
           p_(block.p_radps),
-          e_(block.restitution),
           mu_s_(block.friction_static),
           mu_k_(block.friction_kinetic),
           horizontal_(horizontal),
           vertical_(vertical),
           dt_(dt),
           scale_(scale),
-          step_(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, 4)) {}
+          step_(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, 4)) {
+        stand_on(1);
+    }
     Reference(Reference const&) = delete;
     Reference& operator=(Reference const&) = delete;
     Reference(Reference&&) = delete;
     Reference& operator=(Reference&&) = delete;
     ~Reference() { gsl_odeiv2_step_free(step_); }
 
-    Extremes run() {
+    Extremes run(double tilt = 0) {
+        if (tilt != 0) {
+            stand_on(tilt < 0 ? -1 : 1);
+            mode_ = Mode::rock;
+            y_[2] = tilt;
+            seen_.rotation = std::abs(tilt);
+            seen_.reached[tilt < 0 ? 1 : 0] = std::abs(tilt);
+        }
         constexpr int parts = 8;  // steps of a sample: what is shorter than one can be missed, 1 ms of slip
         double const h = dt_ / parts;
         auto const calm = static_cast<std::size_t>(20 / dt_);
@@ -64,15 +71,48 @@ class Reference {
   private:
     enum class Mode { rest, slide, rock, slip_rock };
 
+    /// In the ground's own frame, on which gravity leans where it is inclined.
+    struct Corner {
+        double radius, alpha, half_width, height, own_inertia, e;
+    };
+    static Corner corner_of(RockingBlock const& block, std::size_t which) {
+        RockingCorner const alone{block.alpha_rad, block.alpha_rad, block.p_radps, block.restitution,
+                                  block.inertia_ratio};
+        auto const c = block.lopsided ? block.lopsided->corners.at(which) : alone;
+        double const radius = c.inertia_ratio * block.gravity_mps2 / (c.p_radps * c.p_radps);
+        return {radius,
+                c.base_angle_rad,
+                radius * std::sin(c.base_angle_rad),
+                radius * std::cos(c.base_angle_rad),
+                radius * radius * (1 / c.inertia_ratio - 1),
+                c.restitution};
+    }
+    [[nodiscard]] Corner const& at(double side) const { return corners_[side < 0 ? 1 : 0]; }
+    void stand_on(double side) {
+        side_ = side;
+        auto const& c = at(side);
+        radius_ = c.radius;
+        alpha_ = c.alpha;
+        half_width_ = c.half_width;
+        height_ = c.height;
+        e_ = c.e;
+    }
+
     void load(std::size_t i) {
         std::size_t const n = horizontal_.size();
         auto const at = [&](std::vector<double> const& wave, std::size_t k) {
             return wave.empty() || i + 1 >= n ? 0.0 : scale_ * wave[k];
         };
-        a0_ = at(horizontal_, i);
-        a_rate_ = (at(horizontal_, i + 1) - a0_) / dt_;
-        g0_ = g_ + at(vertical_, i);
-        g_rate_ = (g_ + at(vertical_, i + 1) - g0_) / dt_;
+        auto const along = [&](double a, double g) { return std::cos(slope_) * a - std::sin(slope_) * g; };
+        auto const across = [&](double a, double g) { return std::sin(slope_) * a + std::cos(slope_) * g; };
+        double const a = at(horizontal_, i);
+        double const b = at(horizontal_, i + 1);
+        double const g = g_ + at(vertical_, i);
+        double const h = g_ + at(vertical_, i + 1);
+        a0_ = along(a, g);
+        a_rate_ = (along(b, h) - a0_) / dt_;
+        g0_ = across(a, g);
+        g_rate_ = (across(b, h) - g0_) / dt_;
     }
     [[nodiscard]] double a(double t) const { return a0_ + a_rate_ * t; }
     [[nodiscard]] double gv(double t) const { return g0_ + g_rate_ * t; }
@@ -129,11 +169,12 @@ class Reference {
         return y;
     }
 
+    [[nodiscard]] double tips(double side) const { return at(side).half_width / at(side).height; }
     /// What must stay positive in this mode.
     [[nodiscard]] bool allowed(double t, State const& y) const {
         switch (mode_) {
             case Mode::rest:
-                return std::abs(a(t)) <= gv(t) * std::min(mu_s_, half_width_ / height_);
+                return std::abs(a(t)) <= gv(t) * std::min(mu_s_, tips(a(t) > 0 ? -1 : 1));
             case Mode::slide:
                 return way_ * y[1] >= 0;
             case Mode::rock: {
@@ -175,6 +216,8 @@ class Reference {
     void note(double t, double h, State const& next) {
         seen_.slip = std::max(seen_.slip, std::abs(next[0]));
         seen_.rotation = std::max(seen_.rotation, std::abs(next[2]));
+        auto& reached = seen_.reached[side_ < 0 ? 1 : 0];
+        reached = std::max(reached, std::abs(next[2]));
         if (side_ * y_[3] > 0 && side_ * next[3] < 0) {
             double lo = 0;
             double hi = h;
@@ -182,7 +225,9 @@ class Reference {
                 double const middle = 0.5 * (lo + hi);
                 (side_ * after(t, middle)[3] > 0 ? lo : hi) = middle;
             }
-            seen_.rotation = std::max(seen_.rotation, std::abs(after(t, lo)[2]));
+            double const turned = std::abs(after(t, lo)[2]);
+            seen_.rotation = std::max(seen_.rotation, turned);
+            reached = std::max(reached, turned);
         }
     }
 
@@ -225,13 +270,13 @@ class Reference {
     }
 
     void leave_rest(double t) {
-        if (mu_s_ < half_width_ / height_) {
+        if (mu_s_ < tips(a(t) > 0 ? -1 : 1)) {
             mode_ = Mode::slide;
             way_ = a(t) > 0 ? -1 : 1;
             ++seen_.slips;
             return;
         }
-        side_ = a(t) > 0 ? -1 : 1;
+        stand_on(a(t) > 0 ? -1 : 1);
         y_[2] = 0;
         y_[3] = 0;
         mode_ = Mode::rock;
@@ -250,13 +295,13 @@ class Reference {
         ++seen_.slips;
     }
 
-    [[nodiscard]] double kinetic(double v, double omega) const {
+    [[nodiscard]] double kinetic(double v, double omega, double half_width) const {
         double const across = v + height_ * omega;
-        return 0.5 * (across * across + half_width_ * half_width_ * omega * omega + own_inertia_ * omega * omega);
+        return 0.5 * (across * across + half_width * half_width * omega * omega + own_inertia_ * omega * omega);
     }
     /// Slip velocity after an impact with restitution e.
     [[nodiscard]] double slip_after(double v, double omega, double e) const {
-        double const vertical = half_width_ * (1 + e) * std::abs(omega);
+        double const vertical = (half_width_ + at(-side_).half_width * e) * std::abs(omega);
         double const horizontal = height_ * e * omega - (v + height_ * omega);
         if (std::abs(horizontal) <= mu_s_ * vertical) {
             return 0;
@@ -268,18 +313,19 @@ class Reference {
     void impact(double t) {
         double const omega = y_[3];
         double e = e_;
-        double const before = kinetic(y_[1], omega);
-        if (y_[1] != 0 && kinetic(slip_after(y_[1], omega, e), e * omega) > before) {
+        double const before = kinetic(y_[1], omega, half_width_);
+        double const other = at(-side_).half_width;
+        if (y_[1] != 0 && kinetic(slip_after(y_[1], omega, e), e * omega, other) > before) {
             double lo = 0;
             for (double hi = e; hi - lo > 1e-16;) {
                 e = 0.5 * (lo + hi);
-                (kinetic(slip_after(y_[1], omega, e), e * omega) > before ? hi : lo) = e;
+                (kinetic(slip_after(y_[1], omega, e), e * omega, other) > before ? hi : lo) = e;
             }
         }
         y_[1] = slip_after(y_[1], omega, e);
         y_[2] = 0;
         y_[3] = e * omega;
-        side_ = -side_;
+        stand_on(-side_);
         ++seen_.impacts;
         mode_ = Mode::rock;
         if (y_[1] != 0) {
@@ -296,8 +342,8 @@ class Reference {
                 if (!allowed(t, y_)) {
                     leave_rest(t);
                 }
-            } else if (mu_k_ > half_width_ / height_) {
-                side_ = way_;
+            } else if (mu_k_ > tips(way_)) {
+                stand_on(way_);
             } else {
                 mode_ = Mode::slide;
             }
@@ -309,7 +355,10 @@ class Reference {
         }
     }
 
-    double g_, radius_, alpha_, half_width_, height_, own_inertia_, p_, e_, mu_s_, mu_k_;
+    double g_, slope_;
+    std::array<Corner, 2> corners_;
+    double own_inertia_, p_, mu_s_, mu_k_;
+    double radius_ = 0, alpha_ = 0, half_width_ = 0, height_ = 0, e_ = 0;  ///< of the corner in hand
     std::vector<double> const& horizontal_;
     std::vector<double> const& vertical_;
     double dt_, scale_;
@@ -362,6 +411,54 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"stuck_impacts", 1.02, 1, 8, 0.4, 0}, Case{"slipping_impacts", 1.05, 0.85, 8, 0.4, 0},
                       Case{"ten_metres", 1.1, 0.85, 14, 0.4, 0}, Case{"lower_kinetic", 1.05, 0.95, 9, 0, 0}),
     [](auto const& info) { return info.param.name; });
+
+struct Lean {
+    char const* name;
+    double offset_m, slope_rad, tilt_rad;
+    double friction, kinetic_over_static, level, vertical_share;
+    int wave;
+};
+
+class SlideRockLopsided : public ::testing::TestWithParam<Lean> {};
+
+// Requirement: an offset, a slope and an initial tilt in every mode, slip included. The reference works in the inclined
+// ground's own frame, the program's rocking in that of gravity.
+TEST_P(SlideRockLopsided, AgreesWithAnIndependentIntegration) {
+    auto const& c = GetParam();
+    auto const block = testing::lopsided_a(c.offset_m, c.slope_rad, c.friction, c.kinetic_over_static * c.friction);
+    auto const horizontal = testing::short_wave(c.wave);
+    auto vertical = c.vertical_share > 0 ? testing::short_wave(c.wave + 50) : std::vector<double>{};
+    for (double& value : vertical) {
+        value *= c.vertical_share;
+    }
+    auto shaking = testing::shaking_of(horizontal, 0.02, c.level);
+    shaking.vertical_mps2 = vertical;
+
+    auto const out = testing::simulate_slipping(block, shaking, nullptr, {.rotation_rad = c.tilt_rad});
+    auto const reference = Reference(block, horizontal, vertical, 0.02, c.level).run(c.tilt_rad);
+
+    EXPECT_EQ(out.verdict == Verdict::overturned, reference.overturned);
+    EXPECT_GT(reference.impacts + reference.slips, 1);
+    EXPECT_NEAR(out.peak_slip_m, reference.slip, 1e-8 * std::max(reference.slip, 1e-3));
+    EXPECT_NEAR(out.residual_slip_m, reference.residual, 1e-8 * std::max(reference.slip, 1e-3));
+    auto const lean = [&](double side) {
+        double const alpha = block.lopsided ? block.lopsided->corners[side < 0 ? 1 : 0].alpha_rad : block.alpha_rad;
+        return reference.reached[side < 0 ? 1 : 0] / alpha;
+    };
+    EXPECT_NEAR(out.peak_reach_rad / block.alpha_rad, std::max(lean(1), lean(-1)), 1e-8 * std::max(lean(1), lean(-1)));
+    RecordProperty("slips", reference.slips);
+    RecordProperty("impacts", reference.impacts);
+}
+
+INSTANTIATE_TEST_SUITE_P(Waves, SlideRockLopsided,
+                         ::testing::Values(Lean{"offset_stuck", 0.1, 0, 0, 1.2, 1, 8, 0, 1},
+                                           Lean{"slope_stuck", 0, 0.02, 0, 1.2, 1, 7, 0.4, 1},
+                                           Lean{"tilt_stuck", 0, 0, -0.2, 1.2, 1, 3, 0, 2},
+                                           Lean{"offset_slips", -0.04, 0, 0, 0.66, 0.9, 8, 0, 0},
+                                           Lean{"slope_slips", 0, 0.02, 0, 0.665, 0.9, 8, 0.4, 0},
+                                           Lean{"slope_slides", 0, 0.03, 0, 0.4, 0.9, 6, 0, 3},
+                                           Lean{"all_slip", 0.02, -0.015, 0.15, 0.68, 0.95, 8, 0.3, 1}),
+                         [](auto const& info) { return info.param.name; });
 
 }  // namespace
 }  // namespace overturn

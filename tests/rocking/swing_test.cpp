@@ -50,6 +50,8 @@ class Draw {
         set(Swing::sine_alpha, std::sin(alpha));
         set(Swing::cosine_alpha, std::cos(alpha));
         set(Swing::uplift_ratio, std::tan(alpha));
+        set(Swing::incline_sine, 0);
+        set(Swing::incline_cosine, 1);
         set(Swing::friction_limit, unlimited);
         set(Swing::settle_speed, 1e-5 * p);
         set(Swing::settle_rate, 2 / ((1 - e) * p * p * std::cos(alpha)));

@@ -8,7 +8,9 @@
 #include <span>
 #include <vector>
 
+#include "body/rigid_body.hpp"
 #include "rocking/planar_rocking.hpp"
+#include "rocking/rocking_models.hpp"
 
 namespace overturn::testing {
 
@@ -22,6 +24,20 @@ inline RockingBlock type_a(double friction_static, double friction_kinetic) {
             .friction_kinetic = friction_kinetic};
 }
 inline RockingBlock type_a(double friction) { return type_a(friction, friction); }
+/// The same with its centre of gravity off the middle, on ground that falls towards +x.
+inline RockingBlock lopsided_a(double offset_m, double slope_rad, double friction_static, double friction_kinetic) {
+    double const mass = 12.6e3;
+    RigidBody const body({.mass_kg = mass,
+                          .half_width_m = 0.68,
+                          .centre_height_m = 1.045,
+                          .inertia_kgm2 = mass * (0.68 * 0.68 + 1.045 * 1.045) / 3,
+                          .offset_m = offset_m,
+                          .slope_rad = slope_rad});
+    return block_of(body, Friction{friction_static, friction_kinetic});
+}
+inline RockingBlock lopsided_a(double offset_m, double slope_rad, double friction) {
+    return lopsided_a(offset_m, slope_rad, friction, friction);
+}
 inline constexpr double type_a_tips = 0.68 / 1.045;  ///< tan(alpha)
 
 inline Excitation shaking_of(std::span<double const> a, double time_step_s, double scale = 1) {

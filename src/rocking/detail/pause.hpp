@@ -13,7 +13,7 @@ enum class Mode { rest, slide, rock, slip_rock };
 struct Pause {
     bool at_hand = false;  ///< else friction did not give out, or only after the wave
     RockingOutcome so_far;
-    double energy = 0;  ///< its peak, over m g R
+    double energy = 0;  ///< its peak, over m g R of the weaker corner
     Mode mode = Mode::rest;
     StartRoot start_root = StartRoot::none;
     double side = 1, phi = 0, omega = 0;

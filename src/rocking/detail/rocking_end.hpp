@@ -9,8 +9,8 @@ namespace overturn::rocking {
 // slipped may slip on: it is followed until it rests.
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 void Integrator<Order, Restoring, Vertical, Friction>::run_out(double end_s) {
-    double const length = shaking_.time_step_s > 0 ? shaking_.time_step_s : 0.01 / block_.p_radps;
-    double const balance_s = 100 / block_.p_radps;  // exp(37) lifts the last bit to one; only an exact balance lasts
+    double const length = shaking_.time_step_s > 0 ? shaking_.time_step_s : 0.01 / corner_.p_radps;
+    double const balance_s = 100 / corner_.p_radps;  // exp(37) lifts the last bit to one; only an exact balance lasts
     log_.raise_energy(rocking_energy());
     for (std::int64_t i = 0; !log_.done() && mode_ != Mode::rest; ++i) {
         sample_.calm(end_s + static_cast<double>(i) * length, length);
@@ -27,13 +27,23 @@ void Integrator<Order, Restoring, Vertical, Friction>::run_out(double end_s) {
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 bool Integrator<Order, Restoring, Vertical, Friction>::decided() const {
     double const energy = rocking_energy();
-    if (phi_ >= block_.alpha_rad || energy >= top_) {
+    if (phi_ >= corner_.alpha_rad || energy * corner_.weight >= top_) {
         return false;
     }
-    double const e = block_.restitution;
-    double const turning = Restoring::turning_point(block_.alpha_rad, omega_ > 0 ? energy : e * e * energy);
+    double const e = corner_.restitution;
     constexpr double slack = 1e-12;
-    return turning <= log_.outcome().peak_rotation_rad * (1 + slack);
+    if (lopsided_) {  // the swing in hand, the next one over the other corner, and the first of the later ones here
+        auto const reached = [&](Corner const& at, double left) {
+            return at.reach * Restoring::turning_point(at.alpha_rad, left * corner_.weight / at.weight);
+        };
+        auto const& other = at_side(-side_);
+        double const later =
+            std::max(reached(other, e * e * energy),
+                     reached(corner_, omega_ > 0 ? energy : e * e * energy * std::pow(other.restitution, 2)));
+        return later <= log_.outcome().peak_reach_rad * (1 + slack);
+    }
+    double const turning = Restoring::turning_point(corner_.alpha_rad, omega_ > 0 ? energy : e * e * energy);
+    return turning <= log_.peak() * (1 + slack);
 }
 
 template <int Order, class Restoring, bool Vertical, Slip Friction>

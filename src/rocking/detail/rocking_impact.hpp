@@ -12,39 +12,41 @@ void Integrator<Order, Restoring, Vertical, Friction>::strike() {
     ++out.impacts;
     double const speed = std::max(0.0, -omega_);
     out.impact_spin_radps = std::max(out.impact_spin_radps, speed);
-    log_.raise_energy(0.5 * speed * speed / (block_.p_radps * block_.p_radps));
+    log_.raise_energy(0.5 * speed * speed / (corner_.p_radps * corner_.p_radps));
     phi_ = 0;
     show(0, 0);
-    double const e = block_.restitution;
+    double const e = corner_.restitution;
     double rebound = e * speed;
     if constexpr (limited) {
-        double const before = radius_m_ * radius_m_ * law_.energy(-side_ * speed, v_mps_ / radius_m_);
-        auto const after = overturn::rocking::strike(law_, -side_ * speed, v_mps_ / radius_m_);
+        double const before =
+            corner_.radius_m * corner_.radius_m * corner_.law.energy(-side_ * speed, v_mps_ / corner_.radius_m);
+        auto const after = overturn::rocking::strike(corner_.law, -side_ * speed, v_mps_ / corner_.radius_m);
         if constexpr (slipping) {
             rebound = std::abs(after.rotation_rate);
-            v_mps_ = after.slip_rate * radius_m_;
+            v_mps_ = after.slip_rate * corner_.radius_m;
             out.energy.impact_loss +=
-                before - radius_m_ * radius_m_ * law_.energy(after.rotation_rate, after.slip_rate);
+                before
+                - corner_.radius_m * corner_.radius_m * corner_.law.energy_after(after.rotation_rate, after.slip_rate);
         } else if (after.slip_rate != 0) {
             log_.call_slip();
             return;
         }
     }
     if (v_mps_ == 0) {
-        log_.raise_demand(mode_ == Mode::rock ? (1 - e) / ((1 + e) * uplift_ratio_) : 0);
+        log_.raise_demand(mode_ == Mode::rock ? impact_demand() : 0);
         mode_ = Mode::rock;
     } else {
         mode_ = Mode::slip_rock;
         sigma_ = v_mps_ < 0 ? -1.0 : 1.0;
         slipped_ = true;
     }
-    side_ = -side_;
+    stand_on(-side_);
     omega_ = rebound;
     start_root_ = StartRoot::simple;
     show(0, 0);
     double const a = sample_.horizontal(sample_.tau_s);
     double const gv = sample_.vertical(sample_.tau_s);
-    double const hold = gv * uplift_ratio_;
+    double const hold = gv * tipped_by(a).uplift_ratio;
     if (mode_ == Mode::slip_rock) {
         settle_slipping(a, hold);
         return;
@@ -55,9 +57,17 @@ void Integrator<Order, Restoring, Vertical, Friction>::strike() {
         }
         return;
     }
-    if (omega_ <= accuracy_.settle * block_.p_radps) {
-        settle(a, hold);
+    if (omega_ <= accuracy_.settle * corner_.p_radps) {
+        settle(a, gv);
     }
+}
+
+// |P_x| / P_z of an impact after which the corner sticks.
+template <int Order, class Restoring, bool Vertical, Slip Friction>
+double Integrator<Order, Restoring, Vertical, Friction>::impact_demand() const {
+    double const e = corner_.restitution;
+    return lopsided_ ? corner_.law.cosine_alpha * (1 - e) / corner_.law.impulse(e)
+                     : (1 - e) / ((1 + e) * corner_.uplift_ratio);
 }
 
 // Bounces that slip accumulate as well, each a fraction of the one before; only the slip may outlast them. What they
@@ -65,16 +75,16 @@ void Integrator<Order, Restoring, Vertical, Friction>::strike() {
 // carries b omega less than the weight's impulse, friction brakes it that much less.
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 void Integrator<Order, Restoring, Vertical, Friction>::settle_slipping(double a, double hold) {
-    double const slow = invisible * accuracy_.settle * block_.p_radps;
-    bool const sticks = std::abs(v_mps_) <= slow * radius_m_;
-    bool const tips = block_.friction_kinetic > uplift_ratio_;
+    double const slow = invisible * accuracy_.settle * corner_.p_radps;
+    bool const sticks = std::abs(v_mps_) <= slow * corner_.radius_m;
+    bool const tips = block_.friction_kinetic > at_side(sigma_).base_ratio;
     if (omega_ > slow || (tips && !sticks && omega_ > 0)) {
         return;
     }
     auto& energy = log_.outcome().energy;
     energy.impact_loss += mechanical_energy();
-    double const saved = block_.friction_kinetic * radius_m_ * law_.sine_alpha * omega_;
-    double const slip = v_mps_ + radius_m_ * law_.cosine_alpha * side_ * omega_ + sigma_ * saved;
+    double const saved = block_.friction_kinetic * corner_.radius_m * corner_.law.sine_alpha * omega_;
+    double const slip = v_mps_ + corner_.radius_m * corner_.law.cosine_alpha * side_ * omega_ + sigma_ * saved;
     double const work = saved * std::abs(v_mps_);
     omega_ = 0;
     if (sticks || sigma_ * slip <= 0) {
@@ -84,7 +94,7 @@ void Integrator<Order, Restoring, Vertical, Friction>::settle_slipping(double a,
             lift(a);
         }
     } else if (tips) {  // a sliding base tips towards its slip
-        side_ = sigma_;
+        stand_on(sigma_);
         start_root_ = StartRoot::twofold;
     } else {
         v_mps_ = slip;
@@ -98,18 +108,14 @@ void Integrator<Order, Restoring, Vertical, Friction>::settle_slipping(double a,
 // Impacts accumulate at a finite time: with the forcing as it is now the swings last 2 omega / decel, each e times
 // the one before, over alternating corners. If the sum ends within this sample the block is at rest from then on.
 template <int Order, class Restoring, bool Vertical, Slip Friction>
-void Integrator<Order, Restoring, Vertical, Friction>::settle(double a, double hold) {
-    double const e = block_.restitution;
-    double const cosine = nonlinear ? std::cos(block_.alpha_rad) : 1.0;  // the linear block's sin psi is psi
-    double const scale = block_.p_radps * block_.p_radps * cosine;
-    double const here = scale * (hold + side_ * a);
-    double const there = scale * (hold - side_ * a);
-    double const duration = 2 * omega_ * (1 / here + e / there) / (1 - e * e);
-    double const end = sample_.tau_s + duration;
-    if (end <= sample_.length_s && std::abs(sample_.horizontal(end)) <= sample_.vertical(end) * uplift_ratio_
-        && tail_sticks(a, hold / uplift_ratio_)) {
+void Integrator<Order, Restoring, Vertical, Friction>::settle(double a, double gv) {
+    double const end = sample_.tau_s + bouncing_s(a, gv);
+    double const a_end = sample_.horizontal(end);
+    double const hold = gv * corner_.uplift_ratio;
+    if (end <= sample_.length_s && std::abs(a_end) <= sample_.vertical(end) * tipped_by(a_end).uplift_ratio
+        && tail_sticks(a, lopsided_ ? gv : hold / corner_.uplift_ratio)) {
         sample_.tau_s = end;
-    } else if (omega_ > invisible * accuracy_.settle * block_.p_radps) {
+    } else if (omega_ > invisible * accuracy_.settle * corner_.p_radps) {
         return;
     }
     if constexpr (slipping) {
@@ -117,6 +123,20 @@ void Integrator<Order, Restoring, Vertical, Friction>::settle(double a, double h
     }
     mode_ = Mode::rest;
     omega_ = 0;
+    if constexpr (slipping) {
+        log_.outcome().energy.impact_loss -= mechanical_energy();  // what slip down a slope has won stays
+    }
+}
+
+template <int Order, class Restoring, bool Vertical, Slip Friction>
+double Integrator<Order, Restoring, Vertical, Friction>::bouncing_s(double a, double gv) const {
+    auto const braking = [&](Corner const& at, double side) {
+        double const cosine = nonlinear ? std::cos(at.alpha_rad) : 1.0;  // the linear block's sin psi is psi
+        return at.p_radps * at.p_radps * cosine * (gv * at.uplift_ratio + side * a);
+    };
+    auto const& other = at_side(-side_);
+    double const e = corner_.restitution;
+    return 2 * omega_ * (1 / braking(corner_, side_) + e / braking(other, -side_)) / (1 - e * other.restitution);
 }
 
 // Whether the small swings on both corners need no more friction than there is.
@@ -126,10 +146,10 @@ bool Integrator<Order, Restoring, Vertical, Friction>::tail_sticks(double a, dou
         return true;
     }
     auto const sticks_on = [&](double side) {
-        double const acceleration =
-            -block_.p_radps * block_.p_radps * (law_.sine_alpha * gv + side * a * law_.cosine_alpha);
-        double const friction = side * a + r_ * law_.cosine_alpha * acceleration;
-        double const normal = gv + r_ * law_.sine_alpha * acceleration;
+        auto const& at = at_side(side);
+        double const acceleration = -at.p_radps * at.p_radps * (at.sine_alpha * gv + side * a * at.cosine_alpha);
+        auto const [friction, normal] =
+            turned(side * a + at.r * at.cosine_alpha * acceleration, gv + at.r * at.sine_alpha * acceleration, side);
         return std::abs(friction) <= block_.friction_static * normal;
     };
     return sticks_on(1.0) && sticks_on(-1.0);

@@ -3,6 +3,7 @@
 
 #include "model/chunk_extremes.hpp"
 #include "rocking/detail/impact.hpp"
+#include "rocking/detail/incline.hpp"
 #include "rocking/detail/pause.hpp"
 #include "rocking/detail/rocking_events.hpp"
 #include "rocking/detail/sample.hpp"
@@ -55,8 +56,33 @@ template <int Order, class Restoring, bool Vertical, Slip Friction> class Integr
         }
     };
 
+    /// What the corner in hand, or the only kind there is, lends to the equations.
+    struct Corner {
+        double alpha_rad, base_angle_rad, p_radps, restitution, inertia_ratio;
+        double sine_alpha, cosine_alpha;
+        double uplift_ratio;  ///< tan(alpha)
+        double hold_ratio;    ///< |a| / gv up to which neither tips towards it nor slides
+        double base_ratio;    ///< b / h: friction below it slides and never tips
+        double r, radius_m;
+        ImpactLaw law;
+        double side = 0, reach = 1, weight = 1;  ///< TrialLog::stand_on
+    };
+    [[nodiscard]] static Corner corner_of(RockingBlock const& block, RockingCorner const& corner, double side);
+    [[nodiscard]] static Corner corner_of(RockingBlock const& block);
+    [[nodiscard]] Corner const& at_side(double side) const { return lopsided_ ? corners_[side < 0 ? 1 : 0] : corner_; }
+    /// The corner that an acceleration tips towards.
+    [[nodiscard]] Corner const& tipped_by(double a) const { return at_side(a > 0 ? -1.0 : 1.0); }
+    void stand_on(double side) {
+        side_ = side;
+        if (lopsided_) {
+            corner_ = corners_[side < 0 ? 1 : 0];
+            log_.stand_on(corner_.side, corner_.reach, corner_.weight);
+        }
+    }
+
     // time loop (this file, below; step_watched and run_from: rocking_pause.hpp)
     void skip_rest();
+    void skip_lopsided_rest();
     [[nodiscard]] bool next_sample();
     void step();
     void step_watched();
@@ -82,6 +108,21 @@ template <int Order, class Restoring, bool Vertical, Slip Friction> class Integr
     struct ContactForces {
         double friction, normal;  ///< over m g, mirrored
     };
+    [[nodiscard]] ContactForces turned(double friction, double normal, double side) const {
+        if (!lopsided_) {
+            return {friction, normal};
+        }
+        auto const [along, across] = incline_.turned(friction, normal, side);
+        return {along, across};
+    }
+    /// Forcing along and across the ground, mirrored to a side.
+    [[nodiscard]] Forcing forcing_of_ground(double side) const {
+        auto const forcing = sample_.forcing(side);
+        return lopsided_ ? incline_.turned(forcing, side) : forcing;
+    }
+    [[nodiscard]] Forcing shaking_of(Forcing const& forcing, double side) const {
+        return lopsided_ ? incline_.shaking_of(forcing, side) : forcing;
+    }
     [[nodiscard]] ContactForces contact_now(Series<Order> const& series, Forcing const& forcing) const;
     [[nodiscard]] bool slips_at_once(ContactForces const& forces) const {
         return limited && std::abs(forces.friction) > hold_friction_ * forces.normal && forces.normal > 0;
@@ -96,24 +137,28 @@ template <int Order, class Restoring, bool Vertical, Slip Friction> class Integr
     void raise_energy_inside(Series<Order> const& series, Forcing const& forcing, double end);
     // at phi = 0 (rocking_impact.hpp)
     void strike();
-    void settle(double a, double hold);
+    void settle(double a, double gv);
     void settle_slipping(double a, double hold);
+    [[nodiscard]] double bouncing_s(double a, double gv) const;
+    [[nodiscard]] double impact_demand() const;
     [[nodiscard]] bool tail_sticks(double a, double gv) const;
 
     /// Energy of rocking above rest over m g R.
     [[nodiscard]] double rocking_energy() const {
-        double const rate = omega_ / block_.p_radps;
-        return 0.5 * rate * rate + Restoring::potential(block_.alpha_rad, phi_);
+        double const rate = omega_ / corner_.p_radps;
+        return 0.5 * rate * rate + Restoring::potential(corner_.alpha_rad, phi_);
     }
     /// All mechanical energy above rest, per mass [J/kg].
     [[nodiscard]] double mechanical_energy() const {
-        double const psi = block_.alpha_rad - phi_;
-        double const spin = radius_m_ * side_ * omega_;
+        double const psi = corner_.base_angle_rad - phi_;
+        double const spin = corner_.radius_m * side_ * omega_;
         double const across = v_mps_ + std::cos(psi) * spin;
         double const up = std::sin(psi) * spin;
-        return 0.5 * (across * across + up * up + law_.kappa * spin * spin)
-               + block_.gravity_mps2 * radius_m_ * Restoring::potential(block_.alpha_rad, phi_);
+        return 0.5 * (across * across + up * up + corner_.law.kappa * spin * spin)
+               + block_.gravity_mps2 * corner_.radius_m * Restoring::potential(corner_.alpha_rad, phi_) - downhill();
     }
+    /// What slip has won of height, times g.
+    [[nodiscard]] double downhill() const { return lopsided_ ? block_.gravity_mps2 * incline_.sine * x_m_ : 0; }
     void show(double friction, double normal) {
         if (log_.observed()) {
             log_.show({sample_.now(), side_ * phi_, side_ * omega_, friction, normal, x_m_, v_mps_});
@@ -123,10 +168,13 @@ template <int Order, class Restoring, bool Vertical, Slip Friction> class Integr
     RockingBlock block_;
     Excitation shaking_;
     RockingAccuracy accuracy_;
-    double uplift_ratio_, hold_ratio_, top_, r_, radius_m_;
+    bool lopsided_;  ///< its corners differ
+    Incline incline_;
+    Corner corner_;
+    std::array<Corner, 2> corners_{};  ///< where they differ: at +x and at -x
+    double top_;
     double
         hold_friction_;  ///< what sticking is held against: friction that is just enough holds, whatever rounding says
-    ImpactLaw law_;
     TrialLog log_;
     Sample<Vertical> sample_;
 
@@ -149,22 +197,6 @@ template <int Order, class Restoring, bool Vertical, Slip Friction> class Integr
 };
 
 template <int Order, class Restoring, bool Vertical, Slip Friction>
-Integrator<Order, Restoring, Vertical, Friction>::Integrator(RockingBlock const& block, Excitation const& shaking,
-                                                             RockingAccuracy const& accuracy, RockingObserver* observer)
-    : block_(block),
-      shaking_(shaking),
-      accuracy_(accuracy),
-      uplift_ratio_(Restoring::uplift_ratio(block.alpha_rad)),
-      hold_ratio_(limited ? std::min(block.friction_static, uplift_ratio_) : uplift_ratio_),
-      top_(Restoring::top(block.alpha_rad)),
-      r_(block.inertia_ratio / (block.p_radps * block.p_radps)),
-      radius_m_(block.radius_m()),
-      hold_friction_(block.friction_static * (1 + 1e-13)),
-      law_{std::sin(block.alpha_rad), std::cos(block.alpha_rad), 1 / block.inertia_ratio - 1,
-           block.restitution,         block.friction_static,     block.friction_kinetic},
-      log_(top_, observer) {}
-
-template <int Order, class Restoring, bool Vertical, Slip Friction>
 RockingOutcome Integrator<Order, Restoring, Vertical, Friction>::run(RockingStart const& start) {
     begin(start);
     while (advance()) {
@@ -179,7 +211,7 @@ void Integrator<Order, Restoring, Vertical, Friction>::begin(RockingStart const&
     if (start.rotation_rad == 0 && start.velocity_radps == 0) {
         return;
     }
-    side_ = (start.rotation_rad != 0 ? start.rotation_rad : start.velocity_radps) < 0 ? -1.0 : 1.0;
+    stand_on((start.rotation_rad != 0 ? start.rotation_rad : start.velocity_radps) < 0 ? -1.0 : 1.0);
     phi_ = side_ * start.rotation_rad;
     omega_ = side_ * start.velocity_radps;
     start_root_ = phi_ == 0 ? StartRoot::simple : StartRoot::none;
@@ -254,6 +286,7 @@ void Integrator<Order, Restoring, Vertical, Friction>::step() {
 
 }  // namespace overturn::rocking
 
+#include "rocking/detail/rocking_corner.hpp"
 #include "rocking/detail/rocking_end.hpp"
 #include "rocking/detail/rocking_impact.hpp"
 #include "rocking/detail/rocking_pause.hpp"

@@ -34,7 +34,7 @@ template <bool Vertical, Slip Friction> class RockingLanes {
         }
         auto const number = queue_[next_++];
         place.emplace(trials_[number], accuracy_, number);
-        place->trial.begin({});
+        place->trial.begin(trials_[number].start);
         return true;
     }
     bool advance(Trajectory& trajectory) { return trajectory.trial.advance(); }

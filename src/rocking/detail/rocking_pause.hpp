@@ -9,8 +9,8 @@ namespace overturn::rocking {
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 void Integrator<Order, Restoring, Vertical, Friction>::step_watched() {
     if constexpr (Friction == Slip::watched) {
-        pause_ = {true, log_.outcome(), log_.energy(), mode_,         start_root_, side_,
-                  phi_, omega_,         index_,        sample_.tau_s, steps_here_};
+        pause_ = {true,   log_.outcome(), log_.energy_at_weaker(), mode_,      start_root_, side_, phi_,
+                  omega_, index_,         sample_.tau_s,           steps_here_};
         step();
         pause_.at_hand = log_.outcome().slip_called;
     } else {
@@ -24,7 +24,7 @@ RockingOutcome Integrator<Order, Restoring, Vertical, Friction>::run_from(Pause 
     log_.resume(pause.so_far, pause.energy);
     mode_ = pause.mode;
     start_root_ = pause.start_root;
-    side_ = pause.side;
+    stand_on(pause.side);
     phi_ = pause.phi;
     omega_ = pause.omega;
     index_ = pause.index;

@@ -16,7 +16,7 @@ void Integrator<Order, Restoring, Vertical, Friction>::skip_rest() {
     auto const holds = [&](double strongest, double lightest) {
         double const a = std::abs(k * strongest);
         double const gv = Vertical ? 1 + k * lightest : 1;
-        if (a > gv * hold_ratio_ || !(gv > 0)) {
+        if (a > gv * corner_.hold_ratio || !(gv > 0)) {
             return false;
         }
         if (double const ratio = Vertical ? a / gv : a; ratio > most) {
@@ -36,6 +36,10 @@ void Integrator<Order, Restoring, Vertical, Friction>::skip_rest() {
             || std::abs(k * chunk.strongest) <= (1 + k * lowest) * std::max(most, log_.outcome().friction_demand);
         return exact && holds(chunk.strongest, lowest);
     };
+    if (lopsided_) {
+        skip_lopsided_rest();
+        return;
+    }
     if (index_ + 1 < n && sample_holds(index_)) {
         for (++index_; index_ < n;) {
             auto const* const chunk = shaking_.chunks != nullptr ? shaking_.chunks->at(index_) : nullptr;
@@ -53,28 +57,52 @@ void Integrator<Order, Restoring, Vertical, Friction>::skip_rest() {
     log_.lower_contact(least);
 }
 
+// The same where towards one side less holds it than towards the other.
+template <int Order, class Restoring, bool Vertical, Slip Friction>
+void Integrator<Order, Restoring, Vertical, Friction>::skip_lopsided_rest() {
+    std::size_t const n = shaking_.horizontal_mps2.size();
+    double const k = shaking_.scale / block_.gravity_mps2;
+    auto const holds = [&](std::size_t i) {
+        double const a = k * shaking_.horizontal_mps2[i];
+        double const gv = Vertical ? 1 + k * shaking_.vertical_mps2[i] : 1;
+        if (!(gv > 0) || std::abs(a) > gv * tipped_by(a).hold_ratio) {
+            return false;
+        }
+        auto const [friction, normal] = turned(a, gv, 1);
+        log_.watch_forces(friction, normal);
+        return true;
+    };
+    if (index_ + 1 < n && holds(index_)) {
+        for (++index_; index_ < n && holds(index_);) {
+            ++index_;
+        }
+        --index_;
+    }
+}
+
 // At rest |a| <= gv hold_ratio; both sides are linear in time, so the instant at which rest ends is exact.
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 void Integrator<Order, Restoring, Vertical, Friction>::rest() {
     double const tau = sample_.tau_s;
     double const a = sample_.horizontal(tau);
     double const gv = sample_.vertical(tau);
-    log_.lower_contact(gv);
-    show(a, gv);
+    auto const here = turned(a, gv, 1);
+    log_.lower_contact(here.normal);
+    show(here.friction, here.normal);
     if (!(gv > 0)) {
         lose_contact(true);
         return;
     }
-    double const hold = gv * hold_ratio_;
-    if (std::abs(a) > hold) {
+    if (std::abs(a) > gv * tipped_by(a).hold_ratio) {
         leave_rest(tau, a);
         return;
     }
-    log_.watch_forces(a, gv);
+    log_.watch_forces(here.friction, here.normal);
     double const end = sample_.length_s;
     double const a_end = sample_.horizontal(end);
     double const gv_end = sample_.vertical(end);
-    double const hold_end = gv_end * hold_ratio_;
+    double const hold = gv * tipped_by(a_end).hold_ratio;
+    double const hold_end = gv_end * tipped_by(a_end).hold_ratio;
     if (std::abs(a_end) > hold_end) {
         double const sign = a_end < 0 ? -1.0 : 1.0;
         double const below = hold - sign * a;
@@ -83,7 +111,8 @@ void Integrator<Order, Restoring, Vertical, Friction>::rest() {
         return;
     }
     sample_.tau_s = end;
-    log_.watch_forces(a_end, gv_end);
+    auto const there = turned(a_end, gv_end, 1);
+    log_.watch_forces(there.friction, there.normal);
     if (!(gv_end > 0)) {
         lose_contact(true);
     }
@@ -93,7 +122,8 @@ template <int Order, class Restoring, bool Vertical, Slip Friction>
 void Integrator<Order, Restoring, Vertical, Friction>::leave_rest(double tau, double acceleration) {
     sample_.tau_s = tau;
     if constexpr (limited) {
-        if (block_.friction_static <= uplift_ratio_) {  // equal: both limits are passed, and such a slip cannot tip
+        if (block_.friction_static
+            <= tipped_by(acceleration).base_ratio) {  // equal: both limits are passed, and such a slip cannot tip
             if constexpr (slipping) {
                 mode_ = Mode::slide;
                 sigma_ = acceleration > 0 ? -1.0 : 1.0;
@@ -112,7 +142,7 @@ void Integrator<Order, Restoring, Vertical, Friction>::leave_rest(double tau, do
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 void Integrator<Order, Restoring, Vertical, Friction>::lift(double acceleration) {
     mode_ = Mode::rock;
-    side_ = acceleration > 0 ? -1.0 : 1.0;
+    stand_on(acceleration > 0 ? -1.0 : 1.0);
     phi_ = 0;
     omega_ = 0;
     start_root_ = StartRoot::twofold;
@@ -124,8 +154,9 @@ void Integrator<Order, Restoring, Vertical, Friction>::slide() {
     if constexpr (slipping) {
         double const g = block_.gravity_mps2;
         double const drag = block_.friction_kinetic * sigma_;
-        double const tau = sample_.tau_s;
-        double const gv = sample_.vertical(tau);
+        auto const forcing = forcing_of_ground(1);
+        auto const shaking = shaking_of(forcing, 1);
+        double const gv = forcing.vertical;
         log_.lower_contact(gv);
         show(-drag * gv, gv);
         if (!(gv > 0)) {
@@ -133,11 +164,12 @@ void Integrator<Order, Restoring, Vertical, Friction>::slide() {
             return;
         }
         ++log_.outcome().steps;
-        double pull = -sample_.horizontal(tau) - drag * gv;
+        double pull = -forcing.horizontal - drag * gv;
         if (v_mps_ == 0 && sigma_ * pull < 0) {
             pull = 0;  // sliding starts where this is zero or drives it, whatever rounding says
         }
-        std::array<double, 3> velocity{v_mps_, g * pull, -0.5 * g * (sample_.a_slope + drag * sample_.g_slope)};
+        std::array<double, 3> velocity{v_mps_, g * pull,
+                                       -0.5 * g * (forcing.horizontal_slope + drag * forcing.vertical_slope)};
         std::array<double, 3> forwards = velocity;
         for (double& c : forwards) {
             c *= sigma_;
@@ -147,15 +179,15 @@ void Integrator<Order, Restoring, Vertical, Friction>::slide() {
         double const stop = first_fall_through_zero(forwards, end, root);
         end = stop >= 0 ? stop : end;
         bool lost = false;
-        if constexpr (Vertical) {
-            std::array<double, 2> const weight{gv, sample_.g_slope};
+        if (Vertical || lopsided_) {
+            std::array<double, 2> const weight{gv, forcing.vertical_slope};
             if (evaluate(weight, end) <= 0) {
                 end = root_between(weight, 0.0, end);
                 lost = true;
             }
         }
-        std::array<double, 3> const weight{gv, sample_.g_slope, 0};
-        std::array<double, 3> const push{-sample_.horizontal(tau), -sample_.a_slope, 0};
+        std::array<double, 3> const weight{gv, forcing.vertical_slope, 0};
+        std::array<double, 3> const push{-shaking.horizontal, -shaking.horizontal_slope, 0};
         auto& energy = log_.outcome().energy;
         std::array<double, 4> power{};
         std::array<double, 4> loss{};

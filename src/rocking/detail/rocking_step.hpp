@@ -15,8 +15,9 @@ double Integrator<Order, Restoring, Vertical, Friction>::step_length(Series<Orde
         power *= h;
     }
     // The last but one term guards against a last one that vanishes by accident.
-    double const size = power * std::max(std::abs(series.phi[Order]), std::abs(series.phi[Order - 1]) * block_.p_radps);
-    if (double const allowed = accuracy_.step_tolerance * block_.alpha_rad; size > allowed) {
+    double const size =
+        power * std::max(std::abs(series.phi[Order]), std::abs(series.phi[Order - 1]) * corner_.p_radps);
+    if (double const allowed = accuracy_.step_tolerance * corner_.alpha_rad; size > allowed) {
         h *= 0.9 * std::pow(allowed / size, 1.0 / Order);
     }
     constexpr double hopeless = 1e-12;
@@ -30,7 +31,7 @@ template <int Order, class Restoring, bool Vertical, Slip Friction>
 void Integrator<Order, Restoring, Vertical, Friction>::rock() {
     Series<Order> series;
     auto const forcing = sample_.forcing(side_);
-    expand<Order, Restoring, Vertical>(series, block_.alpha_rad, block_.p_radps, phi_, omega_, forcing,
+    expand<Order, Restoring, Vertical>(series, corner_.alpha_rad, corner_.p_radps, phi_, omega_, forcing,
                                        start_root_ == StartRoot::twofold);
     ++log_.outcome().steps;
     auto const forces = contact_now(series, forcing);
@@ -58,7 +59,8 @@ void Integrator<Order, Restoring, Vertical, Friction>::rock() {
     find_overturning(series, ending);
     raise_energy_inside(series, forcing, ending.at);
     if constexpr (slipping) {
-        log_.outcome().energy.input += block_.gravity_mps2 * radius_m_ * shaking_work(series, forcing, ending.at);
+        log_.outcome().energy.input +=
+            block_.gravity_mps2 * corner_.radius_m * shaking_work(series, forcing, ending.at);
     }
     move(series, ending);
     switch (ending.event) {
@@ -86,11 +88,13 @@ template <int Order, class Restoring, bool Vertical, Slip Friction>
 void Integrator<Order, Restoring, Vertical, Friction>::slip_rock() {
     if constexpr (slipping) {
         Series<Order> series;
-        auto const forcing = sample_.forcing(side_);
+        auto const forcing = forcing_of_ground(side_);
+        auto const shaking = shaking_of(forcing, side_);
         double const g = block_.gravity_mps2;
         double const forwards = side_ * sigma_;
-        auto slip = expand_slipping(series, block_.alpha_rad, r_, law_.kappa, block_.friction_kinetic * forwards, phi_,
-                                    omega_, forcing, start_root_ == StartRoot::twofold);
+        auto slip = expand_slipping(series, corner_.base_angle_rad, corner_.r, corner_.law.kappa,
+                                    block_.friction_kinetic * forwards, phi_, omega_, forcing,
+                                    start_root_ == StartRoot::twofold);
         ++log_.outcome().steps;
         if (start_root_ == StartRoot::twofold) {
             log_.uplifted(sample_.now());
@@ -118,11 +122,11 @@ void Integrator<Order, Restoring, Vertical, Friction>::slip_rock() {
         ending.earlier(first_fall_through_zero(series.phi, ending.at, start_root_), Event::impact);
         find_overturning(series, ending);
         auto& energy = log_.outcome().energy;
-        std::array<double, Order> push{forwards * forcing.horizontal, forwards * forcing.horizontal_slope};
+        std::array<double, Order> push{forwards * shaking.horizontal, forwards * shaking.horizontal_slope};
         std::array<double, Order> normal{};
         std::copy(slip.normal.begin(), slip.normal.end(), normal.begin());
-        energy.input +=
-            g * radius_m_ * shaking_work(series, forcing, ending.at) - g * product_integral(speed, push, ending.at);
+        energy.input += g * corner_.radius_m * shaking_work(series, shaking, ending.at)
+                        - g * product_integral(speed, push, ending.at);
         energy.friction_work += g * block_.friction_kinetic * product_integral(speed, normal, ending.at);
         log_.raise_energy(rocking_energy());
         x_m_ += sigma_ * integral(speed, ending.at);
@@ -154,8 +158,8 @@ auto Integrator<Order, Restoring, Vertical, Friction>::contact_now(Series<Order>
                                                                    Forcing const& forcing) const -> ContactForces {
     double const acceleration = 2 * series.phi[2];
     double const spin = omega_ * omega_;
-    return {r_ * (series.cosine[0] * acceleration + series.sine[0] * spin) + forcing.horizontal,
-            r_ * (series.sine[0] * acceleration - series.cosine[0] * spin) + forcing.vertical};
+    return turned(corner_.r * (series.cosine[0] * acceleration + series.sine[0] * spin) + forcing.horizontal,
+                  corner_.r * (series.sine[0] * acceleration - series.cosine[0] * spin) + forcing.vertical, side_);
 }
 
 // Just before an impact the corner carries least: the block turns fastest.
@@ -163,11 +167,12 @@ template <int Order, class Restoring, bool Vertical, Slip Friction>
 void Integrator<Order, Restoring, Vertical, Friction>::watch_landing() {
     double const a = side_ * sample_.horizontal(sample_.tau_s);
     double const gv = sample_.vertical(sample_.tau_s);
-    double const s = law_.sine_alpha;
-    double const c = law_.cosine_alpha;
-    double const spin = r_ * omega_ * omega_;
-    double const grip = block_.inertia_ratio * (gv * s + a * c);
-    log_.watch_forces(s * spin + a - c * grip, gv - s * grip - c * spin);
+    double const s = corner_.sine_alpha;
+    double const c = corner_.cosine_alpha;
+    double const spin = corner_.r * omega_ * omega_;
+    double const grip = corner_.inertia_ratio * (gv * s + a * c);
+    auto const [friction, normal] = turned(s * spin + a - c * grip, gv - s * grip - c * spin, side_);
+    log_.watch_forces(friction, normal);
 }
 
 // Where within the step friction or contact would give out. The forces' series are worked out only near a limit. What
@@ -182,14 +187,15 @@ auto Integrator<Order, Restoring, Vertical, Friction>::limits_of_contact(Series<
     auto const& [friction, normal] = forces;
     double const slopes = std::abs(forcing.horizontal_slope) + std::abs(forcing.vertical_slope);
     double const pull = std::abs(forcing.horizontal) + std::abs(forcing.vertical) + h * slopes;
-    double const rate = std::abs(omega_) + h * block_.p_radps * block_.p_radps * pull;
-    double const change = h * (2 * slopes + rate * (4 * pull + r_ * rate * rate));
+    double const rate = std::abs(omega_) + h * corner_.p_radps * corner_.p_radps * pull;
+    double const change = incline_.spread() * h * (2 * slopes + rate * (4 * pull + corner_.r * rate * rate));
     bool const contact_near = normal - change <= 0;
     bool const slip_near = limited && std::abs(friction) + change >= hold_friction_ * (normal - change);
     if (!contact_near && !slip_near) {
         return ending;
     }
-    auto const contact = contact_series(series, forcing, r_);
+    auto contact = contact_series(series, forcing, corner_.r);
+    incline_.turn<Order>(contact, side_);
     if (normal <= 0) {
         return {0, Event::contact_lost};
     }
@@ -221,7 +227,7 @@ void Integrator<Order, Restoring, Vertical, Friction>::find_overturning(Series<O
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 void Integrator<Order, Restoring, Vertical, Friction>::move(Series<Order> const& series, Ending const& ending) {
     double const now = sample_.now();
-    if (phi_ + tail_bound(series.phi, 1, ending.at) > log_.outcome().peak_rotation_rad) {
+    if (phi_ + tail_bound(series.phi, 1, ending.at) > log_.peak()) {
         for_each_maximum(series.phi, ending.at, [&](double t) { log_.raise_peak(evaluate(series.phi, t), now + t); });
     }
     phi_ = ending.event == Event::impact ? 0 : evaluate(series.phi, ending.at);
@@ -243,7 +249,7 @@ void Integrator<Order, Restoring, Vertical, Friction>::start_slip(double frictio
         slipped_ = true;
         log_.raise_demand(block_.friction_static);
         // A base that has not left the ground yet and is too smooth to be tipped slides flat.
-        bool const flat = start_root_ == StartRoot::twofold && block_.friction_kinetic <= uplift_ratio_;
+        bool const flat = start_root_ == StartRoot::twofold && block_.friction_kinetic <= corner_.base_ratio;
         mode_ = flat ? Mode::slide : Mode::slip_rock;
     }
 }
@@ -255,7 +261,7 @@ void Integrator<Order, Restoring, Vertical, Friction>::lose_contact(bool at_rest
     double const now = sample_.now();
     log_.outcome().contact_lost_s = now;
     log_.lower_contact(0);
-    if (!at_rest && phi_ >= block_.alpha_rad && omega_ > 0) {
+    if (!at_rest && phi_ >= corner_.alpha_rad && omega_ > 0) {
         log_.overturn(now + (0.5 * pi - phi_) / omega_);
     } else {
         log_.end(Verdict::contact_lost);
@@ -274,8 +280,8 @@ void Integrator<Order, Restoring, Vertical, Friction>::raise_energy_inside(Serie
                + (forcing.vertical + forcing.vertical_slope * t - 1) * evaluate(series.sine, t);
     };
     auto const energy = [&](double t) {
-        double const speed = evaluate(velocity, t) / block_.p_radps;
-        return 0.5 * speed * speed + Restoring::potential(block_.alpha_rad, evaluate(series.phi, t));
+        double const speed = evaluate(velocity, t) / corner_.p_radps;
+        return 0.5 * speed * speed + Restoring::potential(corner_.alpha_rad, evaluate(series.phi, t));
     };
     auto const turns = roots_in(velocity, 0.0, end);
     for (std::size_t i = 0; i < turns.count; ++i) {

@@ -13,16 +13,16 @@ template <int Lanes>
 void Integrator<Order, Restoring, Vertical, Friction>::load_lane(SwingLanes<Lanes>& lanes, int lane) const {
     auto const set = [&](Swing field, double value) { lanes.at(field, lane) = value; };
     auto const& out = log_.outcome();
-    double const psi = block_.alpha_rad - phi_;
+    double const psi = corner_.alpha_rad - phi_;
     set(Swing::phi, phi_);
     set(Swing::omega, omega_);
-    set(Swing::sine, carried_ ? sine_ : phi_ == 0 ? law_.sine_alpha : std::sin(psi));
-    set(Swing::cosine, carried_ ? cosine_ : phi_ == 0 ? law_.cosine_alpha : std::cos(psi));
+    set(Swing::sine, carried_ ? sine_ : phi_ == 0 ? corner_.sine_alpha : std::sin(psi));
+    set(Swing::cosine, carried_ ? cosine_ : phi_ == 0 ? corner_.cosine_alpha : std::cos(psi));
     set(Swing::side, side_);
     set(Swing::index, static_cast<double>(index_));
     set(Swing::tau, sample_.tau_s);
     set(Swing::start, start_root_ == StartRoot::simple ? 1 : 0);
-    set(Swing::peak, out.peak_rotation_rad);
+    set(Swing::peak, log_.peak());
     set(Swing::peak_time, out.time_of_peak_s);
     set(Swing::energy, log_.energy());
     set(Swing::demand, out.friction_demand);
@@ -31,22 +31,25 @@ void Integrator<Order, Restoring, Vertical, Friction>::load_lane(SwingLanes<Lane
     set(Swing::impacts, static_cast<double>(out.impacts));
     set(Swing::impact_spin, out.impact_spin_radps);
 
-    double const e = block_.restitution;
-    double const p = block_.p_radps;
+    double const e = corner_.restitution;
+    double const p = corner_.p_radps;
     set(Swing::p, p);
     set(Swing::inverse_p, 1 / p);
-    set(Swing::r, r_);
-    set(Swing::inertia_ratio, block_.inertia_ratio);
+    set(Swing::r, corner_.r);
+    set(Swing::inertia_ratio, corner_.inertia_ratio);
     set(Swing::restitution, e);
-    set(Swing::sine_alpha, law_.sine_alpha);
-    set(Swing::cosine_alpha, law_.cosine_alpha);
-    set(Swing::uplift_ratio, uplift_ratio_);
+    set(Swing::sine_alpha, corner_.sine_alpha);
+    set(Swing::cosine_alpha, corner_.cosine_alpha);
+    set(Swing::uplift_ratio, corner_.uplift_ratio);
     set(Swing::friction_limit, limited ? std::min(unlimited, block_.friction_static) : unlimited);
-    set(Swing::impact_demand, (1 - e) / ((1 + e) * uplift_ratio_));
+    // An impact over a corner unlike this one needs care: it changes what is set here.
+    set(Swing::impact_demand, lopsided_ ? std::numeric_limits<double>::infinity() : impact_demand());
+    set(Swing::incline_sine, side_ * incline_.sine);
+    set(Swing::incline_cosine, incline_.cosine);
     set(Swing::settle_speed, accuracy_.settle * p);
     // Bounces last 2 omega / deceleration, each e times the one before; the weaker side sets the longest.
-    set(Swing::settle_rate, 2 / ((1 - e) * p * p * law_.cosine_alpha));
-    set(Swing::tolerance, accuracy_.step_tolerance * block_.alpha_rad);
+    set(Swing::settle_rate, 2 / ((1 - e) * p * p * corner_.cosine_alpha));
+    set(Swing::tolerance, accuracy_.step_tolerance * corner_.alpha_rad);
     set(Swing::scale, shaking_.scale / block_.gravity_mps2);
     set(Swing::time_step, shaking_.time_step_s);
     set(Swing::sampling_rate, 1 / shaking_.time_step_s);
@@ -68,9 +71,12 @@ void Integrator<Order, Restoring, Vertical, Friction>::store_lane(SwingLanes<Lan
     side_ = get(Swing::side);
     index_ = static_cast<std::size_t>(get(Swing::index));
     start_root_ = get(Swing::start) > 0 ? StartRoot::simple : StartRoot::none;
-    out.peak_rotation_rad = get(Swing::peak);
-    out.time_of_peak_s = get(Swing::peak_time);
-    log_.raise_energy(get(Swing::energy));
+    if (get(Swing::peak) > log_.peak()) {
+        log_.raise_peak(get(Swing::peak), get(Swing::peak_time));
+    }
+    if (get(Swing::energy) > log_.energy()) {  // what comes back as it went in may not be raised by rounding
+        log_.raise_energy(get(Swing::energy));
+    }
     out.friction_demand = get(Swing::demand);
     out.min_contact_force_ratio = get(Swing::normal);
     out.steps = static_cast<std::int64_t>(get(Swing::steps));
@@ -121,7 +127,7 @@ bool Integrator<Order, Restoring, Vertical, Friction>::swing_unslipped() {
         }
         Series<Order> series;
         auto const forcing = sample_.forcing(side_);
-        expand<Order, Restoring, Vertical>(series, block_.alpha_rad, block_.p_radps, phi_, omega_, forcing, false);
+        expand<Order, Restoring, Vertical>(series, corner_.alpha_rad, corner_.p_radps, phi_, omega_, forcing, false);
         auto const forces = contact_now(series, forcing);
         if (slips_at_once(forces)
             || limits_of_contact(series, forcing, forces, taken.share * taken.length_s).event != Event::none) {
@@ -164,11 +170,11 @@ void Integrator<Order, Restoring, Vertical, Friction>::account_for(SwingLanes<1>
     }
     if constexpr (slipping) {
         auto& energy = log_.outcome().energy;
-        energy.input += block_.gravity_mps2 * radius_m_ * shaking_work(series);
+        energy.input += block_.gravity_mps2 * corner_.radius_m * shaking_work(series);
         if (struck) {
-            double const rebound = radius_m_ * after.at(Swing::omega, 0);
-            double const e = block_.restitution;
-            energy.impact_loss += 0.5 / block_.inertia_ratio * rebound * rebound * (1 / (e * e) - 1);
+            double const rebound = corner_.radius_m * after.at(Swing::omega, 0);
+            double const e = corner_.restitution;
+            energy.impact_loss += 0.5 / corner_.inertia_ratio * rebound * rebound * (1 / (e * e) - 1);
         }
     }
 }
@@ -180,7 +186,7 @@ void Integrator<Order, Restoring, Vertical, Friction>::show_impact(SwingLanes<1>
     }
     double const time = after.at(Swing::index, 0) * shaking_.time_step_s + after.at(Swing::tau, 0);
     double const rebound = after.at(Swing::side, 0) * after.at(Swing::omega, 0);
-    log_.show({time, 0, rebound / block_.restitution, 0, 0, x_m_, v_mps_});
+    log_.show({time, 0, rebound / corner_.restitution, 0, 0, x_m_, v_mps_});
     log_.show({time, 0, rebound, 0, 0, x_m_, v_mps_});
 }
 
@@ -199,10 +205,10 @@ void Integrator<Order, Restoring, Vertical, Friction>::show_swing(SwingLanes<1> 
     double const s = series.sine[0];
     double const c = series.cosine[0];
     double const omega = before.at(Swing::omega, 0);
-    double const grip = -block_.inertia_ratio * (f.vertical * s + f.horizontal * c);
-    double const spin = r_ * omega * omega;
-    log_.show({sample.now(), side * before.at(Swing::phi, 0), side * omega, side * (c * grip + s * spin + f.horizontal),
-               s * grip - c * spin + f.vertical, x_m_, v_mps_});
+    double const grip = -corner_.inertia_ratio * (f.vertical * s + f.horizontal * c);
+    double const spin = corner_.r * omega * omega;
+    auto const [friction, normal] = turned(c * grip + s * spin + f.horizontal, s * grip - c * spin + f.vertical, side);
+    log_.show({sample.now(), side * before.at(Swing::phi, 0), side * omega, side * friction, normal, x_m_, v_mps_});
 }
 
 }  // namespace overturn::rocking

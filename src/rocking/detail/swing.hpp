@@ -41,10 +41,12 @@ enum class Swing : int {
     uplift_ratio,
     friction_limit,  ///< mu_s; large where friction is unlimited
     impact_demand,   ///< friction that a sticking impact needs; above the limit every impact needs care
-    settle_speed,    ///< slower rebounds may settle
-    settle_rate,     ///< rebound times this, over (hold - |a|): how long the bouncing lasts at most
-    tolerance,       ///< of the last term of the series
-    scale,           ///< of the samples, over g
+    incline_sine,    ///< of the ground's slope, towards the corner; level: 0
+    incline_cosine,
+    settle_speed,  ///< slower rebounds may settle
+    settle_rate,   ///< rebound times this, over (hold - |a|): how long the bouncing lasts at most
+    tolerance,     ///< of the last term of the series
+    scale,         ///< of the samples, over g
     time_step,
     sampling_rate,  ///< its inverse
     last,           ///< index of the last sample

@@ -44,13 +44,17 @@ template <class V, int Stride, bool Vertical> class Stepper : private SwingPath<
     OVERTURN_LANES_INLINE V energy_at(V u, Series const& x, V length) const;
 };
 
-// Contact forces over m g.
+// Contact forces over m g, along and across the ground.
 template <class V, int Stride, bool Vertical>
 OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::forces(V s, V c, V rate, V a, V g) const -> Forces {
     V const spin = get(Swing::r) * (rate * rate);
     V const push = a * c;
     V const grip = get(Swing::inertia_ratio) * (Vertical ? fma(g, s, push) : s + push);
-    return {spin, abs(fma(s, spin, a) - c * grip), g - fma(s, grip, c * spin)};
+    V const along = fma(s, spin, a) - c * grip;
+    V const across = g - fma(s, grip, c * spin);
+    V const down = get(Swing::incline_sine);  // zero changes no bit
+    V const level = get(Swing::incline_cosine);
+    return {spin, abs(fma(along, level, -(across * down))), fma(along, down, across * level)};
 }
 
 // The shaking's pull over m g, along the way of the centre of gravity and over cos psi: almost a line.
@@ -170,7 +174,8 @@ OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::step(SwingSeries* shown
 
     // Contact forces here, and how far they could move: r p^2 = inertia_ratio < 1.
     Forces const here = forces(s, c, omega, a.start, g.start);
-    V const sway = fma(force + here.spin, 3.0 * arc, change + change);
+    V const both = get(Swing::incline_cosine) + abs(get(Swing::incline_sine));
+    V const sway = both * fma(force + here.spin, 3.0 * arc, change + change);
     V const limit = get(Swing::friction_limit);
     auto const holds = [&](V pulling, V pressing, V astray) HWY_ATTR {
         V const least = pressing - astray;
@@ -181,7 +186,7 @@ OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::step(SwingSeries* shown
         // Near a limit: the forces stray from the line between their ends by an eighth of their second derivatives,
         // which are below (arc^2 + w force) (spin + 10.06 force) + 6 arc change.
         Forces const there = forces(to.s, to.c, to.speed / length, a.end, g.end);
-        V const bow = 0.125 * fma(fma(arc, arc, w * force), here.spin + 10.06 * force, 6.0 * arc * change);
+        V const bow = 0.125 * both * fma(fma(arc, arc, w * force), here.spin + 10.06 * force, 6.0 * arc * change);
         held = held | (holds(here.friction, here.normal, bow) & holds(there.friction, there.normal, bow));
     }
     fine = fine & held;

@@ -18,18 +18,31 @@ class TrialLog {
     [[nodiscard]] bool observed() const { return observer_ != nullptr; }
     [[nodiscard]] bool done() const { return done_; }
 
+    /// Which of two differing corners it is on. \param reach the weaker corner's alpha over this one's
+    /// \param weight this corner's m g R over the weaker one's
+    void stand_on(double side, double reach, double weight) {
+        side_ = side;
+        reach_ = reach;
+        weight_ = weight;
+    }
     void raise_peak(double phi, double time_s) {
-        if (phi > out_.peak_rotation_rad) {
+        if (double const reached = phi * reach_; reached > out_.peak_reach_rad) {
+            out_.peak_reach_rad = reached;
             out_.peak_rotation_rad = phi;
             out_.time_of_peak_s = time_s;
+            out_.peak_side = side_;
         }
     }
-    /// \param energy above rest over m g R
+    /// The rotation about this corner that would be as near to falling as the peak was.
+    [[nodiscard]] double peak() const { return out_.peak_reach_rad / reach_; }
+    /// \param energy above rest over m g R, of this corner
     void raise_energy(double energy) {
-        energy_ = std::max(energy_, energy);
+        energy_ = std::max(energy_, energy * weight_);
         out_.peak_energy_ratio = energy_ / top_;
     }
-    [[nodiscard]] double energy() const { return energy_; }
+    [[nodiscard]] double energy_at_weaker() const { return energy_; }
+    /// Its peak, over m g R of this corner.
+    [[nodiscard]] double energy() const { return energy_ / weight_; }
     void raise_slip(double slip_m) { out_.peak_slip_m = std::max(out_.peak_slip_m, std::abs(slip_m)); }
     void raise_demand(double demand) { out_.friction_demand = std::max(out_.friction_demand, demand); }
     void lower_contact(double normal) { out_.min_contact_force_ratio = std::min(out_.min_contact_force_ratio, normal); }
@@ -50,6 +63,9 @@ class TrialLog {
     }
     void overturn(double time_s) {
         out_.overturn_time_s = time_s;
+        if (side_ != 0) {
+            out_.peak_reach_rad = 0;  // the fall is the peak, however near to falling over the other corner it was
+        }
         raise_peak(0.5 * pi, time_s);
         end(Verdict::overturned);
     }
@@ -61,7 +77,7 @@ class TrialLog {
         out_.failure = reason;
         end(Verdict::failed);
     }
-    /// What another log has remembered up to an instant.
+    /// What another log has remembered up to an instant. \param energy its energy_at_weaker()
     void resume(RockingOutcome const& so_far, double energy) {
         out_ = so_far;
         energy_ = energy;
@@ -74,7 +90,8 @@ class TrialLog {
   private:
     RockingOutcome out_;
     double top_;
-    double energy_ = 0;  ///< its peak
+    double energy_ = 0;  ///< its peak, over m g R of the weaker corner
+    double side_ = 0, reach_ = 1, weight_ = 1;
     RockingObserver* observer_;
     bool done_ = false;
 };

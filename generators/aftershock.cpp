@@ -1,0 +1,91 @@
+#include "generators/aftershock.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace overturn {
+namespace {
+
+struct Aftershock {
+    double scale = 1, pause_s = 0;
+};
+
+class MainshockAndAftershock : public WaveSource {
+  public:
+    MainshockAndAftershock(std::unique_ptr<WaveSource> shocks, Aftershock const& second)
+        : shocks_(std::move(shocks)), second_(second) {}
+
+    [[nodiscard]] GeneratedWave make(std::uint64_t seed, std::uint64_t wave) const override {
+        return joined(shocks_->make(seed, wave), shocks_->make(seed, of_aftershock(wave)));
+    }
+    [[nodiscard]] GeneratedWave make_unjudged(std::uint64_t seed, std::uint64_t wave) const override {
+        return joined(shocks_->make_unjudged(seed, wave), shocks_->make_unjudged(seed, of_aftershock(wave)));
+    }
+    [[nodiscard]] std::string acceptance() const override { return shocks_->acceptance(); }
+    [[nodiscard]] std::string variability() const override { return shocks_->variability(); }
+    [[nodiscard]] bool draws_targets() const override { return shocks_->draws_targets(); }
+    [[nodiscard]] std::string pgd_drift() const override { return shocks_->pgd_drift(); }
+    [[nodiscard]] bool matches_one_spectrum() const override { return shocks_->matches_one_spectrum(); }
+    [[nodiscard]] std::uint64_t waves_alike() const override { return shocks_->waves_alike(); }
+    [[nodiscard]] std::optional<ComparedPeriods> compared_periods() const override {
+        return shocks_->compared_periods();
+    }
+    [[nodiscard]] std::string describe() const override {
+        return fmt::format("{}; then, after {:g} s of quiet, an independent one times {:g}", shocks_->describe(),
+                           second_.pause_s, second_.scale);
+    }
+
+  private:
+    // Waves are numbered below this bit: an aftershock's streams are no other wave's.
+    static std::uint64_t of_aftershock(std::uint64_t wave) { return wave | std::uint64_t{1} << 63U; }
+
+    [[nodiscard]] GeneratedWave joined(GeneratedWave first, GeneratedWave const& second) const {
+        auto const quiet = static_cast<std::size_t>(std::lround(second_.pause_s / first.motion.time_step_s));
+        for (auto const component :
+             {&GroundMotion::horizontal_mps2, &GroundMotion::transverse_mps2, &GroundMotion::vertical_mps2}) {
+            auto& samples = first.motion.*component;
+            if (samples.empty()) {
+                continue;
+            }
+            samples.resize(samples.size() + quiet, 0.0);
+            for (double const a : second.motion.*component) {
+                samples.push_back(second_.scale * a);
+            }
+        }
+        for (std::size_t i = 0; i < first.clauses.size() && i < second.clauses.size(); ++i) {
+            if (!second.clauses[i].passed()) {
+                first.clauses[i] = second.clauses[i];
+            }
+        }
+        first.label += fmt::format(", with an aftershock: {}", second.label);
+        return first;
+    }
+
+    std::unique_ptr<WaveSource> shocks_;
+    Aftershock second_;
+};
+
+}  // namespace
+
+std::unique_ptr<WaveSource> with_aftershock(config::Table const& waves, std::unique_ptr<WaveSource> source) {
+    if (!waves.has("aftershock")) {
+        return source;
+    }
+    constexpr double longest_s = 3600;
+    constexpr double strongest = 10;
+    auto const given = waves.child("aftershock");
+    Aftershock second;
+    second.scale = given.number("scale", Dimension::none, {.low = 0, .high = strongest, .low_open = true}, 1);
+    second.pause_s = given.number("pause", Dimension::time, {.low = 0, .high = longest_s});
+    given.finish();
+    if (source->available()) {
+        waves.fail("aftershock",
+                   "of waves that are not drawn (there is no independent one of the same kind to follow). Use "
+                   "spectrum-compatible or filtered-noise, or join records in their files");
+    }
+    return std::make_unique<MainshockAndAftershock>(std::move(source), second);
+}
+
+}  // namespace overturn

@@ -1,0 +1,23 @@
+/// Where a body stands: off the base's middle, on a slope, tilted at first; and what of a campaign that rules out.
+#pragma once
+
+#include "campaign/body_spec.hpp"
+#include "campaign/campaign_spec.hpp"
+#include "config/table.hpp"
+
+namespace overturn {
+
+/// Reads offset, slope and initial_tilt, which outrank what the body's file says. \throws InputError at the key if it
+/// would fall by itself
+void read_placement(config::Table const& table, BodySpec& spec);
+
+/// \throws InputError beside base, pad and inertias that only other models hold, and where friction lets it slide away
+void validate_placement(config::Table const& table, BodySpec const& spec);
+
+/// \throws InputError where effects or a transverse component ask for models that know nothing of a body's placement
+void check_planar(config::Table const& effects, config::Table const& waves, CampaignSpec const& spec);
+
+/// The same of limit states, the linearised block and rare events.
+void check_planar_limits(config::Table const& root, CampaignSpec const& spec);
+
+}  // namespace overturn
