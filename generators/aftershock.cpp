@@ -27,7 +27,7 @@ class MainshockAndAftershock : public WaveSource {
     [[nodiscard]] std::string variability() const override { return shocks_->variability(); }
     [[nodiscard]] bool draws_targets() const override { return shocks_->draws_targets(); }
     [[nodiscard]] std::string pgd_drift() const override { return shocks_->pgd_drift(); }
-    [[nodiscard]] bool matches_one_spectrum() const override { return shocks_->matches_one_spectrum(); }
+    [[nodiscard]] bool of_one_spectrum() const override { return shocks_->of_one_spectrum(); }
     [[nodiscard]] std::uint64_t waves_alike() const override { return shocks_->waves_alike(); }
     [[nodiscard]] std::optional<ComparedPeriods> compared_periods() const override {
         return shocks_->compared_periods();
