@@ -39,6 +39,8 @@ template <class V, int Stride, bool Vertical> class Stepper : private SwingPath<
     struct Forces {
         V spin, friction, normal;  // friction's amount
     };
+    // Whether any lane stands on a slope.
+    OVERTURN_LANES_INLINE bool inclined() const { return any(abs(get(Swing::incline_sine)) > V(0)); }
     OVERTURN_LANES_INLINE Forces forces(V s, V c, V rate, V a, V g) const;
     OVERTURN_LANES_INLINE V slant(V u, Series const& x, Forcing const& a, Forcing const& g) const;
     OVERTURN_LANES_INLINE V energy_at(V u, Series const& x, V length) const;
@@ -52,7 +54,10 @@ OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::forces(V s, V c, V rate
     V const grip = get(Swing::inertia_ratio) * (Vertical ? fma(g, s, push) : s + push);
     V const along = fma(s, spin, a) - c * grip;
     V const across = g - fma(s, grip, c * spin);
-    V const down = get(Swing::incline_sine);  // zero changes no bit
+    if (!inclined()) {
+        return {spin, abs(along), across};
+    }
+    V const down = get(Swing::incline_sine);  // zero changes no bit of a lane on level ground
     V const level = get(Swing::incline_cosine);
     return {spin, abs(fma(along, level, -(across * down))), fma(along, down, across * level)};
 }
@@ -174,7 +179,7 @@ OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::step(SwingSeries* shown
 
     // Contact forces here, and how far they could move: r p^2 = inertia_ratio < 1.
     Forces const here = forces(s, c, omega, a.start, g.start);
-    V const both = get(Swing::incline_cosine) + abs(get(Swing::incline_sine));
+    V const both = inclined() ? get(Swing::incline_cosine) + abs(get(Swing::incline_sine)) : one;
     V const sway = both * fma(force + here.spin, 3.0 * arc, change + change);
     V const limit = get(Swing::friction_limit);
     auto const holds = [&](V pulling, V pressing, V astray) HWY_ATTR {
