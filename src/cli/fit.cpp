@@ -2,6 +2,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -70,13 +71,13 @@ int tell_refit(FitOptions const& options, store::ResultsReader const& file, Camp
     auto const analysis = analyse(spec, statistics, {.confidence = spec.confidence});
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
         auto const& body = spec.bodies[b].name;
-        auto const look = [&](std::string const& group, std::vector<MeasuredFragility> const& fits) {
-            auto const one = refit_difference(file, group + "fragility/" + body, fits);
+        auto const look = [&](std::string_view group, std::vector<MeasuredFragility> const& fits) {
+            auto const one = refit_difference(file, fmt::format("{}fragility/{}", group, body), fits);
             largest = one.relative > largest.relative ? one : largest;
         };
         look("", analysis[b].fragility);
         for (std::size_t l = 1; l < spec.limits.size(); ++l) {
-            look("limits/" + spec.limits[l].name + "/", analysis[b].limits[l - 1].fragility);
+            look(fmt::format("limits/{}/", spec.limits[l].name), analysis[b].limits[l - 1].fragility);
         }
     }
     bool const differs = largest.relative > same;

@@ -1,6 +1,8 @@
 // Requirement: SIGKILL at any instant, of one rank, of all or of mpirun, and a resume on 1 to 3 ranks give the bytes of
 // an unbroken run. A short version by default; the long one, with its figures:
 //   OVERTURN_KILLS=200 ctest --preset dev -R Kill -V
+#include <array>
+#include <cstdlib>
 #include <random>
 
 #include "cli/campaign_files.hpp"
@@ -32,11 +34,19 @@ std::string files_of(std::filesystem::path const& path) {
     return names;
 }
 
+constexpr std::array places{"TMPDIR", "OMPI_MCA_btl_vader_backing_directory", "OMPI_MCA_osc_sm_backing_directory"};
+
 class Kills : public ::testing::Test {
   protected:
     Kills() {
         folder.write("target.csv", target_csv);
         folder.write("c.toml", small_campaign("independent", 40));
+    }
+
+    ~Kills() override {
+        for (auto const* name : places) {
+            ::unsetenv(name);  // the folder goes, and other tests of this process look for it
+        }
     }
 
     int draw(int low, int high) { return std::uniform_int_distribution(low, high)(random_); }
@@ -45,8 +55,7 @@ class Kills : public ::testing::Test {
     std::vector<std::string> command() {
         auto const place = folder / ("mpirun-" + std::to_string(++started_));
         std::filesystem::create_directory(place);
-        for (auto const* name :
-             {"TMPDIR", "OMPI_MCA_btl_vader_backing_directory", "OMPI_MCA_osc_sm_backing_directory"}) {
+        for (auto const* name : places) {
             ::setenv(name, place.c_str(), 1);
         }
         auto line = mpirun(draw(1, 3), {"run", "c.toml", "--resume"});
