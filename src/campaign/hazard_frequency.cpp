@@ -52,8 +52,6 @@ LognormalFragility curve_of(Replicate const& refit, double beside) {
     return {std::exp(refit.log_median), std::hypot(refit.beta, beside)};
 }
 
-Interval hull(Interval const& a, Interval const& b) { return {std::min(a.lower, b.lower), std::max(a.upper, b.upper)}; }
-
 // Refits without a curve bound nothing: neither how often it is passed nor how seldom.
 Interval interval_of(std::span<Replicate const> refits, double beside, HazardCurve const& hazard, double confidence) {
     std::vector<double> frequencies;

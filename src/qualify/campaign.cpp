@@ -1,4 +1,4 @@
-#include <fstream>
+#include <filesystem>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -91,13 +91,6 @@ CampaignInput campaign() {
     return input;
 }
 
-std::string bytes_of(fs::path const& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream bytes;
-    bytes << file.rdbuf();
-    return bytes.str();
-}
-
 // Of the rows alone: other objects name the program.
 std::string rows_digest(fs::path const& path) {
     store::ResultsReader const file(path);
@@ -174,7 +167,7 @@ Checks campaign_checks(fs::path const& folder, parallel::Communicator const& com
                 1,
                 0,
                 0};
-    again.found = ran && went_on && bytes_of(whole) == bytes_of(resumed) ? 0 : 1;
+    again.found = ran && went_on && store::read_file(whole) == store::read_file(resumed) ? 0 : 1;
     again.remark = stopped ? "" : "so many ranks that nothing was left to resume";
     return {known_bytes(whole, comm.size()), again};
 }

@@ -1,5 +1,6 @@
 #include "stats/proportion.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gsl/gsl_randist.h>
@@ -36,6 +37,8 @@ double lower_bound(std::int64_t k, std::int64_t n, double tail) {
 }
 
 }  // namespace
+
+Interval hull(Interval const& a, Interval const& b) { return {std::min(a.lower, b.lower), std::max(a.upper, b.upper)}; }
 
 Interval clopper_pearson(std::int64_t successes, std::int64_t trials, double confidence) {
     OVERTURN_EXPECT(successes >= 0 && successes <= trials);

@@ -63,8 +63,6 @@ Bootstrap resample(std::span<FragilityPoint const> points, std::span<SingleTrial
     return refits;
 }
 
-Interval hull(Interval const& a, Interval const& b) { return {std::min(a.lower, b.lower), std::max(a.upper, b.upper)}; }
-
 void widen(Intervals& to, Intervals const& by) {
     to.median = hull(to.median, by.median);
     to.beta = hull(to.beta, by.beta);
