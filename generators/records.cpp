@@ -11,6 +11,7 @@
 
 #include "core/withheld.hpp"
 #include "generators/detail/axes.hpp"
+#include "generators/detail/recorded_waves.hpp"
 #include "generators/record_baseline.hpp"
 #include "motion/resample.hpp"
 #include "motion/station.hpp"
@@ -18,58 +19,11 @@
 namespace overturn {
 namespace {
 
-struct Record {
-    GroundMotion motion;
-    std::string label;
-    Direction direction = Direction::unknown;
-    double turned_rad = 0;
-    Drift drift;
-    std::string withheld;  ///< name of a file that is not there
-};
-
 // Equal up to what printing or a quotient such as 1/100 costs.
 bool same_step(double a, double b) {
     constexpr double printed = 1e-3;
     return std::abs(a - b) <= printed * b;
 }
-
-class Records : public WaveSource {
-  public:
-    explicit Records(std::vector<Record> records) : records_(std::move(records)) {}
-
-    [[nodiscard]] GeneratedWave make(std::uint64_t /*seed*/, std::uint64_t wave) const override {
-        validate_wave(wave, records_.size());
-        validate(records_[wave].withheld.empty(),
-                 "record {} (withheld: only its hash is there). Put it beside the file", records_[wave].withheld);
-        GeneratedWave made;
-        made.motion = records_[wave].motion;
-        made.label = records_[wave].label;
-        made.turned_rad = records_[wave].turned_rad;
-        return made;
-    }
-
-    [[nodiscard]] std::optional<std::uint64_t> available() const override { return records_.size(); }
-
-    [[nodiscard]] std::optional<Drift> drift(std::uint64_t wave) const override {
-        validate_wave(wave, records_.size());
-        return records_[wave].drift;
-    }
-
-    [[nodiscard]] std::string variability() const override {
-        return fmt::format("{} measured motion{}, as chosen", records_.size(), records_.size() == 1 ? "" : "s");
-    }
-    [[nodiscard]] std::string describe() const override {
-        constexpr std::size_t most = 20;
-        auto text = fmt::format("{} record{}", records_.size(), records_.size() == 1 ? "" : "s");
-        for (std::size_t i = 0; i < std::min(most, records_.size()); ++i) {
-            text += fmt::format("{} {}", i == 0 ? ":" : ";", records_[i].label);
-        }
-        return records_.size() > most ? fmt::format("{}; and {} more", text, records_.size() - most) : text;
-    }
-
-  private:
-    std::vector<Record> records_;
-};
 
 // What a table says about its files besides their names.
 struct Request {
@@ -182,13 +136,14 @@ Record read_motion(config::Table const& table, std::string_view key, std::string
         auto placed = files.read(name, request.record);
         auto const step = request.record.time_step_s;
         if (!step || same_step(*step, placed.motion.time_step_s)) {
-            return Record{std::move(placed.motion), std::move(placed.says), placed.direction, 0, {}, {}};
+            return Record{std::move(placed.motion), std::move(placed.says), placed.direction, 0, {}, {}, {}};
         }
         auto resampled = resample(placed.motion, *step, request.coarsening);
         return Record{std::move(resampled.motion),
                       fmt::format("{}, {}", placed.says, resampled.says),
                       placed.direction,
                       0,
+                      {},
                       {},
                       {}};
     });
@@ -241,7 +196,10 @@ std::optional<Record> withheld_record(config::Table const& table, std::initializ
         auto const found = files.contents().find(name);
         if (found != files.contents().end() && is_withheld(found->second)) {
             (void)read_request(table);
-            return Record{{}, name + " (withheld)", Direction::unknown, 0, {}, name};
+            Record stands_for_it;
+            stands_for_it.label = name + " (withheld)";
+            stands_for_it.withheld = name;
+            return stands_for_it;
         }
     }
     return std::nullopt;
@@ -259,6 +217,16 @@ bool cut_to_shortest(GroundMotion& motion) {
         component->resize(std::min(component->size(), shortest));
     }
     return cut;
+}
+
+Record read_file(config::Table const& waves, Request const& request, std::string const& name, StationFiles& files,
+                 InputFiles const& contents) {
+    if (auto stands_for_it = withheld_record(waves, {name}, contents)) {
+        return *std::move(stands_for_it);
+    }
+    auto record = read_horizontal(waves, "files", name, request, files);
+    finish_record(waves, request, record);
+    return record;
 }
 
 Record read_table(config::Table const& table, StationFiles& files, InputFiles const& contents,
@@ -295,23 +263,19 @@ std::unique_ptr<WaveSource> make_records(config::Table const& waves, InputFiles&
     if (waves.has("files")) {
         auto const request = read_request(waves);
         for (auto const& name : waves.texts("files")) {
-            auto const placed_name = in_folder(folder, name);
-            if (auto const stands_for_it = withheld_record(waves, {placed_name}, files)) {
-                records.push_back(*stands_for_it);
-                continue;
-            }
-            records.push_back(read_horizontal(waves, "files", placed_name, request, station_files));
-            finish_record(waves, request, records.back());
+            records.push_back(read_file(waves, request, in_folder(folder, name), station_files, files));
+            records.back().name = name;
         }
     } else {
         for (auto const& table : waves.children("records")) {
             records.push_back(read_table(table, station_files, files, folder));
+            records.back().name = table.text("horizontal", "");
         }
     }
     if (records.empty()) {
         waves.fail(waves.has("files") ? "files" : "records", "no record (the list is empty). Name at least one file");
     }
-    return std::make_unique<Records>(std::move(records));
+    return recorded_waves(std::move(records));
 }
 
 }  // namespace overturn

@@ -93,6 +93,8 @@ class WaveSource {
     [[nodiscard]] virtual std::optional<ComparedPeriods> compared_periods() const { return std::nullopt; }
     /// How a measured wave ends; nothing of waves that were not measured. \throws InputError as make
     [[nodiscard]] virtual std::optional<Drift> drift(std::uint64_t /*wave*/) const { return std::nullopt; }
+    /// What the campaign calls a measured wave: its file. Empty of all others.
+    [[nodiscard]] virtual std::string name(std::uint64_t /*wave*/) const { return {}; }
     /// One line on what it makes.
     [[nodiscard]] virtual std::string describe() const = 0;
 };

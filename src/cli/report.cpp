@@ -22,6 +22,7 @@
 #include "cli/figures.hpp"
 #include "cli/fit_json.hpp"
 #include "cli/json_values.hpp"
+#include "cli/outcome_report.hpp"
 #include "cli/rare_json.hpp"
 #include "cli/shown_trials.hpp"
 #include "cli/spectra_of_waves.hpp"
@@ -39,7 +40,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ReportOptions {
-    std::string file, page, figures;
+    std::string file, page, figures, outcomes;
     double beta_u = 0;
     VelocityUnit unit;
     std::optional<double> confidence;  ///< none: the campaign's
@@ -268,6 +269,7 @@ int write_report(ReportOptions const& options) {
     auto const histories = shown_trials(spec, plan, telling, file);
     data["histories"] = histories.drawn;
     data["histories_of"] = {histories.bodies, spec.bodies.size()};
+    data["outcomes"] = outcomes_data(options.outcomes, spec, plan, file);
     data["cost"] = cost_of(options.file);
     auto const page = report::figure_text("campaign_page.py", data, ".html");
     store::write_durably(options.page, std::as_bytes(std::span(page)));
@@ -286,6 +288,9 @@ void add_report(CommandLine& line) {
     verb.takes("--figures", options->figures, "write the figures as svg and png and the tables as csv there too",
                "DIR");
     options->unit.offered_by(verb);
+    verb.takes("--outcomes", options->outcomes,
+               "what became of real bodies under these motions (wave, motion, a column of 0 and 1 named as a body)",
+               "TABLE.csv");
     verb.takes("--beta-u", options->beta_u, "lognormal standard deviation of what is not known of the body");
     verb.takes("--confidence", options->confidence, "of the intervals; default: the campaign's");
     options->unverified.offered_by(verb);

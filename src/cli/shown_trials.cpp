@@ -43,41 +43,34 @@ std::vector<std::optional<std::int64_t>> nearest_misses(CampaignSpec const& spec
     return nearest;
 }
 
-// A trial with the words for what makes it worth a look.
-struct Chosen {
-    std::int64_t body, trial;
-    std::string words;
-};
-
 // One that is there already only gets a further word.
-void add(std::vector<Chosen>& of_body, std::int64_t body, std::int64_t trial, std::string const& word) {
-    auto const known = std::ranges::find(of_body, trial, &Chosen::trial);
+void add(std::vector<ChosenTrial>& of_body, std::int64_t trial, std::string const& word) {
+    auto const known = std::ranges::find(of_body, trial, &ChosenTrial::trial);
     if (known != of_body.end()) {
         known->words += ", " + word;
     } else {
-        of_body.push_back({body, trial, word});
+        of_body.push_back({trial, word});
     }
 }
 
-std::vector<Chosen> chosen(CampaignSpec const& spec, Plan const& plan, std::span<TellingTrial const> telling,
-                           store::ResultsReader const& file) {
+std::vector<ChosenTrial> chosen(CampaignSpec const& spec, Plan const& plan, std::span<TellingTrial const> telling,
+                                store::ResultsReader const& file) {
     std::vector<TellingTrial> by_kind(telling.begin(), telling.end());
     std::ranges::stable_sort(by_kind, {}, &TellingTrial::kind);
-    std::vector<std::vector<Chosen>> offered(spec.bodies.size());
+    std::vector<std::vector<ChosenTrial>> offered(spec.bodies.size());
     for (auto const& t : by_kind) {
-        add(offered.at(static_cast<std::size_t>(t.body)), t.body, t.trial,
+        add(offered.at(static_cast<std::size_t>(t.body)), t.trial,
             std::string(telling_kinds.at(static_cast<std::size_t>(t.kind))));
     }
     for (auto const& trial : nearest_misses(spec, plan, file)) {
         if (trial) {
-            auto const body = plan.trial(*trial).body;
-            add(offered.at(static_cast<std::size_t>(body)), body, *trial, "nearest-miss on points");
+            add(offered.at(static_cast<std::size_t>(plan.trial(*trial).body)), *trial, "nearest-miss on points");
         }
     }
     std::vector<std::size_t> counts;
-    std::ranges::transform(offered, std::back_inserter(counts), &std::vector<Chosen>::size);
+    std::ranges::transform(offered, std::back_inserter(counts), &std::vector<ChosenTrial>::size);
     auto const gets = share_fairly(counts, std::clamp(spec.bodies.size(), fewest_at_most, most_shown));
-    std::vector<Chosen> all;
+    std::vector<ChosenTrial> all;
     for (std::size_t b = 0; b < offered.size(); ++b) {
         all.insert(all.end(), offered[b].begin(), offered[b].begin() + static_cast<std::ptrdiff_t>(gets[b]));
     }
@@ -86,23 +79,24 @@ std::vector<Chosen> chosen(CampaignSpec const& spec, Plan const& plan, std::span
 
 }  // namespace
 
-ShownTrials shown_trials(CampaignSpec const& spec, Plan const& plan, std::span<TellingTrial const> telling,
-                         store::ResultsReader const& file) {
+ShownTrials histories_of(CampaignSpec const& spec, Plan const& plan, std::span<ChosenTrial const> chosen) {
     ShownTrials shown{Json::array(), 0};
     std::int64_t last = -1;
-    for (auto const& [body, number, words] : chosen(spec, plan, telling, file)) {
-        auto const [wave, of, level] = plan.trial(number);
+    for (auto const& [number, words] : chosen) {
+        auto const [wave, body, level] = plan.trial(number);
         PhaseSeconds ignored;
         KeptHistory kept;
         auto const prepared = prepare_wave(spec, plan, wave, ignored);
-        auto const trial = run_trial(spec, prepared, of, level, &kept);
+        auto const trial = run_trial(spec, prepared, body, level, &kept);
         if (kept.empty()) {
             continue;
         }
         auto const& row = trial.rows.front();
         auto const& stated = spec.bodies[static_cast<std::size_t>(body)];
-        auto const title = fmt::format("{}, trial {} ({}): wave {} at {}, {}", stated.name, number, words, wave,
-                                       spec.levels.text(row.amplitude), entry_of(row.verdict).name);
+        auto const record = spec.source->name(plan.wave_id(wave));
+        auto const title = fmt::format("{}, trial {} ({}): wave {}{} at {}, {}", stated.name, number, words, wave,
+                                       record.empty() ? "" : ", " + record, spec.levels.text(row.amplitude),
+                                       entry_of(row.verdict).name);
         MeasureSpec const* const measures = spec.measures.energy ? &spec.measures : nullptr;
         shown.drawn.push_back(history_data(
             kept,
@@ -114,6 +108,11 @@ ShownTrials shown_trials(CampaignSpec const& spec, Plan const& plan, std::span<T
         last = body;
     }
     return shown;
+}
+
+ShownTrials shown_trials(CampaignSpec const& spec, Plan const& plan, std::span<TellingTrial const> telling,
+                         store::ResultsReader const& file) {
+    return histories_of(spec, plan, chosen(spec, plan, telling, file));
 }
 
 }  // namespace overturn::cli

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
+#include <string>
 
 #include <nlohmann/json.hpp>
 
@@ -17,6 +19,15 @@ struct ShownTrials {
     nlohmann::ordered_json drawn;  ///< a list: history_data with `body`, `trial` and `title`
     std::size_t bodies = 0;        ///< how many bodies they are of
 };
+
+/// A trial to be drawn, and the words for what makes it worth a look.
+struct ChosenTrial {
+    std::int64_t trial = 0;
+    std::string words;
+};
+
+/// Them, rerun. Trials that have no history (at rest) are left out.
+[[nodiscard]] ShownTrials histories_of(CampaignSpec const& spec, Plan const& plan, std::span<ChosenTrial const> chosen);
 
 /// Of the trials worth a look, and of every body that some trial took to compliant points the nearest miss there,
 /// rerun. Twelve, or as many as there are bodies up to 24, shared fairly among the bodies; of a body those of one kind

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "cli/csv_cells.hpp"
 #include "config/suggestion.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
@@ -12,27 +13,6 @@
 
 namespace overturn::cli {
 namespace {
-
-struct Cell {
-    std::string_view text;
-    int column = 0;  ///< from 1
-};
-
-// Cells may stand in quotes; none that a table of stripes needs holds a separator.
-std::vector<Cell> cells_of(std::string_view line, char separator) {
-    std::vector<Cell> cells;
-    for (std::size_t begin = 0; begin <= line.size();) {
-        auto const end = std::min(line.find(separator, begin), line.size());
-        auto text = trimmed(line.substr(begin, end - begin));
-        if (text.size() >= 2 && text.front() == '"' && text.back() == '"') {
-            text = trimmed(text.substr(1, text.size() - 2));
-        }
-        auto const at = text.empty() ? begin : static_cast<std::size_t>(text.data() - line.data());
-        cells.push_back({text, static_cast<int>(at) + 1});
-        begin = end + 1;
-    }
-    return cells;
-}
 
 enum Field : std::size_t { amplitude, trials, overturned, failed, fields };
 constexpr std::array<char const*, fields> names{"amplitude", "trials", "overturned", "failed"};
@@ -43,12 +23,11 @@ class Reader {
 
     void read(std::string_view line, int number) {
         line_ = number;
-        auto const content = line.substr(0, line.find('#'));
-        if (auto const first = content.find_first_of(",;\t"); !has_header_ && first != std::string_view::npos) {
-            separator_ = content[first];  // the header's decides
+        if (!has_header_) {
+            separator_ = separator_of(line);
         }
-        auto const cells = cells_of(content, separator_);
-        if (cells.size() == 1 && cells.front().text.empty()) {
+        auto const cells = cells_of(line, separator_);
+        if (is_blank(cells)) {
             return;
         }
         if (!has_header_) {
@@ -78,11 +57,11 @@ class Reader {
     }
 
   private:
-    [[noreturn]] void fail(Cell const& cell, std::string const& message) const {
+    [[noreturn]] void fail(CsvCell const& cell, std::string const& message) const {
         throw InputError({file_, line_, cell.column}, message);
     }
 
-    void read_header(std::vector<Cell> const& cells) {
+    void read_header(std::vector<CsvCell> const& cells) {
         has_header_ = true;
         columns_ = cells.size();
         std::vector<std::string> const known(names.begin(), names.end());
@@ -106,21 +85,21 @@ class Reader {
         }
     }
 
-    [[nodiscard]] double value(Cell const& cell) const {
+    [[nodiscard]] double value(CsvCell const& cell) const {
         double number = 0;
         if (!parse_number(cell.text, number)) {
             fail(cell, fmt::format("{} (not a number). Write one, without a unit", in_quotes(cell.text)));
         }
         return number;
     }
-    [[nodiscard]] double positive(Cell const& cell) const {
+    [[nodiscard]] double positive(CsvCell const& cell) const {
         double const number = value(cell);
         if (!(number > 0)) {
             fail(cell, fmt::format("amplitude {} (must be above 0). A stripe without shaking needs no trial", number));
         }
         return number;
     }
-    [[nodiscard]] std::int64_t count(Cell const& cell) const {
+    [[nodiscard]] std::int64_t count(CsvCell const& cell) const {
         double const number = value(cell);
         constexpr double most = 1e9;
         if (!(number >= 0 && number <= most && number == std::floor(number))) {
@@ -129,7 +108,7 @@ class Reader {
         return static_cast<std::int64_t>(number);
     }
 
-    void add(Stripe const& stripe, std::vector<Cell> const& cells) {
+    void add(Stripe const& stripe, std::vector<CsvCell> const& cells) {
         if (stripe.trials == 0) {
             fail(cells[*place_[trials]], "no trial (nothing was seen). Leave the row out");
         }

@@ -13,6 +13,7 @@ import body_figure
 import fragility_figures
 import history_figure
 import limit_sections
+import outcome_sections
 import rare_figures
 import spectra_figure
 import style
@@ -259,7 +260,8 @@ class Report:
         self.section("provenance", "Provenance", table(["", ""], rows))
 
     def page(self):
-        for part in (self.asked, self.bodies, self.waves, lambda: limit_sections.add(self), self.rare, self.criterion, self.trials,
+        for part in (self.asked, self.bodies, self.waves, lambda: limit_sections.add(self), self.rare, self.criterion,
+                     lambda: outcome_sections.add(self), self.trials,
                      lambda: assumption_sections.add(self), self.provenance):
             part()
         title = escape(self.results.title)
