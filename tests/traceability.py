@@ -27,10 +27,11 @@ def requirement_of(source, path):
             break
         lines.append(line.lstrip("/# ").strip())
     said = " ".join(lines)
-    if not said.startswith("Requirement: "):
+    cited = re.match(r"Requirement(?: R-\d+(?:, R-\d+)*)?: ", said)
+    if not cited:
         sys.exit(f"{path.relative_to(HERE.parent)}:1:1: no requirement (every test says what it shows). "
                  "Begin it with a comment '// Requirement: ...'")
-    return said.removeprefix("Requirement: ")
+    return said[cited.end():]
 
 
 def shown_by(source, at):
