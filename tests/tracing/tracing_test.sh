@@ -1,7 +1,7 @@
 #!/bin/bash
 # Requirement R-1404: whatever breaks the trace from requirement to test is found and told with its place: a citation
-# that is missing or of nothing, a requirement that lost its tests or has none, a page that is not what the tests say; and
-# how tests ended becomes the state of what they show.
+# that is missing or of nothing, a requirement that lost its tests or has none, a page that is not what the tests say;
+# and how tests ended becomes the state of what they show.
 # tracing_test.sh SOURCE_TREE
 set -euo pipefail
 source=$1
