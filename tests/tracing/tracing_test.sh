@@ -130,7 +130,8 @@ states() { ended > "$scratch/results.xml"; trace --results "$scratch/results.xml
 state() { grep -qFx "### $1" "$scratch/states" || fail "expected '$1', said was: $(grep '^###' "$scratch/states")"; }
 states <<< $'room/One.Holds run\nroom/All/One.HoldsToo/a run\nroom/All/One.HoldsToo/b run\nroom/two run'
 state "R-101 (shown)"; state "R-102 (shown)"; state "R-103 (shown)"; state "R-104 (not shown yet)"
-grep -qFx 'Of 4 requirements: 3 shown, 0 failed, 0 not run, 1 not shown yet.' "$scratch/states" || fail "states are not counted"
+grep -qFx 'Of 4 requirements: 3 shown, 0 failed, 0 not run, 1 not shown yet.' "$scratch/states" ||
+    fail "states are not counted"
 states <<< $'room/One.Holds run\nroom/All/One.HoldsToo/a run\nroom/All/One.HoldsToo/b fail\nroom/two notrun'
 state "R-101 (failed, 1 of 3 tests)"; state "R-102 (failed, 1 of 1 tests)"; state "R-103 (not run)"
 grep -qF -- '- **FAILED** One.HoldsToo' "$scratch/states" || fail "a failure is not told"
