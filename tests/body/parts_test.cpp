@@ -1,4 +1,4 @@
-// Requirement: parts add up by the parallel-axis theorem, however the body is cut into them.
+// Requirement R-301: parts add up by the parallel-axis theorem, however the body is cut into them.
 #include "body/parts.hpp"
 
 #include <vector>

@@ -1,4 +1,5 @@
-// Requirement: capacities by the approximate methods of ASCE/SEI 43-05, Appendix A, are what their energy balance says.
+// Requirement R-705: capacities by the approximate methods of ASCE/SEI 43-05, Appendix A, are what their energy balance
+// says.
 #include "body/reserve_energy.hpp"
 
 #include <cmath>

@@ -1,4 +1,5 @@
-// Requirement: the energy criterion's figures of a body are exact from the tiniest rotation to overturning.
+// Requirement: the energy criterion's figures of a body are exact from the tiniest rotation to
+// overturning.
 #include "body/response_velocity.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Requirement: a body's derived figures follow the closed forms, and a body that cannot rock is refused.
+// Requirement: a body's derived figures follow the closed forms, and a body that cannot rock is refused.
 #include "body/rigid_body.hpp"
 
 #include <cmath>
@@ -108,7 +108,7 @@ TEST(RigidBody, FiguresThatMakeNoBodyAreRefusedByName) {
         "critical angle");
 }
 
-// Requirement: with the centre of gravity off the middle and inclined ground each corner has closed forms of its own,
+// with the centre of gravity off the middle and inclined ground each corner has closed forms of its own,
 // and the body's are those of the weaker side.
 TEST(RigidBody, CornersThatDifferHaveTheirOwnClosedForms) {
     for (auto const& [offset, slope] : {std::pair{0.1, 0.0}, {-0.1, 0.0}, {0.0, 0.02}, {0.05, -0.03}}) {
@@ -141,6 +141,7 @@ TEST(RigidBody, CornersThatDifferHaveTheirOwnClosedForms) {
     }
 }
 
+//
 TEST(RigidBody, WhatFallsByItselfOrGainsEnergyIsRefused) {
     auto const with = [](double BodyInput::*what, double value) {
         auto in = rectangle(0.2, 0.8);

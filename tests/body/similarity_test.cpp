@@ -1,4 +1,5 @@
-// Requirement: model and prototype rock alike under the similarity law, and scaling forth and back changes nothing.
+// Requirement R-303: model and prototype rock alike under the similarity law, and scaling forth and back changes
+// nothing.
 #include "body/similarity.hpp"
 
 #include "support/expect_input_error.hpp"

@@ -1,4 +1,5 @@
-// Requirement: the curves and the criterion are made from exactly the rows of a campaign, each over its own measure.
+// Requirement: the curves and the criterion are made from exactly the rows of a campaign, each over its
+// own measure.
 #include "campaign/analysis.hpp"
 
 #include <cmath>
@@ -106,6 +107,7 @@ TEST_F(AnalysisOfRows, ProportionalMeasuresFitAlike) {
     EXPECT_EQ(ou.rank_area, wes.rank_area);
 }
 
+// R-1104.
 TEST_F(AnalysisOfRows, TrialsWithoutVerdictAreSaid) {
     fill();
     trial(3, 2, Verdict::contact_lost, 4.5, 1);
@@ -118,7 +120,8 @@ TEST_F(AnalysisOfRows, TrialsWithoutVerdictAreSaid) {
     }
 }
 
-/// T0 and T1 with R in the other unit: curves and criteria of their own beside the first ones, against the same V_Ereq.
+// T0 and T1 with R in the other unit: curves and criteria of their own beside the first ones, against the same
+// V_Ereq.
 TEST_F(AnalysisOfRows, TheOtherUnitOfRStandsBeside) {
     spec.measures.both_radius_units = true;
     fill();
@@ -163,7 +166,7 @@ TEST_F(AnalysisOfRows, ResponsesAreOfWhatMovedAndStood) {
     EXPECT_TRUE(analyse(spec, statistics, {})[0].response.empty());
 }
 
-/// One trial said safe that fell speaks against the criterion; none speaks for it only if something fell at all.
+// One trial said safe that fell speaks against the criterion; none speaks for it only if something fell at all.
 TEST_F(AnalysisOfRows, TheVerdictFollowsTheCounts) {
     auto const holds = [](std::vector<std::string> const& sentences, char const* part) {
         return std::any_of(sentences.begin(), sentences.end(),

@@ -1,5 +1,5 @@
-// Requirement: a campaign knows how many of its inputs are assumed, and which of the model's assumptions bear on it;
-// saying so changes no result.
+// Requirement R-906: a campaign knows how many of its inputs are assumed, and which of the model's assumptions bear on
+// it; saying so changes no result.
 #include "campaign/assumptions.hpp"
 
 #include <algorithm>

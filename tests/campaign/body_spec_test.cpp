@@ -1,4 +1,4 @@
-// Requirement: a body is stated directly, from parts, at scale or by file.
+// Requirement R-301: a body is stated directly, from parts, at scale or by file.
 #include "campaign/body_spec.hpp"
 
 #include <map>
@@ -62,6 +62,7 @@ TEST(BodySpec, FromParts) {
     EXPECT_TRUE(near(spec.body.inertia_kgm2(), own + moved, testing::exact_formula));
 }
 
+//
 TEST(BodySpec, SimilarityBothWays) {
     auto const prototype = block + "inertia=6000\n";
     auto const model = body_of(prototype + "[similarity]\ndirection='to-model'\nlength=0.4\n");
@@ -103,7 +104,7 @@ TEST(BodySpec, FileWithOverrides) {
         "x.toml:1:");
 }
 
-// Requirement: offset, slope and initial tilt are read, go with the similarity law, and are refused beside what only
+// offset, slope and initial tilt are read, go with the similarity law, and are refused beside what only
 // models hold that know nothing of them.
 TEST(BodySpec, PlacedOffTheMiddleOnASlopeAndTilted) {
     auto const spec =
@@ -120,6 +121,7 @@ TEST(BodySpec, PlacedOffTheMiddleOnASlopeAndTilted) {
     EXPECT_EQ(body_of(block + "inertia=6000\nslope=0\n").planar_key(), nullptr);
 }
 
+//
 TEST(BodySpec, RefusesPlacementsThatNothingHolds) {
     auto const body = block + "inertia='uniform-block'\n";
     refuse(body + "offset='0.7 m'\n", "5:8: offset: offset of 0.7 m");

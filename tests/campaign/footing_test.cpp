@@ -1,5 +1,5 @@
-// Requirement: base and pad of a body file mean what they say, scale with the body, and are refused at their key where
-// nothing can stand on them or rock as stated.
+// Requirement R-603: base and pad of a body file mean what they say, scale with the body, and are refused at their key
+// where nothing can stand on them or rock as stated.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -66,6 +66,7 @@ TEST(Footing, OnlyAStatedRestitutionTunesABed) {
     EXPECT_TRUE(read("pad={vertical_frequency='67 Hz'}\n").footing.pad.match_restitution);
 }
 
+//
 TEST(Footing, GoesWithTheSimilarityLaw) {
     auto const footing = read(
                              "pad={vertical_frequency='67 Hz', strength='30 MPa'}\n"

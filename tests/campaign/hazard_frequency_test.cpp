@@ -1,4 +1,4 @@
-// Requirement: the annual frequency of each limit state follows from the campaign's curves and stripes and from a
+// Requirement R-707: the annual frequency of each limit state follows from the campaign's curves and stripes and from a
 // hazard curve that states its measure and unit; what rests on no data is said.
 #include "campaign/hazard_frequency.hpp"
 

@@ -1,4 +1,5 @@
-// Requirement: levels are a list or a range in the measure's unit, rising, named where they are special, none twice.
+// Requirement R-204: levels are a list or a range in the measure's unit, rising, named where they are special, none
+// twice.
 #include "campaign/level_spec.hpp"
 
 #include "support/expect_input_error.hpp"
@@ -33,7 +34,7 @@ TEST(Levels, AListInAnyOrderAndUnit) {
     EXPECT_EQ(levels_of("measure='factor'\nvalues=[1]\nwaves='independent'\n").units(), "1");
 }
 
-// Requirement: what people read is in the unit that they wrote.
+// what people read is in the unit that they wrote.
 TEST(Levels, AreShownAsTheyWereWritten) {
     auto const text_of = [](std::string const& keys) {
         auto const spec = levels_of(keys);

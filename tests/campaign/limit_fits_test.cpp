@@ -1,5 +1,5 @@
-// Requirement: limit states are fitted as overturning is, have targets of their own, and are refused where they are
-// wrong or cannot be passed.
+// Requirement R-706: limit states are fitted as overturning is, have targets of their own, and are refused where they
+// are wrong or cannot be passed.
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -124,7 +124,7 @@ TEST(LimitState, BadOnesAreRefusedWhereTheyAreWrong) {
            "[effects]\ninclude=['sliding']\n");
 }
 
-// Requirement: a limit that no body can pass as it is stated is refused; a body among others that cannot is told.
+// a limit that no body can pass as it is stated is refused; a body among others that cannot is told.
 TEST(LimitState, WhatNoBodyCanPassIsRefused) {
     auto const campaign = [](std::string const& bodies, std::string const& limit) {
         return testing::campaign_from(testing::quick_waves + bodies + testing::levels("values=[3]\n") + limit);
@@ -142,7 +142,7 @@ TEST(LimitState, WhatNoBodyCanPassIsRefused) {
               1);
 }
 
-// Requirement: metres where millimetres were meant are told.
+// metres where millimetres were meant are told.
 TEST(LimitState, AbsurdThresholdsAreTold) {
     auto const told = [](std::string const& above) {
         auto const lines =

@@ -1,5 +1,5 @@
-// Requirement: limit states of the user's own are a rule over a trial's stored row: passed, kept, or not known; what is
-// not known is never counted as kept.
+// Requirement R-706: limit states of the user's own are a rule over a trial's stored row: passed, kept, or not known;
+// what is not known is never counted as kept.
 #include "campaign/limit_state.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// Requirement: waves, trials and blocks are numbered by the campaign alone, and growing it renumbers no earlier wave.
+// Requirement R-1001, R-101: waves, trials and blocks are numbered by the campaign alone, and growing it renumbers no
+// earlier wave.
 #include "campaign/plan.hpp"
 
 #include <set>
@@ -96,7 +97,7 @@ TEST(Plan, BlocksCoverTheWavesOnce) {
     }
 }
 
-// Requirement: the parts of an array job are all blocks, each once, whatever their number.
+// R-1001: the parts of an array job are all blocks, each once, whatever their number.
 TEST(Plan, PartsCoverTheBlocksOnce) {
     auto const spec = campaign(600, "[3]");
     Plan const plan(spec);
@@ -122,7 +123,7 @@ TEST(Plan, MissingWavesAreNamedByRange) {
     EXPECT_EQ(plan.waves_text({0, 1, 2, 9, 298, 299}), "0 to 5, 18 to 19, 596 to 599");
 }
 
-// Requirement: a block is short enough to lose and a folder of blocks small enough for a file system.
+// R-1303: a block is short enough to lose and a folder of blocks small enough for a file system.
 TEST(Plan, BlocksAreFewAndShort) {
     for (std::int64_t const waves : {1, 1000, 100'000, 10'000'000, 1'000'000'000}) {
         auto const spec = campaign(static_cast<int>(waves), "[3]");
@@ -132,7 +133,7 @@ TEST(Plan, BlocksAreFewAndShort) {
     }
 }
 
-// Requirement: where a wave costs less than its commit, many share one; but for a campaign that looks at a target.
+// R-1303: where a wave costs less than its commit, many share one; but for a campaign that looks at a target.
 TEST(Plan, BlocksOfWhatIsNotMeasuredAreLong) {
     auto spec = campaign(4000, "[3]");
     ASSERT_EQ(Plan(spec).block_size(), 15);
@@ -148,7 +149,7 @@ TEST(Plan, BlocksOfWhatIsNotMeasuredAreLong) {
     EXPECT_EQ(Plan(few).block_size(), 5);
 }
 
-// Requirement: the rows of a block fit beside a rank's own work, however many levels a wave has.
+// R-1303: the rows of a block fit beside a rank's own work, however many levels a wave has.
 TEST(Plan, BlocksOfVeryManyLevelsAreShort) {
     auto spec = campaign(20'000, "{from=1,to=9,count=2000}");  // two bodies
     EXPECT_EQ(Plan(spec).block_size(), 16) << "65 536 trials, 64 waves otherwise";
@@ -169,7 +170,7 @@ TEST(Plan, BlockSizeFollowsTheWavesOnly) {
     EXPECT_EQ(Plan(one).blocks(), Plan(many).blocks());
 }
 
-/// Levels by a PGD that is the baseline's and not the ground's are refused, where they are stated.
+// Levels by a PGD that is the baseline's and not the ground's are refused, where they are stated.
 TEST(Plan, RefusesLevelsByAPgdThatIsDrift) {
     auto const by_pgd = [](std::string const& waves) {
         std::string const levels = "[levels]\nmeasure='pgd'\nvalues=['18 mm']\n";

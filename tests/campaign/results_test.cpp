@@ -1,4 +1,5 @@
-// Requirement: every field of a row is stored in exactly one column, and statistics count exactly what the rows say.
+// Requirement R-1003: every field of a row is stored in exactly one column, and statistics count exactly what the rows
+// say.
 #include "campaign/results.hpp"
 
 #include <set>
@@ -36,7 +37,7 @@ TEST(Columns, CoverEveryFieldOnce) {
     EXPECT_EQ(measure_table(one, 0).columns.size() + 2, measure_table(both, 0).columns.size());
 }
 
-/// What a campaign does not want measured leaves no column behind, and nothing else is missing.
+// R-1003: What a campaign does not want measured leaves no column behind, and nothing else is missing.
 TEST(Columns, WhatIsNotWantedIsNotThere) {
     auto const spec_with = [](std::string const& keys) {
         return testing::campaign_from(testing::quick_waves + testing::type_a + testing::levels("values=[3,6]\n")
@@ -127,7 +128,7 @@ TrialRow row_of(std::int64_t body, std::int64_t level, Verdict verdict, bool wes
     return row;
 }
 
-// Requirement: a name that the results file needs for itself is refused before any work.
+// R-1003: a name that the results file needs for itself is refused before any work.
 TEST(BodyNames, MayNotBeColumnsOfTheWaves) {
     for (std::string const name : {"pga", "id", "failed", "arias", ".", ".."}) {
         auto const body = "[[bodies]]\nname='" + name
@@ -138,6 +139,7 @@ TEST(BodyNames, MayNotBeColumnsOfTheWaves) {
     }
 }
 
+//
 TEST(Statistics, CountWhatTheRowsSay) {
     auto const spec = testing::campaign_from(testing::quick_waves + testing::type_a + testing::type_b
                                              + testing::levels("values=[3,6]\n"));
@@ -190,7 +192,7 @@ TEST(Statistics, CountWhatTheRowsSay) {
     EXPECT_EQ(b.called, (std::vector<Counts>{{0, 0}, {0, 0}, {0, 0}, {0, 0}}));
 }
 
-// Requirement: a body that still rocked when the record ended is told, as far as rows know it.
+// a body that still rocked when the record ended is told, as far as rows know it.
 TEST(Statistics, CountWhoFellOrPeakedOnlyAfterTheRecord) {
     auto const spec = testing::campaign_from(testing::quick_waves + testing::type_a + testing::type_b
                                              + testing::levels("values=[3,6]\n"));

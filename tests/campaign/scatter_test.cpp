@@ -1,4 +1,5 @@
-// Requirement: what is not known about a body scatters as stated, by wave and body alone, the same at every level.
+// Requirement R-304: what is not known about a body scatters as stated, by wave and body alone, the same at every
+// level.
 #include "campaign/scatter.hpp"
 
 #include <algorithm>

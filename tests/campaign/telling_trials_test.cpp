@@ -1,5 +1,5 @@
-// Requirement: the trials worth a look are found among the stored ones: of every body the first overturned, the nearest
-// miss, the largest slip, and verdicts that change back at a higher level.
+// Requirement R-905: the trials worth a look are found among the stored ones: of every body the first overturned, the
+// nearest miss, the largest slip, and verdicts that change back at a higher level.
 #include "campaign/telling_trials.hpp"
 
 #include <algorithm>
@@ -67,7 +67,7 @@ TEST(TellingTrials, AreTheOnesThatAHandFinds) {
     EXPECT_EQ(found[4].overturned_at, 6);
 }
 
-// Requirement: what a base without friction wanders on points is no slip to look at.
+// what a base without friction wanders on points is no slip to look at.
 TEST(TellingTrials, ShowNoSlipOfABodyWithoutFriction) {
     auto const spec = testing::campaign_from(testing::quick_waves + testing::type_a + testing::type_b
                                              + testing::levels("values=[3,6,9]\n"));

@@ -1,5 +1,5 @@
-// Requirement: a trial is a pure function of (campaign, wave, body, level): the same bits alone and in a crowd, and
-// when waves, levels or bodies are added.
+// Requirement R-101, R-1002: a trial is a pure function of (campaign, wave, body, level): the same bits alone and in a
+// crowd, and when waves, levels or bodies are added.
 #include "campaign/trial.hpp"
 
 #include <cmath>
@@ -52,7 +52,7 @@ void expect_same_trials(CampaignSpec const& other, std::int64_t body, std::vecto
     }
 }
 
-// Requirement: an aftershock meets the body where the mainshock left it, and what the mainshock does keeps every bit.
+// an aftershock meets the body where the mainshock left it, and what the mainshock does keeps every bit.
 TEST(Aftershocks, LeaveTheMainshocksTrialsAsTheyAre) {
     auto const keys = testing::type_b + "[levels]\nmeasure='factor'\nvalues=[0.6,1,1.6,3]\n";
     auto const plain = campaign_from(testing::quick_waves + keys);
@@ -85,7 +85,7 @@ TEST(Aftershocks, LeaveTheMainshocksTrialsAsTheyAre) {
     EXPECT_GT(moved_later, 1);
 }
 
-/// With R in the other unit beside it, each value has the bits that it has where that unit is the campaign's own.
+// With R in the other unit beside it, each value has the bits that it has where that unit is the campaign's own.
 TEST(TrialMeasures, BothUnitsOfRStandSideBySide) {
     auto const keyed = [](std::string const& keys) {
         return prepared(campaign_from(small_campaign + "[measures]\n" + keys), 1).measures[0];
@@ -144,7 +144,7 @@ TEST(TrialPurity, AloneAndInACrowd) {
     EXPECT_EQ(block.waves[0].transverse_pga_mps2, 0);
 }
 
-// Requirement: how each component was matched is stored with the wave; a weak transverse one leaves a square base as it
+// how each component was matched is stored with the wave; a weak transverse one leaves a square base as it
 // is, and so does any for a body that it is not to shake.
 TEST(TrialPurity, TransverseMotionIsReportedAndCallsForSpaceWhereItIsStrong) {
     auto const transverse = testing::quick_waves + "[waves.transverse]\nratio=0.1\n" + vertical + testing::type_b
@@ -201,6 +201,7 @@ TEST(TrialPurity, AnotherSeedIsAnotherWave) {
     EXPECT_NE(prepared(spec, 0).bodies[0].body.restitution(), prepared(other, 0).bodies[0].body.restitution());
 }
 
+//
 TEST(Trial, IsAtItsLevel) {
     auto const spec = campaign_from(small_campaign);
     auto const wave = prepared(spec, 0);
@@ -216,6 +217,7 @@ TEST(Trial, IsAtItsLevel) {
     EXPECT_GT(std::abs(row.ou_v_e_mps / row.v_wes_mps - 1), 0.01) << "else this could not tell one from the other";
 }
 
+// R-1104.
 TEST(Trial, AWaveThatCannotBeScaledIsARowWithAReason) {
     auto const spec =
         campaign_from("[waves]\nsource='records'\nfiles=['z.csv']\nunit='gal'\ntime_step='0.01 s'\nformat='columns'\n"

@@ -1,4 +1,4 @@
-// Requirement: a campaign says in which quantity its bodies lie outside what was held against real outcomes.
+// Requirement R-906: a campaign says in which quantity its bodies lie outside what was held against real outcomes.
 #include "campaign/validated_range.hpp"
 
 #include <string>

@@ -1,5 +1,5 @@
-// Requirement: rows tell which target a wave was matched to and its Sa at the campaign's periods; levels and curves can
-// be stated by Sa; waves that share a target count as one where intervals are made.
+// Requirement: rows tell which target a wave was matched to and its Sa at the campaign's periods; levels
+// and curves can be stated by Sa; waves that share a target count as one where intervals are made.
 #include <cmath>
 #include <set>
 
@@ -96,6 +96,7 @@ TEST(VaryingWaves, SaIsMeasuredAtTheCampaignsPeriodsAndLevelsScaleByIt) {
     EXPECT_DOUBLE_EQ(singles[0].intensity, block.trials.rows[0].scale * block.waves[0].sa_mps2[2]);
 }
 
+//
 TEST(VaryingWaves, WavesOfATargetAreResampledTogetherAndThatIsSaid) {
     auto const spec =
         campaign_from(varying_waves + "per_target=2\n" + testing::type_b + testing::levels("values=[6, 12]\n"));

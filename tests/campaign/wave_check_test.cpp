@@ -1,5 +1,5 @@
-// Requirement: a wave that misses its acceptance rule is never used: its trials are failed rows with that reason, and
-// everybody is told how many there are. How right a wave is, is stored where each body rocks.
+// Requirement R-106, R-1104: a wave that misses its acceptance rule is never used: its trials are failed rows with that
+// reason, and everybody is told how many there are. How right a wave is, is stored where each body rocks.
 #include "campaign/wave_check.hpp"
 
 #include <cmath>

@@ -1,4 +1,5 @@
-// Requirement: the program says of each wave how right it is, clause by clause, and of a run how many waves it refused.
+// Requirement R-106: the program says of each wave how right it is, clause by clause, and of a run how many waves it
+// refused.
 #include <cmath>
 #include <sstream>
 

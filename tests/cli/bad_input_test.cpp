@@ -1,5 +1,5 @@
-// Requirement: bad input is refused with exit code 2 and exactly one line on stderr, `file:line:col: problem (why) what
-// to do`, told by one rank, before any work.
+// Requirement R-902: bad input is refused with exit code 2 and exactly one line on stderr, `file:line:col: problem
+// (why) what to do`, told by one rank, before any work.
 #include "cli/campaign_files.hpp"
 #include "support/command.hpp"
 
@@ -33,7 +33,7 @@ class BadInput : public ::testing::Test {
     Folder folder;
 };
 
-// Requirement: unknown keys are errors with a suggestion and their place.
+// unknown keys are errors with a suggestion and their place.
 TEST_F(BadInput, MisspeltKey) {
     refuse("friction=", "fricton=", "c.toml:27:9: unknown key 'bodies[0].fricton'");
     refuse("friction=", "fricton=", "Did you mean 'friction'?");
@@ -43,7 +43,7 @@ TEST_F(BadInput, MisspeltKey) {
     refuse("seed  = 2013", "", "seed: missing (there is no default). Add this key");
 }
 
-// Requirement: what is not measured can neither be asked for nor judged.
+// what is not measured can neither be asked for nor judged.
 TEST_F(BadInput, WhatIsNotMeasuredIsNotAskedFor) {
     refuse("seed  = 2013", "seed  = 2013\nmeasures={energy=false,both_radius_units=true}",
            "measures.both_radius_units: beside energy = false");
@@ -53,7 +53,7 @@ TEST_F(BadInput, WhatIsNotMeasuredIsNotAskedFor) {
                    "measures.wave_quality: false beside waves.acceptance");
 }
 
-// Requirement: a value outside its range or of another dimension is refused where it stands.
+// a value outside its range or of another dimension is refused where it stands.
 TEST_F(BadInput, ImpossibleValues) {
     refuse("'20.48 s'", "'20.48 m'", "c.toml:6:10: waves.duration: ");
     refuse("mass='12.6 t'", "mass='-12.6 t'", "bodies[0].mass: -12600 kg");
@@ -70,7 +70,7 @@ TEST_F(BadInput, ImpossibleValues) {
     refuse("title = 'small'", "title = small", "not valid TOML");
 }
 
-// Requirement: unknown names are refused with a suggestion.
+// unknown names are refused with a suggestion.
 TEST_F(BadInput, UnknownNames) {
     refuse("source='spectrum-compatible'", "source='spectrum-compatibel'", "Did you mean 'spectrum-compatible'?");
     refuse("file='target.csv'\nkind='acceleration'", "spectrum='mlit-ch3'", "Did you mean 'mlit-ch1'?");
@@ -79,7 +79,7 @@ TEST_F(BadInput, UnknownNames) {
     refuse("measure='pga'", "measure='pgw'", "Did you mean 'pga'?");
 }
 
-// Requirement: missing or odd files are named, with the key that asked for them.
+// R-1106: missing or odd files are named, with the key that asked for them.
 TEST_F(BadInput, Files) {
     expect_refused(overturn(folder, {"plan", "nope.toml"}), "nope.toml: cannot be read");
     expect_refused(overturn(folder, {"run", "nope.toml"}), "nope.toml: cannot be read");
@@ -90,7 +90,7 @@ TEST_F(BadInput, Files) {
     expect_refused(overturn(folder, {"plan", "c.toml"}), "target.csv:3");
 }
 
-// Requirement: a vertical record shakes no body sideways; its own spectrum may be asked for.
+// a vertical record shakes no body sideways; its own spectrum may be asked for.
 TEST_F(BadInput, VerticalRecordUnderABody) {
     std::string text =
         "PEER\nSomewhere, 1/16/1995, A-B, UP\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 50, DT= .02 SEC\n";
@@ -106,7 +106,7 @@ TEST_F(BadInput, VerticalRecordUnderABody) {
     EXPECT_EQ(overturn(folder, {"spectrum", "--wave", "a-UP.AT2"}).code, 0);
 }
 
-// Requirement: a record that is not numbers is refused with its line.
+// a record that is not numbers is refused with its line.
 TEST_F(BadInput, NotANumberInARecord) {
     folder.write("r.csv", "0,0.1\n0.01,0.2\n0.02,nan\n0.03,0\n");
     folder.write("body.toml", "mass=1\nbase_width=1\ncentre_height=2\ninertia='uniform-block'\n");
@@ -122,7 +122,7 @@ TEST_F(BadInput, NotANumberInARecord) {
     EXPECT_FALSE(folder.has("c.h5"));
 }
 
-// Requirement: an output that cannot be had is refused before any work.
+// R-1105: an output that cannot be had is refused before any work.
 TEST_F(BadInput, Output) {
     folder.write("c.toml", small_campaign("shared", 1));
     folder.write("file", "");
@@ -139,7 +139,7 @@ TEST_F(BadInput, Output) {
     expect_refused(overturn(folder, {"fit", "none.h5"}), "none.h5");
 }
 
-// Requirement: a command line that is not understood says what was probably meant.
+// a command line that is not understood says what was probably meant.
 TEST_F(BadInput, CommandLine) {
     expect_refused(overturn(folder, {"rnu", "c.toml"}), "verb 'rnu' (unknown). Did you mean 'run'?");
     expect_refused(overturn(folder, {"frobnicate"}), "Known: run, plan");
@@ -152,6 +152,7 @@ TEST_F(BadInput, CommandLine) {
     expect_refused(overturn(folder, {"run"}), "campaign is required");
 }
 
+//
 TEST_F(BadInput, Settings) {
     folder.write("c.toml", small_campaign());
     auto const refused = [&](std::string const& setting, std::string const& part) {
@@ -166,7 +167,7 @@ TEST_F(BadInput, Settings) {
     EXPECT_FALSE(folder.has("c.h5.parts"));
 }
 
-// Requirement: under MPI one rank speaks. Without --quiet mpirun adds its own words on exit codes, which no program can
+// under MPI one rank speaks. Without --quiet mpirun adds its own words on exit codes, which no program can
 // keep it from.
 TEST_F(BadInput, UnderMpiOneRankSpeaks) {
     folder.write("c.toml", changed("friction=", "fricton="));

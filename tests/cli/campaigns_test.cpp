@@ -1,4 +1,4 @@
-// Requirement: every campaign file that comes with the program runs, and begins with its question and its cost.
+// Requirement R-907: every campaign file that comes with the program runs, and begins with its question and its cost.
 #include <algorithm>
 #include <cstdlib>
 #include <regex>
@@ -38,7 +38,7 @@ TEST(Campaigns, AreAcceptedAsTheyStand) {
     EXPECT_GE(count, 5);
 }
 
-// Requirement: the study of recorded waves asks for the user's own records, and runs where they are.
+// the study of recorded waves asks for the user's own records, and runs where they are.
 TEST(Campaigns, RecordsAreTheUsers) {
     Folder const folder;
     std::string const campaign = OVERTURN_CAMPAIGNS "/records_one_axis.toml";

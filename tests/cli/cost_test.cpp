@@ -1,5 +1,5 @@
-// Requirement: overturn cost ends with the sentence a user needs; its JSON, file and page say the same; what it cannot
-// do it says in one line before any work.
+// Requirement R-904: overturn cost ends with the sentence a user needs; its JSON, file and page say the same; what it
+// cannot do it says in one line before any work.
 #include <nlohmann/json.hpp>
 
 #include "cli/campaign_files.hpp"
@@ -88,7 +88,7 @@ TEST_F(Cost, PageNeedsNoNetwork) {
     EXPECT_TRUE(page.ends_with("</html>\n"));
 }
 
-// Requirement: where a campaign asks for rare events, what each estimator spends for its scatter stands beside crude.
+// where a campaign asks for rare events, what each estimator spends for its scatter stands beside crude.
 TEST_F(Cost, RareEventsHaveAPrice) {
     folder.write("rare.toml",
                  "seed=7\n[waves]\nsource='filtered-noise'\nrms='1 m/s2'\nmodel='clough-penzien'\namplitudes='fixed'\n"

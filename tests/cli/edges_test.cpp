@@ -1,5 +1,5 @@
-// Requirement: at the edges of what a shell, a disk and a batch system do there is one line that says what to do, never
-// a wrong place, a stack or a hang.
+// Requirement R-1106, R-902: at the edges of what a shell, a disk and a batch system do there is one line that says
+// what to do, never a wrong place, a stack or a hang.
 #include <algorithm>
 
 #include <sys/stat.h>
@@ -97,7 +97,7 @@ TEST_F(Edges, NoMemoryIsOneLine) {
     EXPECT_GT(told, 0) << "else nothing was shown";
 }
 
-/// Sent by a library that is set up before main, as by a batch system that is in a hurry.
+// R-1102: Sent by a library that is set up before main, as by a batch system that is in a hurry.
 TEST_F(Edges, SignalsCountFromTheFirstInstant) {
     for (int const signal : {SIGUSR1, SIGTERM}) {
         auto const early = "OVERTURN_EARLY_SIGNAL=" + std::to_string(signal)
@@ -235,7 +235,7 @@ TEST_F(Edges, FilesFollowTheUmask) {
     }
 }
 
-/// Ranks that do not find each other would each run the whole campaign into one file.
+// R-1202: Ranks that do not find each other would each run the whole campaign into one file.
 TEST_F(Edges, ARankThatIsAloneAmongOthersIsTold) {
     auto const ended = shell("PMI_SIZE=4 PMI_RANK=0 " OVERTURN_PROGRAM " run c.toml");
     expect_refused(ended, "PMI_SIZE says 4 ranks");

@@ -1,5 +1,5 @@
-// Requirement: waves are drawn and written as files; a figure needs nothing but Python, says what to install where
-// something is missing, and has the same bytes for the same data.
+// Requirement R-905: waves are drawn and written as files; a figure needs nothing but Python, says what to install
+// where something is missing, and has the same bytes for the same data.
 #include <algorithm>
 #include <cmath>
 
@@ -115,7 +115,7 @@ TEST_F(Figures, DrawWhatIsMeasured) {
     EXPECT_LT(wave["target"]["period_s"].back().get<double>(), 10.0 + 1e-9);
 }
 
-// Requirement: a trial's history is drawn from what the trial was: the wave as scaled, the rotation to its peak,
+// a trial's history is drawn from what the trial was: the wave as scaled, the rotation to its peak,
 // V_resp(t) up to the stored V_resp, V_WES(t) up to the stored V_WES.
 TEST_F(Figures, HistoriesDrawWhatTheTrialWas) {
     done({"run", "c.toml", "-o", "c.h5"});
@@ -154,7 +154,7 @@ TEST_F(Figures, HistoriesDrawWhatTheTrialWas) {
     }
 }
 
-// Requirement: slip and contact force are drawn of every model that has them, up to the stored peak.
+// slip and contact force are drawn of every model that has them, up to the stored peak.
 TEST_F(Figures, HistoriesShowSlipAndContactForce) {
     done({"wave", "c.toml", "--wave", "1", "-o", "w.csv"});
     folder.write("slides.toml", folder.read("body.toml") + "friction=0.3\n");
@@ -228,6 +228,7 @@ TEST_F(Figures, BadNamesAreRefusedBeforeAnyWork) {
     refused({"wave", "c.toml", "--wave", "1", "--plot", "no/folder/a.svg"}, "no/folder/a.svg: cannot be written");
 }
 
+//
 TEST_F(Figures, At2FilesHoldTheWavesComponents) {
     done({"wave", "c.toml", "--wave", "1", "-o", "w.AT2"});
     done({"wave", "c.toml", "--wave", "1", "-o", "w.csv"});

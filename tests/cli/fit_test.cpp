@@ -1,5 +1,5 @@
-// Requirement: `overturn fit` says by the contract's names what the trials hold, from a results file or from anybody's
-// table; what is not identifiable is null, and bad tables are refused where they are wrong.
+// Requirement: `overturn fit` says by the contract's names what the trials hold, from a results file or
+// from anybody's table; what is not identifiable is null, and bad tables are refused where they are wrong.
 #include <cmath>
 
 #include <nlohmann/json.hpp>
@@ -31,7 +31,7 @@ class Fit : public ::testing::Test {
     Folder folder;
 };
 
-/// The same numbers as tests/stats/fragility_fit_test.cpp, where their derivation stands.
+// The same numbers as tests/stats/fragility_fit_test.cpp, where their derivation stands.
 TEST_F(Fit, TableOfKnownAnswer) {
     auto const fit =
         table("# three stripes\noverturned, amplitude ,trials\n\n43,2,54  # the highest\n2,1,54\n25,1.5,54\n",
@@ -64,6 +64,7 @@ TEST_F(Fit, TablesAsOtherProgramsWriteThem) {
     EXPECT_EQ(table("\"amplitude\",\"trials\",\"overturned\"\n\"1\",54,2\n1.5,54,25\n2,54,43\n"), plain);
 }
 
+//
 TEST_F(Fit, BetaUMovesHclpf) {
     std::string const stripes = "amplitude,trials,overturned\n1,54,2\n1.5,54,25\n2,54,43\n";
     auto const with = table(stripes, {"--beta-u", "0.3"})["fragility"][0];
@@ -82,7 +83,7 @@ TEST_F(Fit, BetaUMovesHclpf) {
     EXPECT_NE(text.find("1.008        -         -"), std::string::npos) << text;
 }
 
-/// Nothing overturned, everything, one level, separation: null, never a number.
+// Nothing overturned, everything, one level, separation: null, never a number.
 TEST_F(Fit, NotIdentifiableIsNull) {
     for (std::string const rows : {"1,50,0\n2,50,0\n", "1,50,50\n2,50,50\n", "1,50,7\n", "1,50,0\n2,50,50\n",
                                    "1,50,20\n2,50,10\n", "1,50,0\n2,50,1\n3,50,0\n"}) {
@@ -154,7 +155,8 @@ TEST_F(Fit, ResultsFile) {
     EXPECT_EQ(over_levels["probabilities"][0]["trials"], 20);
 }
 
-/// Type B's restitution is drawn, type A is known exactly: beta^2 = beta_R^2 + beta_U^2, and HCLPF takes them apart.
+// Type B's restitution is drawn, type A is known exactly: beta^2 = beta_R^2 + beta_U^2, and HCLPF takes them
+// apart.
 TEST_F(Fit, TellsWhatTheBodyAddsToBeta) {
     folder.write("target.csv", target_csv);
     folder.write("c.toml", small_campaign("shared", 40));

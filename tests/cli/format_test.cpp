@@ -1,5 +1,5 @@
-// Requirement: a version of the format names one set of columns, files of it stay readable for ever, and whose curves
-// fit tells is said.
+// Requirement R-1003: a version of the format names one set of columns, files of it stay readable for ever, and whose
+// curves fit tells is said.
 #include <cstdlib>
 
 #include <fmt/format.h>
@@ -145,7 +145,7 @@ TEST_F(Format, WhoseCurvesAreToldIsSaid) {
         << limits.err;
 }
 
-/// Outside git the revision tells nobody apart; the sources do.
+// R-1103: Outside git the revision tells nobody apart; the sources do.
 TEST(Program, IsIdentifiedByItsSources) {
     EXPECT_EQ(sources_sha256().size(), 64U);
     EXPECT_EQ(sources_sha256().find_first_not_of("0123456789abcdef"), std::string::npos);

@@ -1,5 +1,6 @@
-// Requirement: waves that are a grid of frequencies are no sample: no curve, no probability and no quantile is told of
-// them, but the least level that lifts a body off and overturns it, frequency by frequency, the same in every answer.
+// Requirement R-704: waves that are a grid of frequencies are no sample: no curve, no probability and no quantile is
+// told of them, but the least level that lifts a body off and overturns it, frequency by frequency, the same in every
+// answer.
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -50,9 +51,9 @@ class Grid : public ::testing::Test {
     Ended ran;
 };
 
-// Linearised block: a single sine lifts it off from 1 alpha g; it overturns with one impact from 1.22518 (w = 2) and
-// 1.79544 (w = 4), and stands again between 2.31440 and 2.34990, and between 4.85011 and 5.23896 (DESIGN, closed
-// forms of Zhang & Makris 2001).
+// Linearised block: a single sine lifts it off from 1 alpha g; it overturns with one impact from 1.22518
+// (w = 2) and 1.79544 (w = 4), and stands again between 2.31440 and 2.34990, and between 4.85011 and 5.23896 (DESIGN,
+// closed forms of Zhang & Makris 2001).
 TEST_F(Grid, MapMeetsClosedForms) {
     run();
     auto const lines = fitted().at("grid");

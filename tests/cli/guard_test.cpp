@@ -1,5 +1,6 @@
-// Requirement: what is committed is never lost to a mishap or mixed with what is not the same: a log that cannot be
-// written, an early signal, a damaged record, another program's blocks, a results file that was changed by hand.
+// Requirement R-1103, R-1101: what is committed is never lost to a mishap or mixed with what is not the same: a log
+// that cannot be written, an early signal, a damaged record, another program's blocks, a results file that was changed
+// by hand.
 #include <sys/stat.h>
 
 #include "campaign/campaign_input.hpp"
@@ -56,7 +57,7 @@ TEST_F(Guard, ALogThatCannotBeWrittenHarmsNothing) {
     EXPECT_TRUE(folder.read("c.h5") == folder.read("full.h5"));
 }
 
-/// The campaign is a pipe that nobody has written to yet: the run is at reading it.
+// R-1102: The campaign is a pipe that nobody has written to yet: the run is at reading it.
 TEST_F(Guard, ASignalBeforeTheCampaignIsReadLeavesResumably) {
     ASSERT_EQ(::mkfifo((folder / "pipe.toml").c_str(), 0600), 0);
     Running running(folder, {OVERTURN_PROGRAM, "run", "pipe.toml"});

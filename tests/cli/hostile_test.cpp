@@ -1,5 +1,5 @@
-// Requirement: absurd sizes are refused before memory is touched, any path is taken, and a file from the future is told
-// from a damaged one.
+// Requirement R-1106: absurd sizes are refused before memory is touched, any path is taken, and a file from the future
+// is told from a damaged one.
 #include <sys/resource.h>
 
 #include "cli/campaign_files.hpp"
@@ -48,6 +48,7 @@ TEST_F(Hostile, AbsurdSizesAreRefusedUntouched) {
     EXPECT_LT(largest_mb(), modest_mb);
 }
 
+// R-1303.
 TEST_F(Hostile, TheLargestCampaignIsPlannedInLittleMemory) {
     folder.write("c.toml", small_campaign("shared", 1'000'000'000));
     auto const planned = overturn(folder, {"plan", "c.toml"});
@@ -59,7 +60,7 @@ TEST_F(Hostile, TheLargestCampaignIsPlannedInLittleMemory) {
     EXPECT_LT(largest_mb(), modest_mb);
 }
 
-// Requirement: paths with blanks and non-ASCII letters, through every verb that takes one.
+// R-1106: paths with blanks and non-ASCII letters, through every verb that takes one.
 TEST_F(Hostile, AnyPathWill) {
     std::filesystem::path const place = "Größe & 'Maß' – 震動 $HOME";
     std::filesystem::create_directory(folder / place);
@@ -87,7 +88,7 @@ TEST_F(Hostile, AnyPathWill) {
               std::string::npos);
 }
 
-// Requirement: what the program says to type can be typed, also where a path needs quotes.
+// what the program says to type can be typed, also where a path needs quotes.
 TEST_F(Hostile, TheCommandToGoOnCanBePasted) {
     folder.write("my campaign's.toml", small_campaign("shared", 30));
     auto const stopped = overturn(
@@ -102,6 +103,7 @@ TEST_F(Hostile, TheCommandToGoOnCanBePasted) {
     EXPECT_TRUE(folder.has("my file.h5"));
 }
 
+// R-1003.
 TEST_F(Hostile, FilesFromTheFutureAreToldFromDamagedOnes) {
     if (!has_python(folder, "h5py")) {
         GTEST_SKIP() << "no h5py to write with (install python3-h5py)";

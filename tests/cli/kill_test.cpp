@@ -1,6 +1,6 @@
-// Requirement: SIGKILL at any instant, of one rank, of all or of mpirun, and a resume on 1 to 3 ranks give the bytes of
-// an unbroken run. A short version by default; the long one, with its figures:
-//   OVERTURN_KILLS=200 ctest --preset dev -R Kill -V
+// Requirement R-1101: SIGKILL at any instant, of one rank, of all or of mpirun, and a resume on 1 to 3 ranks give the
+// bytes of an unbroken run. A short version by default; the long one, with its figures: OVERTURN_KILLS=200 ctest
+// --preset dev -R Kill -V
 #include <array>
 #include <cstdlib>
 #include <random>

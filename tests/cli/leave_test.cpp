@@ -1,4 +1,4 @@
-// Requirement: a run leaves when it is asked to, soon, with everything committed, and says how to go on.
+// Requirement R-1102: a run leaves when it is asked to, soon, with everything committed, and says how to go on.
 #include "cli/campaign_files.hpp"
 #include "support/command.hpp"
 
@@ -34,7 +34,7 @@ void expect_told(Ended const& ended, std::string const& command) {
     EXPECT_NE(line.find("Go on with: " + command), std::string::npos) << line;
 }
 
-// Requirement: SIGTERM leaves within a second, however long a block is.
+// R-1102: SIGTERM leaves within a second, however long a block is.
 TEST_F(Leaving, WithinASecondOfSigterm) {
     write_long_blocks();
     Running running(folder, {OVERTURN_PROGRAM, "run", "c.toml"});
@@ -48,7 +48,7 @@ TEST_F(Leaving, WithinASecondOfSigterm) {
     EXPECT_EQ(blocks_done(folder, "c.h5"), 0);
 }
 
-// Requirement: a launcher that delivers one request twice is no second request; a real second one leaves at once, and
+// R-1102: a launcher that delivers one request twice is no second request; a real second one leaves at once, and
 // nothing is damaged.
 TEST_F(Leaving, AtOnceOnASecondSignal) {
     write_long_blocks();
@@ -66,7 +66,7 @@ TEST_F(Leaving, AtOnceOnASecondSignal) {
     EXPECT_NE(resumed.err.find("stopped early: 0 of "), std::string::npos) << resumed.err;
 }
 
-// Requirement: no block is begun that would not end in time.
+// R-1102: no block is begun that would not end in time.
 TEST_F(Leaving, BeforeTheWalltimeIsUp) {
     write_short_blocks(20'000);  // half a minute even on a fast machine
     auto const begin = Clock::now();
@@ -77,7 +77,7 @@ TEST_F(Leaving, BeforeTheWalltimeIsUp) {
     EXPECT_GT(blocks_done(folder, "c.h5"), 0);
 }
 
-// Requirement: a rank that dies takes the job down within seconds, and what is committed stays.
+// R-1101: a rank that dies takes the job down within seconds, and what is committed stays.
 TEST_F(Leaving, WithinSecondsOfADeadRank) {
     write_short_blocks();
     Running running(folder, mpirun(3, {"run", "c.toml"}));

@@ -1,5 +1,5 @@
-// Requirement: limit states of the user's own are answered like overturning, by every verb, with the same bytes on any
-// number of ranks, resumed and in parts; an independent reader finds them from the trials' columns.
+// Requirement R-706: limit states of the user's own are answered like overturning, by every verb, with the same bytes
+// on any number of ranks, resumed and in parts; an independent reader finds them from the trials' columns.
 #include <nlohmann/json.hpp>
 
 #include "cli/campaign_files.hpp"
@@ -32,6 +32,7 @@ class Limits : public ::testing::Test {
     Folder folder;
 };
 
+// R-1001.
 TEST_F(Limits, SameBytesOnAnyNumberOfRanksResumedAndInParts) {
     ASSERT_EQ(overturn(folder, {"run", "c.toml", "-o", "1.h5"}).code, 0);
     for (auto const* ranks : {"2", "3"}) {
@@ -227,9 +228,9 @@ TEST_F(Limits, PlanTellsThemAndWhatSlidesFirst) {
     EXPECT_NE(calls.find("calls     sliding, contact in every trial"), std::string::npos) << calls;
 }
 
-/// A limit state's own target ends a run, at the same wave on any ranks, and overturning, of which the first look,
-/// after 32 waves, would tell enough here, does not: near P = 1/2 the exact interval of 128 is 0.18 wide, that of 64 is
-/// 0.26.
+// A limit state's own target ends a run, at the same wave on any ranks, and overturning, of which the first
+// look, after 32 waves, would tell enough here, does not: near P = 1/2 the exact interval of 128 is 0.18 wide, that of
+// 64 is 0.26.
 TEST_F(Limits, ATargetOfItsOwnEndsTheRun) {
     folder.write("t.toml",
                  small_campaign("shared", 200)

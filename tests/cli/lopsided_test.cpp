@@ -1,5 +1,5 @@
-// Requirement: bodies off the middle, on a slope or tilted run as all others do: the same bytes on any ranks, replayed
-// bit for bit; what would call for a model that knows nothing of them is refused in one line.
+// Requirement R-407: bodies off the middle, on a slope or tilted run as all others do: the same bytes on any ranks,
+// replayed bit for bit; what would call for a model that knows nothing of them is refused in one line.
 #include "cli/campaign_files.hpp"
 #include "support/command.hpp"
 
@@ -29,6 +29,7 @@ class Lopsided : public ::testing::Test {
     Folder folder;
 };
 
+// R-1001, R-1005.
 TEST_F(Lopsided, SameBytesOnAnyRanksAndReplayed) {
     folder.write("c.toml", campaign_of("[[bodies]]\nname='off'\noffset='6 cm'\nfriction=0.7\n" + placed
                                        + "[[bodies]]\nname='slope'\nslope='-1 deg'\nfriction=0.65\n" + placed

@@ -1,4 +1,4 @@
-// Requirement: real outcomes are held against a campaign on the report's page: false safe first, chosen by motions left
+// Requirement R-1405: real outcomes are held against a campaign on the report's page: false safe first, chosen by motions left
 // out, each test that fell though it was called safe by name.
 #include <algorithm>
 #include <cstdlib>

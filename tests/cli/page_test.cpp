@@ -1,5 +1,5 @@
-// Requirement: a page says what was run, holds the campaign word for word, draws what is known of the bodies, and is
-// sound in a browser: nothing loaded, nothing on the console, nothing cut on a phone, on a desk or in print.
+// Requirement R-905: a page says what was run, holds the campaign word for word, draws what is known of the bodies, and
+// is sound in a browser: nothing loaded, nothing on the console, nothing cut on a phone, on a desk or in print.
 #include <cstdlib>
 #include <filesystem>
 #include <string>

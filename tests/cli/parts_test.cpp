@@ -1,5 +1,5 @@
-// Requirement: one campaign split over array tasks and merged gives the bytes of one run; what is missing, foreign or
-// in use is said.
+// Requirement R-1001, R-1103: one campaign split over array tasks and merged gives the bytes of one run; what is
+// missing, foreign or in use is said.
 #include <csignal>
 
 #include <nlohmann/json.hpp>
@@ -85,7 +85,7 @@ TEST_F(Parts, StartedTogetherDoNotDisturbEachOther) {
     expect_as_one_run();
 }
 
-// Requirement: missing parts are named by their waves, with exit code 3, and can be run then.
+// missing parts are named by their waves, with exit code 3, and can be run then.
 TEST_F(Parts, MissingOnesAreNamed) {
     expect_part_done(part("1/3"));
     expect_part_done(part("3/3"));
@@ -104,7 +104,7 @@ TEST_F(Parts, MissingOnesAreNamed) {
     expect_as_one_run();
 }
 
-// Requirement: a damaged block counts as missing and is said.
+// R-1103: a damaged block counts as missing and is said.
 TEST_F(Parts, DamagedBlockIsComputedAgain) {
     for (auto const* which : {"1/2", "2/2"}) {
         expect_part_done(part(which));
@@ -126,7 +126,7 @@ TEST_F(Parts, DamagedBlockIsComputedAgain) {
     expect_as_one_run();
 }
 
-// Requirement: parts of different campaigns never come together, and nothing is done twice silently.
+// R-1103: parts of different campaigns never come together, and nothing is done twice silently.
 TEST_F(Parts, OthersAreRefused) {
     expect_part_done(part("1/2"));
 
@@ -153,7 +153,7 @@ TEST_F(Parts, OthersAreRefused) {
     EXPECT_TRUE(is_one_error_line(nothing.err));
 }
 
-// Requirement: of two campaigns that write one output at once, the second is refused in one line.
+// R-1105: of two campaigns that write one output at once, the second is refused in one line.
 TEST_F(Parts, TheSecondRunOnOneOutputIsRefused) {
     folder.write("c.toml", small_campaign("independent", 500));
     Running first(folder, {OVERTURN_PROGRAM, "run", "c.toml"});
@@ -174,7 +174,7 @@ TEST_F(Parts, TheSecondRunOnOneOutputIsRefused) {
     expect_as_one_run();
 }
 
-// Requirement: blocks that a run left after its file was durable are recognised and said.
+// R-1103: blocks that a run left after its file was durable are recognised and said.
 TEST_F(Parts, LeftoverBlocksAreCleanedUp) {
     expect_part_done(part("1/1000"));
     std::filesystem::rename(folder / "c.h5.parts", folder / "kept");

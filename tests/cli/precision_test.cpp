@@ -1,5 +1,5 @@
-// Requirement: a campaign with a target ends as soon as it is met, at the same wave and with the same bytes on any
-// number of ranks, in one go, resumed or in parts; the file says so and is complete.
+// Requirement R-1001, R-703: a campaign with a target ends as soon as it is met, at the same wave and with the same
+// bytes on any number of ranks, in one go, resumed or in parts; the file says so and is complete.
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

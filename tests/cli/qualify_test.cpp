@@ -1,4 +1,4 @@
-// Requirement: an installation shows in a minute, without Python, that it computes what is known: closed forms,
+// Requirement R-1403: an installation shows in a minute, without Python, that it computes what is known: closed forms,
 // published values, stored bytes on any ranks, going on after a stop, and a file system that keeps what it is given.
 #include <filesystem>
 #include <set>

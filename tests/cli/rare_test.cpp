@@ -1,5 +1,5 @@
-// Requirement: a campaign's rare events are the same bytes on any number of ranks and after SIGKILL, replayable row by
-// row from the file alone, and stated only where they can be trusted.
+// Requirement R-1001, R-802: a campaign's rare events are the same bytes on any number of ranks and after SIGKILL,
+// replayable row by row from the file alone, and stated only where they can be trusted.
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -39,7 +39,7 @@ class Rare : public ::testing::Test {
     Folder folder;
 };
 
-// Requirement: subset simulation killed in the middle of a level goes on, on other ranks, to the bytes of an unbroken
+// R-1101: subset simulation killed in the middle of a level goes on, on other ranks, to the bytes of an unbroken
 // run.
 TEST_F(Rare, SubsetIsTheSameOnAnyRanksAndAfterKills) {
     folder.write("c.toml", campaign("method='subset'"));
@@ -57,7 +57,8 @@ TEST_F(Rare, SubsetIsTheSameOnAnyRanksAndAfterKills) {
     EXPECT_FALSE(folder.has("c.h5.parts"));
 }
 
-// Requirement: the same of the pulse mixture, killed in the middle of its ladder; every kind of row replays bit-equal.
+// R-1101, R-1005: the same of the pulse mixture, killed in the middle of its ladder; every kind of row replays
+// bit-equal.
 TEST_F(Rare, PulsesAreTheSameOnAnyRanksAndAfterKills) {
     folder.write("c.toml", campaign("method='pulse-mixture'\ntarget_cov=1"));
     ASSERT_EQ(execute(folder, mpirun(2, {"run", "c.toml", "-o", "two.h5"})).code, 0);
@@ -75,7 +76,7 @@ TEST_F(Rare, PulsesAreTheSameOnAnyRanksAndAfterKills) {
     }
 }
 
-// Requirement: the page shows the tail, the health of the estimators, the pulses and a wave that overturns the body.
+// the page shows the tail, the health of the estimators, the pulses and a wave that overturns the body.
 TEST_F(Rare, IsReported) {
     if (execute(folder, {OVERTURN_PYTHON, "-c", "import matplotlib, h5py"}).code != 0) {
         GTEST_SKIP() << "nothing to draw with (install python3-matplotlib python3-h5py)";
@@ -105,7 +106,7 @@ TEST_F(Rare, IsReported) {
     EXPECT_GT(subset.at("cov"), 0);
 }
 
-// Requirement: rows of chains replay bit-equal too, through all they descend from.
+// R-1005: rows of chains replay bit-equal too, through all they descend from.
 TEST_F(Rare, ChainsReplay) {
     folder.write("c.toml", campaign("method='subset'"));
     ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
@@ -118,7 +119,7 @@ TEST_F(Rare, ChainsReplay) {
     EXPECT_EQ(beyond.code, 2);
 }
 
-// Requirement: answers have the stated keys; what cannot be resolved is null and a bound, never a number.
+// answers have the stated keys; what cannot be resolved is null and a bound, never a number.
 TEST_F(Rare, AnswersHaveTheirKeys) {
     folder.write("c.toml", campaign("method='crude'\nmax_runs=2000", "measure='factor'\nvalues=[0.7, 1.8]"));
     auto const run = overturn(folder, {"run", "c.toml"});
@@ -143,7 +144,7 @@ TEST_F(Rare, AnswersHaveTheirKeys) {
     EXPECT_TRUE(rare[1].at("reason").is_null());
 }
 
-// Requirement: what scatters about a body is drawn with each wave, by plain trials and by subset simulation alike, as a
+// what scatters about a body is drawn with each wave, by plain trials and by subset simulation alike, as a
 // campaign's own trials draw it; and rows of it replay.
 TEST_F(Rare, WhatScattersRidesAlong) {
     auto const scattering = [&](std::string const& rare) {
@@ -179,7 +180,7 @@ TEST_F(Rare, WhatScattersRidesAlong) {
     }
 }
 
-// Requirement: a limit state of the user's own has rare events too: subset simulation agrees with plain trials, on any
+// a limit state of the user's own has rare events too: subset simulation agrees with plain trials, on any
 // ranks to the same bytes, and its rows replay.
 TEST_F(Rare, LimitsOfTheUsersOwnAreEstimated) {
     auto const limited = [&](std::string const& rare) {
@@ -216,7 +217,7 @@ TEST_F(Rare, LimitsOfTheUsersOwnAreEstimated) {
     EXPECT_EQ(overturn(folder, {"replay", "subset.h5", "--rare", "block", "--limit", "no", "--trial", "0"}).code, 2);
 }
 
-// Requirement: a campaign whose levels, waves or bodies these estimators are not for is refused at the line concerned,
+// a campaign whose levels, waves or bodies these estimators are not for is refused at the line concerned,
 // with the reason and what to do.
 TEST_F(Rare, RefusesWhatItIsNotFor) {
     auto const pga = refusal(campaign("method='auto'", "measure='pga'\nvalues=['400 gal']"));

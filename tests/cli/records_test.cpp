@@ -1,4 +1,5 @@
-// Requirement: records mean what they say: a baseline that drifts is corrected, or its PGV and PGD are no levels.
+// Requirement: records mean what they say: a baseline that drifts is corrected, or its PGV and PGD are no
+// levels.
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -41,6 +42,7 @@ class RecordsOnTheLine : public ::testing::Test {
     Folder folder;
 };
 
+//
 TEST_F(RecordsOnTheLine, DriftingPgvIsNoLevel) {
     std::string const files = "files=['rests.csv','drifts.csv']\n";
     folder.write("c.toml", campaign(files, "pgv", "'50 kine'"));
@@ -61,7 +63,7 @@ TEST_F(RecordsOnTheLine, DriftingPgvIsNoLevel) {
     EXPECT_EQ(plan.out.find("warning"), std::string::npos) << plan.out;
 }
 
-// A record that ends at rest and far away: no level by pgd without a word.
+// A record that ends at rest and far away: no level by pgd without a word.
 TEST_F(RecordsOnTheLine, PgdOfAFlingIsSaid) {
     std::string text = "time_s,acc (gal)\n";
     for (int i = 0; i <= 2000; ++i) {
@@ -92,7 +94,7 @@ TEST_F(RecordsOnTheLine, DriftIsSaidWhereLevelsDoNotNeedIt) {
     EXPECT_EQ(overturn(folder, {"spectrum", "--wave", "rests.csv"}).out.find("drifts"), std::string::npos);
 }
 
-// Requirement: what was read is said, so that a reader can be checked: format, components, unit, step, count, duration.
+// what was read is said, so that a reader can be checked: format, components, unit, step, count, duration.
 TEST_F(RecordsOnTheLine, WhatWasReadIsSaid) {
     char const* const line = "columns, acc (gal), gal, 0.01 s, 4001 samples, 40 s\n";
     EXPECT_TRUE(overturn(folder, {"spectrum", "--wave", "rests.csv"}).out.starts_with(std::string("read as ") + line));
@@ -108,7 +110,7 @@ TEST_F(RecordsOnTheLine, WhatWasReadIsSaid) {
     EXPECT_NEAR(record["duration_s"].get<double>(), 40, 1e-9);
 }
 
-// Requirement: the program reads what it wrote, without a word on units.
+// the program reads what it wrote, without a word on units.
 TEST_F(RecordsOnTheLine, WaveOfACampaignIsReadBack) {
     folder.write("c.toml", campaign("files=['rests.csv']\n", "pga", "'300 gal'"));
     ASSERT_EQ(overturn(folder, {"wave", "c.toml", "--wave", "0", "-o", "w.csv"}).code, 0);
@@ -119,7 +121,7 @@ TEST_F(RecordsOnTheLine, WaveOfACampaignIsReadBack) {
     EXPECT_EQ(read("w.csv")["record"]["unit"], "m/s2");
 }
 
-// Requirement: a target that ends where a body rocks, and a wave that nobody has felt, are said before any work.
+// a target that ends where a body rocks, and a wave that nobody has felt, are said before any work.
 TEST_F(RecordsOnTheLine, TargetsThatSayTooLittleOrTooMuch) {
     auto const campaign_of = [](std::string const& target) {
         return "seed=1\n[waves]\nsource='spectrum-compatible'\ncount=1\nduration='40.96 s'\ntime_step='0.02 s'\n"

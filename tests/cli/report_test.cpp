@@ -1,4 +1,4 @@
-// Requirement: a results file becomes one page that needs no network, with figures and tables as files if wanted.
+// Requirement R-905: a results file becomes one page that needs no network, with figures and tables as files if wanted.
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -68,7 +68,7 @@ TEST_F(Report, IsTheSameForTheSameFileButForItsCost) {
     EXPECT_EQ(folder->read("a.html"), folder->read("b.html"));
 }
 
-// Requirement: what was not wanted is missing from every answer, and breaks none.
+// what was not wanted is missing from every answer, and breaks none.
 TEST_F(Report, DoesWithoutWhatWasNotMeasured) {
     auto const ran = overturn(*folder, {"run", "c.toml", "-o", "bare.h5", "--set", "measures.energy=false", "--set",
                                         "measures.wave_quality=false"});
@@ -139,7 +139,7 @@ TEST_F(Report, DrawsAnyName) {
     EXPECT_NE(page.find("90 %"), std::string::npos);
 }
 
-// Requirement: trials worth a look are told with their numbers by fit and on the page, and replay finds them by these.
+// trials worth a look are told with their numbers by fit and on the page, and replay finds them by these.
 TEST_F(Report, TellsTrialsWorthALook) {
     auto const text = overturn(*folder, {"fit", "c.h5"}).out;
     EXPECT_NE(text.find("trials worth a look (overturn replay c.h5 --trial N)"), std::string::npos) << text;

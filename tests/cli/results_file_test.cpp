@@ -1,4 +1,4 @@
-// Requirement: an independent reader finds what the contract of the results file promises.
+// Requirement R-1003: an independent reader finds what the contract of the results file promises.
 #include "cli/campaign_files.hpp"
 #include "support/command.hpp"
 

@@ -1,5 +1,5 @@
-// Requirement: a run that was stopped or killed at any time is resumed, on any number of ranks, to the very bytes of an
-// unbroken one.
+// Requirement R-1101, R-1103: a run that was stopped or killed at any time is resumed, on any number of ranks, to the
+// very bytes of an unbroken one.
 #include "cli/campaign_files.hpp"
 #include "support/command.hpp"
 
@@ -36,7 +36,7 @@ class Resume : public ::testing::Test {
     Folder folder;
 };
 
-// Requirement: --max-walltime stops in time with exit code 3.
+// R-1102: --max-walltime stops in time with exit code 3.
 TEST_F(Resume, AfterTheWalltimeIsUp) {
     auto const ended = overturn(folder, {"run", "c.toml", "--max-walltime", "0.05 s"});
 
@@ -44,7 +44,7 @@ TEST_F(Resume, AfterTheWalltimeIsUp) {
     expect_as_unbroken();
 }
 
-// Requirement: SIGUSR1 and SIGTERM finish the current block, commit and exit 3.
+// R-1102: SIGUSR1 and SIGTERM finish the current block, commit and exit 3.
 TEST_F(Resume, AfterASignalToMpirun) {
     Running running(folder, mpirun(2, {"run", "c.toml"}));
     ASSERT_TRUE(comes_true([&] { return blocks_done(folder, "c.h5") > 5; }));
@@ -61,7 +61,7 @@ TEST_F(Resume, AfterASignalToMpirun) {
     expect_as_unbroken();
 }
 
-// Requirement: a kill loses no byte of trials on points and in space either.
+// R-1101: a kill loses no byte of trials on points and in space either.
 TEST_F(Resume, AfterAKillOnPoints) {
     folder.write("c.toml", campaign_on_points(24));
     {
@@ -74,7 +74,7 @@ TEST_F(Resume, AfterAKillOnPoints) {
     expect_as_unbroken();
 }
 
-// Requirement: SIGKILL loses only blocks under way.
+// R-1101: SIGKILL loses only blocks under way.
 TEST_F(Resume, AfterAKill) {
     {
         Running running(folder, {OVERTURN_PROGRAM, "run", "c.toml"});
@@ -95,7 +95,7 @@ TEST_F(Resume, AfterAKill) {
     expect_as_unbroken();
 }
 
-// Requirement: --resume refuses a changed campaign and names the key; without --resume nothing is overwritten.
+// R-1103: --resume refuses a changed campaign and names the key; without --resume nothing is overwritten.
 TEST_F(Resume, RefusesAnotherCampaign) {
     ASSERT_EQ(overturn(folder, {"run", "c.toml", "--max-walltime", "0.05 s"}).code, 3);
 

@@ -1,5 +1,5 @@
-// Requirement: two runs of one campaign give byte-identical files, on any number of ranks; a row can be rerun from the
-// file alone.
+// Requirement R-1001: two runs of one campaign give byte-identical files, on any number of ranks; a row can be rerun
+// from the file alone.
 #include "cli/campaign_files.hpp"
 #include "cli/python.hpp"
 #include "support/command.hpp"
@@ -27,7 +27,7 @@ void expect_same(std::string const& a, std::string const& b, char const* what) {
     EXPECT_TRUE(a == b) << what << " differs";
 }
 
-// Requirement: nothing in the file depends on ranks.
+// R-1001: nothing in the file depends on ranks.
 TEST_F(Run, RanksDoNotMatter) {
     for (std::string const waves : {"shared", "independent"}) {
         folder.write("c.toml", small_campaign(waves, 6));
@@ -41,7 +41,7 @@ TEST_F(Run, RanksDoNotMatter) {
     EXPECT_TRUE(folder.has("shared3.runtime.json"));
 }
 
-// Requirement: that holds on compliant points, in the plane and in space; every model answers some trial.
+// R-1001: that holds on compliant points, in the plane and in space; every model answers some trial.
 TEST_F(Run, RanksDoNotMatterOnPoints) {
     folder.write("c.toml", campaign_on_points(4));
     auto const alone = bytes({OVERTURN_PROGRAM, "run", "c.toml", "-o", "0.h5"}, "0.h5");
@@ -61,7 +61,7 @@ TEST_F(Run, RanksDoNotMatterOnPoints) {
     }
 }
 
-// Requirement: nor on there being far more ranks than cores, or than blocks.
+// R-1303: nor on there being far more ranks than cores, or than blocks.
 TEST_F(Run, SixteenRanksDoNotMatter) {
     folder.write("c.toml", small_campaign("shared", 20));
     auto const alone = bytes({OVERTURN_PROGRAM, "run", "c.toml", "-o", "alone.h5"}, "alone.h5");
@@ -69,6 +69,7 @@ TEST_F(Run, SixteenRanksDoNotMatter) {
     expect_same(alone, many, "the file of 16 ranks");
 }
 
+//
 TEST_F(Run, TheSeedMatters) {
     folder.write("c.toml", small_campaign("shared", 2));
     auto const one = bytes({OVERTURN_PROGRAM, "run", "c.toml"}, "c.h5");
@@ -79,7 +80,7 @@ TEST_F(Run, TheSeedMatters) {
     EXPECT_FALSE(one == other);
 }
 
-// Requirement: replay needs the results file only and is bit-equal.
+// R-1005: replay needs the results file only and is bit-equal.
 TEST_F(Run, ReplayFromTheFileAlone) {
     for (std::string const waves : {"shared", "independent"}) {
         folder.write("target.csv", target_csv);
@@ -102,8 +103,8 @@ TEST_F(Run, ReplayFromTheFileAlone) {
     EXPECT_TRUE(folder.read("h.csv").starts_with("time_s,rotation_rad,"));
 }
 
-// Requirement: components of a station are used when asked for, named by the run, carried in the file and replayed from
-// it alone.
+// R-107, R-1005: components of a station are used when asked for, named by the run, carried in the file and replayed
+// from it alone.
 TEST_F(Run, SaysWhichFilesOfAStationItUsed) {
     auto const at2 = [](std::string const& component, std::string const& peak) {
         std::string text = "PEER\nSomewhere, 1/16/1995, A-B, " + component
@@ -133,7 +134,7 @@ TEST_F(Run, SaysWhichFilesOfAStationItUsed) {
     EXPECT_NE(replayed.out.find("bit-equal"), std::string::npos) << replayed.out;
 }
 
-// Requirement: a row that is not what the program computes is told, with exit code 1.
+// R-1005: a row that is not what the program computes is told, with exit code 1.
 TEST_F(Run, ATamperedRowIsFound) {
     if (!has_python(folder, "h5py")) {
         GTEST_SKIP() << "no h5py to tamper with (install python3-h5py)";

@@ -1,5 +1,5 @@
-// Requirement: whoever reads a finished file holds it against what was written: no flipped bit and no edit passes, what
-// changed is named, and --unverified reads it all the same.
+// Requirement R-1004: whoever reads a finished file holds it against what was written: no flipped bit and no edit
+// passes, what changed is named, and --unverified reads it all the same.
 #include <random>
 
 #include "cli/campaign_files.hpp"

@@ -1,4 +1,5 @@
-// Requirement: spectra of all of a campaign's waves stand in one picture, V_E in kine, beside what they were drawn for.
+// Requirement R-903: spectra of all of a campaign's waves stand in one picture, V_E in kine, beside what they were
+// drawn for.
 #include <cmath>
 #include <string>
 
@@ -39,7 +40,7 @@ class Spectra : public ::testing::Test {
     Folder folder;
 };
 
-// Closed form: a blow gives an undamped oscillator of long period its change of velocity, V_E = dV.
+// Closed form: a blow gives an undamped oscillator of long period its change of velocity, V_E = dV.
 TEST_F(Spectra, BlowGivesItsVelocity) {
     write_blows();
     auto const told = spectra("c.toml", {"--damping", "0"});
@@ -73,7 +74,7 @@ TEST_F(Spectra, VelocitiesInKine) {
     EXPECT_NE(one.out.find("PGV 4 kine"), std::string::npos) << one.out;
 }
 
-// Waves whose targets vary: both bands are there, sigma apart, and the waves follow their own targets.
+// Waves whose targets vary: both bands are there, sigma apart, and the waves follow their own targets.
 TEST_F(Spectra, TargetsThatVary) {
     folder.write("v.toml",
                  "seed=3\n[waves]\nsource='spectrum-compatible'\ncount=60\nduration='40.96 s'\ntime_step='0.02 s'\n"
@@ -104,7 +105,7 @@ TEST_F(Spectra, TargetsThatVary) {
     EXPECT_NEAR(spread / static_cast<double>(compared), 0.6, 0.18);  // three standard errors of 60 targets
 }
 
-// Curves over Sa, and levels by it, have their place in a report, named by their period.
+// Curves over Sa, and levels by it, have their place in a report, named by their period.
 TEST_F(Spectra, ReportOfSa) {
     write_blows();
     auto const run = overturn(folder, {"run", "c.toml", "-o", "sa.h5", "--set", "levels.measure=\"sa\"", "--set",
@@ -117,7 +118,7 @@ TEST_F(Spectra, ReportOfSa) {
     EXPECT_EQ(told["fragility"][0]["label"], "sa(2 s)");
 }
 
-// The report shows the same picture of a campaign's waves.
+// The report shows the same picture of a campaign's waves.
 TEST_F(Spectra, FigureAndReport) {
     write_blows();
     auto const drawn = overturn(folder, {"spectra", "c.toml", "--plot", "s.svg", "--velocities", "kine"});

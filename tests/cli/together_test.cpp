@@ -1,5 +1,5 @@
-// Requirement: fit tells of several bodies under one wave how likely any falls and whether they fall together, and fits
-// a curve over two measures where it is asked to.
+// Requirement R-701: fit tells of several bodies under one wave how likely any falls and whether they fall together,
+// and fits a curve over two measures where it is asked to.
 #include <algorithm>
 #include <cmath>
 
@@ -50,6 +50,7 @@ TEST_F(Together, AnyOfTheBodies) {
     EXPECT_NE(text.find("phi pooled over levels: type-a/type-b "), std::string::npos) << text;
 }
 
+//
 TEST_F(Together, CurveOverTwoMeasures) {
     auto const plain = json::parse(overturn(folder, {"fit", "c.h5", "--json"}).out);
     EXPECT_FALSE(plain.contains("two_measures"));
@@ -67,7 +68,7 @@ TEST_F(Together, CurveOverTwoMeasures) {
     EXPECT_NE(text.find(" alone, the better one"), std::string::npos) << text;
 }
 
-/// The cross-check by hand finds type A the harder to overturn, and says what it is.
+// The cross-check by hand finds type A the harder to overturn, and says what it is.
 TEST_F(Together, IsCheckedByHand) {
     auto const fit = json::parse(overturn(folder, {"fit", "c.h5", "--json"}).out);
     auto const& hand = fit["hand_check"];

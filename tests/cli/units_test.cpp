@@ -1,5 +1,5 @@
-// Requirement: people read levels, curves, quotes and notes in the unit that they wrote; files and JSON are SI whatever
-// was written.
+// Requirement R-901: people read levels, curves, quotes and notes in the unit that they wrote; files and JSON are SI
+// whatever was written.
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -82,7 +82,7 @@ TEST_F(Units, MeasuresOfTheSameDimensionFollow) {
     EXPECT_NE(table.find("pga m/s2"), std::string::npos) << table;
 }
 
-// JSON and the file do not know how the levels were written.
+// JSON and the file do not know how the levels were written.
 TEST_F(Units, JsonStaysSi) {
     auto in_gal = fit("measure='pga'\nvalues=['300 gal','600 gal','800 gal','1200 gal','1500 gal']\n").second;
     auto const [table, in_si] = fit("measure='pga'\nvalues=[3, 6, 8, 12, 15]\n");

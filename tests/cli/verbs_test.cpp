@@ -1,4 +1,4 @@
-// Requirement: what the verbs print keeps its keys and columns; scripts depend on them.
+// Requirement R-903: what the verbs print keeps its keys and columns; scripts depend on them.
 #include <cmath>
 #include <sstream>
 
@@ -122,6 +122,7 @@ TEST_F(Verbs, WaveIsReadableByTheOtherVerbs) {
     EXPECT_EQ(rock["effects"], json::array({"vertical"}));
 }
 
+//
 TEST_F(Verbs, PlanCountsAndEstimates) {
     auto const ended = done({"plan", "c.toml", "--set", "waves.count=40"});
 
@@ -132,6 +133,7 @@ TEST_F(Verbs, PlanCountsAndEstimates) {
     }
 }
 
+//
 TEST_F(Verbs, ListNamesEverythingThatCanBeAskedFor) {
     auto const ended = done({"list"});
     for (auto const* name : {"spectrum-compatible", "harmonic", "pulse", "records", "mlit-ch1", "vertical", "pgv",
@@ -140,6 +142,7 @@ TEST_F(Verbs, ListNamesEverythingThatCanBeAskedFor) {
     }
 }
 
+//
 TEST_F(Verbs, FitRecountsAndStatusKnowsTheEnd) {
     auto const run = done({"run", "c.toml"});
     auto const fit = json::parse(done({"fit", "c.h5", "--json"}).out);

@@ -1,5 +1,5 @@
-// Requirement: verify recomputes any rows of a file, on any ranks, and says which differ; a difference is never blamed
-// on another version that is the very one running.
+// Requirement R-1005: verify recomputes any rows of a file, on any ranks, and says which differ; a difference is never
+// blamed on another version that is the very one running.
 #include "cli/campaign_files.hpp"
 #include "cli/python.hpp"
 #include "support/command.hpp"

@@ -1,5 +1,5 @@
-// Requirement: what was accepted in silence though it was hardly meant is an error or a line that begins "warning", in
-// plan and run (and where one record or body is all there is, in rock and spectrum).
+// Requirement R-904: what was accepted in silence though it was hardly meant is an error or a line that begins
+// "warning", in plan and run (and where one record or body is all there is, in rock and spectrum).
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
@@ -150,7 +150,7 @@ TEST_F(Warnings, DampingOfFiveIsFiveHundredPercent) {
     EXPECT_EQ(overturn(folder, {"spectrum", "--wave", "r.csv", "--damping", "0.3"}).code, 0);
 }
 
-// Requirement: levels are printed in the unit that they were written in, and JSON has both.
+// levels are printed in the unit that they were written in, and JSON has both.
 TEST_F(Warnings, LevelsAreEchoedInTheUsersUnit) {
     folder.write("c.toml", records_campaign("pgv", "'20 kine', '50 kine'"));
     EXPECT_NE(overturn(folder, {"plan", "c.toml"}).out.find("level     pgv 50 kine\n"), std::string::npos);
@@ -164,7 +164,7 @@ TEST_F(Warnings, LevelsAreEchoedInTheUsersUnit) {
     EXPECT_NE(overturn(folder, {"replay", "c.h5", "--trial", "1"}).out.find("pgv 50 kine"), std::string::npos);
 }
 
-// Requirement: an error names what else is wrong on the way: unknown keys beside the missing one, the choices there
+// an error names what else is wrong on the way: unknown keys beside the missing one, the choices there
 // are.
 TEST_F(Warnings, ErrorsNameWhatElseIsWrong) {
     auto const refuse = [&](std::string const& campaign, std::vector<std::string> const& parts) {
@@ -188,6 +188,7 @@ TEST_F(Warnings, ErrorsNameWhatElseIsWrong) {
            {"key 'bodies[1].mass'", "leave it no meaning"});
 }
 
+//
 TEST_F(Warnings, UnfinishedRunsAndResultsFilesAreNamed) {
     folder.write("target.csv", target_csv);
     folder.write("c.toml", small_campaign());
@@ -198,6 +199,7 @@ TEST_F(Warnings, UnfinishedRunsAndResultsFilesAreNamed) {
     expect_refused({"run", "c.h5"}, {"c.h5: a results file", "Name the campaign"});
 }
 
+// R-1102.
 TEST_F(Warnings, WalltimeAsSlurmSpellsIt) {
     folder.write("c.toml", records_campaign());
     for (char const* time : {"01:00:00", "1-00:00:00", "2-12", "1-12:30", "10:00", "1h", "90min", "50 min", "3600"}) {
@@ -209,7 +211,7 @@ TEST_F(Warnings, WalltimeAsSlurmSpellsIt) {
     }
 }
 
-// Requirement: where output and notes go into one file, lines keep their order.
+// where output and notes go into one file, lines keep their order.
 TEST_F(Warnings, NotesComeBehindWhatWasPrintedBefore) {
     folder.write("c.toml", records_campaign());
     auto const ended =

@@ -1,5 +1,5 @@
-// Requirement: of records that may not be passed on a results file holds names and hashes alone; who has the file can
-// read and fit it, who has the records too can compute it again, and no other record is taken for one of them.
+// Requirement R-1005: of records that may not be passed on a results file holds names and hashes alone; who has the
+// file can read and fit it, who has the records too can compute it again, and no other record is taken for one of them.
 #include <cmath>
 #include <filesystem>
 

@@ -1,5 +1,5 @@
-// Requirement: any value of a campaign may say where it comes from, without its reader knowing; what is wrongly said is
-// refused with file, line and column.
+// Requirement R-906: any value of a campaign may say where it comes from, without its reader knowing; what is wrongly
+// said is refused with file, line and column.
 #include <algorithm>
 #include <string>
 

@@ -1,4 +1,4 @@
-// Requirement: a campaign file is read whole: every key is used or refused with file, line and column.
+// Requirement R-901: a campaign file is read whole: every key is used or refused with file, line and column.
 #include "config/table.hpp"
 
 #include "support/expect_input_error.hpp"

@@ -1,4 +1,4 @@
-// Requirement: contact keeps the contract of models: it holds what it says, fills outcomes and own fields, and is
+// Requirement R-504: contact keeps the contract of models: it holds what it says, fills outcomes and own fields, and is
 // called for where a cheaper model cannot be trusted.
 #include "contact/contact_model.hpp"
 
@@ -56,6 +56,7 @@ TEST(ContactModel, ShowsTheChannelsThatItNames) {
     EXPECT_EQ(seen.width, contact_traits().channels.size());
 }
 
+// R-1002.
 TEST(ContactModel, RunsABatchAsItsTrialsAlone) {
     auto const wave = testing::sine(1, 1, 1, 2, 0.01);
     auto const body = body_a();
@@ -90,6 +91,7 @@ TEST(ContactModel, RunsABatchAsItsTrialsAlone) {
     }
 }
 
+//
 TEST(ContactModel, MatchesEveryBody) {
     auto const wave = testing::sine(8, 1, 1, 2, 0.01);
     RigidBody const body({.mass_kg = 12.6e3,

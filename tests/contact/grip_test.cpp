@@ -1,4 +1,4 @@
-// Requirement: points grip the ground by Coulomb friction without creep, and hard cases of contact stay sound.
+// Requirement R-601: points grip the ground by Coulomb friction without creep, and hard cases of contact stay sound.
 #include <algorithm>
 #include <cmath>
 
@@ -135,7 +135,7 @@ TEST(ContactHardCases, AWeakPadIsCrushed) {
     EXPECT_GT(elastic.own.peak_contact_force_ratio, strength_ratio * (1 + normal_damping(0.25)));
 }
 
-// A block at rest that nothing shakes enough is never stepped.
+// A block at rest that nothing shakes enough is never stepped.
 TEST(ContactHardCases, RestCostsNothing) {
     auto const block = on_corners(body_a(), 0.8);
     auto const out = shaken(block, testing::sine(3.5, 1, 20, 0), 1e-3);

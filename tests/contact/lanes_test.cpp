@@ -1,5 +1,5 @@
-// Requirement: trials of contact run side by side in vector lanes give, bit for bit, what each gives alone, whatever
-// stands in the other lanes and whatever instructions the machine offers; down to plain doubles with std::fma.
+// Requirement R-1002: trials of contact run side by side in vector lanes give, bit for bit, what each gives alone,
+// whatever stands in the other lanes and whatever instructions the machine offers; down to plain doubles with std::fma.
 #include <array>
 #include <cmath>
 #include <vector>
@@ -128,7 +128,7 @@ TEST(ContactLanes, AnObserverChangesNothing) {
     }
 }
 
-// On corners, mirrored shaking gives the mirrored motion to the last bit.
+// On corners, mirrored shaking gives the mirrored motion to the last bit.
 TEST(ContactLanes, MirroredTrialsMirrorEachOther) {
     auto const block = testing::on_corners(body_a(), 0.67);
     auto const wave = testing::sine(1, 1, 1, 1, 0.01);

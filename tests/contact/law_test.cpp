@@ -1,5 +1,5 @@
-// Requirement: a point of the base presses as the stated law says: it settles, vibrates and rebounds as the closed
-// forms do, and a base or a pad that makes no sense is refused.
+// Requirement R-601: a point of the base presses as the stated law says: it settles, vibrates and rebounds as the
+// closed forms do, and a base or a pad that makes no sense is refused.
 #include <cmath>
 #include <limits>
 
@@ -84,6 +84,7 @@ TEST(ContactLaw, DampingFollowsFromRestitution) {
     EXPECT_EQ(normal_damping(1), 0);
 }
 
+//
 TEST(ContactLaw, LayoutsShareTheStiffness) {
     for (auto const& base : {BasePlan{}, testing::flat_bed(), testing::flat_bed(31), testing::bed(0.3)}) {
         auto const block = contact_block(body_a(), base, {}, {});
@@ -105,6 +106,7 @@ void expect_refused(BasePlan const& base, Pad const& pad, std::string const& par
     testing::expect_input_error([&] { static_cast<void>(contact_block(body_a(), base, pad, {})); }, part);
 }
 
+//
 TEST(ContactLaw, WhatBearsNothingIsRefused) {
     expect_refused({}, {.strength_pa = 0}, "strength");
     expect_refused(testing::bed(1, 1), {}, "1 points");

@@ -1,4 +1,4 @@
-// Requirement: a compliant base rocks with the restitution that its body states, or says that it cannot.
+// Requirement R-603: a compliant base rocks with the restitution that its body states, or says that it cannot.
 #include "contact/matching.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// Requirement: under pulses a body on a compliant base has the peaks, slips and verdicts of references made with steps
-// fifty times finer, and nears the rigid body's thresholds.
+// Requirement R-602: under pulses a body on a compliant base has the peaks, slips and verdicts of references made with
+// steps fifty times finer, and nears the rigid body's thresholds.
 #include <cmath>
 
 #include <gtest/gtest.h>

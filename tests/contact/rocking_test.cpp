@@ -1,5 +1,5 @@
-// Requirement: a body on a compliant base tips, rocks and loses energy as the rigid one does in the limit of stiff
-// corners, and departs from it by what compliance makes of it.
+// Requirement R-602: a body on a compliant base tips, rocks and loses energy as the rigid one does in the limit of
+// stiff corners, and departs from it by what compliance makes of it.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -108,6 +108,7 @@ TEST(ContactRocking, QuarterPeriodNearsTheRigidOne) {
     }
 }
 
+//
 TEST(ContactRocking, RestitutionEmergesFromTheBase) {
     EXPECT_NEAR(emergent_restitution(body_a(), {}, {}), 0.5964, 0.003);
     EXPECT_NEAR(emergent_restitution(body_b(), {}, {}), 0.7701, 0.003);

@@ -1,4 +1,4 @@
-// Requirement: every file a campaign reads is remembered whole, and a missing one is named.
+// Requirement R-1005: every file a campaign reads is remembered whole, and a missing one is named.
 #include "core/input_files.hpp"
 
 #include <fstream>

@@ -1,4 +1,4 @@
-// Requirement: sampling by slices visits every slice once, in an order that the seed alone decides.
+// Requirement R-304: sampling by slices visits every slice once, in an order that the seed alone decides.
 #include "core/keyed_permutation.hpp"
 
 #include <algorithm>

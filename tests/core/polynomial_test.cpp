@@ -1,4 +1,4 @@
-// Requirement: no root of a step's polynomial is missed or found twice, however close they lie.
+// Requirement R-405: no root of a step's polynomial is missed or found twice, however close they lie.
 #include "core/polynomial.hpp"
 
 #include <gtest/gtest.h>

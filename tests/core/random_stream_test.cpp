@@ -1,4 +1,4 @@
-// Requirement: randomness is a function of (seed, wave, purpose, index) alone and equals the published generator.
+// Requirement R-101: randomness is a function of (seed, wave, purpose, index) alone and equals the published generator.
 #include "core/random_stream.hpp"
 
 #include <cmath>

@@ -1,4 +1,5 @@
-// Requirement: every input quantity accepts a unit of its own dimension, a bare number is SI, anything else is refused.
+// Requirement R-901: every input quantity accepts a unit of its own dimension, a bare number is SI, anything else is
+// refused.
 #include "core/units.hpp"
 
 #include "support/expect_input_error.hpp"

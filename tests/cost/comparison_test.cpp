@@ -1,4 +1,4 @@
-// Requirement: flips, peak errors, distributions and the balance of errors are counted as stated.
+// Requirement R-904: flips, peak errors, distributions and the balance of errors are counted as stated.
 #include "cost/comparison.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Requirement: every setting is what a user could write, and the campaign's own position is among them.
+// Requirement R-904: every setting is what a user could write, and the campaign's own position is among them.
 #include "cost/knob.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Requirement: the front holds exactly the settings that no other one beats in time and error; what differs by no more
-// than the noise of a measurement decides nothing.
+// Requirement R-904: the front holds exactly the settings that no other one beats in time and error; what differs by no
+// more than the noise of a measurement decides nothing.
 #include "cost/pareto.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Requirement: what an assumed number does to a probability is told under the same waves, with what chance makes of
-// nothing beside it; a number without influence is seen to have none.
+// Requirement R-906: what an assumed number does to a probability is told under the same waves, with what chance makes
+// of nothing beside it; a number without influence is seen to have none.
 #include "cost/sensitivity.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Requirement: a study tells a coarse setting from a fine one on real waves, repeats in all but times, and is read back
-// from its file as it was.
+// Requirement R-904: a study tells a coarse setting from a fine one on real waves, repeats in all but times, and is
+// read back from its file as it was.
 #include "cost/study.hpp"
 
 #include <cmath>
@@ -23,7 +23,8 @@ using testing::input_from;
 std::string const text =
     testing::quick_waves + testing::type_a + testing::type_b + testing::levels("values=[5,6,7,8,9,10]\n");
 
-/// Without step control a step is a wave sample for every order, and truncation falls with the order: Taylor's theorem.
+// Without step control a step is a wave sample for every order, and truncation falls with the order: Taylor's
+// theorem.
 TEST(Bench, HigherOrderErrsLess) {
     auto const input = input_from(text);
     auto const spec = parse_campaign(input);
@@ -87,6 +88,7 @@ class StudyOfThree : public ::testing::Test {
     }
 };
 
+//
 TEST_F(StudyOfThree, EveryKnobHasAFrontAndErrorsShrink) {
     EXPECT_EQ(study().waves, 3);
     EXPECT_EQ(study().trials, 36);

@@ -1,5 +1,5 @@
-// Requirement: named acceptance rules are judged clause by clause with their figures, and the matcher reaches them for
-// the targets of both countries, to 10 s.
+// Requirement R-106: named acceptance rules are judged clause by clause with their figures, and the matcher reaches
+// them for the targets of both countries, to 10 s.
 #include "generators/acceptance.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Requirement: ensemble waves meet their target in the median within 5 %, and keep the scatter that noise has.
+// Requirement R-103: ensemble waves meet their target in the median within 5 %, and keep the scatter that noise has.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// Requirement: envelopes have their published shapes, and finished waves still have their envelope.
+// Requirement R-105: envelopes have their published shapes, and finished waves still have their envelope.
 #include "generators/envelope.hpp"
 
 #include <cmath>

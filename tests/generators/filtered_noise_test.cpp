@@ -1,4 +1,4 @@
-// Requirement: filtered noise has the density of its published filter, the variance that is its integral, and its
+// Requirement R-105: filtered noise has the density of its published filter, the variance that is its integral, and its
 // envelope.
 #include "generators/filtered_noise.hpp"
 
@@ -161,7 +161,8 @@ TEST(FilteredNoise, HasThreeComponents) {
                                 "correlation");
 }
 
-/// However coarse the time step, the noise that it can hold has the rms that was asked for, and what it cuts is said.
+// However coarse the time step, the noise that it can hold has the rms that was asked for, and what it cuts is
+// said.
 TEST(FilteredNoise, HasItsRmsAtAnyTimeStep) {
     for (char const* step : {"0.005 s", "0.02 s", "0.05 s"}) {
         auto const source = testing::source_of(

@@ -1,4 +1,4 @@
-// Requirement: a sweep of sinusoids is one source, one wave for each frequency.
+// Requirement R-105: a sweep of sinusoids is one source, one wave for each frequency.
 #include "generators/harmonic.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Requirement: a step on the lines moves the peaks of responses where it was asked to.
+// Requirement R-102: a step on the lines moves the peaks of responses where it was asked to.
 #include "generators/detail/line_gains.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Requirement: the figures of a match are those of their definitions.
+// Requirement: the figures of a match are those of their definitions.
 #include "generators/match_figures.hpp"
 
 #include <cmath>

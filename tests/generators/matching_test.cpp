@@ -1,4 +1,4 @@
-// Requirement: matched waves follow every named target to 5 % on the mean, its long-period end included.
+// Requirement R-102: matched waves follow every named target to 5 % on the mean, its long-period end included.
 #include <algorithm>
 #include <cmath>
 
@@ -44,7 +44,7 @@ INSTANTIATE_TEST_SUITE_P(Published, NamedTargets,
                              return name;
                          });
 
-// Independent of the matcher: the energy spectrum of the finished wave, at periods of its own.
+// Independent of the matcher: the energy spectrum of the finished wave, at periods of its own.
 TEST(Matching, EnergyTargetsAreMetByTheInputEnergy) {
     auto const source = testing::source_of(
         "source='spectrum-compatible'\nduration='120 s'\n[target]\nkind='energy-velocity'\ndamping=0.1\n"
@@ -99,7 +99,7 @@ TEST(Matching, TheBestIterateIsKept) {
     }
 }
 
-// Drawn, not matched, waves have the target as their mean spectrum.
+// Drawn, not matched, waves have the target as their mean spectrum.
 TEST(Matching, UnmatchedWavesScatterAroundTheTarget) {
     auto const source = testing::source_of(
         "source='spectrum-compatible'\nduration='120 s'\nmatch='none'\namplitudes='gaussian'\n"

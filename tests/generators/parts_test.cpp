@@ -1,4 +1,4 @@
-// Requirement: the steps of wave making do each what they say.
+// Requirement: the steps of wave making do each what they say.
 #include <algorithm>
 #include <cmath>
 #include <vector>

@@ -1,5 +1,5 @@
-// Requirement: the quick search for peaks finds those of the exact spectrum, in any wave and at any damping up to five
-// times the critical one.
+// Requirement R-102: the quick search for peaks finds those of the exact spectrum, in any wave and at any damping up to
+// five times the critical one.
 #include "generators/detail/peak_response.hpp"
 
 #include <cmath>

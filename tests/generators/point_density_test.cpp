@@ -1,5 +1,5 @@
-// Requirement: noise of a stated power spectral density has that density, the stated rms, and nothing where none is
-// stated.
+// Requirement R-105: noise of a stated power spectral density has that density, the stated rms, and nothing where none
+// is stated.
 #include "generators/detail/point_density.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Requirement: pulses have exactly the peaks, areas and lengths their formulas name.
+// Requirement R-105: pulses have exactly the peaks, areas and lengths their formulas name.
 #include "generators/pulse.hpp"
 
 #include <algorithm>

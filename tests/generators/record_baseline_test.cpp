@@ -1,5 +1,5 @@
-// Requirement: the baseline of a record is corrected as it is stated (mean, polynomial, high-pass with corner, order
-// and phase), so that its PGV and PGD are the ground's; without a word nothing is touched.
+// Requirement R-108: the baseline of a record is corrected as it is stated (mean, polynomial, high-pass with corner,
+// order and phase), so that its PGV and PGD are the ground's; without a word nothing is touched.
 #include "generators/record_baseline.hpp"
 
 #include <cmath>
@@ -116,7 +116,7 @@ TEST(RecordBaseline, CausalKeepsTheQuietBeforeTheOnset) {
     EXPECT_GT(ahead, 0.05);
 }
 
-// Requirement: an offset of some gal no longer makes PGV ten times too large.
+// an offset of some gal no longer makes PGV ten times too large.
 TEST(RecordBaseline, PgvIsTheGroundsAgain) {
     auto const drifting = shaken([](double t) { return 0.044 - 0.0005 * t; });
     EXPECT_GT(drift_of(drifting).pgv_mps, 3 * true_pgv);
@@ -180,7 +180,7 @@ TEST(RecordBaseline, WaveKnowsHowItEnds) {
     EXPECT_LT(std::abs(mean->drift(0)->end_velocity_mps), 0.002);
 }
 
-// Requirement: the drift of the other components is told too.
+// the drift of the other components is told too.
 TEST(Drift, IsLookedForInEveryComponent) {
     auto motion = shaken([](double) { return 0.0; });
     EXPECT_FALSE(drift_of(motion).any_excessive());

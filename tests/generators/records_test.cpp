@@ -1,4 +1,4 @@
-// Requirement: record n is wave n, untouched, and a damaged or missing file is named where the campaign names it.
+// Requirement R-108: record n is wave n, untouched, and a damaged or missing file is named where the campaign names it.
 #include "generators/records.hpp"
 
 #include <cmath>
@@ -46,7 +46,7 @@ TEST(Records, TablesPlaceComponents) {
     EXPECT_TRUE(made.motion.transverse_mps2.empty());
 }
 
-// Requirement: a record may be scaled, all components alike, and the run says so.
+// a record may be scaled, all components alike, and the run says so.
 TEST(Records, ScaleIsForAllComponents) {
     auto const one = source_of(
         "source='records'\n[[records]]\nhorizontal='a.csv'\nvertical='b.csv'\nunit='m/s2'\nscale=1.5\n", files);
@@ -60,7 +60,7 @@ TEST(Records, ScaleIsForAllComponents) {
     EXPECT_EQ(list->make(1, 1).label, "b.csv, times 2");
 }
 
-// Requirement: a record is brought to a model's time: accelerations stay, velocities go with the root of length.
+// a record is brought to a model's time: accelerations stay, velocities go with the root of length.
 TEST(Records, TimeOfAModel) {
     auto const scaled =
         source_of("source='records'\nfiles=['a.csv','slow.csv']\nunit='gal'\ntime_scale=0.632\n", files);
@@ -75,7 +75,7 @@ TEST(Records, TimeOfAModel) {
                        "time_scale");
 }
 
-// Requirement: records lie in a folder of the user's, for all lists and components alike.
+// records lie in a folder of the user's, for all lists and components alike.
 TEST(Records, FolderOfTheUsers) {
     std::map<std::string, std::string> const there{{"mine/a.csv", files.at("a.csv")},
                                                    {"mine/b.csv", files.at("b.csv")}};
@@ -88,7 +88,7 @@ TEST(Records, FolderOfTheUsers) {
                        "file 'a.csv'");
 }
 
-// Requirement: two horizontal components may be turned to their principal axes, and the row says by how much.
+// two horizontal components may be turned to their principal axes, and the row says by how much.
 TEST(Records, AxesMayBeTurned) {
     // Of strength 3 along 30 deg and 1 across, in time with nothing: x = 3 c p - s q, y = 3 s p + c q.
     std::string csv = "time_s,ax_mps2,ay_mps2\n";
@@ -120,6 +120,7 @@ TEST(Records, AxesMayBeTurned) {
         "nothing to turn");
 }
 
+//
 TEST(Records, RefusesWhatItCannotRead) {
     auto const refuse = [](std::string const& keys, char const* where, char const* part) {
         expect_input_error([&] { (void)source_of("source='records'\n" + keys, files); }, where, part);
@@ -144,7 +145,7 @@ std::string at2(std::string const& component, std::string const& value) {
            + "NPTS= 2, DT= .02 SEC\n 0.0 " + value + "\n";
 }
 
-// Requirement: the run says which files it used.
+// the run says which files it used.
 TEST(Records, StationBringsItsOtherComponents) {
     std::map<std::string, std::string> const folder{
         {"r/a-000.AT2", at2("0", ".1")}, {"r/a-090.AT2", at2("90", ".2")}, {"r/a-DWN.AT2", at2("DWN", ".05")}};
@@ -160,6 +161,7 @@ TEST(Records, StationBringsItsOtherComponents) {
               "1 record: r/a-000.AT2, transverse r/a-090.AT2, vertical r/a-DWN.AT2 with its sign turned");
 }
 
+//
 TEST(Records, NamedComponentsMustPointWhereTheyArePut) {
     std::map<std::string, std::string> const folder{
         {"0", at2("0", ".1")}, {"90", at2("90", ".2")}, {"D", at2("DWN", ".05")}};
@@ -176,7 +178,7 @@ TEST(Records, NamedComponentsMustPointWhereTheyArePut) {
     expect_input_error([&] { (void)source("vertical='D'\ncomponents='station'\n"); }, "c.toml:4:", "Keep one");
 }
 
-// Requirement: what was recorded vertically is never the horizontal shaking, whichever key names it.
+// what was recorded vertically is never the horizontal shaking, whichever key names it.
 TEST(Records, VerticalRecordIsNoHorizontalShaking) {
     std::map<std::string, std::string> const folder{{"0", at2("0", ".1")},
                                                     {"U", at2("UP", ".1")},
@@ -195,7 +197,7 @@ TEST(Records, VerticalRecordIsNoHorizontalShaking) {
               "0, vertical U");
 }
 
-// Requirement: another time step than the record's resamples it, and says so.
+// another time step than the record's resamples it, and says so.
 TEST(Records, AreResampledToAStatedStep) {
     auto const finer = source_of("source='records'\nfiles=['a.csv']\nunit='gal'\ntime_step='0.005 s'\n", files);
     auto const coarser =

@@ -1,4 +1,4 @@
-// Requirement: a measured motion can be the seed of a match, and keeps its phases.
+// Requirement R-102: a measured motion can be the seed of a match, and keeps its phases.
 #include <cmath>
 #include <complex>
 
@@ -65,6 +65,7 @@ TEST(Seed, MatchKeepsThePhasesOfTheRecord) {
     EXPECT_LT(std::sqrt(turned / weight), 0.02);  // of 1.8 if they were drawn anew
 }
 
+//
 TEST(Seed, EachRecordIsOneWaveWhateverTheSeed) {
     auto const source = testing::source_of(keys, files());
 

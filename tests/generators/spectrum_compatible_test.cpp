@@ -1,4 +1,4 @@
-// Requirement: a random wave is a function of (seed, number, component) alone.
+// Requirement: a random wave is a function of (seed, number, component) alone.
 #include "generators/spectrum_compatible.hpp"
 
 #include <array>
@@ -131,7 +131,7 @@ TEST(SpectrumCompatible, MatchNoneTakesNoMatchingKeys) {
                        "match_tolerance", "nothing reads it");
 }
 
-// Requirement: the vertical motion is an independent wave compatible with its own target.
+// the vertical motion is an independent wave compatible with its own target.
 TEST(SpectrumCompatible, VerticalMayHaveATargetOfItsOwn) {
     auto const source = source_of(base + target + "[vertical.target]\nspectrum='mlit-ka1'\ndamping=0.05\n");
     auto const made = source->make(1, 4);

@@ -1,4 +1,4 @@
-// Requirement: strong-motion durations, residuals and correlations are those of their definitions.
+// Requirement R-106: strong-motion durations, residuals and correlations are those of their definitions.
 #include "generators/wave_quality.hpp"
 
 #include <cmath>

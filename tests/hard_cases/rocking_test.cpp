@@ -1,4 +1,4 @@
-// Requirement: rocking and sliding hold at the edges: degenerate bodies, waves, steps and instants.
+// Requirement: rocking and sliding hold at the edges: degenerate bodies, waves, steps and instants.
 #include <array>
 #include <limits>
 
@@ -126,6 +126,7 @@ TEST(HardCases, EndlessBouncingEndsAtTheSumOfItsSeries) {
 
 // --- thresholds ------------------------------------------------------------------------------------------------------
 
+//
 TEST(HardCases, OneUlpAroundTheThresholdsOfUpliftAndSlip) {
     RockingBlock unit{.alpha_rad = 0.25, .p_radps = 1.5, .restitution = 0.9, .gravity_mps2 = 1};
     auto const verdict = [&](double a) {
@@ -145,6 +146,7 @@ TEST(HardCases, OneUlpAroundTheThresholdsOfUpliftAndSlip) {
     }
 }
 
+//
 TEST(HardCases, ThresholdTouchedAtOneSampleIsRest) {
     RockingBlock unit{.alpha_rad = 0.25, .p_radps = 1.5, .restitution = 0.9, .gravity_mps2 = 1};
     double const tips = std::tan(unit.alpha_rad);
@@ -170,7 +172,7 @@ TEST(HardCases, ReleaseAtTheCriticalAngleBalances) {
     EXPECT_EQ(release(block, block.alpha_rad * (1 + 1e-12)).verdict, Verdict::overturned);
 }
 
-// From phi = 0 the energy p^2 (1 - cos alpha) just reaches the top.
+// From phi = 0 the energy p^2 (1 - cos alpha) just reaches the top.
 TEST(HardCases, SeparatrixFromBothSides) {
     std::vector<double> const calm(2, 0.0);
     double const limit = block.p_radps * std::sqrt(2 * (1 - std::cos(block.alpha_rad)));
@@ -218,7 +220,8 @@ TEST(HardCases, HundredGAgreesWithFinerSteps) {
     }
 }
 
-// Samples of 0.05 s under 10 to 50 g: forces dip and return inside a sample. Steps of 1 ms see the same first dip.
+// Samples of 0.05 s under 10 to 50 g: forces dip and return inside a sample. Steps of 1 ms see the same first
+// dip.
 TEST(HardCases, NoLossOfContactOrSlipHidesInsideAStep) {
     int lost = 0;
     int slipped = 0;
@@ -268,6 +271,7 @@ TEST(HardCases, SmoothGroundMovesNothingAndOverturnsNothing) {
     EXPECT_EQ(out.friction_demand, 0);
 }
 
+//
 TEST(HardCases, FrictionOfExactlyTheEdgeSlidesFlat) {
     auto const wave = short_wave(1);
     auto body = type_a(type_a_tips);
@@ -285,6 +289,7 @@ TEST(HardCases, FrictionOfExactlyTheEdgeSlidesFlat) {
     EXPECT_LT(above.peak_rotation_rad, 1e-6);
 }
 
+//
 TEST(HardCases, FrictionJustBelowThePainleveBoundBehaves) {
     double const mu = painleve_bound(0.75) * (1 - 1e-12);
     int slipped = 0;
@@ -414,6 +419,7 @@ TEST(HardCases, WeightlessGroundEndsContactWhenItIsReached) {
     }
 }
 
+//
 TEST(HardCases, SlidingBaseLosesContactWithItsEnergyInOrder) {
     // 0.5 g throughout, gv from 1 to -1 in 1 s, mu = 0.3: v/g = -0.5 t + 0.3 (t - t^2), contact ends at 0.5 s.
     std::vector<double> const push(3, 0.5 * g0);
@@ -429,7 +435,7 @@ TEST(HardCases, SlidingBaseLosesContactWithItsEnergyInOrder) {
 
 // --- waves -----------------------------------------------------------------------------------------------------------
 
-// A pulse that is as high at its first and last sample as between them, against Housner's limit of its length.
+// A pulse that is as high at its first and last sample as between them, against Housner's limit of its length.
 TEST(HardCases, WaveThatStartsAndEndsAtItsPeak) {
     for (double const ratio : {1.001, 1.5, 4.0, 40.0}) {
         double const limit = rectangular_pulse_limit(ratio) / block.p_radps;

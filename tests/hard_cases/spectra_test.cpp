@@ -1,4 +1,5 @@
-// Requirement: spectra, windows and intensities hold at the edges: extreme periods, damping, lengths, trivial waves.
+// Requirement: spectra, windows and intensities hold at the edges: extreme periods, damping, lengths,
+// trivial waves.
 #include <array>
 #include <cmath>
 #include <numbers>

@@ -1,6 +1,6 @@
 #!/bin/bash
-# Requirement: the Apptainer definition builds a container that works; where there is no apptainer its steps are checked
-# against this tree instead: the files it copies, the scripts it runs, presets, targets and packages.
+# Requirement R-1202: the Apptainer definition builds a container that works; where there is no apptainer its steps are
+# checked against this tree instead: the files it copies, the scripts it runs, presets, targets and packages.
 # apptainer_test.sh SOURCE_TREE
 set -euo pipefail
 cd "$1"

@@ -1,6 +1,6 @@
 #!/bin/bash
-# Requirement: cmake --install gives a tree that works alone: program, campaigns, batch scripts, man page and completion,
-# without the source or build tree.
+# Requirement R-1202, R-907: cmake --install gives a tree that works alone: program, campaigns, batch scripts, man page
+# and completion, without the source or build tree.
 # install_test.sh BUILD_TREE SOURCE_TREE
 set -euo pipefail
 build=$1 source=$2

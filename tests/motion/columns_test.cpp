@@ -1,4 +1,4 @@
-// Requirement: columns of numbers are read with a stated unit only, and "auto" goes by content and never guesses.
+// Requirement R-107: columns of numbers are read with a stated unit only, and "auto" goes by content and never guesses.
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -26,7 +26,7 @@ GroundMotion read(std::string const& content, RecordRequest request = {.unit_mps
 
 std::vector<double> const three{100 * gal, -200 * gal, 300 * gal};
 
-// Requirement: a unit in a column's name is read, and one that is stated otherwise is an error.
+// a unit in a column's name is read, and one that is stated otherwise is an error.
 TEST(Columns, NamesMayStateTheUnit) {
     struct Named {
         char const* name;
@@ -62,7 +62,7 @@ TEST(Columns, NamesMayStateTheUnit) {
     EXPECT_EQ(all.vertical_mps2, (std::vector<double>{3, 6}));
 }
 
-// Requirement: no velocity or displacement is read as an acceleration, and no unit that is not known as the stated one.
+// no velocity or displacement is read as an acceleration, and no unit that is not known as the stated one.
 TEST(Columns, WhatIsNoAccelerationIsRefused) {
     for (char const* names : {"Time (s),Acc (cm/s2),Vel (cm/s)", "time,acc,vel", "t,a,velocity", "t,a,Disp_m",
                               "t,a,b (cm)", "t,a_mps2,v_mps", "t,vel (cm/s),acc (gal)"}) {
@@ -80,7 +80,7 @@ TEST(Columns, WhatIsNoAccelerationIsRefused) {
     }
 }
 
-// Requirement: times are in the unit that their column says, and may not contradict a comment.
+// times are in the unit that their column says, and may not contradict a comment.
 TEST(Columns, TimesMayBeInMilliseconds) {
     for (char const* name : {"time (ms)", "t [msec]", "time_ms"}) {
         auto const motion = read(std::string(name) + ",acc\n0,100\n20,-200\n40,300\n");
@@ -213,7 +213,7 @@ TEST(RecordFormats, AreRecognisedByContentOnly) {
     expect_input_error([] { (void)read("0,1\n1,1\n", {.format = "colums"}); }, "Did you mean 'columns'?");
 }
 
-// Requirement: what is nearly columns is refused at its line with the reason, not as an unknown format.
+// what is nearly columns is refused at its line with the reason, not as an unknown format.
 TEST(RecordFormats, NearlyColumnsAreToldWhatIsWrong) {
     expect_input_error([] { (void)read("t,a,b,c,d\n0,1,2,3,4\n0.1,1,2,3,4\n"); }, "a.csv:2: ", "more than 4 columns");
     expect_input_error([] { (void)read("0,1,2,3,4,5\n0.1,1,2,3,4,5\n"); }, "a.csv:1: ", "more than 4 columns");

@@ -1,5 +1,5 @@
-// Requirement: COSMOS v1.20 files are read by what their headers state (dt: real-header value 62, in milliseconds),
-// channel by channel, and raw counts or contradictions are refused by file and line.
+// Requirement R-107: COSMOS v1.20 files are read by what their headers state (dt: real-header value 62, in
+// milliseconds), channel by channel, and raw counts or contradictions are refused by file and line.
 #include <cmath>
 #include <string>
 
@@ -129,7 +129,7 @@ TEST(Cosmos, OtherUnitsAndQuantitiesAreRefused) {
               -0.5 * g0);
 }
 
-// Requirement: -999 marks a missing value, with or without a peak in the header, and is never read as an acceleration.
+// R-107: -999 marks a missing value, with or without a peak in the header, and is never read as an acceleration.
 TEST(Cosmos, MissingValuesAreRefusedWithTheirLine) {
     auto const gap = six_lines.substr(0, 32) + "  -9.990000E+02\n" + six_lines.substr(48);
     for (double const peak : {-999.0, 999.0}) {

@@ -1,5 +1,5 @@
-// Requirement: CSMIP/CDMG V2 files give every channel's corrected acceleration with its printed peak; uncorrected files
-// are refused by name.
+// Requirement R-107: CSMIP/CDMG V2 files give every channel's corrected acceleration with its printed peak; uncorrected
+// files are refused by name.
 #include <string>
 
 #include "motion/record.hpp"

@@ -1,5 +1,5 @@
-// Requirement: the European and Italian archives' files (DYNA .ASC and .acc) are read by their headers' keys, and what
-// a header does not say is asked for.
+// Requirement R-107: the European and Italian archives' files (DYNA .ASC and .acc) are read by their headers' keys, and
+// what a header does not say is asked for.
 #include <string>
 
 #include "motion/record.hpp"
@@ -74,7 +74,7 @@ TEST(ItacaAcc, PackedValuesInMetres) {
     EXPECT_EQ(read(itaca("Sampling rate (Hz) : 200", "Sampling interval : 0.01 s")).time_step_s, 0.01);
 }
 
-// Requirement: the archive's files as they are in the wild, whose tenth line is prose and whose words are others.
+// the archive's files as they are in the wild, whose tenth line is prose and whose words are others.
 TEST(ItacaAcc, ProseMayEndTheHeader) {
     std::string const wild =
         "Event Date & Time             : 2009-04-06 01:32:39\nStation Code / Name           : 3620 / Somewhere\n"
@@ -102,7 +102,7 @@ TEST(ItacaAcc, ProseMayEndTheHeader) {
     expect_input_error([&] { (void)read_recording(wild, {.name = "a.acc", .time_step_s = 0.02}); }, "contradict");
 }
 
-// Requirement: what stands behind a number or in its key's brackets is its unit, and never passed over.
+// what stands behind a number or in its key's brackets is its unit, and never passed over.
 TEST(ItacaAcc, AnotherUnitOfTheStepIsRefused) {
     std::string const rate = "Sampling rate (Hz) : 200";
     for (char const* step :

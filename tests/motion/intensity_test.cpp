@@ -1,4 +1,4 @@
-// Requirement: intensity measures are exact for acceleration that is linear between samples, peaks inside steps
+// Requirement R-201: intensity measures are exact for acceleration that is linear between samples, peaks inside steps
 // included.
 #include "motion/intensity.hpp"
 
@@ -83,7 +83,7 @@ TEST(Intensity, SilenceAndSingleSampleAreZeroButForTheirPeak) {
     EXPECT_EQ(single.pgv_mps, 0.0);
 }
 
-// Requirement: both horizontal components together have a peak of their own.
+// both horizontal components together have a peak of their own.
 TEST(Intensity, OfBothComponentsIsThatOfTheVector) {
     GroundMotion motion{.time_step_s = 0.1,
                         .horizontal_mps2 = {0, 3, -1, 0},

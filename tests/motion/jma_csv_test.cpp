@@ -1,4 +1,5 @@
-// Requirement: JMA csv files (Shift_JIS, any line ends) give three named components, or are refused by file and line.
+// Requirement R-107: JMA csv files (Shift_JIS, any line ends) give three named components, or are refused by file and
+// line.
 #include <string>
 
 #include "motion/record.hpp"

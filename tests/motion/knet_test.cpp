@@ -1,4 +1,5 @@
-// Requirement: K-NET and KiK-net counts become accelerations whose peak is the header's own, or the file is refused.
+// Requirement R-107: K-NET and KiK-net counts become accelerations whose peak is the header's own, or the file is
+// refused.
 #include <cmath>
 #include <string>
 

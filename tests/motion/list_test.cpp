@@ -1,4 +1,4 @@
-// Requirement: plain lists (1, 5, 6, 8 values a line) are read with a stated unit and step only.
+// Requirement R-107: plain lists (1, 5, 6, 8 values a line) are read with a stated unit and step only.
 #include <string>
 
 #include "motion/record.hpp"

@@ -1,5 +1,5 @@
-// Requirement: PEER AT2 files are read in all their variants, and damaged or mistaken ones are refused by file and
-// line.
+// Requirement R-107: PEER AT2 files are read in all their variants, and damaged or mistaken ones are refused by file
+// and line.
 #include <string>
 
 #include "core/units.hpp"

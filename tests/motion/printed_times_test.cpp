@@ -1,5 +1,5 @@
-// Requirement: times printed to few digits or kept in single precision are times, a lost row among them is not, and
-// columns without a time are read where that is said.
+// Requirement R-107: times printed to few digits or kept in single precision are times, a lost row among them is not,
+// and columns without a time are read where that is said.
 #include <cmath>
 #include <string>
 

@@ -1,5 +1,5 @@
-// Requirement: a stated unit or time step that contradicts a file's own prose or column names is an error, never a
-// silent reading in the wrong unit; what is packed or binary is named.
+// Requirement R-107: a stated unit or time step that contradicts a file's own prose or column names is an error, never
+// a silent reading in the wrong unit; what is packed or binary is named.
 #include "motion/prose.hpp"
 
 #include <string>
@@ -83,7 +83,7 @@ TEST(Prose, StepsAreHeardInEverySpelling) {
     }
 }
 
-// Requirement: a list that calls its numbers velocities or displacements is refused.
+// a list that calls its numbers velocities or displacements is refused.
 TEST(Prose, OtherQuantitiesAreRefused) {
     RecordRequest request;
     request.name = "r";

@@ -1,5 +1,5 @@
-// Requirement: records as their providers publish them are read, with the peaks that are known of them. The files may
-// not be redistributed: the tests look for a folder of them and skip without it.
+// Requirement R-107: records as their providers publish them are read, with the peaks that are known of them. The files
+// may not be redistributed: the tests look for a folder of them and skip without it.
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>

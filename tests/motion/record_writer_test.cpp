@@ -1,4 +1,4 @@
-// Requirement: what is written as AT2 or csv is read back by our own readers, component by component.
+// Requirement R-903: what is written as AT2 or csv is read back by our own readers, component by component.
 #include "motion/record_writer.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// Requirement: resampling reads the wave's own straight lines: the same function on a finer grid that holds the old
-// one, a stated loss of peak otherwise, and nothing coarser without the user's word.
+// Requirement R-108: resampling reads the wave's own straight lines: the same function on a finer grid that holds the
+// old one, a stated loss of peak otherwise, and nothing coarser without the user's word.
 #include "motion/resample.hpp"
 
 #include "support/expect_input_error.hpp"

@@ -1,5 +1,5 @@
-// Requirement: SMC files of the USGS and those of CWA are read as their headers say, and refused where they contradict
-// themselves. The files here are made in their layouts.
+// Requirement R-107: SMC files of the USGS and those of CWA are read as their headers say, and refused where they
+// contradict themselves. The files here are made in their layouts.
 #include <string>
 
 #include "motion/record.hpp"

@@ -1,5 +1,5 @@
-// Requirement: the other components of a station are found by what the files say, only when asked for, and every file
-// used is named; whatever is not certain is refused.
+// Requirement R-107: the other components of a station are found by what the files say, only when asked for, and every
+// file used is named; whatever is not certain is refused.
 #include "motion/station.hpp"
 
 #include "support/expect_input_error.hpp"

@@ -1,4 +1,4 @@
-// Requirement: line ends, marks and Fortran's habits change no number; line numbers stay those of the file.
+// Requirement R-107: line ends, marks and Fortran's habits change no number; line numbers stay those of the file.
 #include "motion/text_lines.hpp"
 
 #include "support/expect_input_error.hpp"

@@ -1,4 +1,4 @@
-// Requirement: texts reach every rank whole and in order, and no piece of work is given out twice or lost.
+// Requirement R-1001: texts reach every rank whole and in order, and no piece of work is given out twice or lost.
 #include "parallel/communicator.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #!/bin/bash
-# Requirement: one campaign gives one file on every x86-64 CPU: SSE4.2 alone (Nehalem), AVX2 and FMA (Haswell), this machine's
-# own, and this machine's without AVX2 and FMA for libm; with planar, sliding, compliant and spatial trials, matched and
-# drawn waves, and rare levels by plain trials, subset simulation and pulses.
+# Requirement R-1002: one campaign gives one file on every x86-64 CPU: SSE4.2 alone (Nehalem), AVX2 and FMA (Haswell),
+# this machine's own, and this machine's without AVX2 and FMA for libm; with planar, sliding, compliant and spatial
+# trials, matched and drawn waves, and rare levels by plain trials, subset simulation and pulses.
 # cpus_test.sh PROGRAM CAMPAIGNS
 set -u
 program=$1 campaigns=$2

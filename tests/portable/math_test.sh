@@ -1,6 +1,6 @@
 #!/bin/bash
-# Requirement: sin, exp, log and all else that glibc may round otherwise on another CPU come from the program itself, for
-# our code and for the libraries that it calls.
+# Requirement R-1002: sin, exp, log and all else that glibc may round otherwise on another CPU come from the program
+# itself, for our code and for the libraries that it calls.
 # math_test.sh PROGRAM
 set -euo pipefail
 program=$1

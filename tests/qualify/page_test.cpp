@@ -1,5 +1,5 @@
-// Requirement: what fails in a qualification is called so, in text, JSON and page, and fails the whole of it; nothing
-// that was not found passes.
+// Requirement R-1403: what fails in a qualification is called so, in text, JSON and page, and fails the whole of it;
+// nothing that was not found passes.
 #include "qualify/page.hpp"
 
 #include <limits>

@@ -1,5 +1,5 @@
-// Requirement: left to itself the program chooses an estimator that fits, changes its mind where one cannot be trusted,
-// and states nothing that none can be trusted with.
+// Requirement: left to itself the program chooses an estimator that fits, changes its mind where one
+// cannot be trusted, and states nothing that none can be trusted with.
 #include "rare/automatic.hpp"
 
 #include <cmath>
@@ -27,7 +27,7 @@ class Misleading : public LimitState {
     }
 };
 
-// Requirement: plain trials where they do, subset simulation for what is rarer; each level's estimate in its place.
+// plain trials where they do, subset simulation for what is rarer; each level's estimate in its place.
 TEST(Automatic, CountsWhatIsCommonAndSamplesWhatIsRare) {
     LimitState const problem(64, 4.0, [](auto x) { return sum_of(x) / 8; });
     LoneWorker workers;
@@ -49,7 +49,7 @@ TEST(Automatic, CountsWhatIsCommonAndSamplesWhatIsRare) {
     EXPECT_LE(estimates[1].cov, 0.11);
 }
 
-// Requirement: where pulses lead astray the pulse mixture is not trusted, and subset simulation answers.
+// where pulses lead astray the pulse mixture is not trusted, and subset simulation answers.
 TEST(Automatic, ChangesItsMind) {
     Misleading const problem;
     LoneWorker workers;
@@ -73,7 +73,7 @@ TEST(Automatic, ChangesItsMind) {
     EXPECT_FALSE(insisted.probability.has_value());
 }
 
-// Requirement: plain trials that saw fewer than ten failures give a bound, no probability.
+// plain trials that saw fewer than ten failures give a bound, no probability.
 TEST(Crude, DoesNotResolveWhatItHardlySaw) {
     LimitState const problem(4, 4.0, [](auto x) { return sum_of(x) / 2; });
     LoneWorker workers;
@@ -87,7 +87,7 @@ TEST(Crude, DoesNotResolveWhatItHardlySaw) {
     EXPECT_GT(made.interval_95.upper, 3.2e-5);
 }
 
-// Requirement: the intervals that estimates state are those of the formulas.
+// the intervals that estimates state are those of the formulas.
 TEST(Estimate, IntervalsAreTheStatedOnes) {
     auto const none = clopper_pearson({.failed = 0, .undecided = 0, .trials = 10000});
     auto const some = clopper_pearson({.failed = 5, .undecided = 1, .trials = 20});

@@ -1,4 +1,4 @@
-// Requirement: the block under filtered noise fails as often as tens of millions of plain trials found, by subset
+// Requirement R-801: the block under filtered noise fails as often as tens of millions of plain trials found, by subset
 // simulation and under matched waves too, and in the mirror as before it.
 #include <cmath>
 #include <vector>
@@ -18,7 +18,7 @@ using testing::RockingNoise;
 
 Request request(std::uint64_t seed) { return {.seed = seed, .target_cov = 1}; }
 
-// Requirement: subset simulation meets the same block's probability, 1.003e-3 +- 1.1 % at 1.25.
+// subset simulation meets the same block's probability, 1.003e-3 +- 1.1 % at 1.25.
 TEST(TestProblem, SubsetSimulationMeetsTheSameProbability) {
     RockingNoise const problem;
     LoneWorker workers;
@@ -29,7 +29,7 @@ TEST(TestProblem, SubsetSimulationMeetsTheSameProbability) {
     EXPECT_NEAR(*made.probability, 1.003e-3, 3 * std::hypot(made.cov, 0.011) * 1.003e-3);
 }
 
-// Requirement: of waves that are each matched to a spectrum, which is hardly linear in the normals, subset simulation
+// of waves that are each matched to a spectrum, which is hardly linear in the normals, subset simulation
 // meets what plain trials count.
 TEST(TestProblem, SubsetSimulationMeetsPlainTrialsOfMatchedWaves) {
     RockingNoise const problem(4096, RockingNoise::Map::matched);
@@ -57,7 +57,7 @@ TEST(TestProblem, DISABLED_PlainTrialsOfMatchedWaves) {
     EXPECT_EQ(counts.front().failed, 119);
 }
 
-// Requirement: of waves that are each scaled to their own peak, which is not linear in the normals, nothing is stated
+// of waves that are each scaled to their own peak, which is not linear in the normals, nothing is stated
 // but the bound of plain trials.
 TEST(PulseMixture, DoesNotTrustItselfWhereEachWaveIsScaled) {
     RockingNoise const problem(4096, RockingNoise::Map::peak_scaled);
@@ -75,7 +75,7 @@ TEST(PulseMixture, DoesNotTrustItselfWhereEachWaveIsScaled) {
     EXPECT_GT(estimate.interval_95.upper, 1.17e-4);
 }
 
-// Requirement: of matched waves the pulse mixture states nothing.
+// of matched waves the pulse mixture states nothing.
 TEST(PulseMixture, DoesNotTrustItselfWhereEachWaveIsMatched) {
     RockingNoise const problem(4096, RockingNoise::Map::matched);
     LoneWorker workers;
@@ -89,7 +89,7 @@ TEST(PulseMixture, DoesNotTrustItselfWhereEachWaveIsMatched) {
     EXPECT_FALSE(estimate.probability.has_value());
 }
 
-// Requirement: a wave and its mirror image end the same, so that signs may be drawn.
+// a wave and its mirror image end the same, so that signs may be drawn.
 TEST(TestProblem, MirroredWavesEndTheSame) {
     RockingNoise const problem;
     std::vector<double> x(problem.normals());

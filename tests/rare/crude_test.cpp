@@ -1,5 +1,5 @@
-// Requirement: plain trials state a probability only where enough of them failed and few enough were undecided; else an
-// exact bound, which counts undecided trials as both.
+// Requirement R-802: plain trials state a probability only where enough of them failed and few enough were undecided;
+// else an exact bound, which counts undecided trials as both.
 #include "rare/crude.hpp"
 
 #include <cmath>

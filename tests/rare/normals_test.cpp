@@ -1,5 +1,5 @@
-// Requirement: the normals of a rare-event trial are a function of its identity alone, the same bits on every
-// instruction set, and standard normal far into the tails.
+// Requirement R-801, R-1002: the normals of a rare-event trial are a function of its identity alone, the same bits on
+// every instruction set, and standard normal far into the tails.
 #include "rare/normals.hpp"
 
 #include <cmath>
@@ -24,7 +24,7 @@ std::vector<double> drawn(DrawKey const& from, std::size_t count) {
     return normals;
 }
 
-// Requirement: radius and angle are those of Box and Muller on the words of the keyed stream.
+// radius and angle are those of Box and Muller on the words of the keyed stream.
 TEST(Normals, AreBoxMullersOfTheKeyedStream) {
     auto const normals = drawn(key, 1000);
     auto words = key.stream(Purpose::rare_normals);
@@ -37,7 +37,7 @@ TEST(Normals, AreBoxMullersOfTheKeyedStream) {
     }
 }
 
-// Requirement: the machine's instruction set changes no bit.
+// R-1002: the machine's instruction set changes no bit.
 TEST(Normals, SameBitsOnEveryInstructionSet) {
     auto const best = drawn(key, 2051);
     for (auto const set : simd::instruction_sets()) {
@@ -46,7 +46,7 @@ TEST(Normals, SameBitsOnEveryInstructionSet) {
     }
 }
 
-// Requirement: fewer normals of a trial are the first ones of more.
+// fewer normals of a trial are the first ones of more.
 TEST(Normals, FewerAreTheFirstOfMore) {
     auto const many = drawn(key, 100);
     for (std::size_t const count : {1U, 2U, 31U, 32U, 33U, 64U, 99U}) {
@@ -55,7 +55,7 @@ TEST(Normals, FewerAreTheFirstOfMore) {
     }
 }
 
-// Requirement: every part of the identity has numbers of its own.
+// every part of the identity has numbers of its own.
 TEST(Normals, EveryPartOfTheIdentityMatters) {
     std::set<double> firsts;
     for (auto change : {0, 1, 2, 3, 4, 5, 6, 7}) {
@@ -72,7 +72,7 @@ TEST(Normals, EveryPartOfTheIdentityMatters) {
     EXPECT_EQ(firsts.size(), 8U);
 }
 
-// Requirement: moments and tail counts of four million normals are a normal's within 4.5 standard errors.
+// moments and tail counts of four million normals are a normal's within 4.5 standard errors.
 TEST(Normals, AreStandardNormalIntoTheTails) {
     constexpr std::size_t keys = 2000;
     constexpr std::size_t each = 2048;

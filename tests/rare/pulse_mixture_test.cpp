@@ -1,4 +1,4 @@
-// Requirement: importance sampling with failure pulses gives the measured probabilities of a block under filtered
+// Requirement R-801: importance sampling with failure pulses gives the measured probabilities of a block under filtered
 // noise, and none where waves are not linear in their normals.
 #include "rare/pulse_mixture.hpp"
 
@@ -67,7 +67,7 @@ class OscillatorAtATime : public Problem {
 
 Request request(std::uint64_t seed) { return {.seed = seed, .target_cov = 1}; }
 
-// Requirement: the test problem's spectrum is the one that its probabilities were measured with.
+// the test problem's spectrum is the one that its probabilities were measured with.
 TEST(TestProblem, HasTheStatedSpectrum) {
     RockingNoise const noise;
 
@@ -81,7 +81,7 @@ TEST(TestProblem, HasTheStatedSpectrum) {
 
 class Oscillators : public ::testing::TestWithParam<std::pair<double, double>> {};
 
-// Requirement: P(|y| > 4.5 sigma) of an oscillator at a fixed time, known in closed form, within 3 errors.
+// P(|y| > 4.5 sigma) of an oscillator at a fixed time, known in closed form, within 3 errors.
 TEST_P(Oscillators, MixtureMeetsTheExactProbability) {
     OscillatorAtATime const problem(GetParam().first, GetParam().second);
     LoneWorker workers;
@@ -119,13 +119,13 @@ int intervals_that_hold(std::uint64_t campaigns) {
     return held;
 }
 
-// Requirement: the 95 % interval holds the probability. Of 10, 7 or fewer have a chance of 1 %.
+// the 95 % interval holds the probability. Of 10, 7 or fewer have a chance of 1 %.
 TEST(PulseMixture, IntervalHoldsTheProbability) { EXPECT_GE(intervals_that_hold(10), 8); }
 
 // Of 100, at least 92. A minute.
 TEST(PulseMixture, DISABLED_IntervalsHoldTheProbability) { EXPECT_GE(intervals_that_hold(100), 92); }
 
-// Requirement: one set of waves gives the whole tail: the values of 8 million plain trials and of earlier samplings, at
+// one set of waves gives the whole tail: the values of 8 million plain trials and of earlier samplings, at
 // P 1e-2, 1e-3 and 2.8e-6, and at least 500 times fewer waves than crude Monte Carlo at the last.
 TEST(PulseMixture, GivesTheTailOfTheTestProblem) {
     RockingNoise const problem;
@@ -146,7 +146,7 @@ TEST(PulseMixture, GivesTheTailOfTheTestProblem) {
     EXPECT_GT(estimates.back().crude_runs, 500.0 * static_cast<double>(estimates.back().runs));
 }
 
-// Requirement: waves of twice the length, whose failures come at more times, are as well met: 2.56e-3 +- 4 % at 1.25.
+// waves of twice the length, whose failures come at more times, are as well met: 2.56e-3 +- 4 % at 1.25.
 TEST(PulseMixture, GivesTheProbabilityUnderLongerWaves) {
     RockingNoise const problem(8192);
     LoneWorker workers;
@@ -161,7 +161,7 @@ TEST(PulseMixture, GivesTheProbabilityUnderLongerWaves) {
     EXPECT_LT(made.cov, 0.15);
 }
 
-// Requirement: the mean of all weights is 1, and none exceeds 1 / the share of plain draws.
+// the mean of all weights is 1, and none exceeds 1 / the share of plain draws.
 TEST(PulseMixture, WeightsAverageToOne) {
     RockingNoise const problem;
     LoneWorker workers;
@@ -187,7 +187,7 @@ TEST(PulseMixture, WeightsAverageToOne) {
     EXPECT_LE(largest, 1 / Mixture::plain_share);
 }
 
-// Requirement: a weight is the ratio of two densities: of one pulse with one time of arrival, by the formula.
+// a weight is the ratio of two densities: of one pulse with one time of arrival, by the formula.
 TEST(Mixture, WeightIsTheRatioOfDensities) {
     PulseFrame const frame{.lines = 3, .spacing_radps = 2 * pi / 8, .duration_s = 8, .body_period_s = 1};
     Pulse pulse{.lines = {{1, .5}, {-.3, 2}, {.7, -.1}}, .share = 1, .arrival = std::vector<double>(8, 0.0)};
@@ -238,7 +238,7 @@ struct OnePulse {
     }
 };
 
-// Requirement: weights are right however strong a pulse is: those of its own draws vanish, those of plain draws are
+// weights are right however strong a pulse is: those of its own draws vanish, those of plain draws are
 // 1/w0, and between them, where both densities are alike, the formula holds on either side of the change of method.
 TEST(Mixture, WeightsOfStrongPulsesStayRight) {
     for (double const square : {400.0, 749.0, 751.0, 1300.0, 5000.0}) {
@@ -252,7 +252,7 @@ TEST(Mixture, WeightsOfStrongPulsesStayRight) {
     }
 }
 
-// Requirement: where failure is next to impossible nothing above 1 is stated, and no weights that are all alike pass.
+// where failure is next to impossible nothing above 1 is stated, and no weights that are all alike pass.
 TEST(PulseMixture, StatesNothingAbsurdWhereFailureIsNextToImpossible) {
     RockingNoise const problem;
     LoneWorker workers;
@@ -276,7 +276,7 @@ TEST(PulseMixture, StatesNothingAbsurdWhereFailureIsNextToImpossible) {
     EXPECT_NEAR(sum / n, 1, 0.5);
 }
 
-// Requirement: without pulses the method is crude Monte Carlo, bit for bit.
+// without pulses the method is crude Monte Carlo, bit for bit.
 TEST(PulseMixture, WithoutPulsesIsCrude) {
     RockingNoise const problem;
     LoneWorker workers;

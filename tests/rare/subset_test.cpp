@@ -1,5 +1,5 @@
-// Requirement: subset simulation gives probabilities that are known in closed form, over many shapes of failure, and
-// gives none where it cannot.
+// Requirement R-801: subset simulation gives probabilities that are known in closed form, over many shapes of failure,
+// and gives none where it cannot.
 #include "rare/subset.hpp"
 
 #include <algorithm>
@@ -64,7 +64,7 @@ void PrintTo(Known const& known, std::ostream* out) { *out << known.name; }
 
 class SubsetOf : public ::testing::TestWithParam<Known> {};
 
-// Requirement: the mean over replicates lies within 3.5 standard errors of the exact probability, and their scatter is
+// the mean over replicates lies within 3.5 standard errors of the exact probability, and their scatter is
 // what was measured for this shape, within 40 %.
 TEST_P(SubsetOf, MeetsTheExactProbability) {
     LimitState const problem(dimension, GetParam().limit, GetParam().value);
@@ -81,7 +81,7 @@ TEST_P(SubsetOf, MeetsTheExactProbability) {
     EXPECT_LT(cov_of_one, 0.8);
 }
 
-// Requirement: chains accept about as often as is best, at every level.
+// chains accept about as often as is best, at every level.
 TEST_P(SubsetOf, AcceptsAsOftenAsWanted) {
     LimitState const problem(dimension, GetParam().limit, GetParam().value);
     LoneWorker workers;
@@ -101,7 +101,7 @@ LimitState small(double limit) {
     return {64, limit, [](auto x) { return sum_of(x) / 8; }};
 }
 
-// Requirement: the 95 % interval holds the probability in at least 92 of 100 repetitions.
+// the 95 % interval holds the probability in at least 92 of 100 repetitions.
 TEST(Subset, IntervalHoldsTheProbability) {
     auto const problem = small(3.0902);
     LoneWorker workers;
@@ -114,7 +114,7 @@ TEST(Subset, IntervalHoldsTheProbability) {
     EXPECT_GE(held, 92);
 }
 
-// Requirement: replicates are added until the wanted c.o.v. is met, as far as four times as many and max_runs go, and
+// replicates are added until the wanted c.o.v. is met, as far as four times as many and max_runs go, and
 // the estimate is theirs all.
 TEST(Subset, AddsReplicatesUntilItIsPreciseEnough) {
     auto const problem = small(3.0902);
@@ -137,7 +137,7 @@ TEST(Subset, AddsReplicatesUntilItIsPreciseEnough) {
     EXPECT_LT(few.replicates.size(), 32U);
 }
 
-// Requirement: where failure is common from the start, the interval is that of plain trials.
+// where failure is common from the start, the interval is that of plain trials.
 TEST(Subset, CountsWhatIsCommon) {
     auto const problem = small(-9);
     LoneWorker workers;
@@ -150,7 +150,7 @@ TEST(Subset, CountsWhatIsCommon) {
     EXPECT_GT(estimate.crude_runs, 0);
 }
 
-// Requirement: a driver that answers the same for most trials leads nowhere: nothing is stated.
+// a driver that answers the same for most trials leads nowhere: nothing is stated.
 TEST(Subset, RefusesAPlateau) {
     LimitState const problem(64, 4.0, [](auto x) { return x[0] > 1.5 ? x[0] : -1.0; });
     LoneWorker workers;
@@ -172,7 +172,7 @@ class LooselyDriven : public Problem {
     }
 };
 
-// Requirement: a driver that failures do not lie on top of is refused.
+// a driver that failures do not lie on top of is refused.
 TEST(Subset, RefusesADriverThatIsNotNested) {
     LooselyDriven const problem;
     LoneWorker workers;
@@ -183,7 +183,7 @@ TEST(Subset, RefusesADriverThatIsNotNested) {
     EXPECT_NE(estimate.reason.find("driver"), std::string::npos) << estimate.reason;
 }
 
-// Requirement: what cannot be reached in the levels that are allowed is not resolved, and bounded by plain trials only.
+// what cannot be reached in the levels that are allowed is not resolved, and bounded by plain trials only.
 TEST(Subset, DoesNotResolveWhatItDoesNotReach) {
     auto const problem = small(6);
     LoneWorker workers;
@@ -195,7 +195,7 @@ TEST(Subset, DoesNotResolveWhatItDoesNotReach) {
     EXPECT_NEAR(estimate.interval_95.upper, 3.69 / (16000 + 2048), 1e-6);
 }
 
-// Requirement: moves alone, all accepted, keep the standard normal and forget by sqrt(1 - s^2) a step.
+// moves alone, all accepted, keep the standard normal and forget by sqrt(1 - s^2) a step.
 TEST(ChainStates, MovesKeepTheNormal) {
     std::vector<SubsetNode> nodes{{}};
     for (std::int64_t step = 1; step <= 9; ++step) {
@@ -248,7 +248,7 @@ class Resumed : public Workforce {
     std::vector<std::vector<std::byte>> all_, first_;
 };
 
-// Requirement: after a stop in the middle of a level chains go on as if nothing had happened, bit for bit: their states
+// R-1101: after a stop in the middle of a level chains go on as if nothing had happened, bit for bit: their states
 // are made again from the identities of their draws.
 TEST(Subset, GoesOnInTheMiddleOfALevel) {
     auto const problem = small(4.7534);

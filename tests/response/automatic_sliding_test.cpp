@@ -1,4 +1,5 @@
-// Requirement: sliding is simulated only where it acts: `auto` gives the verdicts and numbers of sliding forced on.
+// Requirement R-503: sliding is simulated only where it acts: `auto` gives the verdicts and numbers of sliding forced
+// on.
 #include <map>
 
 #include <gtest/gtest.h>

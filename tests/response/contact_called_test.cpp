@@ -1,5 +1,5 @@
-// Requirement: auto takes to contact what a rigid base has no answer for, and what stands on a bed of its own; the row
-// says why. Nothing else changes.
+// Requirement R-504: auto takes to contact what a rigid base has no answer for, and what stands on a bed of its own;
+// the row says why. Nothing else changes.
 #include <gtest/gtest.h>
 
 #include "contact/contact_model.hpp"

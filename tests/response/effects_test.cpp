@@ -1,4 +1,4 @@
-// Requirement: effects are asked for by name, and what can be asked for is listed.
+// Requirement R-901: effects are asked for by name, and what can be asked for is listed.
 #include "response/effects.hpp"
 
 #include "response/registry.hpp"
@@ -24,6 +24,7 @@ TEST(Effects, UnknownNamesAreRefusedWithTheKnownOnes) {
     expect_input_error([] { (void)parse_effects(""); }, "effect");
 }
 
+//
 TEST(Effects, EveryListedEffectCanBeAskedFor) {
     for (auto const& entry : effects()) {
         EXPECT_EQ(parse_effects(std::string(entry.name)).include, mask_of(entry.value));

@@ -1,5 +1,5 @@
-// Requirement: which model a trial needs follows from the effects that it calls for and that models hold; trials of
-// many at once are those that each is alone, with their models' own quantities.
+// Requirement R-504: which model a trial needs follows from the effects that it calls for and that models hold; trials
+// of many at once are those that each is alone, with their models' own quantities.
 #include "response/ladder.hpp"
 
 #include <array>
@@ -146,7 +146,7 @@ CrushRow row_at(Answers const& answers, std::size_t i) {
     return row;
 }
 
-// A trial that goes on from where friction gave out goes on from its own place, wherever it stood in the batch.
+// R-1002: A trial that goes on from where friction gave out goes on from its own place, wherever it stood in the batch.
 TEST(Ladder, TrialsOfManyAreThoseOfEachAlone) {
     Many const many;
     for (auto const& ladder : {Ladder(EffectRequest{}), with_crush<all>()}) {
@@ -253,6 +253,7 @@ TEST(Ladder, CountsTrialsAndSecondsOnTheRungsThatTheyEndedOn) {
     }
 }
 
+// R-1104.
 TEST(Ladder, AVerticalComponentBeyondAllBoundsHasNoVerdictEither) {
     GroundMotion motion{.time_step_s = 0.02,
                         .horizontal_mps2 = testing::short_wave(1),

@@ -1,4 +1,4 @@
-// Requirement: a trial runs the effects that were asked for, and says which ones its scene would have called for.
+// Requirement R-504: a trial runs the effects that were asked for, and says which ones its scene would have called for.
 #include <gtest/gtest.h>
 
 #include "body/response_velocity.hpp"
@@ -75,6 +75,7 @@ TEST(Response, NoneIgnoresTheVerticalButSaysItWasCalledFor) {
     EXPECT_EQ(ignoring.called, mask_of(Effect::vertical));
 }
 
+//
 TEST(Response, AutoUsesTheVerticalExactlyAsIfForced) {
     auto const ignoring = trial(wave(true), {.effects = none}, rocking_scale);
     auto const chosen = trial(wave(true), {.effects = automatic}, rocking_scale);
@@ -142,7 +143,7 @@ TEST(Response, BodyAtRestSlidesOnASlipperyFloor) {
     EXPECT_TRUE(testing::near(plain.friction_demand, 0.2, testing::exact_formula));
 }
 
-/// What cannot be computed is a failed trial with its reason, never a body that stands.
+// R-1104: What cannot be computed is a failed trial with its reason, never a body that stands.
 TEST(Response, AbsurdShakingHasNoVerdict) {
     for (double const scale :
          {1e12, 1e150, 1e300, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
@@ -155,6 +156,7 @@ TEST(Response, AbsurdShakingHasNoVerdict) {
     }
 }
 
+//
 TEST(Response, VelocityIsThatOfThePeakRotation) {
     auto const body = slender();
     auto const rocked = trial(wave(false), {.effects = automatic}, rocking_scale);

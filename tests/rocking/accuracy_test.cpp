@@ -1,6 +1,6 @@
-// Requirement: at default settings peak rotation is within 1e-9 of a converged reference on long-period waves, peak
-// energy within 1e-8, impact times within 1e-10 s; on dense rocking the error stays within ten times that of one unit
-// in the last place of the input.
+// Requirement R-408: at default settings peak rotation is within 1e-9 of a converged reference on long-period waves,
+// peak energy within 1e-8, impact times within 1e-10 s; on dense rocking the error stays within ten times that of one
+// unit in the last place of the input.
 #include <algorithm>
 #include <cmath>
 #include <random>

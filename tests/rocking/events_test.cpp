@@ -1,4 +1,5 @@
-// Requirement: uplift, impact and rest are decided exactly: thresholds, symmetry, no event missed or found twice.
+// Requirement: uplift, impact and rest are decided exactly: thresholds, symmetry, no event missed or found
+// twice.
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -72,6 +73,7 @@ TEST(Mirror, MirroredWaveGivesTheBitEqualTrial) {
     }
 }
 
+//
 TEST(Vertical, ZeroVerticalMotionChangesNoBit) {
     auto const wave = testing::filtered_wave(testing::set_a);
     std::vector<double> const calm(wave.size(), 0.0);
@@ -101,6 +103,7 @@ TEST(Vertical, ConstantVerticalMotionIsAnotherGravity) {
     EXPECT_NEAR(with.peak_rotation_rad, reference.peak_rotation_rad, 1e-9 * reference.peak_rotation_rad);
 }
 
+//
 TEST(Scaling, LengthTimeAndGravityScaleTogether) {
     auto const wave = testing::filtered_wave(testing::set_a);
     auto small = block;
@@ -123,6 +126,7 @@ TEST(Wave, NoOneAndTwoSamplesAreTaken) {
     EXPECT_EQ(simulate_rocking(block, shaking(two, 0.01)).verdict, Verdict::rocked);
 }
 
+//
 TEST(EnergyVerdict, PeakAfterTheWaveIsStillFound) {
     // A short push: the rotation grows long after the wave has ended, up to the height its energy allows.
     std::vector<double> const push{6.0, 6.0};
@@ -135,6 +139,7 @@ TEST(EnergyVerdict, PeakAfterTheWaveIsStillFound) {
     EXPECT_NEAR(out.peak_rotation_rad, expected, 1e-12);
 }
 
+//
 TEST(EnergyVerdict, SlowOverturningAfterTheWaveIsFollowedToItsEnd) {
     std::vector<double> const calm{0.0, 0.0};
     auto const out = simulate_rocking(block, shaking(calm, 0.01), {}, {.rotation_rad = block.alpha_rad * (1 + 1e-9)});
@@ -142,6 +147,7 @@ TEST(EnergyVerdict, SlowOverturningAfterTheWaveIsFollowedToItsEnd) {
     EXPECT_GT(out.overturn_time_s, 10);
 }
 
+//
 TEST(EnergyVerdict, ExactBalanceIsNotOverturning) {
     std::vector<double> const calm{0.0, 0.0};
     auto const out = simulate_rocking(block, shaking(calm, 0.01), {}, {.rotation_rad = block.alpha_rad});

@@ -1,4 +1,4 @@
-// Requirement: free rocking follows Housner (1963): period, amplitude decay, energy; and the nonlinear pendulum.
+// Requirement R-402: free rocking follows Housner (1963): period, amplitude decay, energy; and the nonlinear pendulum.
 #include <cmath>
 #include <vector>
 
@@ -77,6 +77,7 @@ TEST(FreeRockingNonlinear, PeriodIsThePendulums) {
     EXPECT_TRUE(near(4 * block.p_radps * release(0.9, {}).times.at(0), 11.978545, testing::printed_digits));
 }
 
+//
 TEST(FreeRockingNonlinear, ImpactsLoseExactlyTheirShareOfEnergy) {
     auto const impacts = release(0.5, {});
 
@@ -105,8 +106,8 @@ TEST(FreeRockingNonlinear, ElasticBlockKeepsItsEnergy) {
     EXPECT_TRUE(near(impacts.speeds.back(), impacts.speeds.front(), testing::Tolerance{1e-11, "conserved"}));
 }
 
-// Housner's linear block at rest from phi0: a quarter of its first period, then half of the period of every amplitude
-// that its impacts leave, without end; their sum is when it settles.
+// Housner's linear block at rest from phi0: a quarter of its first period, then half of the period of every
+// amplitude that its impacts leave, without end; their sum is when it settles.
 TEST(FreeRocking, SettlesAtTheSumOfItsBounces) {
     for (double const e : {0.5, 0.7}) {
         auto b = block;

@@ -1,4 +1,4 @@
-// Requirement: the paper's Eq. 1 (Spanos & Koh 1984) is computed as corrected, and the time history reaches it.
+// Requirement R-404: the paper's Eq. 1 (Spanos & Koh 1984) is computed as corrected, and the time history reaches it.
 #include <cmath>
 #include <vector>
 

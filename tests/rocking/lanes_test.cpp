@@ -1,5 +1,5 @@
-// Requirement: trials run side by side in vector lanes give, bit for bit, what each gives alone, whatever stands in the
-// other lanes and whatever instructions the machine offers; down to plain doubles with std::fma.
+// Requirement R-1002: trials run side by side in vector lanes give, bit for bit, what each gives alone, whatever stands
+// in the other lanes and whatever instructions the machine offers; down to plain doubles with std::fma.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -153,7 +153,7 @@ TEST(Lanes, ShortestWaves) {
     EXPECT_EQ(together.back().verdict, Verdict::overturned);
 }
 
-// Rest is skipped by chunks of samples; a chunk may hide nothing.
+// Rest is skipped by chunks of samples; a chunk may hide nothing.
 TEST(Lanes, SkippingPagesChangesNothing) {
     auto wave = testing::filtered_wave(testing::set_b);
     std::vector<double> const vertical = testing::filtered_wave(testing::set_a);

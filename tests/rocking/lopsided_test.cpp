@@ -1,5 +1,5 @@
-// Requirement: a centre of gravity off the base's middle, inclined ground and an initial tilt: thresholds, free fall
-// and single swings follow closed forms, both corners do what symmetric blocks of theirs do, energy balances.
+// Requirement R-407: a centre of gravity off the base's middle, inclined ground and an initial tilt: thresholds, free
+// fall and single swings follow closed forms, both corners do what symmetric blocks of theirs do, energy balances.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -258,7 +258,7 @@ TEST(Lopsided, GoesOnWithSlipWhereFrictionGaveOut) {
     EXPECT_GT(gone_on, 6);
 }
 
-// After the wave energy decides: following the body through a minute of quiet tells the same.
+// After the wave energy decides: following the body through a minute of quiet tells the same.
 TEST(Lopsided, TheVerdictNeedsNoQuietAfterTheWave) {
     auto wave = testing::short_wave(3);
     int rocked = 0;

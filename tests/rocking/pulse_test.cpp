@@ -1,4 +1,4 @@
-// Requirement: overturning by rectangular, half-sine and one-sine pulses follows the closed forms, survival gap
+// Requirement R-403: overturning by rectangular, half-sine and one-sine pulses follows the closed forms, survival gap
 // included.
 #include <cmath>
 #include <functional>
@@ -87,7 +87,7 @@ TEST(PulseClosedForm, OneSineNoImpactRootSolvesItsEquation) {
     }
 }
 
-// Between the two overturning ranges lies a gap in which a stronger pulse leaves the block standing.
+// Between the two overturning ranges lies a gap in which a stronger pulse leaves the block standing.
 TEST(SurvivalGap, StrongerPulseMaySpareTheBlock) {
     auto const pulse = sine(2);
     EXPECT_TRUE(overturns(pulse, 4, 4.8, Restoring::linear));

@@ -1,5 +1,5 @@
-// Requirement: slide-rocking agrees with a reference that shares nothing with it: a Runge-Kutta method of order 8 on
-// the un-mirrored equations, events by bisection, the impact law from its impulses.
+// Requirement R-502: slide-rocking agrees with a reference that shares nothing with it: a Runge-Kutta method of order 8
+// on the un-mirrored equations, events by bisection, the impact law from its impulses.
 #include <array>
 #include <cstring>
 
@@ -421,7 +421,7 @@ struct Lean {
 
 class SlideRockLopsided : public ::testing::TestWithParam<Lean> {};
 
-// Requirement: an offset, a slope and an initial tilt in every mode, slip included. The reference works in the inclined
+// an offset, a slope and an initial tilt in every mode, slip included. The reference works in the inclined
 // ground's own frame, the program's rocking in that of gravity.
 TEST_P(SlideRockLopsided, AgreesWithAnIndependentIntegration) {
     auto const& c = GetParam();

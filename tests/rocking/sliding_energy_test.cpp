@@ -1,4 +1,5 @@
-// Requirement: with sliding, energy balances in every mode: input = mechanical + impact loss + friction work.
+// Requirement: with sliding, energy balances in every mode: input = mechanical + impact loss + friction
+// work.
 #include <algorithm>
 #include <array>
 #include <map>

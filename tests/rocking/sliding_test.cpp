@@ -1,4 +1,5 @@
-// Requirement: a base slides by Coulomb's law: Shenton's boundaries of initiation, and closed forms of sliding blocks.
+// Requirement: a base slides by Coulomb's law: Shenton's boundaries of initiation, and closed forms of
+// sliding blocks.
 #include <array>
 #include <functional>
 #include <string>

@@ -1,4 +1,4 @@
-// Requirement: sliding changes nothing where nothing slips: watched, simulated and ignored slip agree bit for bit
+// Requirement R-504: sliding changes nothing where nothing slips: watched, simulated and ignored slip agree bit for bit
 // there.
 #include <gtest/gtest.h>
 
@@ -22,6 +22,7 @@ void expect_same_motion(RockingOutcome const& one, RockingOutcome const& other) 
     EXPECT_TRUE(testing::bit_equal<Outcome>(one, other));
 }
 
+//
 TEST(SlipModes, AgreeBitForBitUnlessSomethingSlips) {
     int still = 0;
     int slipping = 0;
@@ -79,7 +80,7 @@ TEST(SlipModes, SlipInTheImpactAloneIsCalled) {
     expect_same_motion(run(Slip::watched), run(Slip::ignored));
 }
 
-// A trial that calls for slip is not run again from its start: it goes on from where friction gave out.
+// A trial that calls for slip is not run again from its start: it goes on from where friction gave out.
 TEST(SlipModes, PausedTrialsEndAsIfSlipHadBeenSimulatedFromTheStart) {
     std::vector<std::vector<double>> waves;
     for (int number = 0; number < 24; ++number) {
@@ -121,6 +122,7 @@ TEST(SlipModes, PausedTrialsEndAsIfSlipHadBeenSimulatedFromTheStart) {
     }
 }
 
+//
 TEST(SlipModes, MirroredWaveGivesTheBitEqualMirroredTrial) {
     int slid = 0;
     for (int number = 0; number < 10; ++number) {

@@ -1,4 +1,4 @@
-// Requirement: an impact, a peak or an energy that the lanes take without care is the step's own series' zero or
+// Requirement R-405: an impact, a peak or an energy that the lanes take without care is the step's own series' zero or
 // highest, and friction and contact hold all along the step.
 #include "rocking/detail/swing.hpp"
 

@@ -1,4 +1,4 @@
-// Requirement: whatever is computed in lanes is the same, bit for bit, on every instruction set. (Rocking:
+// Requirement R-1002: whatever is computed in lanes is the same, bit for bit, on every instruction set. (Rocking:
 // rocking/lanes.)
 #include <cmath>
 #include <complex>

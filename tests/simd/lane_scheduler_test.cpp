@@ -1,5 +1,5 @@
-// Requirement: a scheduler changes no bit of a trajectory, whatever runs beside it; it leaves no lane without work
-// while there is any, and steps half of the lanes where half suffice.
+// Requirement R-1002: a scheduler changes no bit of a trajectory, whatever runs beside it; it leaves no lane without
+// work while there is any, and steps half of the lanes where half suffice.
 #include "simd/lane_scheduler.hpp"
 
 #include <algorithm>

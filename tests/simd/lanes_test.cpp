@@ -1,4 +1,5 @@
-// Requirement: lanes give, bit for bit, what plain numbers give: on every instruction set, in any number of registers.
+// Requirement R-1002: lanes give, bit for bit, what plain numbers give: on every instruction set, in any number of
+// registers.
 #include <algorithm>
 #include <array>
 #include <cmath>

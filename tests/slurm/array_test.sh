@@ -1,5 +1,6 @@
 #!/bin/bash
-# Requirement: an array over two nodes and its dependent merge give the bytes of one run, and so does one job over both.
+# Requirement R-1201, R-1001: an array over two nodes and its dependent merge give the bytes of one run, and so does one
+# job over both.
 # array_test.sh PROGRAM SLURM_FOLDER
 set -u
 OVERTURN=$1 OVERTURN_SLURM=$2

@@ -1,6 +1,7 @@
 #!/bin/bash
-# Requirement: campaign.sbatch as it is, under a real time limit: Slurm itself sends USR1, legs follow until complete.
-# The limit is the five minutes of the warning, so that it comes when Slurm first looks (every half minute).
+# Requirement R-1201, R-1102: campaign.sbatch as it is, under a real time limit: Slurm itself sends USR1, legs follow
+# until complete. The limit is the five minutes of the warning, so that it comes when Slurm first looks (every half
+# minute).
 # limit_test.sh PROGRAM SLURM_FOLDER
 set -u
 OVERTURN=$1 OVERTURN_SLURM=$2

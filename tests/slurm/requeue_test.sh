@@ -1,5 +1,6 @@
 #!/bin/bash
-# Requirement: told to leave by SIGUSR1, a job goes back into the queue and completes to the bytes of an unbroken run.
+# Requirement R-1201, R-1102: told to leave by SIGUSR1, a job goes back into the queue and completes to the bytes of an
+# unbroken run.
 # requeue_test.sh PROGRAM SLURM_FOLDER
 set -u
 OVERTURN=$1 OVERTURN_SLURM=$2

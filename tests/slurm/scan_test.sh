@@ -1,5 +1,6 @@
 #!/bin/bash
-# Requirement: scan.sh runs campaigns one after the other; one that fails ends the chain instead of leaving jobs waiting.
+# Requirement R-1201: scan.sh runs campaigns one after the other; one that fails ends the chain instead of leaving jobs
+# waiting.
 # scan_test.sh PROGRAM SLURM_FOLDER
 set -u
 OVERTURN=$1 OVERTURN_SLURM=$2

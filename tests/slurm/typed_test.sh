@@ -1,6 +1,7 @@
 #!/bin/bash
-# Requirement: what README says to type for Slurm works as typed: the program is found where quickstart builds it, or one
-# line says what to set; a campaign with a mistake and a script given to sbatch by mistake stop before anything is queued.
+# Requirement R-1201: what README says to type for Slurm works as typed: the program is found where quickstart builds
+# it, or one line says what to set; a campaign with a mistake and a script given to sbatch by mistake stop before
+# anything is queued.
 # typed_test.sh PROGRAM SLURM_FOLDER
 set -u
 program=$1

@@ -1,5 +1,5 @@
-// Requirement: a base in space bears as its plan says: a square one looks like the planar bed along both axes, every
-// one carries its body on the axis, and what bears nothing is refused in one line.
+// Requirement R-603: a base in space bears as its plan says: a square one looks like the planar bed along both axes,
+// every one carries its body on the axis, and what bears nothing is refused in one line.
 #include <cmath>
 #include <limits>
 #include <map>

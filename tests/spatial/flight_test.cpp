@@ -1,5 +1,5 @@
-// Requirement: a body that touches nothing keeps its angular momentum and its energy and falls as the closed form says,
-// and every step is of fourth order.
+// Requirement R-604: a body that touches nothing keeps its angular momentum and its energy and falls as the closed form
+// says, and every step is of fourth order.
 #include <algorithm>
 #include <cmath>
 

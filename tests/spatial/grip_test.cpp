@@ -1,4 +1,4 @@
-// Requirement: points grip the ground by Coulomb friction in every direction of the plane, without creep.
+// Requirement R-601: points grip the ground by Coulomb friction in every direction of the plane, without creep.
 #include <algorithm>
 #include <cmath>
 

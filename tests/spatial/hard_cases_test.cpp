@@ -1,4 +1,4 @@
-// Requirement: bodies of every shape stay finite and never gain energy: rolling rims, needles, coins, throws and
+// Requirement R-605: bodies of every shape stay finite and never gain energy: rolling rims, needles, coins, throws and
 // poison.
 #include <algorithm>
 #include <cmath>
@@ -111,7 +111,7 @@ TEST(SpatialHardCases, TenTimesGravityUpAndDown) {
     }
 }
 
-// What rocks in its place after the wave and can neither fall nor rise higher needs no following.
+// What rocks in its place after the wave and can neither fall nor rise higher needs no following.
 TEST(SpatialHardCases, EnergyDecidesAfterTheWave) {
     auto const pulse = testing::sine(1, 2, 1, 0);
     auto longer = pulse;

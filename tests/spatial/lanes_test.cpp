@@ -1,5 +1,5 @@
-// Requirement: trials in space run side by side in vector lanes give, bit for bit, what each gives alone, whatever
-// stands in the other lanes and whatever instructions the machine offers; down to plain doubles with std::fma.
+// Requirement R-1002: trials in space run side by side in vector lanes give, bit for bit, what each gives alone,
+// whatever stands in the other lanes and whatever instructions the machine offers; down to plain doubles with std::fma.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,5 +1,5 @@
-// Requirement: under one horizontal component a square base in space is the planar body, to rounding, and nothing of it
-// leaves the plane, to the last bit.
+// Requirement R-604: under one horizontal component a square base in space is the planar body, to rounding, and nothing
+// of it leaves the plane, to the last bit.
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,5 @@
-// Requirement: bodies on every base, shaken by three components, move as the equations say, written down plainly a
-// second time; and holding a quiet body at rest changes that by no more than its springs' swing.
+// Requirement R-605: bodies on every base, shaken by three components, move as the equations say, written down plainly
+// a second time; and holding a quiet body at rest changes that by no more than its springs' swing.
 #include "spatial/reference.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Requirement: motion in space keeps the contract of models: it holds what it says, fills outcomes and own fields, and
-// is called for by a base or a second component that no plane holds.
+// Requirement R-504: motion in space keeps the contract of models: it holds what it says, fills outcomes and own
+// fields, and is called for by a base or a second component that no plane holds.
 #include "spatial/spatial_model.hpp"
 
 #include <cmath>
@@ -72,6 +72,7 @@ TEST(SpatialModel, ShowsTheChannelsThatItNames) {
     EXPECT_EQ(outcome.called, spatial);
 }
 
+// R-1002.
 TEST(SpatialModel, RunsABatchAsItsTrialsAlone) {
     auto const wave = testing::sine(1, 1, 1, 2, 0.01);
     auto const across = testing::sine(0.6, 1.5, 2, 5.0 / 3, 0.01);
@@ -111,6 +112,7 @@ TEST(SpatialModel, RunsABatchAsItsTrialsAlone) {
     }
 }
 
+//
 TEST(SpatialModel, MatchesASquareBaseAsThePlanarOne) {
     auto const wave = testing::sine(8, 1, 1, 2, 0.01);
     RigidBody const body({.mass_kg = 12.6e3,

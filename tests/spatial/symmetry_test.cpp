@@ -1,5 +1,5 @@
-// Requirement: what is done to the shaking, a turn or a mirror that leaves the base as it is, is done to the motion,
-// and a round base knows no direction.
+// Requirement R-605: what is done to the shaking, a turn or a mirror that leaves the base as it is, is done to the
+// motion, and a round base knows no direction.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,5 @@
-// Requirement: a body tips over the edge or corner that lies in the way of the push, at the threshold of its direction.
+// Requirement R-604: a body tips over the edge or corner that lies in the way of the push, at the threshold of its
+// direction.
 #include <algorithm>
 #include <cmath>
 

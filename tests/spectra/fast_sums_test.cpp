@@ -1,4 +1,4 @@
-// Requirement: the fast sums behind ouV_E and V_WES are the plain sums that their definitions name.
+// Requirement R-203: the fast sums behind ouV_E and V_WES are the plain sums that their definitions name.
 #include <algorithm>
 #include <cmath>
 #include <complex>

@@ -1,4 +1,4 @@
-// Requirement: input energy is exact; without damping it is the Fourier amplitude.
+// Requirement: input energy is exact; without damping it is the Fourier amplitude.
 #include "spectra/input_energy.hpp"
 
 #include <cmath>

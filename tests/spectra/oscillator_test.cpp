@@ -1,4 +1,4 @@
-// Requirement: the oscillator is exact between samples for any damping and any ratio of step to period.
+// Requirement R-201: the oscillator is exact between samples for any damping and any ratio of step to period.
 #include "spectra/oscillator.hpp"
 
 #include <cmath>

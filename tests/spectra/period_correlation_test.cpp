@@ -1,4 +1,4 @@
-// Requirement: deviations of spectra are correlated between periods as published, or as a file states.
+// Requirement R-103: deviations of spectra are correlated between periods as published, or as a file states.
 #include "spectra/period_correlation.hpp"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Requirement: response spectra equal closed forms, also where periods approach the time step.
+// Requirement R-201: response spectra equal closed forms, also where periods approach the time step.
 #include "spectra/response_spectrum.hpp"
 
 #include <algorithm>
@@ -45,6 +45,7 @@ TEST(ResponseSpectrum, UndampedResonanceGrowsByPiPerCycle) {
     EXPECT_TRUE(near(spectrum.psa_mps2[0], 10 * pi, testing::Tolerance{1e-5, "sampled sine"}));
 }
 
+// R-1002.
 TEST(ResponseSpectrum, EveryLaneEqualsTheSingleOscillator) {
     auto const wave = testing::broad_wave(3000, 0.01);
     auto const periods = log_periods(0.1, 20, 37);  // not a multiple of 16; all at samples
@@ -63,6 +64,7 @@ TEST(ResponseSpectrum, EveryLaneEqualsTheSingleOscillator) {
     }
 }
 
+// R-1002.
 TEST(ResponseSpectrum, NeighboursChangeNoBit) {
     auto const wave = testing::broad_wave(2000, 0.01);
     auto const periods = log_periods(0.02, 10, 50);

@@ -1,4 +1,4 @@
-// Requirement: a target may be stated as acceleration, pseudo-velocity, displacement or energy velocity, for any
+// Requirement R-104: a target may be stated as acceleration, pseudo-velocity, displacement or energy velocity, for any
 // damping that the user says how to convert, and nothing is converted silently.
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// Requirement: targets have the values their standards print, and say where they end.
+// Requirement R-104: targets have the values their standards print, and say where they end.
 #include "spectra/target_spectrum.hpp"
 
 #include "core/units.hpp"
@@ -106,6 +106,7 @@ TEST(TargetSpectrum, GoesOnBeyondItsEndsAndSaysSo) {
     EXPECT_TRUE(near(target.psa_mps2(20), 0.512 / 4, exact_formula));  // constant displacement
 }
 
+//
 TEST(TargetSpectrum, SimilarityShortensPeriodsOnly) {
     auto const model = named("mlit-ch1").at_time_scale(0.632);
 
@@ -141,7 +142,7 @@ TEST(TargetSpectrum, OneLineOfNamesMayStandAboveATable) {
     expect_input_error([&] { parse("0.1,\n1 1\n"); }, "t.csv:1: ", "two numbers");
 }
 
-// Requirement: the units of a target's table are those of its header or those stated, never SI whatever they say.
+// the units of a target's table are those of its header or those stated, never SI whatever they say.
 TEST(TargetSpectrum, UnitsOfTheHeaderAreRead) {
     std::string const rows = "0.02,300\n0.1,700\n1,500\n10,80\n";
     auto const peak = [&](std::string const& header, TargetKind kind = TargetKind::acceleration,

@@ -1,4 +1,4 @@
-// Requirement: Fourier transforms of any length agree with their sums and repeat bit for bit.
+// Requirement R-202: Fourier transforms of any length agree with their sums and repeat bit for bit.
 #include "spectra/transform.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// Requirement: beta_R (waves) and beta_U (what is not known of the body) are told apart from one sampled campaign.
+// Requirement R-705: beta_R (waves) and beta_U (what is not known of the body) are told apart from one sampled
+// campaign.
 #include "stats/beta_split.hpp"
 
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
-// Requirement: the criterion is judged by counts with exact intervals, over trials and over waves, and by where it
-// stood when bodies fell.
+// Requirement R-708: the criterion is judged by counts with exact intervals, over trials and over waves, and by where
+// it stood when bodies fell.
 #include "stats/criterion.hpp"
 
 #include <gtest/gtest.h>

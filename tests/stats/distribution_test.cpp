@@ -1,4 +1,4 @@
-// Requirement: uncertain quantities are drawn from the distribution stated, truncated where it must be.
+// Requirement R-304: uncertain quantities are drawn from the distribution stated, truncated where it must be.
 #include "stats/distribution.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// Requirement: 95 % intervals of median and beta hold the truth in 93 % to 97 % of 1000 repeated campaigns, and where
-// levels share waves it takes resampled waves to do so.
+// Requirement R-703: 95 % intervals of median and beta hold the truth in 93 % to 97 % of 1000 repeated campaigns, and
+// where levels share waves it takes resampled waves to do so.
 #include <cmath>
 #include <map>
 
@@ -117,7 +117,7 @@ std::vector<std::int64_t> ends_of_campaign() {
     return sizes;
 }
 
-/// Ended as soon as the median's interval is as narrow as was asked, that interval still holds the median.
+// Ended as soon as the median's interval is as narrow as was asked, that interval still holds the median.
 TEST(Coverage, HoldsWhereTheMedianTargetEndsTheCampaign) {
     constexpr double target = 0.055;
     constexpr double shared = 0.8;

@@ -1,4 +1,5 @@
-// Requirement: data that hold no curve get an answer that is true of them, and never a number that is not in them.
+// Requirement R-704: data that hold no curve get an answer that is true of them, and never a number that is not in
+// them.
 #include <array>
 #include <cmath>
 
@@ -171,7 +172,7 @@ TEST(Degenerate, APoorCurveDoesNotOutvoteItsStripe) {
                             [](auto const& text) { return text.find("P at 5 m/s2") != std::string::npos; }));
 }
 
-/// Trials without a verdict are counted and said, left out of the curve, and widen the bound.
+// Trials without a verdict are counted and said, left out of the curve, and widen the bound.
 TEST(Degenerate, UndecidedTrials) {
     auto const fit = fit_of({{.amplitude = 2, .trials = 50}, {.amplitude = 4, .trials = 50, .failed = 10}});
 

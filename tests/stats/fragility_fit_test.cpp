@@ -1,4 +1,4 @@
-// Requirement: a lognormal fragility is the maximum of its likelihood, its profile intervals are those of the
+// Requirement R-702: a lognormal fragility is the maximum of its likelihood, its profile intervals are those of the
 // likelihood-ratio test, and HCLPF follows from both betas.
 #include <array>
 #include <cmath>
@@ -99,8 +99,8 @@ TEST(FragilityFit, SingleTrialsAreStripesOfOne) {
     EXPECT_EQ(single.waves, 162);
 }
 
-/// Every bound that is reported is where its own likelihood-ratio test turns: the fit that is held there falls short
-/// by exactly chi squared. Held by brute force: a fine scan over the slope.
+// Every bound that is reported is where its own likelihood-ratio test turns: the fit that is held there falls
+// short by exactly chi squared. Held by brute force: a fine scan over the slope.
 TEST(ProfileLikelihood, EndsWhereTheTestTurns) {
     auto const points = points_of(known);
     auto const best = *ProbitSolver().fit(points);
@@ -127,8 +127,8 @@ TEST(ProfileLikelihood, EndsWhereTheTestTurns) {
     }
 }
 
-/// Without a beta_u there is no HCLPF, only the curve's 5 % point. HCLPF takes 1.645 of each beta; a stated beta_u
-/// moves it from there by exp(-1.645 beta_u), its interval too.
+// Without a beta_u there is no HCLPF, only the curve's 5 % point. HCLPF takes 1.645 of each beta; a stated
+// beta_u moves it from there by exp(-1.645 beta_u), its interval too.
 TEST(FragilityFit, HclpfTakesBothBetas) {
     FragilityRequest request;
     request.beta_u = 0.3;
@@ -153,7 +153,7 @@ TEST(FragilityFit, HclpfTakesBothBetas) {
     EXPECT_GT(plain.intervals().five_percent_point.upper, *plain.five_percent_point());
 }
 
-/// The curve of 95 % confidence reaches 5 % at HCLPF: that is what the name says.
+// The curve of 95 % confidence reaches 5 % at HCLPF: that is what the name says.
 TEST(FragilityFit, HclpfIsWhereTheCurveOfHighConfidenceIsLow) {
     FragilityRequest request;
     request.beta_u = 0.3;
@@ -165,7 +165,7 @@ TEST(FragilityFit, HclpfIsWhereTheCurveOfHighConfidenceIsLow) {
     EXPECT_TRUE(near(*fit.median_at(0.05) * *fit.median_at(0.95), std::exp(2 * fit.line->log_median()), maximum));
 }
 
-/// What was drawn and what is stated add as independent parts do; what is stated never lessens beta_R.
+// What was drawn and what is stated add as independent parts do; what is stated never lessens beta_R.
 TEST(FragilityFit, StatedUncertaintyAddsToWhatWasDrawn) {
     FragilityRequest request;
     request.drawn = true;
@@ -183,7 +183,7 @@ TEST(FragilityFit, StatedUncertaintyAddsToWhatWasDrawn) {
     EXPECT_FALSE(untold.hclpf()) << "drawn, but not told apart: no beta_R to be had";
 }
 
-/// What was drawn and moves nothing beyond chance, a mass, buys no HCLPF; nor does a beta_U of nothing.
+// What was drawn and moves nothing beyond chance, a mass, buys no HCLPF; nor does a beta_U of nothing.
 TEST(FragilityFit, WhatWasDrawnMustMoveTheMedian) {
     FragilityRequest request;
     request.drawn = true;

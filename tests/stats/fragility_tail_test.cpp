@@ -1,5 +1,5 @@
-// Requirement: where a curve leaves what was seen, what was seen is told: stripes contradict it one by one, and below
-// what the trials can hold there is a bound.
+// Requirement R-704: where a curve leaves what was seen, what was seen is told: stripes contradict it one by one, and
+// below what the trials can hold there is a bound.
 #include <algorithm>
 #include <array>
 #include <cmath>

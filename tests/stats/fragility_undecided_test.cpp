@@ -1,5 +1,5 @@
-// Requirement: trials without a verdict are neither forgotten nor guessed: intervals hold whatever they would have
-// done, and where that decides the median there is none.
+// Requirement R-706: trials without a verdict are neither forgotten nor guessed: intervals hold whatever they would
+// have done, and where that decides the median there is none.
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,5 @@
-// Requirement: the annual frequency of passing a limit state is the integral of its fragility over a hazard curve, with
-// what lies beyond either said.
+// Requirement R-707: the annual frequency of passing a limit state is the integral of its fragility over a hazard
+// curve, with what lies beyond either said.
 #include "stats/hazard.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// Requirement: 95 % intervals of HCLPF hold the truth in about 95 % of repeated campaigns whose bodies were drawn: the
-// split into beta_R and beta_U is resampled with everything else.
+// Requirement: 95 % intervals of HCLPF hold the truth in about 95 % of repeated campaigns whose bodies
+// were drawn: the split into beta_R and beta_U is resampled with everything else.
 #include <array>
 #include <cmath>
 

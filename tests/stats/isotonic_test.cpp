@@ -1,5 +1,5 @@
-// Requirement: the estimate that rises without a curve is Ayer's (1955): neighbours that do not rise are pooled, and
-// the level at which it reaches one half is a median.
+// Requirement R-704: the estimate that rises without a curve is Ayer's (1955): neighbours that do not rise are pooled,
+// and the level at which it reaches one half is a median.
 #include "stats/isotonic.hpp"
 
 #include <array>

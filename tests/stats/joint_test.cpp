@@ -1,5 +1,5 @@
-// Requirement: of several bodies under one wave it is told how likely any of them falls, exactly, and whether they fall
-// together.
+// Requirement R-701: of several bodies under one wave it is told how likely any of them falls, exactly, and whether
+// they fall together.
 #include "stats/joint.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// Requirement: distributions are compared as a whole, against Kolmogorov's band: what is drawn from one distribution
-// stays inside as often as the band says, what is not leaves it.
+// Requirement R-904: distributions are compared as a whole, against Kolmogorov's band: what is drawn from one
+// distribution stays inside as often as the band says, what is not leaves it.
 #include "stats/kolmogorov.hpp"
 
 #include <cmath>

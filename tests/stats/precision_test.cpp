@@ -1,5 +1,5 @@
-// Requirement: stopping when precise enough stops by the interval's own width, and the intervals of
-// what it leaves still hold.
+// Requirement R-703: stopping when precise enough stops by the interval's own width, and the intervals of what it
+// leaves still hold.
 #include "stats/precision.hpp"
 
 #include <map>

@@ -1,4 +1,4 @@
-// Requirement: intervals of proportions are the exact ones, from no trial at all to a million of them.
+// Requirement R-701: intervals of proportions are the exact ones, from no trial at all to a million of them.
 #include "stats/proportion.hpp"
 
 #include <cmath>

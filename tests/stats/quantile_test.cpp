@@ -1,5 +1,5 @@
-// Requirement: quantiles of a response come with distribution-free intervals that hold the true one as often as they
-// say, and that trials without a value widen.
+// Requirement R-703: quantiles of a response come with distribution-free intervals that hold the true one as often as
+// they say, and that trials without a value widen.
 #include "stats/quantile.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Requirement: measures are compared by rank, ties and shared waves included, as pairs counted one by one would.
+// Requirement R-708: measures are compared by rank, ties and shared waves included, as pairs counted one by one would.
 #include "stats/rank.hpp"
 
 #include <cmath>

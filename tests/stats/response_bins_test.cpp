@@ -1,4 +1,5 @@
-// Requirement: V_resp is set against V_WES in numbers, with and without slip, so that a plateau can be seen or refuted.
+// Requirement R-708: V_resp is set against V_WES in numbers, with and without slip, so that a plateau can be seen or
+// refuted.
 #include "stats/response_bins.hpp"
 
 #include <cmath>

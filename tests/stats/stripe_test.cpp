@@ -1,4 +1,4 @@
-// Requirement: stripes and the criterion's matrix count, and failed trials never pass for stable ones.
+// Requirement: stripes and the criterion's matrix count, and failed trials never pass for stable ones.
 #include "stats/stripe.hpp"
 
 #include <cmath>
@@ -8,6 +8,7 @@
 namespace overturn {
 namespace {
 
+// R-1104.
 TEST(Stripe, FailedTrialsAreLeftOutOfTheProportion) {
     Stripe const stripe{.amplitude = 6, .trials = 12, .overturned = 5, .failed = 2};
 

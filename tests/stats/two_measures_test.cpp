@@ -1,5 +1,5 @@
-// Requirement: a curve over two measures finds what made the trials, with intervals that hold it, and says what the
-// second measure adds.
+// Requirement R-702: a curve over two measures finds what made the trials, with intervals that hold it, and says what
+// the second measure adds.
 #include "stats/two_measures.hpp"
 
 #include <cmath>

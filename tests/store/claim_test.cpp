@@ -1,4 +1,4 @@
-// Requirement: no two runs write the same blocks at once, and a run that died holds nothing.
+// Requirement R-1105: no two runs write the same blocks at once, and a run that died holds nothing.
 #include "store/claim.hpp"
 
 #include <limits>
@@ -64,7 +64,7 @@ TEST_F(Claims, ARemovedFolderIsMadeAgain) {
     expect_refused(everything);
 }
 
-// Requirement: SIGKILL leaves no stale lock.
+// R-1101: SIGKILL leaves no stale lock.
 TEST_F(Claims, EndWithTheProcess) {
     int ready[2];
     ASSERT_EQ(::pipe(ready), 0);

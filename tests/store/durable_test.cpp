@@ -1,4 +1,4 @@
-// Requirement: a file is there whole or not at all, and what stands in the way is said in one line.
+// Requirement R-1101, R-1105: a file is there whole or not at all, and what stands in the way is said in one line.
 #include "store/durable.hpp"
 
 #include "support/expect_input_error.hpp"
@@ -34,7 +34,7 @@ TEST(Durable, WritesAndReadsBytes) {
     EXPECT_EQ(files_in(folder), 1U);
 }
 
-// Requirement: of two that begin at once, one makes the file and the other finds it.
+// R-1105: of two that begin at once, one makes the file and the other finds it.
 TEST(Durable, CreatesOnce) {
     TemporaryFolder const folder;
     auto const bytes = [](std::string const& text) { return std::as_bytes(std::span(text)); };

@@ -1,4 +1,5 @@
-// Requirement: the results file holds what was put in, explains itself, and is the same bytes for the same content.
+// Requirement R-1003: the results file holds what was put in, explains itself, and is the same bytes for the same
+// content.
 #include "store/results_file.hpp"
 
 #include <chrono>
@@ -246,6 +247,7 @@ TEST_F(Results, AmplitudeIsTheAxisOfItsStripes) {
     }
 }
 
+// R-1001.
 TEST_F(Results, SameContentIsTheSameBytes) {
     write_example(path());
     write_example(folder / "again.h5");
@@ -256,6 +258,7 @@ TEST_F(Results, SameContentIsTheSameBytes) {
     EXPECT_TRUE(slurp(path()) == slurp(folder / "later.h5"));
 }
 
+// R-1001.
 TEST_F(Results, PartsOfAnySizeGiveTheSameBytes) {
     write_example(path());
     for (std::size_t const part : {1, 7, 500, 999}) {
@@ -290,12 +293,13 @@ TEST_F(Results, MissingRowsAreOurMistake) {
 #endif
 }
 
+// R-1105.
 TEST_F(Results, UnwritablePlaceIsNamed) {
     expect_system_error([&] { ResultsWriter const writer(folder / "nowhere" / "out.h5"); }, "nowhere/out.h5",
                         "No such file or directory");
 }
 
-/// Wherever in the file the disk runs full. (HDF5 itself crashes at exit over a file it could not write.)
+// R-1105: Wherever in the file the disk runs full. (HDF5 itself crashes at exit over a file it could not write.)
 TEST_F(Results, FullDiskIsReportedAndNothingIsLeft) {
     write_example(folder / "whole.h5");
     auto const whole = std::filesystem::file_size(folder / "whole.h5");

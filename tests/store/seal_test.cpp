@@ -1,5 +1,5 @@
-// Requirement: a finished file proves itself: any flipped bit and any edit is noticed and named, and nothing outside
-// the file is read through it.
+// Requirement R-1004: a finished file proves itself: any flipped bit and any edit is noticed and named, and nothing
+// outside the file is read through it.
 #include "store/seal.hpp"
 
 #include <random>

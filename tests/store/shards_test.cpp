@@ -1,4 +1,5 @@
-// Requirement: a finished block comes back bit for bit or is named as unsound; nothing foreign is taken or removed.
+// Requirement R-1101, R-1103: a finished block comes back bit for bit or is named as unsound; nothing foreign is taken
+// or removed.
 #include "store/shards.hpp"
 
 #include <algorithm>
@@ -220,7 +221,7 @@ TEST_F(Shards, DamagedRecordIsSaid) {
     expect_system_error([&] { (void)shards.begun_with(); }, "campaign.record", "damaged");
 }
 
-/// No folder ever holds more than 1024 blocks, however many a campaign has.
+// R-1303: No folder ever holds more than 1024 blocks, however many a campaign has.
 TEST_F(Shards, ManyBlocksLieInFoldersOfTheirOwn) {
     for (std::int64_t const block : {std::int64_t{1023}, std::int64_t{1024}, std::int64_t{2047}, std::int64_t{5000},
                                      std::int64_t{2'000'000'001}}) {
@@ -267,6 +268,7 @@ TEST_F(Shards, UnfinishedWritesGoFromFoldersToo) {
     EXPECT_TRUE(std::filesystem::exists(file("0000001.blocks/0000001500.block")));
 }
 
+// R-1105.
 TEST_F(Shards, FullDiskIsReportedAndTheOldBlockStays) {
     {
         FullDisk const disk(4096);

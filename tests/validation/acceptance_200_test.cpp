@@ -1,5 +1,5 @@
-// Requirement: 200 of 200 waves pass SRP 3.7.1 and 5 % over any decade of periods to 10 s, for CH1, KA1 and RG 1.60;
-// they end at rest, their phases are uniform, their components independent.
+// Requirement: 200 of 200 waves pass SRP 3.7.1 and 5 % over any decade of periods to 10 s, for CH1,
+// KA1 and RG 1.60; they end at rest, their phases are uniform, their components independent.
 #include <algorithm>
 #include <cmath>
 

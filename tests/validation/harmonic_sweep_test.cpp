@@ -1,4 +1,4 @@
-// Requirement: the published steady state (the paper's Eq. 1, Spanos & Koh 1984) comes out of a whole campaign: a
+// Requirement R-404: the published steady state (the paper's Eq. 1, Spanos & Koh 1984) comes out of a whole campaign: a
 // slender body under slowly growing sinusoids, the nonlinear equation, impacts and all, started at rest.
 #include <cmath>
 

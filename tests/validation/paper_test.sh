@@ -1,6 +1,6 @@
 #!/bin/bash
-# Requirement: every table and figure of the paper is laid beside ours by one command, from the program alone: what does
-# not hang on how many waves are run (the law of similarity, Eq. 1) comes out here too.
+# Requirement R-1402, R-303: every table and figure of the paper is laid beside ours by one command, from the program
+# alone: what does not hang on how many waves are run (the law of similarity, Eq. 1) comes out here too.
 # paper_test.sh PROGRAM SOURCE_TREE; exit 77: skipped
 set -euo pipefail
 program=$1 source=$2

@@ -1,5 +1,5 @@
-// Requirement: what others published or integrated on their own is met: Housner's spectral intensities of El Centro,
-// and the displacement of a rigid body that slides.
+// Requirement: what others published or integrated on their own is met: Housner's spectral intensities of
+// El Centro, and the displacement of a rigid body that slides.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
