@@ -14,6 +14,7 @@ for wish in "$@"; do
                           slurmctld slurmd slurm-client slurm-wlm-basic-plugins munge  # a cluster to test on
                           qemu-user) ;;  # other CPUs to test on
         ci) packages+=(clang-format clang-tidy libbenchmark-dev libboost-dev  # and what benchmarks compare with
+                       libmpich-dev  # another MPI to build with
                        chromium groff-base) ;;  # pages and the manual as others see them
         *) echo "setup: '$wish' (unknown). Use tests or ci" >&2; exit 2 ;;
     esac

@@ -13,6 +13,16 @@ Dataset open_dataset(File const& file, std::string const& name) {
     return Dataset(checked(H5Dopen2(file.id(), name.c_str(), H5P_DEFAULT), "open " + name));
 }
 
+// A column of numbers, or of names for numbers. \throws InputError if it is none
+Dataset open_numbers(File const& file, std::string const& name) {
+    auto dataset = open_dataset(file, name);
+    Datatype const type(checked(H5Dget_type(dataset.id()), "read a type"));
+    auto const kind = H5Tget_class(type.id());
+    validate(kind == H5T_FLOAT || kind == H5T_INTEGER || kind == H5T_ENUM,
+             "results file: {} holds no numbers (it was edited). Restore it or run the campaign again", name);
+    return dataset;
+}
+
 // A damaged file may promise more than any memory holds.
 void require_plausible(File const& file, std::string const& name, hssize_t size) {
     hsize_t held = 0;
@@ -25,7 +35,7 @@ void require_plausible(File const& file, std::string const& name, hssize_t size)
 }
 
 template <class Value> std::vector<Value> read_all(File const& file, std::string const& name, hid_t memory_type) {
-    auto const dataset = open_dataset(file, name);
+    auto const dataset = open_numbers(file, name);
     Dataspace const space(checked(H5Dget_space(dataset.id()), "read a dataspace"));
     auto const size = H5Sget_simple_extent_npoints(space.id());
     require_plausible(file, name, size);
@@ -121,7 +131,7 @@ std::vector<double> ResultsReader::reals(std::string const& dataset) const {
 }
 
 std::vector<std::int64_t> ResultsReader::integers(std::string const& dataset) const {
-    auto const handle = open_dataset(file_, dataset);
+    auto const handle = open_numbers(file_, dataset);
     if (is_category(handle)) {
         auto const length = length_of(handle);
         require_plausible(file_, dataset, length);
@@ -131,11 +141,11 @@ std::vector<std::int64_t> ResultsReader::integers(std::string const& dataset) co
 }
 
 double ResultsReader::real_at(std::string const& dataset, std::int64_t row) const {
-    return read_one<double>(open_dataset(file_, dataset), dataset, H5T_NATIVE_DOUBLE, row);
+    return read_one<double>(open_numbers(file_, dataset), dataset, H5T_NATIVE_DOUBLE, row);
 }
 
 std::int64_t ResultsReader::integer_at(std::string const& dataset, std::int64_t row) const {
-    auto const handle = open_dataset(file_, dataset);
+    auto const handle = open_numbers(file_, dataset);
     if (is_category(handle)) {
         return read_categories(handle, dataset, row, 1).front();
     }
@@ -150,7 +160,7 @@ void ResultsReader::rows(TableSpec const& spec, std::int64_t length, std::int64_
     std::vector<std::int64_t> values(count);
     for (auto const& column : spec.columns) {
         auto const name = spec.group + "/" + column.name;
-        auto const dataset = open_dataset(file_, name);
+        auto const dataset = open_numbers(file_, name);
         auto const stored = length_of(dataset);
         validate(stored == length, "results file: {} has {} rows, the campaign {} {}", name, stored, length, advice);
         if (column.type == FieldType::category) {

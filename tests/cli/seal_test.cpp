@@ -145,5 +145,22 @@ TEST_F(SealedFile, UnverifiedFitsWhatTheRowsSay) {
     EXPECT_NE(fit.out.find("1.0000"), std::string::npos) << fit.out;
 }
 
+TEST_F(SealedFile, AColumnOfWordsInPlaceOfNumbersIsBadInput) {
+    if (!has_python(folder, "h5py")) {
+        GTEST_SKIP() << "no h5py to write with (install python3-h5py)";
+    }
+    ASSERT_EQ(edit_results(folder, "c.h5",
+                           "n = len(f['trials/peak_rotation']); del f['trials/peak_rotation']; "
+                           "f['trials/peak_rotation'] = [b'high'] * n")
+                  .code,
+              0);
+    for (std::vector<std::string> const& command :
+         {std::vector<std::string>{"fit", "c.h5"}, {"status", "c.h5"}, {"replay", "c.h5", "--trial", "3"}}) {
+        auto const ended = overturn(folder, joined(command, {"--unverified"}));
+        EXPECT_EQ(ended.code, 2) << command.front() << ended.err;
+        EXPECT_NE(ended.err.find("trials/peak_rotation holds no numbers"), std::string::npos) << ended.err;
+    }
+}
+
 }  // namespace
 }  // namespace overturn::testing

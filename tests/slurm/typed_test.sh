@@ -27,6 +27,10 @@ if command -v overturn >/dev/null; then
     exit 77
 fi
 
+for parts in 0 x 3x; do
+    said=$(slurm/array.sbatch $parts good.toml good.h5 2>&1) && fail "takes $parts for a number of parts"
+    [ "$said" = "usage: slurm/array.sbatch PARTS CAMPAIGN.toml FILE.h5 [options of overturn run]" ] || fail "$parts parts: $said"
+done
 said=$(slurm/array.sbatch 3 good.toml good.h5 2>&1) && fail "runs without a program"
 grep -qx "leg: no overturn in PATH, nor built in .*/.build/release. Set OVERTURN in $tree/slurm/site.env" <<<"$said" || fail "$said"
 said=$(SLURM_JOB_ID=7 SLURM_SUBMIT_DIR=$tree bash slurm/campaign.sbatch good.toml 2>&1) && fail "a leg without a program"
