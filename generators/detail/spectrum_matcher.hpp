@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "generators/acceptance.hpp"
-#include "generators/detail/match_look.hpp"
 #include "generators/detail/noise_lines.hpp"
+#include "generators/detail/spectrum_probe.hpp"
 #include "generators/wave_source.hpp"
 
 namespace overturn {
@@ -83,9 +83,9 @@ class SpectrumMatcher {
 
     SpectrumMatcherInput input_;
     NoiseLines noise_;
-    JudgedPeriods judged_;           // pseudo-velocity, or V_E
-    std::vector<MatchLook> looks_;   // a rough one, and a close one: every second short period, every long one
-    std::vector<std::size_t> left_;  // periods of no look
+    JudgedPeriods judged_;              // pseudo-velocity, or V_E
+    std::vector<SpectrumProbe> looks_;  // a rough one, and a close one: every second short period, every long one
+    std::vector<std::size_t> left_;     // periods of no look
     std::optional<PeakResponse> rest_;
     MatchFigures median_;
 };

@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "campaign/agreement.hpp"
 #include "cli/command_line.hpp"
-#include "cli/say.hpp"
+#include "cli/print_error.hpp"
 #include "core/error.hpp"
+#include "runner/agreement.hpp"
 
 namespace overturn::cli {
 
@@ -41,7 +41,7 @@ bool is_cut_off() {
 
 int on_all_ranks(std::function<int(parallel::Communicator const&)> const& action) {
     if (is_cut_off()) {
-        say_once(
+        print_error_once(
             fmt::format("SLURM_STEP_NUM_TASKS says {} ranks (srun tells {} nothing of them). Start it with mpirun, or "
                         "srun --mpi=pmix",
                         std::getenv("SLURM_STEP_NUM_TASKS"), parallel::Communicator::library()));
@@ -50,7 +50,7 @@ int on_all_ranks(std::function<int(parallel::Communicator const&)> const& action
     parallel::Environment const environment;
     parallel::Communicator const comm;
     if (auto const other = other_launcher(); comm.size() == 1 && !other.empty()) {
-        say_once(
+        print_error_once(
             fmt::format("this process is alone, but {} (the launcher of another MPI?). Start it with the mpirun of "
                         "{}",
                         other, parallel::Communicator::library()));
@@ -60,17 +60,17 @@ int on_all_ranks(std::function<int(parallel::Communicator const&)> const& action
         return action(comm);
     } catch (InputError const& error) {
         if (comm.is_root()) {
-            say(error.what());
+            print_error(error.what());
         }
         return bad_input;
     } catch (AgreedError const& error) {
         if (comm.is_root()) {
-            say(error.what());
+            print_error(error.what());
         }
         return other_failure;
     } catch (std::exception const&) {
         auto const [message, code] = current_failure();
-        say(message);
+        print_error(message);
         if (comm.size() > 1) {
             comm.abort(code);
         }

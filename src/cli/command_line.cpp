@@ -7,7 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "cli/say.hpp"
+#include "cli/print_error.hpp"
 #include "config/suggestion.hpp"
 
 namespace overturn::cli {
@@ -121,7 +121,7 @@ int CommandLine::run(int argc, char const* const* arguments) {
     } catch (CLI::Success const& help) {
         return parser_->exit(help);
     } catch (CLI::ParseError const& error) {
-        say_once(explain(*parser_, error, argc, arguments));
+        print_error_once(explain(*parser_, error, argc, arguments));
         return bad_input;
     }
     return chosen_();

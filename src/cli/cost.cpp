@@ -7,13 +7,13 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
-#include "campaign/progress.hpp"
 #include "cli/verbs.hpp"
-#include "core/note.hpp"
+#include "core/print_note.hpp"
 #include "cost/sensitivity.hpp"
 #include "cost/study_output.hpp"
 #include "report/cost_page.hpp"
 #include "report/sensitivity_page.hpp"
+#include "runner/progress.hpp"
 #include "store/durable.hpp"
 
 namespace overturn::cli {
@@ -40,7 +40,7 @@ class Remaining {
         }
         shown_ = done;
         auto const text = fmt::format("{:.0f} %{}", 100 * done, last ? "" : ", " + duration_text(left_s) + " left");
-        note("{}{:<30}{}", terminal_ ? "\r" : "", text, terminal_ && !last ? "" : "\n");
+        print_note("{}{:<30}{}", terminal_ ? "\r" : "", text, terminal_ && !last ? "" : "\n");
         std::fflush(stderr);
     }
 
@@ -68,7 +68,7 @@ void check(CostOptions const& options) {
 
 void write_page(std::string const& name, std::string const& page) {
     store::write_durably(name, std::as_bytes(std::span(page)));
-    note("page: {}\n", name);
+    print_note("page: {}\n", name);
 }
 
 int sensitivity(CostOptions const& options) {
@@ -95,7 +95,7 @@ int study(CostOptions const& options) {
     fmt::print("{}", options.json ? cost::study_json(found).dump(2) + "\n" : cost::study_table(found));
     if (options.output) {
         cost::write_study(*options.output, input, found);
-        note("study: {}\n", *options.output);
+        print_note("study: {}\n", *options.output);
     }
     if (!options.page.empty()) {
         write_page(options.page, report::cost_page(cost::study_json(found)));

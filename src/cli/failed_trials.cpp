@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "campaign/results.hpp"
 #include "generators/acceptance.hpp"
+#include "results/results.hpp"
 
 namespace overturn::cli {
 namespace {

@@ -7,11 +7,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "campaign/hand_check.hpp"
-#include "campaign/hazard_frequency.hpp"
-#include "campaign/rare_results.hpp"
-#include "campaign/telling_trials.hpp"
-#include "campaign/together.hpp"
 #include "campaign/version.hpp"
 #include "campaign/warnings.hpp"
 #include "campaign/withheld_inputs.hpp"
@@ -26,7 +21,12 @@
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
 #include "core/input_files.hpp"
-#include "core/note.hpp"
+#include "core/print_note.hpp"
+#include "results/hand_check.hpp"
+#include "results/hazard_frequency.hpp"
+#include "results/rare_results.hpp"
+#include "results/telling_trials.hpp"
+#include "results/together.hpp"
 #include "stats/rank.hpp"
 
 namespace overturn::cli {
@@ -61,8 +61,8 @@ void check(FitOptions const& options) {
 }
 
 // Curves are fitted by the program that runs; those that the file holds may be another's.
-int tell_refit(FitOptions const& options, store::ResultsReader const& file, CampaignSpec const& spec,
-               Statistics const& statistics) {
+int print_refit(FitOptions const& options, store::ResultsReader const& file, CampaignSpec const& spec,
+                Statistics const& statistics) {
     if (is_of_this_program(file) && file.text("library_versions") == library_versions()) {
         return done;
     }
@@ -81,11 +81,11 @@ int tell_refit(FitOptions const& options, store::ResultsReader const& file, Camp
         }
     }
     bool const differs = largest.relative > same;
-    note("overturn: {}: refitted by overturn {} (the file holds the fit of {}, {}). {}\n", options.file,
-         program_identity(), maker_of(file),
-         differs ? fmt::format("another one: {} differs by {:.2g}", largest.column, largest.relative)
-                 : std::string("all curves equal to 1e-9"),
-         differs ? "Quote either with its program" : "Either may be quoted");
+    print_note("overturn: {}: refitted by overturn {} (the file holds the fit of {}, {}). {}\n", options.file,
+               program_identity(), maker_of(file),
+               differs ? fmt::format("another one: {} differs by {:.2g}", largest.column, largest.relative)
+                       : std::string("all curves equal to 1e-9"),
+               differs ? "Quote either with its program" : "Either may be quoted");
     return differs ? refitted_otherwise : done;
 }
 
@@ -151,7 +151,7 @@ int fit_file(FitOptions const& options) {
                    hazard ? frequency_table(spec, frequencies, *hazard, confidence) : std::string(),
                    rare_table(spec, rare), telling_table(spec, telling, options.file));
     }
-    return tell_refit(options, file, spec, statistics);
+    return print_refit(options, file, spec, statistics);
 }
 
 std::string stripes_text(std::vector<Stripe> const& stripes, double confidence) {

@@ -3,12 +3,12 @@
 #include <array>
 #include <cstddef>
 
-#include "campaign/schema.hpp"
 #include "cli/assumptions_told.hpp"
 #include "cli/json_values.hpp"
 #include "cli/together_json.hpp"
 #include "core/error.hpp"
 #include "response/registry.hpp"
+#include "results/schema.hpp"
 
 namespace overturn::cli {
 namespace {

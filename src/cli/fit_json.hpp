@@ -5,8 +5,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "campaign/analysis.hpp"
-#include "campaign/telling_trials.hpp"
+#include "results/analysis.hpp"
+#include "results/telling_trials.hpp"
 
 namespace overturn::cli {
 

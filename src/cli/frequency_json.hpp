@@ -5,7 +5,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "campaign/hazard_frequency.hpp"
+#include "results/hazard_frequency.hpp"
 
 namespace overturn::cli {
 

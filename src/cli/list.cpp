@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/limit_state.hpp"
-#include "campaign/results.hpp"
 #include "cli/assumptions_told.hpp"
 #include "cli/verbs.hpp"
 #include "generators/acceptance.hpp"
@@ -13,6 +12,7 @@
 #include "motion/record.hpp"
 #include "response/effects.hpp"
 #include "response/registry.hpp"
+#include "results/results.hpp"
 #include "spectra/named_targets.hpp"
 
 namespace overturn::cli {

@@ -5,14 +5,14 @@
 #include <fmt/format.h>
 #include <gsl/gsl_errno.h>
 
-#include "campaign/stop.hpp"
 #include "campaign/version.hpp"
 #include "cli/command_line.hpp"
-#include "cli/say.hpp"
+#include "cli/print_error.hpp"
 #include "cli/verbs.hpp"
 #include "core/allocation.hpp"
 #include "core/error.hpp"
-#include "core/note.hpp"
+#include "core/print_note.hpp"
+#include "runner/stop_policy.hpp"
 
 namespace {
 
@@ -24,7 +24,7 @@ void hear_signals(int /*argc*/, char** /*argv*/, char** /*environment*/) { stop_
 
 int start(int argc, char** argv) {
     if (argc < 2 || std::string_view(argv[1]) != "run") {
-        leave_on_signals();
+        restore_signals();
     }
     keep_standard_streams();
     keep_freed_memory();
@@ -57,7 +57,7 @@ int main(int argc, char** argv) {
         return start(argc, argv);
     } catch (std::exception const&) {
         auto const [message, code] = cli::current_failure();
-        cli::say_once(message);
+        cli::print_error_once(message);
         return code;
     } catch (...) {
         return cli::other_failure;

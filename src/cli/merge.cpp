@@ -1,4 +1,4 @@
-#include "campaign/merge.hpp"
+#include "runner/merge.hpp"
 
 #include <memory>
 

@@ -10,12 +10,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "campaign/telling_trials.hpp"
 #include "cli/json_values.hpp"
 #include "cli/outcome_csv.hpp"
 #include "cli/shown_trials.hpp"
 #include "core/input_files.hpp"
 #include "model/verdict.hpp"
+#include "results/telling_trials.hpp"
 
 namespace overturn::cli {
 namespace {

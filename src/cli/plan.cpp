@@ -8,15 +8,15 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "campaign/progress.hpp"
-#include "campaign/results.hpp"
-#include "campaign/shown_levels.hpp"
 #include "campaign/validated_range.hpp"
 #include "campaign/warnings.hpp"
 #include "cli/assumptions_told.hpp"
 #include "cli/verbs.hpp"
 #include "contact/matching.hpp"
 #include "core/elapsed.hpp"
+#include "results/results.hpp"
+#include "results/shown_levels.hpp"
+#include "runner/progress.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -119,7 +119,7 @@ std::string placement_text(RigidBody const& body) {
 }
 
 // The limit states of the user's own, and what they make every trial simulate.
-void tell_limits(CampaignSpec const& spec) {
+void print_limits(CampaignSpec const& spec) {
     for (auto const& limit : std::span(spec.limits).subspan(1)) {
         fmt::print("limit     {}: {}\n", limit.name, definition_of(limit, spec.limits));
     }
@@ -186,7 +186,7 @@ int plan_campaign(PlanOptions const& options) {
     if (auto const more = left_out_levels(spec.levels); !more.empty()) {
         fmt::print("levels    {}", more);
     }
-    tell_limits(spec);
+    print_limits(spec);
     fmt::print("validated {}\n", validated_range_text(spec));
     for (auto const& line : warnings_of(spec)) {
         fmt::print("warning   {}\n", line);

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "campaign/agreement.hpp"
 #include "campaign/version.hpp"
 #include "cli/collective.hpp"
 #include "cli/verbs.hpp"
@@ -13,6 +12,7 @@
 #include "qualify/installation.hpp"
 #include "qualify/known_answers.hpp"
 #include "qualify/page.hpp"
+#include "runner/agreement.hpp"
 #include "store/durable.hpp"
 
 namespace overturn::cli {
@@ -57,7 +57,7 @@ class Bench {
     bool root_;
 };
 
-int tell(QualifyOptions const& options, qualify::Qualification const& shown) {
+int print_outcome(QualifyOptions const& options, qualify::Qualification const& shown) {
     if (options.page) {
         auto const page = qualify::page_of(shown);
         store::write_durably(*options.page, std::as_bytes(std::span(page)));
@@ -82,7 +82,7 @@ int qualify_here(QualifyOptions const& options, parallel::Communicator const& co
                                  campaign, qualify::file_system_checks(bench.folder())}) {
             shown.checks.insert(shown.checks.end(), part.begin(), part.end());
         }
-        return fmt::format("{}", tell(options, shown));
+        return fmt::format("{}", print_outcome(options, shown));
     }));
 }
 

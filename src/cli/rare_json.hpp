@@ -5,8 +5,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "campaign/rare_run.hpp"
-#include "campaign/rare_waves.hpp"
+#include "results/rare_waves.hpp"
+#include "runner/rare_run.hpp"
 
 namespace overturn::cli {
 

@@ -5,8 +5,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "campaign/rare_results.hpp"
-#include "campaign/results.hpp"
 #include "campaign/withheld_inputs.hpp"
 #include "cli/history.hpp"
 #include "cli/other_bits.hpp"
@@ -14,9 +12,11 @@
 #include "cli/velocity_unit.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
-#include "core/note.hpp"
+#include "core/print_note.hpp"
 #include "report/figure.hpp"
 #include "response/registry.hpp"
+#include "results/rare_results.hpp"
+#include "results/results.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -31,15 +31,15 @@ struct ReplayOptions {
     Unverified unverified;
 };
 
-int tell_difference(ReplayOptions const& options, store::ResultsReader const& file,
-                    std::vector<std::string> const& different, std::string const& what) {
+int print_difference(ReplayOptions const& options, store::ResultsReader const& file,
+                     std::vector<std::string> const& different, std::string const& what) {
     if (different.empty()) {
         fmt::print("bit-equal to the stored row\n");
         (void)options.unverified.told_of(file, options.file);  // the row is sound, the file is not
         return done;
     }
     fmt::print("NOT bit-equal to the stored row: {} differ\n", fmt::join(different, ", "));
-    note("overturn: {}: {} is not what this program computes {}\n", options.file, what, why_bits_differ(file));
+    print_note("overturn: {}: {} is not what this program computes {}\n", options.file, what, why_bits_differ(file));
     return other_failure;
 }
 
@@ -56,7 +56,7 @@ int replay(ReplayOptions const& options) {
     if (!options.rare.empty()) {
         auto const again = replay_rare(file, spec, options.rare, options.limit, options.trial);
         fmt::print("{}", again.text);
-        return tell_difference(options, file, again.different, fmt::format("row {}", options.trial));
+        return print_difference(options, file, again.different, fmt::format("row {}", options.trial));
     }
     Plan const plan(spec);
     auto const trials = static_cast<std::int64_t>(file.integers("trials/verdict").size());  // fewer than planned, maybe
@@ -83,7 +83,7 @@ int replay(ReplayOptions const& options) {
                      {title, spec.bodies[place], prepared.bodies[place].body, prepared.motion, row.scale, measures},
                      options.unit, options.plot);
         if (measures == nullptr) {
-            note("{}: without V_WES (the campaign states [measures] energy = false)\n", options.plot);
+            print_note("{}: without V_WES (the campaign states [measures] energy = false)\n", options.plot);
         }
     }
     fmt::print("trial {}: wave number {} (id {}), body {}, {} {}\n", options.trial, wave, row.wave,
@@ -97,8 +97,8 @@ int replay(ReplayOptions const& options) {
     } else {
         fmt::print("verdict {} ({})\n", entry_of(row.verdict).name, entry_of(row.failure).summary);
     }
-    return tell_difference(options, file, differing_columns(spec, stored, trial),
-                           fmt::format("trial {}", options.trial));
+    return print_difference(options, file, differing_columns(spec, stored, trial),
+                            fmt::format("trial {}", options.trial));
 }
 
 }  // namespace

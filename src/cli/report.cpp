@@ -12,10 +12,6 @@
 #include <nlohmann/json.hpp>
 
 #include "body/parts.hpp"
-#include "campaign/rare_results.hpp"
-#include "campaign/results.hpp"
-#include "campaign/runtime_file.hpp"
-#include "campaign/telling_trials.hpp"
 #include "campaign/validated_range.hpp"
 #include "campaign/warnings.hpp"
 #include "campaign/withheld_inputs.hpp"
@@ -28,10 +24,14 @@
 #include "cli/spectra_of_waves.hpp"
 #include "cli/velocity_unit.hpp"
 #include "cli/verbs.hpp"
-#include "core/note.hpp"
+#include "core/print_note.hpp"
 #include "report/cost_page.hpp"
 #include "report/figure.hpp"
 #include "response/registry.hpp"
+#include "results/rare_results.hpp"
+#include "results/results.hpp"
+#include "results/telling_trials.hpp"
+#include "runner/runtime_file.hpp"
 #include "store/durable.hpp"
 
 namespace overturn::cli {
@@ -192,7 +192,7 @@ Json cost_of(fs::path path) {
         std::ifstream stream(path);
         return cost_lines(Json::parse(stream), path);
     } catch (Json::exception const&) {
-        note("{}: not as overturn run writes it (damaged?). The page tells no times\n", path.string());
+        print_note("{}: not as overturn run writes it (damaged?). The page tells no times\n", path.string());
         return Json::array();
     }
 }
@@ -273,8 +273,8 @@ int write_report(ReportOptions const& options) {
     data["cost"] = cost_of(options.file);
     auto const page = report::figure_text("campaign_page.py", data, ".html");
     store::write_durably(options.page, std::as_bytes(std::span(page)));
-    note("page: {}{}\n", options.page,
-         options.figures.empty() ? "" : fmt::format(", figures and tables: {}", options.figures));
+    print_note("page: {}{}\n", options.page,
+               options.figures.empty() ? "" : fmt::format(", figures and tables: {}", options.figures));
     return done;
 }
 

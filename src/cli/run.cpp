@@ -1,15 +1,15 @@
-#include "campaign/run.hpp"
+#include "runner/run.hpp"
 
 #include <charconv>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
-#include "campaign/stop.hpp"
 #include "cli/collective.hpp"
 #include "cli/verbs.hpp"
 #include "cli/walltime.hpp"
 #include "core/error.hpp"
+#include "runner/stop_policy.hpp"
 
 namespace overturn::cli {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "core/input_files.hpp"
-#include "core/note.hpp"
+#include "core/print_note.hpp"
 #include "core/units.hpp"
 #include "generators/record_baseline.hpp"
 #include "motion/column_unit.hpp"
@@ -39,7 +39,7 @@ PlacedRecord load_motion(RecordOptions const& options) {
         placed.says += ", " + baseline.says();
     }
     if (placed.says != options.wave) {
-        note("wave: {}\n", placed.says);
+        print_note("wave: {}\n", placed.says);
     }
     return placed;
 }
@@ -56,7 +56,7 @@ nlohmann::ordered_json record_json(PlacedRecord const& record) {
 
 void note_warnings(std::vector<std::string> const& lines) {
     for (auto const& line : lines) {
-        note("warning: {}\n", line);
+        print_note("warning: {}\n", line);
     }
 }
 

@@ -10,7 +10,7 @@
 
 #include "campaign/campaign_spec.hpp"
 #include "campaign/plan.hpp"
-#include "campaign/telling_trials.hpp"
+#include "results/telling_trials.hpp"
 #include "store/results_file.hpp"
 
 namespace overturn::cli {

@@ -9,7 +9,7 @@
 #include "cli/velocity_unit.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
-#include "core/note.hpp"
+#include "core/print_note.hpp"
 #include "report/figure.hpp"
 
 namespace overturn::cli {
@@ -59,7 +59,7 @@ int show_spectra(SpectraOptions const& options) {
     auto const input = load_campaign(options.campaign, options.settings);
     auto const spec = parse_campaign(input);
     for (auto const& line : warnings_of(spec)) {
-        note("warning: {}\n", line);
+        print_note("warning: {}\n", line);
     }
     auto const spectra = spectra_of_waves(input, spec, options.waves, options.damping);
     auto json = spectra_json(spec, spectra);
@@ -67,7 +67,7 @@ int show_spectra(SpectraOptions const& options) {
         auto data = json;
         data["velocity_unit"] = options.unit.json();
         report::draw_figure("spectra_figure.py", data, options.plot);
-        note("{}: {} waves\n", options.plot, spectra.waves.size());
+        print_note("{}: {} waves\n", options.plot, spectra.waves.size());
     }
     if (options.json) {
         fmt::print("{}\n", json.dump(2));

@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
-#include "campaign/merge.hpp"
-#include "campaign/output_place.hpp"
 #include "campaign/plan.hpp"
-#include "campaign/results.hpp"
 #include "cli/failed_trials.hpp"
 #include "cli/verbs.hpp"
+#include "results/results.hpp"
+#include "runner/merge.hpp"
+#include "runner/output_place.hpp"
 #include "store/format_versions.hpp"
 #include "store/results_file.hpp"
 #include "store/shards.hpp"
@@ -56,8 +56,8 @@ int status_of_file(std::string const& path, Unverified const& unverified) {
     return done;
 }
 
-void tell_so_far(CampaignSpec const& spec, Plan const& plan, store::ShardFolder const& shards,
-                 std::vector<std::int64_t> const& committed) {
+void print_so_far(CampaignSpec const& spec, Plan const& plan, store::ShardFolder const& shards,
+                  std::vector<std::int64_t> const& committed) {
     WaveCounts waves;
     FailedTrials failed(spec);
     for (auto const block : committed) {
@@ -90,7 +90,7 @@ int status(std::string const& path, Unverified const& unverified) {
     require_same_program(input, path);
     store::ShardFolder const shards(path, input.block_key());
     auto const committed = sound_blocks(shards, plan, {0, plan.blocks()});
-    tell_so_far(spec, plan, shards, committed);
+    print_so_far(spec, plan, shards, committed);
     std::vector<std::int64_t> left;
     for (std::int64_t block = 0; block < plan.blocks(); ++block) {
         if (!std::binary_search(committed.begin(), committed.end(), block)) {

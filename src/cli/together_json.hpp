@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "campaign/hand_check.hpp"
-#include "campaign/together.hpp"
+#include "results/hand_check.hpp"
+#include "results/together.hpp"
 
 namespace overturn::cli {
 

@@ -1,14 +1,14 @@
 #include <fmt/format.h>
 
 #include "cli/verbs.hpp"
-#include "core/note.hpp"
+#include "core/print_note.hpp"
 
 namespace overturn::cli {
 
 bool Unverified::told_of(store::ResultsReader const& file, std::string const& path) const {
     bool const changed = wished && !file.is_as_written();
     if (changed) {
-        note(
+        print_note(
             "overturn: {}: NOT as it was written (edited, damaged or never sealed); read as it is, with --unverified\n",
             path);
     }

@@ -1,16 +1,16 @@
-#include "campaign/verify.hpp"
+#include "runner/verify.hpp"
 
 #include <memory>
 
 #include <fmt/format.h>
 
-#include "campaign/agreement.hpp"
-#include "campaign/results.hpp"
 #include "campaign/withheld_inputs.hpp"
 #include "cli/collective.hpp"
 #include "cli/other_bits.hpp"
 #include "cli/verbs.hpp"
-#include "core/note.hpp"
+#include "core/print_note.hpp"
+#include "results/results.hpp"
+#include "runner/agreement.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -26,7 +26,7 @@ std::string counted(Verified const& found) {
                        found.rare > 0 ? fmt::format(", {} rows of rare events", found.rare) : "");
 }
 
-int tell(VerifyOptions const& options, Verified const& found) {
+int print_outcome(VerifyOptions const& options, Verified const& found) {
     if (found.all_equal()) {
         fmt::print("{}: {} recomputed, all bit-equal to the stored rows\n", options.file, counted(found));
         return done;
@@ -35,7 +35,7 @@ int tell(VerifyOptions const& options, Verified const& found) {
                counted(found), found.differing_trials, found.differing_waves,
                found.rare > 0 ? fmt::format(", {} rows of rare events", found.differing_rare) : "", found.first);
     store::ResultsReader const file(options.file, options.unverified.trust());
-    note("overturn: {}: not what this program computes {}\n", options.file, why_bits_differ(file));
+    print_note("overturn: {}: not what this program computes {}\n", options.file, why_bits_differ(file));
     return other_failure;
 }
 
@@ -50,7 +50,7 @@ int verify(VerifyOptions const& options, parallel::Communicator const& comm) {
     fetch_withheld(input, options.file);
     auto const spec = parse_campaign(input);
     auto const found = verify_rows(file, spec, options.wish, comm);
-    return std::stoi(from_root(comm, [&] { return fmt::format("{}", tell(options, found)); }));
+    return std::stoi(from_root(comm, [&] { return fmt::format("{}", print_outcome(options, found)); }));
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 #include "cli/velocity_unit.hpp"
 #include "cli/verbs.hpp"
 #include "cli/wave_report.hpp"
-#include "core/note.hpp"
+#include "core/print_note.hpp"
 #include "motion/record_writer.hpp"
 #include "motion/text_lines.hpp"
 #include "report/figure.hpp"
@@ -72,7 +72,8 @@ void write_output(WaveOptions const& options, std::uint64_t seed, GeneratedWave 
                             options.output);
     }
     for (auto const& file : written) {
-        note("{}: {} samples of {:.6g} s, {}\n", file, made.motion.samples(), made.motion.time_step_s, made.label);
+        print_note("{}: {} samples of {:.6g} s, {}\n", file, made.motion.samples(), made.motion.time_step_s,
+                   made.label);
     }
 }
 
@@ -104,11 +105,11 @@ int show_wave(WaveOptions const& options) {
     }
     if (!options.plot.empty()) {
         draw_campaign_wave(input, spec, made, options.unit, options.plot);
-        note("{}: {}\n", options.plot, made.label);
+        print_note("{}: {}\n", options.plot, made.label);
     }
-    note("{}", wave_report(spec, made, check));
+    print_note("{}", wave_report(spec, made, check));
     for (auto const& line : warnings_of(spec)) {
-        note("warning: {}\n", line);
+        print_note("warning: {}\n", line);
     }
     return done;
 }

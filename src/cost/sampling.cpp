@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "campaign/results.hpp"
+#include "results/results.hpp"
 #include "stats/proportion.hpp"
 
 namespace overturn::cost {

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "core/elapsed.hpp"
-#include "core/note.hpp"
+#include "core/print_note.hpp"
 #include "cost/detail/runner.hpp"
 
 namespace overturn::cost {
@@ -78,7 +78,7 @@ Study run_study(CampaignInput const& input, StudyOptions const& options, Tell co
     });
     if (auto const spec = parse_campaign(input); spec.rare) {
         auto const rare_start = Clock::now();
-        note("rare events of {}\n", spec.bodies.front().name);
+        print_note("rare events of {}\n", spec.bodies.front().name);
         study.rare = study_rare(spec, [&](double done) { tell(done, seconds_since(rare_start) * (1 - done) / done); });
     }
     return study;

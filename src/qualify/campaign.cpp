@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "campaign/agreement.hpp"
-#include "campaign/run.hpp"
 #include "campaign/version.hpp"
-#include "core/note.hpp"
+#include "core/print_note.hpp"
 #include "qualify/installation.hpp"
+#include "runner/agreement.hpp"
+#include "runner/run.hpp"
 #include "store/durable.hpp"
 #include "store/results_file.hpp"
 #include "store/sha256.hpp"

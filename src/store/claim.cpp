@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include "core/error.hpp"
-#include "core/note.hpp"
+#include "core/print_note.hpp"
 
 namespace overturn::store {
 namespace {
@@ -69,8 +69,8 @@ Claim::Claim(std::filesystem::path const& folder, BlockRange blocks) {
                     fmt::format("{} (another run is writing there now). Wait for it, or choose another place with -o",
                                 folder.string()));
             }
-            note("{}: cannot be locked ({}): see to it that no other run writes there\n", folder.string(),
-                 std::strerror(reason));
+            print_note("{}: cannot be locked ({}): see to it that no other run writes there\n", folder.string(),
+                       std::strerror(reason));
             return;
         }
         if (is_still_there(fd_, folder)) {

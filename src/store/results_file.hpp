@@ -132,7 +132,7 @@ class ResultsReader {
     [[nodiscard]] std::int64_t integer_at(std::string const& dataset, std::int64_t row) const;
     [[nodiscard]] std::string content(std::string const& dataset) const;
     /// A text attribute of a dataset or group.
-    [[nodiscard]] std::string note(std::string const& object, std::string const& name) const;
+    [[nodiscard]] std::string text_attribute(std::string const& object, std::string const& name) const;
 
   private:
     [[nodiscard]] std::string text_or(std::string const& name) const;

@@ -185,7 +185,7 @@ std::string ResultsReader::content(std::string const& dataset) const {
     return {bytes.begin(), bytes.end()};
 }
 
-std::string ResultsReader::note(std::string const& object, std::string const& name) const {
+std::string ResultsReader::text_attribute(std::string const& object, std::string const& name) const {
     Handle<H5Oclose> const handle(checked(H5Oopen(file_.id(), object.c_str(), H5P_DEFAULT), "open " + object));
     return read_text_attribute(handle.id(), name);
 }

@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include "campaign/analysis.hpp"
 #include "campaign/trial.hpp"
 #include "campaign/warnings.hpp"
 #include "response/registry.hpp"
+#include "results/analysis.hpp"
 #include "support/expect_input_error.hpp"
 #include "support/limited_campaigns.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "campaign/results.hpp"
+#include "results/results.hpp"
 #include "spatial/spatial_model.hpp"
 #include "support/bit_equal.hpp"
 #include "support/campaigns.hpp"

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "campaign/analysis.hpp"
 #include "campaign/warnings.hpp"
+#include "results/analysis.hpp"
 #include "spectra/response_spectrum.hpp"
 #include "support/campaign_rows.hpp"
 #include "support/campaigns.hpp"

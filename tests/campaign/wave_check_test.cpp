@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include "campaign/results.hpp"
+#include "results/results.hpp"
 #include "support/campaign_rows.hpp"
 #include "support/campaigns.hpp"
 #include "support/expect_input_error.hpp"

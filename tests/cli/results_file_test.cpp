@@ -187,6 +187,26 @@ TEST_F(ResultsElsewhere, AreReadByH5dump) {
     EXPECT_NE(bodies.out.find("scatters"), std::string::npos) << bodies.out;
 }
 
+// What src/store/README.md shows of pandas makes a table with names, NaN and units.
+TEST_F(ResultsElsewhere, AreATableByTheLinesOfTheReadme) {
+    if (execute(folder, {OVERTURN_PYTHON, "-c", "import h5py, pandas"}).code != 0) {
+        GTEST_SKIP() << "no pandas to read with (install python3-xarray, which brings it)";
+    }
+    ASSERT_NO_FATAL_FAILURE(run_campaign());
+    folder.write("check.py", R"python(
+import re, sys
+text = open(sys.argv[1]).read()
+exec(re.search('```python\n(.*?)```', text, re.S)[1].replace('FILE.h5', 'c.h5'))
+assert set(trials['verdict']) <= {'at-rest', 'slid', 'rocked', 'overturned', 'contact-lost', 'failed'}, set(trials['verdict'])
+assert 'scatters' in set(trials['body']) and trials.attrs['peak_rotation'] == 'rad' and trials.attrs['v_wes'] == 'm/s'
+never = trials['overturn_time'].isna()
+assert never.any() and (never == (trials['verdict'] != 'overturned')).all()
+)python");
+    auto const read = execute(folder, {OVERTURN_PYTHON, "check.py", OVERTURN_CAMPAIGNS "/../src/store/README.md"});
+    EXPECT_EQ(read.code, 0) << read.err;
+    EXPECT_NE(read.out.find("rad"), std::string::npos) << read.out;
+}
+
 // Groups are listed by name; each says which body of the campaign it is of.
 TEST_F(ResultsElsewhere, TellWhichBodyAGroupIsOf) {
     if (execute(folder, {OVERTURN_PYTHON, "-c", "import h5py"}).code != 0) {

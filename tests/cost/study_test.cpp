@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "campaign/results.hpp"
 #include "cost/bench.hpp"
 #include "cost/study_output.hpp"
+#include "results/results.hpp"
 #include "store/results_file.hpp"
 #include "support/bit_equal.hpp"
 #include "support/campaigns.hpp"
@@ -158,8 +158,8 @@ TEST_F(StudyOfThree, FileHoldsWhatWasFound) {
         auto const errors = file.reals(group + "error_p95");
         auto const flips = file.integers(group + "flips");
         ASSERT_EQ(times.size(), result.rows.size());
-        EXPECT_EQ(file.note(group + "cpu", "units"), "s");
-        EXPECT_FALSE(file.note(group + "error_p95", "description").empty());
+        EXPECT_EQ(file.text_attribute(group + "cpu", "units"), "s");
+        EXPECT_FALSE(file.text_attribute(group + "error_p95", "description").empty());
         for (std::size_t i = 0; i < times.size(); ++i) {
             EXPECT_EQ(times[i], result.rows[i].seconds);
             EXPECT_EQ(errors[i], result.rows[i].error.p95);
@@ -168,7 +168,7 @@ TEST_F(StudyOfThree, FileHoldsWhatWasFound) {
         }
     }
     EXPECT_EQ(file.integers("cost/waves/waves"), (std::vector<std::int64_t>{1, 3}));
-    EXPECT_EQ(file.note("cost", "sentence"), study().sentence);
+    EXPECT_EQ(file.text_attribute("cost", "sentence"), study().sentence);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <unistd.h>
 
-#include "campaign/results.hpp"
+#include "results/results.hpp"
 #include "store/durable.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size);

@@ -176,7 +176,7 @@ TEST_F(Results, KeepTextsAndInputFilesByteForByte) {
     EXPECT_EQ(reader.text("campaign"), "title = \"Überschlag\"\n");
     EXPECT_EQ(reader.text("nothing"), "");
     EXPECT_EQ(reader.integer("format_version"), format_version);
-    EXPECT_EQ(reader.note("stripes/type-a", "measure"), "pga");
+    EXPECT_EQ(reader.text_attribute("stripes/type-a", "measure"), "pga");
     EXPECT_EQ(reader.content("inputs/wave.csv"), std::string("0,1\0\r\n", 6));
     EXPECT_EQ(reader.content("inputs/empty.csv"), "");
 }
@@ -198,11 +198,11 @@ TEST_F(Results, EveryColumnStatesUnitsAndMeaning) {
     ResultsReader const reader(path());
 
     for (auto const& column : trials().columns) {
-        EXPECT_EQ(reader.note("trials/" + column.name, "units"), column.units);
-        EXPECT_EQ(reader.note("trials/" + column.name, "description"), column.description);
+        EXPECT_EQ(reader.text_attribute("trials/" + column.name, "units"), column.units);
+        EXPECT_EQ(reader.text_attribute("trials/" + column.name, "description"), column.description);
     }
-    EXPECT_EQ(reader.note("stripes/type-a/failed", "units"), "1");
-    EXPECT_EQ(reader.note("inputs/wave.csv", "description"), "an input file");
+    EXPECT_EQ(reader.text_attribute("stripes/type-a/failed", "units"), "1");
+    EXPECT_EQ(reader.text_attribute("inputs/wave.csv", "description"), "an input file");
 }
 
 TEST_F(Results, ListTheirMembers) {

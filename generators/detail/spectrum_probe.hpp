@@ -1,0 +1,55 @@
+/// What one iteration of a match looks at: how oscillators at some of the judged periods swing, and which step on the
+/// wave's lines that calls for.
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "generators/acceptance.hpp"
+#include "generators/detail/line_gains.hpp"
+#include "generators/detail/noise_lines.hpp"
+#include "generators/detail/peak_response.hpp"
+
+namespace overturn {
+
+/// Periods a match is judged at, and the pseudo-velocity wanted there.
+struct JudgedPeriods {
+    std::vector<double> period_s;
+    std::vector<double> target_mps;
+
+    /// Response over target.
+    [[nodiscard]] double ratio(std::size_t i, double displacement_m) const;
+    /// `values` of some of the periods.
+    [[nodiscard]] std::vector<double> at(std::span<std::size_t const> chosen) const;
+};
+
+class SpectrumProbe {
+  public:
+    /// \param chosen of them, rising, first and last included
+    SpectrumProbe(JudgedPeriods judged, std::vector<std::size_t> chosen, double damping, NoiseLines const& noise);
+
+    [[nodiscard]] std::vector<PeakSwing> swings(std::span<double const> acceleration_mps2) const {
+        return sweep_.swings(acceleration_mps2);
+    }
+
+    /// Response over target at all judged periods, between the chosen ones on straight lines.
+    [[nodiscard]] std::vector<double> ratios(std::span<PeakSwing const> swings) const;
+
+    /// Steps the lines towards the rule's aim. \param ratios at all judged periods, a chosen one answers for those
+    /// beside it \param envelope the wave's, per sample
+    void step(Lines& lines, std::span<PeakSwing const> swings, std::span<double const> ratios,
+              std::span<double const> envelope, AcceptanceRule const& rule, LineGains::Trust trust) const;
+
+  private:
+    [[nodiscard]] double heard(std::span<double const> ratios, std::size_t c, AcceptanceRule const& rule) const;
+
+    JudgedPeriods judged_;
+    std::vector<std::size_t> chosen_;
+    double time_step_s_;
+    PeakResponse sweep_;
+    LineGains gains_;
+};
+
+}  // namespace overturn

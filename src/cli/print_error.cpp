@@ -1,0 +1,69 @@
+#include "cli/print_error.hpp"
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <new>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "cli/command_line.hpp"
+#include "core/error.hpp"
+#include "core/print_note.hpp"
+
+namespace overturn::cli {
+namespace {
+
+bool is_first_rank() {
+    static constexpr std::array names{"OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK", "SLURM_PROCID"};
+    for (auto const* name : names) {
+        if (auto const* rank = std::getenv(name)) {
+            return std::string_view(rank) == "0";
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+void print_error(std::string message) {
+    for (char& c : message) {
+        c = c == '\n' || c == '\r' ? ' ' : c;
+    }
+    constexpr std::size_t longest = 1000;
+    constexpr std::size_t end = 300;  // what to do stands there
+    if (message.size() > longest) {
+        message = message.substr(0, longest - end) + " [...] " + message.substr(message.size() - end);
+    }
+    print_note("overturn: {}\n", message);
+}
+
+Failure current_failure() {
+    try {
+        throw;
+    } catch (InputError const& error) {
+        return {error.what(), bad_input};
+    } catch (std::filesystem::filesystem_error const& error) {
+        return {fmt::format("{}: cannot be looked at ({}). Name another place", error.path1().string(),
+                            error.code().message()),
+                bad_input};
+    } catch (std::bad_alloc const&) {
+        return {
+            "out of memory (a limit of the batch system or of ulimit -v, or too many ranks on a node?). Allow more, "
+            "or start fewer ranks a node; what is finished is kept, go on with --resume",
+            other_failure};
+    } catch (std::exception const& error) {
+        return {error.what(), other_failure};
+    }
+}
+
+void print_error_once(std::string message) {
+    if (is_first_rank()) {
+        print_error(std::move(message));
+    }
+}
+
+}  // namespace overturn::cli

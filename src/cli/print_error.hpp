@@ -1,0 +1,23 @@
+/// Errors for the user: one line on stderr, from one rank.
+#pragma once
+
+#include <string>
+
+namespace overturn::cli {
+
+/// Prints `overturn: message` as exactly one line, whatever the message holds; of one that quotes kilobytes, both ends.
+void print_error(std::string message);
+
+/// As print_error, but silent on ranks above 0, known from what launchers put into the environment: for errors that
+/// every rank meets, also before MPI is up.
+void print_error_once(std::string message);
+
+struct Failure {
+    std::string message;
+    int code;  ///< to exit with
+};
+/// What the exception that is being handled means to the user: one without words of its own gets them here.
+/// \pre called in a catch block
+[[nodiscard]] Failure current_failure();
+
+}  // namespace overturn::cli

@@ -1,0 +1,235 @@
+#include "results/analysis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "core/field.hpp"
+#include "results/detail/drawn_trials.hpp"
+#include "results/detail/fitted_measures.hpp"
+#include "results/detail/level_quantiles.hpp"
+#include "stats/quantile.hpp"
+#include "stats/rank.hpp"
+
+namespace overturn {
+namespace {
+
+std::vector<Quote> quotes_of(LevelSpec const& levels) {
+    std::vector<Quote> quotes;
+    auto const base = std::find_if(levels.levels.begin(), levels.levels.end(),
+                                   [](Level const& l) { return l.purpose == LevelClass::design_basis; });
+    if (base == levels.levels.end()) {
+        return quotes;
+    }
+    for (double const multiple : quoted_multiples) {
+        quotes.push_back({multiple * base->value, multiple});
+    }
+    for (auto const& level : levels.levels) {
+        auto const known = std::any_of(quotes.begin(), quotes.end(), [&](Quote const& q) {
+            constexpr double same = 1e-9;
+            return std::abs(q.intensity / level.value - 1) < same;
+        });
+        if (level.purpose == LevelClass::beyond_design && !known) {
+            quotes.push_back({level.value, level.value / base->value});
+        }
+    }
+    return quotes;
+}
+
+// From half the lowest level to 1.6 times the highest: what a figure shows beside the data.
+std::vector<double> band_over(LevelSpec const& levels, int points) {
+    constexpr double below = 0.5;
+    constexpr double above = 1.6;
+    std::vector<double> at;
+    at.reserve(static_cast<std::size_t>(points));
+    double const low = std::log(below * levels.levels.front().value);
+    double const high = std::log(above * levels.levels.back().value);
+    for (int i = 0; i < points; ++i) {
+        at.push_back(std::exp(low + (high - low) * i / (points - 1)));
+    }
+    return at;
+}
+
+constexpr char const* grid_verdict =
+    "waves that are a grid of frequencies are no sample: shares and ranks of its trials are no chances";
+
+// Leaves the counts: shares of a grid's trials have no intervals, their ratios no quantiles.
+void keep_counts(CriterionStudy& study) {
+    study.at_overturning.reset();
+    study.first_overturning.reset();
+    study.highest_standing.reset();
+    for (auto* share : {&study.safe_but_overturned, &study.overturned_said_safe, &study.unsafe_but_stood,
+                        &study.stood_said_unsafe, &study.waves_safe_but_overturned, &study.safe_uplifted_but_overturned,
+                        &study.waves_safe_uplifted_but_overturned}) {
+        share->interval = {never, never};
+    }
+}
+
+class Analyst {
+  public:
+    Analyst(CampaignSpec const& spec, Statistics const& statistics, AnalysisOptions const& options)
+        : spec_(spec), statistics_(statistics), options_(options), is_grid_(spec.is_grid()) {}
+
+    [[nodiscard]] BodyAnalysis of(std::size_t b) const {
+        BodyAnalysis body;
+        body.body = spec_.bodies[b].name;
+        body.variability = spec_.source->variability();
+        body.one_spectrum = spec_.source->of_one_spectrum();
+        body.fragility = fragility(b, 0);
+        for (std::size_t limit = 1; limit < spec_.limits.size(); ++limit) {
+            auto const& stated = spec_.limits[limit];
+            body.limits.push_back({stated.name, definition_of(stated, spec_.limits), fragility(b, limit)});
+        }
+        if (is_grid_) {
+            body.grid = map_of(b);
+        } else {
+            body.quantiles = level_quantiles(spec_, statistics_.measured(), b, options_.confidence);
+        }
+        for (auto const measure : criteria_of(spec_)) {
+            auto const unit = is_other_unit(measure) ? other(spec_.measures.radius_unit) : spec_.measures.radius_unit;
+            body.criterion.push_back(
+                {measure, unit,
+                 study_criterion(statistics_.measured().criterion_trials(static_cast<std::int64_t>(b), measure),
+                                 options_.confidence)});
+            if (is_grid_) {
+                keep_counts(body.criterion.back().study);
+            }
+        }
+        if (spec_.measures.energy) {
+            body.response = is_grid_ ? std::vector<ResponseBin>{}
+                                     : response_bins(statistics_.measured().responses(static_cast<std::int64_t>(b)));
+            body.verdict = is_grid_ ? CriterionVerdict{{}, {}, {grid_verdict}} : verdict_on(body, options_.confidence);
+        }
+        return body;
+    }
+
+    /// At the levels' measure the trials are stripes; their waves are known for the bootstrap.
+    [[nodiscard]] FragilityFit over_levels(std::size_t b, std::size_t limit) const {
+        return over_levels(b, limit, singles(b, FragilityMeasure::level, limit), request_of(b, limit, {}));
+    }
+
+  private:
+    [[nodiscard]] GridMap map_of(std::size_t b) const {
+        GridMap map{spec_.levels.measure_name(), told_unit(spec_.levels.units(), spec_.levels), {}, {}, {}};
+        std::ranges::transform(spec_.levels.levels, std::back_inserter(map.levels), &Level::value);
+        std::ranges::transform(spec_.limits, std::back_inserter(map.limits), &LimitState::name);
+        map.lines = statistics_.bodies()[b].grid;
+        return map;
+    }
+
+    [[nodiscard]] FragilityFit over_levels(std::size_t b, std::size_t limit, std::vector<SingleTrial> trials,
+                                           FragilityRequest request) const {
+        auto data = FragilityData::of_stripes(statistics_.bodies()[b].stripes_of(limit));
+        data.trials = std::move(trials);
+        data.open = statistics_.measured().open(static_cast<std::int64_t>(b), FragilityMeasure::level, limit);
+        data.waves_shared = shared();
+        data.waves_left_out = statistics_.measured().passed_by() > 0;
+        request.quotes = quotes_of(spec_.levels);
+        request.band_at = band_over(spec_.levels, options_.band_points);
+        return fit_fragility(data, request);
+    }
+
+    [[nodiscard]] bool shared() const { return !spec_.levels.independent_waves && spec_.levels.levels.size() > 1; }
+    [[nodiscard]] FragilityRequest request_of(std::size_t b, std::size_t limit,
+                                              std::optional<BetaSplit> const& split) const {
+        FragilityRequest request;
+        request.confidence = options_.confidence;
+        request.passing = spec_.limits[limit].passing();
+        request.beta_u = options_.beta_u;
+        request.bootstrap = bootstrap_of(b);
+        request.drawn = !spec_.bodies[b].scattering().empty();
+        request.draws_balanced = spec_.sampling == Sampling::latin_hypercube;
+        request.split = split;
+        return request;
+    }
+    [[nodiscard]] BootstrapKey bootstrap_of(std::size_t b) const { return {spec_.seed, b, options_.replicates}; }
+    [[nodiscard]] std::vector<SingleTrial> singles(std::size_t b, FragilityMeasure measure, std::size_t limit) const {
+        return statistics_.measured().singles(static_cast<std::int64_t>(b), measure, limit);
+    }
+
+    [[nodiscard]] FragilityFit over_measure(std::size_t b, std::size_t limit, FragilityMeasure measure,
+                                            std::vector<SingleTrial> trials, FragilityRequest request) const {
+        // V_Ereq is the limit of overturning and of nothing else.
+        if (measure == FragilityMeasure::v_wes_ratio && limit == 0) {
+            request.quotes = {{1, 1}};
+        }
+        auto const& measured = statistics_.measured();
+        auto const body = static_cast<std::int64_t>(b);
+        auto open = measured.open(body, measure, limit);
+        auto const lost = measured.left_out(body, measure, limit) - static_cast<std::int64_t>(open.size());
+        auto data = FragilityData::of_trials(std::move(trials), shared(), std::move(open), lost);
+        data.waves_left_out = measured.passed_by() > 0;
+        return fit_fragility(data, request);
+    }
+
+    [[nodiscard]] std::vector<MeasuredFragility> fragility(std::size_t b, std::size_t limit) const {
+        std::vector<MeasuredFragility> fits;
+        auto const measures = measures_of(spec_);
+        fits.reserve(measures.size());
+        for (auto const measure : measures) {
+            fits.push_back(fragility(b, limit, measure, measure == measures.front()));
+        }
+        return fits;
+    }
+
+    [[nodiscard]] MeasuredFragility fragility(std::size_t b, std::size_t limit, FragilityMeasure measure,
+                                              bool levels) const {
+        MeasuredFragility result;
+        result.limit = spec_.limits[limit].name;
+        result.measure = measure;
+        result.name = name_of(measure, spec_);
+        result.label = label_of(measure, spec_);
+        result.units = units_of(measure, spec_.levels);
+        result.told =
+            options_.velocities && result.units == "m/s" ? *options_.velocities : told_unit(result.units, spec_.levels);
+        if (is_grid_) {
+            result.fit.state = FragilityState::grid;
+            result.fit.passing = spec_.limits[limit].passing();
+            result.fit.waves = spec_.wave_count;
+            return result;
+        }
+        // The level itself, not the scaled wave's peak, which differs from it in the last digit.
+        auto trials = singles(b, levels ? FragilityMeasure::level : measure, limit);
+        result.split = split_by_draws(spec_, b, trials, bootstrap_of(b));
+        result.drawn = spec_.bodies[b].scattering();
+        constexpr int rank_replicates = 200;
+        result.rank_area = rank_area(trials);
+        result.rank_interval =
+            middle_of(rank_area_replicates(trials, {spec_.seed, b, rank_replicates}), options_.confidence, {0, 1});
+        auto const request = request_of(b, limit, result.split);
+        result.fit = levels ? over_levels(b, limit, std::move(trials), request)
+                            : over_measure(b, limit, measure, std::move(trials), request);
+        if (!result.fit.quotes.empty()) {
+            result.quote_base = levels ? "design-basis" : "v_ereq";
+        }
+        return result;
+    }
+
+    CampaignSpec const& spec_;
+    Statistics const& statistics_;
+    AnalysisOptions const& options_;
+    bool is_grid_;
+};
+
+}  // namespace
+
+std::vector<BodyAnalysis> analyse(CampaignSpec const& spec, Statistics const& statistics,
+                                  AnalysisOptions const& options) {
+    Analyst const analyst(spec, statistics, options);
+    std::vector<BodyAnalysis> bodies;
+    bodies.reserve(spec.bodies.size());
+    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+        bodies.push_back(analyst.of(b));
+    }
+    return bodies;
+}
+
+FragilityFit fit_over_levels(CampaignSpec const& spec, Statistics const& statistics, std::size_t body,
+                             AnalysisOptions const& options, std::size_t limit) {
+    return Analyst(spec, statistics, options).over_levels(body, limit);
+}
+
+}  // namespace overturn

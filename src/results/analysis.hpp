@@ -1,0 +1,123 @@
+/// What the trials of a campaign say: fragility curves over several measures, and how good the energy criterion is.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "campaign/campaign_spec.hpp"
+#include "results/grid_map.hpp"
+#include "results/measured_trials.hpp"
+#include "results/results.hpp"
+#include "stats/beta_split.hpp"
+#include "stats/fragility.hpp"
+#include "stats/quantile.hpp"
+
+namespace overturn {
+
+/// A fit with what it is of.
+struct MeasuredFragility {
+    std::string limit = overturning_limit;  ///< name of the limit state
+    FragilityMeasure measure = FragilityMeasure::pga;
+    std::string name;        ///< of the measure
+    std::string label;       ///< the same, for people
+    std::string units;       ///< of the measure, SI
+    IntensityUnit told;      ///< what it is printed in: the levels' unit where that measures the same
+    std::string quote_base;  ///< what quoted multiples are of: "design-basis", "v_ereq"; empty without quotes
+    FragilityFit fit;
+    std::optional<BetaSplit> split;                               ///< where the bodies were drawn
+    std::vector<std::string> drawn;                               ///< the quantities its scores are of
+    double rank_area = std::numeric_limits<double>::quiet_NaN();  ///< NaN where all trials ended alike
+    Interval rank_interval{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+};
+
+/// How far stored curves are from the same fitted again.
+struct RefitDifference {
+    double relative = 0;  ///< the largest of all columns; infinite where one is known and the other is not
+    std::string column;   ///< where: "fragility/type-a/median"
+};
+/// \param fits at the confidence that the file's were made at
+[[nodiscard]] RefitDifference refit_difference(store::ResultsReader const& file, std::string const& group,
+                                               std::vector<MeasuredFragility> const& fits);
+
+/// One criterion of one body, measure < V_Ereq.
+struct MeasuredCriterion {
+    FragilityMeasure measure = FragilityMeasure::v_wes;
+    RadiusUnit radius_unit = RadiusUnit::centimetre;  ///< what R of T0 and T1 was taken in
+    CriterionStudy study;
+};
+
+/// The paper calls V_WES practical and conservative; sentences that speak for and against it, each with its numbers.
+struct CriterionVerdict {
+    std::vector<std::string> supports, against, open;
+};
+
+/// The fragility of one body by a limit state of the user's own.
+struct LimitAnalysis {
+    std::string name, definition;
+    std::vector<MeasuredFragility> fragility;  ///< as BodyAnalysis::fragility
+};
+
+/// A response of a body at one level: median, 84 % and 95 % of it.
+struct LevelQuantiles {
+    std::string quantity;  ///< "peak_slip"
+    std::string units;
+    std::size_t level = 0;
+    double amplitude = 0;
+    std::int64_t trials = 0, unknown = 0;  ///< with a known value, and others
+    double fallen = 0;                     ///< what stands for a body that fell; infinite: nothing does
+    std::array<SampleQuantile, 3> quantiles;
+};
+
+struct BodyAnalysis {
+    std::string body;
+    std::string variability;                   ///< what makes the waves differ, on which every spread below hangs
+    bool one_spectrum = false;                 ///< of all waves: no measure can prove better than another
+    std::vector<MeasuredFragility> fragility;  ///< of overturning
+    std::vector<LimitAnalysis> limits;
+    std::vector<LevelQuantiles> quantiles;  ///< of peak slip (unless it cannot slip) and rotation, level by level
+    std::vector<MeasuredCriterion> criterion;
+    std::vector<ResponseBin> response;  ///< V_resp over V_WES
+    CriterionVerdict verdict;
+    /// Where waves are a grid: what stands in place of curves and quantiles. Fits are then all of state `grid`, of
+    /// the criterion there are counts alone, of the response nothing.
+    std::optional<GridMap> grid;
+
+    /// The fit over the levels' own measure.
+    [[nodiscard]] MeasuredFragility const& over_levels() const { return fragility.front(); }
+};
+
+/// Multiples of the design-basis level at which P is quoted.
+inline constexpr std::array quoted_multiples{1.0, 1.5, 2.0, 3.0};
+
+struct AnalysisOptions {
+    double confidence = 0.95;
+    double beta_u = 0;  ///< 0: what the bodies' scatter says, if they have any
+    int replicates = 1000;
+    int band_points = 0;  ///< of the curve over the levels' own measure
+    /// In which measures that are velocities are told; none: as told_unit says.
+    std::optional<IntensityUnit> velocities{};
+};
+
+[[nodiscard]] std::vector<BodyAnalysis> analyse(CampaignSpec const& spec, Statistics const& statistics,
+                                                AnalysisOptions const& options);
+
+/// One body's fit over the levels' own measure, alone. \param limit place of the limit state; 0: overturning
+[[nodiscard]] FragilityFit fit_over_levels(CampaignSpec const& spec, Statistics const& statistics, std::size_t body,
+                                           AnalysisOptions const& options, std::size_t limit = 0);
+
+[[nodiscard]] CriterionVerdict verdict_on(BodyAnalysis const& body, double confidence);
+
+/// Fragility, criterion and verdict for the terminal.
+[[nodiscard]] std::string analysis_table(std::vector<BodyAnalysis> const& bodies, double confidence);
+
+/// The fragility part of it, for one list of fits; also for tables that are nobody's campaign.
+[[nodiscard]] std::string fragility_table(std::vector<MeasuredFragility> const& fits, double confidence);
+
+/// One row per measure into `group`; numbers that are not identifiable are NaN. \pre fits of one limit state
+void write_fragility(store::ResultsWriter& file, std::string const& group, std::vector<MeasuredFragility> const& fits,
+                     double confidence);
+
+}  // namespace overturn

@@ -1,0 +1,227 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "results/analysis.hpp"
+#include "results/detail/limit_results.hpp"
+
+namespace overturn {
+namespace {
+
+std::string end_text(double value) { return std::isfinite(value) ? fmt::format("{:.4g}", value) : "open"; }
+
+std::string ends_text(Interval const& interval, IntensityUnit const& unit = {}) {
+    return fmt::format("[{}, {}]", end_text(unit.of(interval.lower)), end_text(unit.of(interval.upper)));
+}
+
+std::string measure_text(MeasuredFragility const& m) {
+    return m.told.symbol == "1" ? m.label : fmt::format("{} {}", m.label, m.told.symbol);
+}
+
+std::string point_text(MeasuredFragility const& m, std::optional<double> const& intensity) {
+    return intensity ? fmt::format("{:.4g}", m.told.of(*intensity)) : std::string("-");
+}
+
+std::string fit_line(MeasuredFragility const& m) {
+    auto const rank = std::isnan(m.rank_area) ? std::string("-") : fmt::format("{:.3f}", m.rank_area);
+    if (!m.fit.identifiable()) {
+        return fmt::format("{:>20} {:>50}  {:>5}\n", measure_text(m),
+                           "no curve: " + name_of(m.fit.state, m.fit.passing), rank);
+    }
+    auto const& line = *m.fit.line;
+    auto const& ends = m.fit.intervals();
+    return fmt::format("{:>20} {:>9.4g} {:>18} {:>6.3f} {:>17} {:>9} {:>8} {:>9}  {:>5}  {}\n", measure_text(m),
+                       m.told.of(std::exp(line.log_median())), ends_text(ends.median, m.told), line.beta(),
+                       ends_text(ends.beta), point_text(m, m.fit.five_percent_point()), point_text(m, m.fit.hclpf()),
+                       point_text(m, m.fit.one_percent_point()), rank,
+                       fmt::join(names_of(m.fit.flags, m.fit.passing), " "));
+}
+
+// Are there several measures, and did all trials end alike, whatever one draws them over?
+bool end_alike(std::vector<MeasuredFragility> const& fits) {
+    auto const state = fits.front().fit.state;
+    bool const alike = state == FragilityState::none_overturned || state == FragilityState::all_overturned;
+    return alike && fits.size() > 1 && std::ranges::all_of(fits, [&](auto const& m) { return m.fit.state == state; });
+}
+
+// What the draws of the body's quantities add, where they were drawn.
+std::string split_line(MeasuredFragility const& m) {
+    if (!m.split || !m.fit.identifiable()) {
+        return {};
+    }
+    auto const& s = *m.split;
+    std::string shifts;
+    for (std::size_t k = 0; k < s.per_score.size(); ++k) {
+        shifts += fmt::format("{}{} {:+.3f} +- {:.3f}", k == 0 ? "" : ", ", m.drawn.at(k), s.per_score[k],
+                              s.per_score_error[k]);
+    }
+    return fmt::format(
+        "  beta {:.3f} is beta_R {:.3f} (waves) with beta_U {:.3f} (the body){}; ln median per deviation of: {}\n",
+        m.fit.line->beta(), m.fit.beta_r(), m.fit.beta_u_drawn,
+        m.fit.beta_u > m.fit.beta_u_drawn ? fmt::format(", {:.3f} with what is stated", m.fit.beta_u) : "", shifts);
+}
+
+// Never a number that no sample of that size could hold.
+std::string curve_text(double least, double p) {
+    return p < least ? fmt::format("value below {:.2g}", least) : fmt::format("{:.2g}", p);
+}
+
+// The exact bound that is left where the curve speaks of less than the trials hold.
+std::string bound_text(MeasuredFragility const& m, QuotedProbability const& q) {
+    auto const why = fmt::format(
+        "a P below {:.2g}, a tenth of one in the trials there or next above, is not theirs to tell", q.least);
+    if (!q.bound) {
+        return fmt::format("no bound (no trial there or above; {})", why);
+    }
+    auto const where = q.bound->from == q.bound->to
+                           ? m.told.text(q.bound->from)
+                           : fmt::format("{:.4g} to {}", m.told.of(q.bound->from), m.told.text(q.bound->to));
+    return fmt::format("below {:.3g} ({:g} of {:g} at {}; {})", q.bound->probability.upper, q.bound->overturned,
+                       q.bound->units, where, why);
+}
+
+std::string quote_line(MeasuredFragility const& m, QuotedProbability const& q) {
+    using Source = QuotedProbability::Source;
+    auto const at = m.quote_base == "v_ereq" ? std::string("V_WES = V_Ereq")
+                                             : fmt::format("{:.3g} x design basis, {} {}", q.quote.multiple, m.name,
+                                                           m.told.text(q.quote.intensity));
+    if (q.curve && !q.probability) {
+        return fmt::format("  P at {}: {}\n", at, bound_text(m, q));
+    }
+    auto const p = q.probability ? fmt::format("{:.3g}", *q.probability) : std::string("not identifiable");
+    auto const rejected = q.curve && q.probability && *q.curve != *q.probability
+                              ? fmt::format(" (the curve's {} is not believed)", curve_text(q.least, *q.curve))
+                              : std::string();
+    auto const seen = q.trials > 0 ? fmt::format(", {:g} of {:g} seen there", q.overturned, q.trials) : std::string();
+    auto const bounds = q.source == Source::none ? std::string("no bound")
+                                                 : fmt::format("[{:.3g}, {:.3g}]{}", q.bounds.lower, q.bounds.upper,
+                                                               q.source == Source::stripe ? " exact" : "");
+    return fmt::format("  P at {}: {} {}{}{}{}{}\n", at, p, bounds, seen, rejected,
+                       q.outside_data ? ", outside the data" : "", q.in_tail ? ", in the tail" : "");
+}
+
+std::string share_line(char const* what, Share const& share) {
+    if (share.of == 0) {
+        return fmt::format("    {}: none to count\n", what);
+    }
+    auto const ends = std::isnan(share.interval.lower)
+                          ? std::string()
+                          : fmt::format(" [{:.3g}, {:.3g}]", share.interval.lower, share.interval.upper);
+    return fmt::format("    {}: {} of {} = {:.3g}{}\n", what, share.count, share.of, share.value(), ends);
+}
+
+std::string criterion_text(MeasuredCriterion const& criterion) {
+    auto const& s = criterion.study;
+    auto text = fmt::format("  criterion {} < v_ereq, R of T0 and T1 in {}\n",
+                            fragility_measure_names()[static_cast<std::size_t>(in_any_unit(criterion.measure))],
+                            name_of(criterion.radius_unit));
+    text += share_line("said safe, overturned", s.safe_but_overturned);
+    text += share_line("the same of those that uplifted", s.safe_uplifted_but_overturned);
+    text += share_line("waves with such a trial", s.waves_safe_uplifted_but_overturned);
+    text += share_line("said unsafe, stood", s.unsafe_but_stood);
+    if (s.at_overturning) {
+        auto const line = [](char const* what, RatioQuantiles const& q) {
+            return fmt::format("    ratio {}: lowest {:.3g}, 5 % {:.3g}, median {:.3g}, 95 % {:.3g} ({})\n", what,
+                               q.lowest, q.p05, q.median, q.p95, q.count);
+        };
+        text += line("at overturning, trials", *s.at_overturning);
+        text += line("at the first overturning, waves", *s.first_overturning);
+    }
+    return text;
+}
+
+std::string response_text(std::vector<ResponseBin> const& bins) {
+    if (bins.empty()) {
+        return {};
+    }
+    auto const spread = [](std::optional<RatioQuantiles> const& q) {
+        return q ? fmt::format("{:.3f} {:.3f} {:.3f} ({})", q->p05, q->median, q->p95, q->count) : std::string("-");
+    };
+    auto text = fmt::format(
+        "  V_resp / V_Ereq of what moved and stood: 5 %, median, 95 % (trials)\n  {:>16} {:>30} {:>30} {:>11}\n",
+        "V_WES / V_Ereq", "without slip", "with slip", "overturned");
+    for (auto const& bin : bins) {
+        auto const range = std::isfinite(bin.to) ? fmt::format("{:.2f} to {:.2f}", bin.from, bin.to)
+                                                 : fmt::format("{:.2f} and above", bin.from);
+        text += fmt::format("  {:>16} {:>30} {:>30} {:>11}\n", range, spread(bin.without_slip), spread(bin.with_slip),
+                            bin.overturned);
+    }
+    return text;
+}
+
+std::string verdict_text(CriterionVerdict const& verdict) {
+    std::string text;
+    auto const add = [&](char const* heading, std::vector<std::string> const& sentences) {
+        for (auto const& sentence : sentences) {
+            text += fmt::format("    {} {}\n", heading, sentence);
+        }
+    };
+    add("for:    ", verdict.supports);
+    add("against:", verdict.against);
+    add("open:   ", verdict.open);
+    return text.empty() ? text : "  is V_WES practical and conservative?\n" + text;
+}
+
+// Curves of all limit states, and the responses per level.
+std::string curves_text(BodyAnalysis const& body, double confidence) {
+    auto text = fmt::format("\n{}: curves from {} waves, {}\n", body.body, body.over_levels().fit.waves,
+                            body.over_levels().fit.method == FragilityFit::Method::bootstrap_by_waves
+                                ? "ends by resampling them"
+                                : "ends by profile likelihood");
+    text += fmt::format("  waves differ by {}\n", body.variability);
+    text += fragility_table(body.fragility, confidence);
+    for (auto const& limit : body.limits) {
+        text += fmt::format("  limit state {}: {}\n", limit.name, limit.definition);
+        text += fragility_table(limit.fragility, confidence);
+    }
+    return text + quantiles_text(body, confidence);
+}
+
+}  // namespace
+
+std::string fragility_table(std::vector<MeasuredFragility> const& fits, double confidence) {
+    auto const& first = fits.front().fit;
+    std::string text = fmt::format("{:>20} {:>9} {:>18} {:>6} {:>17} {:>9} {:>8} {:>9}  {:>5}\n", "fragility", "median",
+                                   fmt::format("{:g} %", 100 * confidence), "beta",
+                                   fmt::format("{:g} %", 100 * confidence), "5 % point", "HCLPF", "1 % point", "rank");
+    if (end_alike(fits)) {
+        text += fmt::format("{:>20} {:>50}\n", "any measure", "no curve: " + name_of(first.state, first.passing));
+    } else {
+        for (auto const& m : fits) {
+            text += fit_line(m);
+        }
+    }
+    text += split_line(fits.front());
+    for (auto const& m : fits) {
+        for (auto const& quoted : m.fit.quotes) {
+            text += quote_line(m, quoted);
+        }
+    }
+    // What is said of the first, over the levels, mostly holds for the others; their flags stand in their lines.
+    for (auto const& warning : warnings_of(fits.front().fit, fits.front().told, confidence)) {
+        text += fmt::format("  note: {}\n", warning);
+    }
+    return text;
+}
+
+std::string analysis_table(std::vector<BodyAnalysis> const& bodies, double confidence) {
+    std::string text;
+    for (auto const& body : bodies) {
+        if (body.grid) {
+            text +=
+                fmt::format("\n{}: {}\n{}", body.body, grid_text(body.over_levels().fit.waves), grid_table(*body.grid));
+        } else {
+            text += curves_text(body, confidence);
+        }
+        for (auto const& criterion : body.criterion) {
+            text += criterion_text(criterion);
+        }
+        text += response_text(body.response);
+        text += verdict_text(body.verdict);
+    }
+    return text;
+}
+
+}  // namespace overturn

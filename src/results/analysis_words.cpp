@@ -1,0 +1,167 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "results/analysis.hpp"
+#include "stats/quantile.hpp"
+
+namespace overturn {
+namespace {
+
+std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
+
+std::string ends(Share const& share) {
+    return fmt::format("{} to {}", percent(share.interval.lower), percent(share.interval.upper));
+}
+
+void judge_safety(CriterionVerdict& verdict, CriterionStudy const& study, double confidence) {
+    auto const& share = study.safe_but_overturned;
+    if (share.of == 0) {
+        verdict.open.emplace_back("V_WES called no trial safe: whether safe means safe was not tried");
+        return;
+    }
+    auto const& tried = study.safe_uplifted_but_overturned;
+    auto const& waves = study.waves_safe_uplifted_but_overturned;
+    if (tried.of == 0) {
+        verdict.open.push_back(fmt::format(
+            "none of {} trials that V_WES < V_Ereq calls safe uplifted: whether safe means safe was not tried",
+            share.of));
+        return;
+    }
+    if (tried.count > 0) {
+        verdict.against.push_back(fmt::format(
+            "not conservative: {} of {} uplifted trials that V_WES < V_Ereq calls safe overturned ({}; {:g} "
+            "%: {}), in {} of their {} waves",
+            tried.count, tried.of, percent(tried.value()), 100 * confidence, ends(tried), waves.count, waves.of));
+        return;
+    }
+    auto text = fmt::format(
+        "conservative here: none of {} uplifted trials that V_WES < V_Ereq calls safe overturned ({} more never left "
+        "the "
+        "ground and tell nothing); by their {} waves at most {} of waves would ({:g} %)",
+        tried.of, share.of - tried.of, waves.of, percent(waves.interval.upper), 100 * confidence);
+    (study.at_overturning ? verdict.supports : verdict.open).push_back(std::move(text));
+    if (study.at_overturning) {
+        verdict.supports.push_back(fmt::format(
+            "the lowest V_WES / V_Ereq at which a trial overturned is {:.3g} (of these waves: more may go below)",
+            study.at_overturning->lowest));
+    } else {
+        verdict.open.emplace_back("nothing overturned: how conservative V_WES is cannot be told from these trials");
+    }
+}
+
+void judge_price(CriterionVerdict& verdict, CriterionStudy const& study, double confidence) {
+    auto const& price = study.unsafe_but_stood;
+    if (price.of == 0) {
+        return;
+    }
+    constexpr double mostly = 0.5;
+    auto text = fmt::format("of {} trials that V_WES calls unsafe, {} stood ({}; {:g} %: {})", price.of, price.count,
+                            percent(price.value()), 100 * confidence, ends(price));
+    (price.value() > mostly ? verdict.against : verdict.supports).push_back(std::move(text));
+    if (study.first_overturning) {
+        verdict.open.push_back(fmt::format(
+            "margin: half of the waves that overturned the body first did so at V_WES / V_Ereq above {:.3g}, 5 % below "
+            "{:.3g}",
+            study.first_overturning->median, study.first_overturning->p05));
+    }
+}
+
+// T0 and T1 with R in the other unit: the sources do not print which is meant, so what it decides is said.
+void judge_unit(CriterionVerdict& verdict, MeasuredCriterion const& criterion) {
+    auto const& share = criterion.study.safe_but_overturned;
+    if (share.of > 0) {
+        verdict.open.push_back(fmt::format(
+            "unit of R: with R in {} in T0 and T1, {} of {} trials that V_WES < V_Ereq calls safe overturned",
+            name_of(criterion.radius_unit), share.count, share.of));
+    }
+}
+
+bool is_v_wes(MeasuredFragility const& m) { return m.measure == FragilityMeasure::v_wes; }
+
+// Of two measures' dispersions, waves resampled for both alike: nothing where no pair of replicates holds both.
+std::optional<Interval> ratio_of_betas(FragilityFit const& a, FragilityFit const& b, double confidence) {
+    if (a.refits.size() != b.refits.size()) {
+        return std::nullopt;
+    }
+    std::vector<double> ratios;
+    for (std::size_t r = 0; r < a.refits.size(); ++r) {
+        double const ratio = a.refits[r].beta / b.refits[r].beta;
+        ratios.push_back(b.refits[r].beta > 0 ? ratio : std::numeric_limits<double>::quiet_NaN());
+    }
+    return middle_of(ratios, confidence, {0, std::numeric_limits<double>::infinity()});
+}
+
+constexpr char const* not_testable =
+    "not testable with waves of one target or density: phases alone tell them apart, no event, path or site does "
+    "([waves.variability] or records do)";
+
+// V_WES against PGA, PGV and ouV_E: is anything simpler at least as good?
+void compare_dispersion(CriterionVerdict& verdict, BodyAnalysis const& body, double confidence) {
+    auto const own = std::find_if(body.fragility.begin(), body.fragility.end(), is_v_wes);
+    if (own == body.fragility.end() || !own->fit.identifiable()) {
+        verdict.open.emplace_back("no curve over V_WES: its dispersion cannot be compared");
+        return;
+    }
+    if (body.one_spectrum) {
+        verdict.open.push_back(fmt::format("dispersion and rank of V_WES beside other measures: {}", not_testable));
+        return;
+    }
+    for (auto const& other : body.fragility) {
+        if (is_v_wes(other) || other.measure == FragilityMeasure::v_wes_ratio || !other.fit.identifiable()) {
+            continue;
+        }
+        double const beta = own->fit.line->beta();
+        double const theirs = other.fit.line->beta();
+        auto const ratio = ratio_of_betas(own->fit, other.fit, confidence);
+        bool const better = ratio && ratio->upper < 1;
+        bool const worse = ratio && ratio->lower > 1;
+        auto& list = better ? verdict.supports : worse ? verdict.against : verdict.open;
+        auto const paired = ratio ? fmt::format(", ratio {:.3g} [{:.3g}, {:.3g}] with waves resampled in pairs",
+                                                beta / theirs, ratio->lower, ratio->upper)
+                                  : std::string();
+        list.push_back(fmt::format("dispersion: beta is {:.3g} over V_WES and {:.3g} over {}{}{}", beta, theirs,
+                                   other.label, paired,
+                                   better || worse ? "" : " (no difference beyond what the sample leaves open)"));
+    }
+}
+
+void compare_rank(CriterionVerdict& verdict, BodyAnalysis const& body) {
+    auto const own = std::find_if(body.fragility.begin(), body.fragility.end(), is_v_wes);
+    if (own == body.fragility.end() || std::isnan(own->rank_area) || body.one_spectrum) {
+        return;
+    }
+    for (auto const& other : body.fragility) {
+        if (is_v_wes(other) || other.measure == FragilityMeasure::v_wes_ratio) {
+            continue;
+        }
+        bool const better = own->rank_interval.lower > other.rank_area;
+        bool const worse = other.rank_interval.lower > own->rank_area;
+        auto& list = better ? verdict.supports : worse ? verdict.against : verdict.open;
+        list.push_back(fmt::format("rank: V_WES puts what overturned above what stood in {} of pairs, {} in {}{}",
+                                   percent(own->rank_area), other.label, percent(other.rank_area),
+                                   better || worse ? "" : " (no difference beyond what the sample leaves open)"));
+    }
+}
+
+}  // namespace
+
+CriterionVerdict verdict_on(BodyAnalysis const& body, double confidence) {
+    CriterionVerdict verdict;
+    for (auto const& criterion : body.criterion) {
+        if (criterion.measure == FragilityMeasure::v_wes) {
+            judge_safety(verdict, criterion.study, confidence);
+            judge_price(verdict, criterion.study, confidence);
+        } else if (criterion.measure == FragilityMeasure::v_wes_other_unit) {
+            judge_unit(verdict, criterion);
+        }
+    }
+    compare_dispersion(verdict, body, confidence);
+    compare_rank(verdict, body);
+    return verdict;
+}
+
+}  // namespace overturn

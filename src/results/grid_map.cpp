@@ -1,0 +1,103 @@
+#include "results/grid_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/field.hpp"
+#include "core/units.hpp"
+#include "response/registry.hpp"
+#include "rocking/closed_forms.hpp"
+
+namespace overturn {
+namespace {
+
+void lower_to(std::optional<std::size_t>& least, std::size_t level) { least = std::min(least.value_or(level), level); }
+
+// "<= 400": already the lowest that was tried; "> 1000": none that was tried; "-" where the trials do not tell.
+std::string least_text(GridMap const& map, GridLine const& line, std::optional<std::size_t> level) {
+    if (!level) {
+        return line.undecided > 0 ? "-" : fmt::format("> {:.4g}", map.told.of(map.levels.back()));
+    }
+    return fmt::format("{}{:.4g}", *level == 0 ? "<= " : "", map.told.of(map.levels[*level]));
+}
+
+}  // namespace
+
+GridLine::GridLine(std::int64_t wave_number, double wave_period_s, std::size_t levels, std::size_t limits)
+    : wave(wave_number), period_s(wave_period_s), ends(levels, Verdict::failed), least(limits) {}
+
+void GridLine::add(TrialRow const& row, LimitOutcomes const& limits) {
+    auto const level = static_cast<std::size_t>(row.level);
+    auto const& end = entry_of(row.verdict);
+    ends.at(level) = row.verdict;
+    undecided += end.decided ? 0 : 1;
+    if (end.fell || !std::isnan(row.first_uplift_s)) {
+        lower_to(uplift, level);
+    }
+    if (end.decided && !end.fell) {
+        standing = std::max(standing.value_or(level), level);
+    }
+    for (std::size_t limit = 0; limit < least.size(); ++limit) {
+        if (limits.has_passed(limit)) {
+            lower_to(least[limit], level);
+        }
+    }
+}
+
+double GridMap::value(std::optional<std::size_t> level) const { return level ? levels.at(*level) : never; }
+
+double steady_rotation_ratio(LevelSpec const& levels, double level, double period_s, RigidBody const& body) {
+    double const omega = 2 * pi / period_s;
+    double amplitude = never;
+    if (levels.measure == LevelMeasure::pga) {
+        amplitude = level;
+    } else if (levels.measure == LevelMeasure::pgv) {
+        amplitude = level * omega;
+    } else if (levels.measure == LevelMeasure::pgd) {
+        amplitude = level * omega * omega;
+    }
+    if (body.lopsided() || std::isnan(amplitude) || amplitude <= body.uplift_acceleration_mps2()) {
+        return never;
+    }
+    try {
+        return steady_harmonic_rotation(
+            {omega / body.p_radps(), amplitude / (g0 * body.alpha_rad()), body.restitution()});
+    } catch (InputError const&) {
+        return never;  // P^2 + 1 < Q^2
+    }
+}
+
+std::string grid_table(GridMap const& map) {
+    auto const unit = map.told.symbol.empty() || map.told.symbol == "1" ? map.measure : map.told.symbol;
+    auto text = fmt::format("  least of {} levels, {} {:.4g} to {}, that lifts it off, overturns it{}\n",
+                            map.levels.size(), map.measure, map.told.of(map.levels.front()),
+                            map.told.text(map.levels.back()), map.limits.size() > 1 ? ", exceeds a limit" : "");
+    std::vector<std::string> heads{"uplift " + unit, "overturning", "stands up to"};
+    heads.insert(heads.end(), map.limits.begin() + 1, map.limits.end());
+    text += fmt::format("{:>12}", "Hz");
+    for (auto const& head : heads) {
+        text += fmt::format("  {:>12}", head);
+    }
+    text += '\n';
+    for (auto const& line : map.lines) {
+        std::vector<std::string> cells{
+            least_text(map, line, line.uplift), least_text(map, line, line.least.front()),
+            line.standing ? fmt::format("{:.4g}", map.told.of(map.levels[*line.standing])) : std::string("-")};
+        for (std::size_t limit = 1; limit < line.least.size(); ++limit) {
+            cells.push_back(least_text(map, line, line.least[limit]));
+        }
+        text += fmt::format("{:>12.4g}", 1 / line.period_s);
+        for (std::size_t c = 0; c < cells.size(); ++c) {
+            text += fmt::format("  {:>{}}", cells[c], std::max<std::size_t>(heads[c].size(), 12));
+        }
+        text += line.undecided > 0 ? fmt::format("  {} levels without a verdict\n", line.undecided) : "\n";
+    }
+    return text;
+}
+
+}  // namespace overturn

@@ -1,0 +1,151 @@
+#include "results/hand_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "campaign/plan.hpp"
+#include "campaign/trial.hpp"
+#include "spectra/response_spectrum.hpp"
+#include "stats/quantile.hpp"
+
+namespace overturn {
+namespace {
+
+constexpr std::int64_t most_checked_waves = 32;
+constexpr double fractile = 0.84;  // of the demand, as CDFM asks
+constexpr std::size_t rotations = 60;
+
+// The first waves, each scaled to a level of 1.
+std::vector<GroundMotion> unit_motions(CampaignSpec const& spec) {
+    Plan const plan(spec);
+    std::vector<GroundMotion> motions;
+    PhaseSeconds seconds;
+    for (std::int64_t wave = 0; wave < std::min(most_checked_waves, plan.waves()); ++wave) {
+        auto prepared = prepare_wave(spec, plan, wave, seconds);
+        auto const scale =
+            prepared.row.failed == 0 ? spec.levels.scale({1, LevelClass::ordinary}, prepared.intensity) : std::nullopt;
+        if (scale) {
+            for (double& a : prepared.motion.horizontal_mps2) {
+                a *= *scale;
+            }
+            motions.push_back(std::move(prepared.motion));
+        }
+    }
+    return motions;
+}
+
+// Per unit of the level, the fractile of pseudo-acceleration at every period [m/s2].
+std::vector<double> demand(std::vector<GroundMotion> const& motions, std::span<double const> periods_s,
+                           double damping) {
+    std::vector<std::vector<double>> by_period(periods_s.size());
+    for (auto const& motion : motions) {
+        auto const spectrum = response_spectrum(motion.horizontal_mps2, motion.time_step_s, periods_s, damping);
+        for (std::size_t p = 0; p < periods_s.size(); ++p) {
+            by_period[p].push_back(spectrum.psa_mps2[p]);
+        }
+    }
+    std::vector<double> fractiles;
+    for (auto& values : by_period) {
+        std::ranges::sort(values);
+        fractiles.push_back(quantile(values, fractile));
+    }
+    return fractiles;
+}
+
+void check_rocking(HandCheck& check, RigidBody const& body, std::vector<GroundMotion> const& motions) {
+    std::vector<RockingCapacity> capacities;
+    std::vector<double> periods;
+    for (std::size_t i = 1; i <= rotations; ++i) {
+        double const share = static_cast<double>(i) / static_cast<double>(rotations);
+        capacities.push_back(rocking_capacity(body, share * body.alpha_rad()));
+        periods.push_back(1 / capacities.back().frequency_hz);
+    }
+    constexpr double most_damping = 0.99;  // of an oscillator that still oscillates
+    auto const asked = demand(motions, periods, std::min(most_damping, capacities.front().damping));
+    for (std::size_t i = 0; i < rotations; ++i) {
+        if (double const level = capacities[i].spectral_mps2 / asked[i]; level > check.overturning_level) {
+            check.overturning_level = level;
+            check.rocking = capacities[i];
+        }
+    }
+}
+
+void check_sliding(HandCheck& check, double friction, double level, std::vector<GroundMotion> const& motions) {
+    constexpr double shortest_s = 0.05;
+    constexpr double longest_s = 20;
+    constexpr std::size_t count = 120;
+    auto const periods = log_periods(shortest_s, longest_s, count);
+    auto const asked = demand(motions, periods, sliding_damping);
+    double const capacity = sliding_capacity_mps2(friction);
+    check.sliding_m = 0;
+    for (std::size_t p = periods.size(); p-- > 0;) {
+        if (level * asked[p] >= capacity) {
+            check.sliding_frequency_hz = 1 / periods[p];
+            check.sliding_m = sliding_distance_m(capacity, check.sliding_frequency_hz);
+            return;
+        }
+    }
+}
+
+std::string further_components(GroundMotion const& motion) {
+    bool const transverse = !motion.transverse_mps2.empty();
+    bool const vertical = !motion.vertical_mps2.empty();
+    return transverse && vertical ? "transverse and vertical" : transverse ? "transverse" : vertical ? "vertical" : "";
+}
+
+}  // namespace
+
+std::vector<HandCheck> hand_checks(CampaignSpec const& spec) {
+    std::vector<HandCheck> checks;
+    auto const motions = spec.is_grid() ? std::vector<GroundMotion>{} : unit_motions(spec);
+    if (motions.empty()) {
+        return checks;
+    }
+    auto const basis = std::ranges::find(spec.levels.levels, LevelClass::design_basis, &Level::purpose);
+    for (auto const& body : spec.bodies) {
+        HandCheck check;
+        check.body = body.name;
+        check.waves = static_cast<std::int64_t>(motions.size());
+        check.left_out = further_components(motions.front());
+        check_rocking(check, body.body, motions);
+        if (body.friction && basis != spec.levels.levels.end()) {
+            check_sliding(check, body.friction->kinetic_coefficient, basis->value, motions);
+        }
+        checks.push_back(check);
+    }
+    return checks;
+}
+
+std::string hand_check_text(CampaignSpec const& spec, std::vector<HandCheck> const& checks) {
+    if (checks.empty()) {
+        return {};
+    }
+    auto text = fmt::format(
+        "\nby hand: reserve energy as in ASCE/SEI 43-05 Appendix A (from recollection), 84 % spectrum of the first {} "
+        "waves\n",
+        checks.front().waves);
+    if (!checks.front().left_out.empty()) {
+        text += fmt::format("  the waves' {} component is left out of it, which is unsafe\n", checks.front().left_out);
+    }
+    for (auto const& check : checks) {
+        auto const level =
+            fmt::format("{:.4g} {}", spec.levels.shown(check.overturning_level), spec.levels.shown_units());
+        text += fmt::format(
+            "  {}: overturns above {} {} (the spectrum at {:.3g} Hz, {:.3g} % damping; tilt {:.2f} alpha)", check.body,
+            spec.levels.measure_label(), level, check.rocking.frequency_hz, 100 * check.rocking.damping,
+            check.rocking.rotation_rad
+                / spec.bodies[static_cast<std::size_t>(&check - checks.data())].body.alpha_rad());
+        if (check.sliding_m) {
+            text += *check.sliding_m > 0 ? fmt::format("; slides {:.2g} m at the design basis", *check.sliding_m)
+                                         : std::string("; does not slide at the design basis");
+        }
+        text += "\n";
+    }
+    return text;
+}
+
+}  // namespace overturn

@@ -1,0 +1,56 @@
+#include "results/detail/level_quantiles.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "core/units.hpp"
+
+namespace overturn {
+namespace {
+
+constexpr std::array quantile_shares{0.5, 0.84,
+                                     0.95};  // median, one standard deviation above it, and what is rarely passed
+
+// A fall lies beyond every rotation; told is what the columns hold of it.
+SampleQuantile with_falls(SampleQuantile quantile, double fallen) {
+    auto const tell = [&](double value) { return std::isinf(value) ? fallen : value; };
+    quantile.value = tell(quantile.value);
+    quantile.lower = quantile.lower ? std::optional(tell(*quantile.lower)) : std::nullopt;
+    quantile.upper = quantile.upper ? std::optional(tell(*quantile.upper)) : std::nullopt;
+    return quantile;
+}
+
+}  // namespace
+
+std::vector<LevelQuantiles> level_quantiles(CampaignSpec const& spec, MeasuredTrials const& trials, std::size_t body,
+                                            double confidence) {
+    std::vector<LevelQuantiles> list;
+    auto const add = [&](LevelResponse response, char const* quantity, char const* units, double fallen) {
+        auto const& levels = spec.levels.levels;
+        auto by_level = trials.by_level(static_cast<std::int64_t>(body), response);
+        for (std::size_t l = 0; l < levels.size(); ++l) {
+            auto& values = by_level[levels[l].value];
+            auto const known =
+                std::partition(values.begin(), values.end(), [](double value) { return !std::isnan(value); });
+            LevelQuantiles at{quantity, units, l, levels[l].value, known - values.begin(), values.end() - known,
+                              fallen,   {}};
+            values.erase(known, values.end());
+            std::sort(values.begin(), values.end());
+            std::ranges::transform(quantile_shares, at.quantiles.begin(), [&](double share) {
+                return with_falls(sample_quantile(values, at.unknown, share, confidence), fallen);
+            });
+            list.push_back(at);
+        }
+    };
+    if (spec.bodies[body].friction) {
+        add(LevelResponse::peak_slip, "peak_slip", "m", std::numeric_limits<double>::infinity());
+    }
+    add(LevelResponse::peak_rotation_ratio, "peak_rotation_ratio", "1", pi / 2 / spec.bodies[body].body.alpha_rad());
+    return list;
+}
+
+}  // namespace overturn

@@ -1,0 +1,35 @@
+/// Rare events in the results file: what was estimated, and every draw behind it.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "results/rare_rows.hpp"
+#include "store/results_file.hpp"
+
+namespace overturn {
+
+/// "rare/<body>" of overturning, "limits/<limit>/rare/<body>" of another limit state.
+[[nodiscard]] std::string rare_group(CampaignSpec const& spec, std::size_t body, std::size_t limit);
+
+/// /rare/<body>: the estimates by level; rows: every trial; mixture-N/stage-S: the pulses that its trials were drawn
+/// from, of all replicates; subset-N: the factor.
+void write_rare(store::ResultsWriter& file, CampaignSpec const& spec, std::span<RareBody const> bodies);
+
+/// The estimates alone. Empty where the campaign asked for none.
+[[nodiscard]] std::vector<RareBody> read_rare_estimates(store::ResultsReader const& file, CampaignSpec const& spec);
+
+/// For the terminal; empty of no bodies.
+[[nodiscard]] std::string rare_table(CampaignSpec const& spec, std::span<RareBody const> bodies);
+
+/// A stored trial computed again from the file alone.
+struct RareReplay {
+    std::string text;                    ///< what it is, and what becomes of it
+    std::vector<std::string> different;  ///< columns that are not bit-equal
+};
+/// \param limit name of the limit state \throws InputError if there is no such body, limit or row
+[[nodiscard]] RareReplay replay_rare(store::ResultsReader const& file, CampaignSpec const& spec,
+                                     std::string const& body, std::string const& limit, std::int64_t row);
+
+}  // namespace overturn

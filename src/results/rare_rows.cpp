@@ -1,0 +1,85 @@
+#include "results/rare_rows.hpp"
+
+namespace overturn {
+namespace {
+
+void put_key(RareRow& row, rare::DrawKey const& key) {
+    row.problem = static_cast<std::int64_t>(key.problem);
+    row.replicate = static_cast<std::int64_t>(key.replicate);
+    row.phase = static_cast<std::int64_t>(key.phase);
+}
+
+void add_mixture(std::vector<RareRow>& rows, rare::PulseResult const& result, std::int64_t run) {
+    for (auto const& stages : result.stages) {
+        for (std::size_t s = 0; s < stages.size(); ++s) {
+            for (std::size_t i = 0; i < stages[s].rows.size(); ++i) {
+                auto const& from = stages[s].rows[i];
+                RareRow row{.method = static_cast<std::int64_t>(rare::Method::pulse_mixture), .run = run};
+                put_key(row, stages[s].key);
+                row.stage = static_cast<std::int64_t>(s);
+                row.index = static_cast<std::int64_t>(i);
+                row.weight = from.weight;
+                row.failed = static_cast<std::int64_t>(from.failed);
+                row.undecided = static_cast<std::int64_t>(from.undecided);
+                row.plain = from.plain;
+                rows.push_back(row);
+            }
+        }
+    }
+}
+
+void add_subset(std::vector<RareRow>& rows, rare::SubsetResult const& result, std::int64_t run) {
+    for (std::size_t r = 0; r < result.replicates.size(); ++r) {
+        auto const first = static_cast<std::int64_t>(rows.size());
+        for (auto const& node : result.replicates[r].nodes) {
+            RareRow row{.method = static_cast<std::int64_t>(rare::Method::subset), .run = run};
+            put_key(row, result.key);
+            row.replicate = static_cast<std::int64_t>(r);
+            row.stage = node.level;
+            row.step = node.step;
+            row.index = node.index;
+            row.parent = node.parent < 0 ? -1 : first + node.parent;
+            row.step_size = node.parent < 0 ? never : node.step_size;
+            row.driver = node.driver;
+            row.failed = node.failed;
+            row.plain = node.parent < 0 ? 1 : 0;
+            rows.push_back(row);
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<RareRow> rare_rows(RareBody const& body) {
+    std::vector<RareRow> rows;
+    for (std::size_t m = 0; m < body.record.mixtures.size(); ++m) {
+        add_mixture(rows, body.record.mixtures[m], static_cast<std::int64_t>(m));
+    }
+    for (std::size_t s = 0; s < body.record.subsets.size(); ++s) {
+        add_subset(rows, body.record.subsets[s], static_cast<std::int64_t>(s));
+    }
+    return rows;
+}
+
+template <> Fields const& fields_of<RareRow>() {
+    using R = RareRow;
+    static Fields const fields{
+        category<&R::method>("method", "estimator that drew it", numbered({"crude", "subset", "pulse-mixture"})),
+        field<&R::run>("run", "1", "which of the estimator's runs: groups mixture-N and subset-N"),
+        field<&R::problem>("problem", "1", "which random numbers: number of the limit state"),
+        field<&R::replicate>("replicate", "1", "independent repetition"),
+        field<&R::phase>("phase", "1", "which random numbers: 3 pilot, 4 final, 5 subset"),
+        field<&R::stage>("stage", "1", "rung of the ladder, or level of the subset simulation"),
+        field<&R::step>("step", "1", "of a Markov chain within the level"),
+        field<&R::index>("index", "1", "of the trial within its stage, or of the chain"),
+        field<&R::parent>("parent", "1", "row of this table from which a chain moved here; -1: drawn afresh"),
+        field<&R::weight>("weight", "1", "density of a plain draw over that of the stage's mixture"),
+        field<&R::step_size>("step_size", "1", "s of x' = sqrt(1 - s^2) x + s draw; NaN: drawn afresh"),
+        field<&R::driver>("driver", "1", "how near to overturning, at rest below 0; NaN: not kept"),
+        field<&R::failed>("failed", "1", "overturned, one bit for each of the stage's factors"),
+        field<&R::undecided>("undecided", "1", "not decided, likewise"),
+        field<&R::plain>("plain", "1", "1: left as it was drawn")};
+    return fields;
+}
+
+}  // namespace overturn

@@ -1,0 +1,118 @@
+/// From rows to the results file: the columns with their meaning, and the statistics counted over them.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "campaign/campaign_spec.hpp"
+#include "campaign/plan.hpp"
+#include "campaign/trial.hpp"
+#include "results/grid_map.hpp"
+#include "results/measured_trials.hpp"
+#include "results/rare_rows.hpp"
+#include "results/schema.hpp"
+#include "stats/stripe.hpp"
+#include "store/results_file.hpp"
+
+namespace overturn {
+
+/// How one body did by a limit state of the user's own. `overturned` of its stripes stands for passed.
+struct LimitStatistics {
+    std::vector<Stripe> stripes;
+    std::int64_t unknown = 0;      ///< trials with a verdict that leave it open: no model told its quantity
+    std::int64_t fell_within = 0;  ///< trials that fell over and kept within it
+};
+
+/// One body's stripes, and how each criterion did per level.
+struct BodyStatistics {
+    std::string body;
+    std::vector<Stripe> stripes;          ///< of overturning
+    std::vector<LimitStatistics> limits;  ///< of the campaign's others, in its order from place 1
+    std::vector<Confusion> v_wes, ou_v_e;
+    std::vector<std::vector<std::int64_t>> ends;    ///< trials per verdict, in the order of verdicts(), and level
+    std::vector<std::vector<std::int64_t>> called;  ///< trials per effect, in the order of effects(), and level
+    /// Trials per level that still rocked when the record ended: they fell, or rose to their peak, only after it. Those
+    /// that rocked on below an earlier peak are not known from rows.
+    std::vector<std::int64_t> fell_after_record, peaked_after_record;
+    std::vector<std::int64_t> rungs;  ///< trials per rung, in the order of rungs()
+    std::vector<GridLine> grid;       ///< one per wave where waves are points of a grid; else none
+
+    /// \param limit place of the limit state; 0: overturning
+    [[nodiscard]] std::vector<Stripe> const& stripes_of(std::size_t limit) const {
+        return limit == 0 ? stripes : limits.at(limit - 1).stripes;
+    }
+};
+
+/// What became of the waves.
+struct WaveCounts {
+    std::int64_t waves = 0, failed = 0, not_accepted = 0;
+    std::int64_t missed =
+        0;  ///< iterated to a target and short of match_tolerance, without a rule that would refuse them
+
+    void add(WaveRow const& row);
+    /// "200 waves, 3 not accepted by srp-3.7.1 (their trials are failed rows)"; empty if there is nothing to say.
+    [[nodiscard]] std::string text(std::string const& acceptance) const;
+};
+
+/// Counts trials as they come; integers only, so that no order can matter. Keeps the measured ones for the curves.
+class Statistics {
+  public:
+    /// \param spec outlives it
+    explicit Statistics(CampaignSpec const& spec);
+    /// \param own what models have to say of their own about it; empty: not at hand
+    void add(TrialRow const& row, std::span<std::byte const> own = {});
+    /// \param measures one per body
+    void add(WaveRow const& row, std::span<MeasureRow const> measures);
+    void add(BlockRows const& block);
+    [[nodiscard]] std::vector<BodyStatistics> const& bodies() const { return bodies_; }
+    [[nodiscard]] WaveCounts const& waves() const { return waves_; }
+    /// Do limit states hang on what models have to say of their own?
+    [[nodiscard]] bool reads_own() const { return judge_.reads_own(); }
+    /// Those trials whose waves were added too.
+    [[nodiscard]] MeasuredTrials const& measured() const { return measured_; }
+
+  private:
+    LimitJudge judge_;
+    void count_after_record(TrialRow const& row, BodyStatistics& body) const;
+
+    WaveCounts waves_;
+    MeasuredTrials measured_;
+    double duration_s_ = never;                       ///< of the first wave
+    std::map<std::int64_t, double> other_durations_;  ///< of waves unlike it, by id
+    std::vector<BodyStatistics> bodies_;
+};
+
+struct BodyAnalysis;
+
+/// Writes the finished file from the blocks, given in order by `block`. \return what the trials say, as stored
+/// \param rare one per body, or none
+std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, CampaignInput const& input,
+                                        CampaignSpec const& spec, Plan const& plan,
+                                        std::function<std::vector<std::byte>(std::int64_t)> const& block,
+                                        Statistics& statistics, std::span<RareBody const> rare = {});
+
+/// The stripe table for the terminal.
+[[nodiscard]] std::string stripe_table(CampaignSpec const& spec, Statistics const& statistics);
+
+/// "at-rest 512 trials, 0.1 us each; ..." of what was measured.
+[[nodiscard]] std::string rung_costs(PhaseSeconds const& seconds);
+
+/// The campaign a results file was made from.
+[[nodiscard]] CampaignInput input_of(store::ResultsReader const& file);
+
+/// One trial as stored.
+[[nodiscard]] TrialRows read_trial(store::ResultsReader const& file, CampaignSpec const& spec, std::int64_t number);
+
+/// All statistics recomputed from the stored trials.
+[[nodiscard]] Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec);
+
+/// The columns in which two trials differ in any bit; those of a model with its name: "contact/peak_crush".
+[[nodiscard]] std::vector<std::string> differing_columns(CampaignSpec const& spec, TrialRows const& a,
+                                                         TrialRows const& b);
+
+}  // namespace overturn

@@ -1,0 +1,138 @@
+#include "results/schema.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "response/registry.hpp"
+
+namespace overturn {
+namespace {
+
+// "rocked, overturned": for readers that ask what an end means, not what it is called.
+std::string verdicts_that(bool VerdictEntry::*holds) {
+    std::string names;
+    for (auto const& entry : verdicts()) {
+        if (entry.*holds) {
+            names += (names.empty() ? "" : ", ") + std::string(entry.name);
+        }
+    }
+    return names;
+}
+
+bool is_energy(std::string_view column) { return column.starts_with("v_wes") || column.starts_with("ou_v_e"); }
+
+// Of a wave's match, but whether and how fast it was matched: iteration knows that anyway.
+bool is_quality(std::string_view column) {
+    constexpr std::array kept{"matched", "match_iterations"};
+    constexpr std::array told{"match_",      "si_ratio",  "psd_",        "transverse_match", "vertical_match",
+                              "duration_5_", "residual_", "correlation", "accept",           "band_"};
+    auto const begins = [&](char const* name) { return column.starts_with(name); };
+    return std::ranges::find(kept, column) == kept.end() && std::ranges::any_of(told, begins);
+}
+
+Field& field_of(Fields& columns, std::string_view name) {
+    auto const found = std::ranges::find(columns, name, &Field::name);
+    OVERTURN_EXPECT(found != columns.end());
+    return *found;
+}
+
+// Columns that say what targets were drawn and what Sa is at the campaign's periods: named by period, or not there.
+void name_periods(CampaignSpec const& spec, Fields& columns) {
+    auto const& periods_s = spec.measures.sa_periods_s;
+    bool const varies = spec.source->draws_targets();
+    std::erase_if(columns, [&](Field const& column) {
+        bool const drawn = column.name == "target" || column.name == "event" || column.name.starts_with("epsilon_");
+        return (drawn && !varies) || (column.name == "sa_average" && !spec.measures.sa_band);
+    });
+    for (std::size_t i = 0; i < epsilon_periods_s.size() && varies; ++i) {
+        field_of(columns, fmt::format("epsilon_{}", i + 1)).name = fmt::format("epsilon_{:g}s", epsilon_periods_s[i]);
+    }
+    for (std::size_t i = 0; i < most_sa_periods; ++i) {
+        auto const slot = fmt::format("sa_{}", i + 1);
+        if (i >= periods_s.size()) {
+            std::erase_if(columns, [&](Field const& column) { return column.name == slot; });
+            continue;
+        }
+        auto& column = field_of(columns, slot);
+        column.name = fmt::format("sa_{:g}s", periods_s[i]);
+        column.description =
+            fmt::format("pseudo-acceleration of the horizontal component at {:g} s, 5 % damping", periods_s[i]);
+    }
+}
+
+}  // namespace
+
+std::string column_of(VerdictEntry const& verdict) {
+    std::string name(verdict.name);
+    std::ranges::replace(name, '-', '_');
+    return name;
+}
+
+store::TableSpec trial_table(CampaignSpec const& spec) {
+    store::TableSpec table{"trials",
+                           sizeof(TrialRow),
+                           fields_of<TrialRow>(),
+                           "trial",
+                           "number of the trial, as overturn replay --trial takes it",
+                           {{"verdict", "moved", verdicts_that(&VerdictEntry::moved)},
+                            {"verdict", "decided", verdicts_that(&VerdictEntry::decided)},
+                            {"verdict", "fell", verdicts_that(&VerdictEntry::fell)}}};
+    if (!spec.measures.energy) {
+        std::erase_if(table.columns, [](Field const& column) { return is_energy(column.name); });
+    }
+    for (auto& column : table.columns) {
+        if (column.name == "amplitude") {
+            column.units = spec.levels.units();
+        } else if (column.name == "body") {
+            column.type = FieldType::category;
+            for (auto const& body : spec.bodies) {
+                column.categories.push_back({static_cast<std::int64_t>(column.categories.size()), body.name});
+            }
+        }
+    }
+    return table;
+}
+
+store::TableSpec wave_table(CampaignSpec const& spec) {
+    store::TableSpec table{"waves", sizeof(WaveRow), fields_of<WaveRow>(), "wave", "number of the wave's row"};
+    if (!spec.measures.wave_quality) {
+        std::erase_if(table.columns, [](Field const& column) { return is_quality(column.name); });
+    }
+    name_periods(spec, table.columns);
+    return table;
+}
+
+store::TableSpec measure_table(CampaignSpec const& spec, std::size_t body) {
+    store::TableSpec table{"waves/" + spec.bodies.at(body).name, spec.bodies.size() * sizeof(MeasureRow),
+                           fields_of<MeasureRow>(), "waves/wave"};
+    if (!spec.measures.both_radius_units) {
+        std::erase_if(table.columns, [](Field const& column) { return column.name.ends_with("_other_unit"); });
+    }
+    std::erase_if(table.columns, [&](Field const& column) {
+        return (!spec.measures.energy && is_energy(column.name))
+               || (!spec.measures.wave_quality && is_quality(column.name));
+    });
+    for (auto& column : table.columns) {
+        column.offset += body * sizeof(MeasureRow);
+    }
+    return table;
+}
+
+std::vector<store::TableSpec> own_tables(Ladder const& ladder) {
+    std::vector<store::TableSpec> tables;
+    for (auto const& [traits, offset] : ladder.own_parts()) {
+        store::TableSpec table{"trials/" + std::string(traits->name), ladder.own_bytes(), traits->fields,
+                               "trials/trial"};
+        for (auto& column : table.columns) {
+            column.offset += offset;
+        }
+        tables.push_back(std::move(table));
+    }
+    return tables;
+}
+
+}  // namespace overturn

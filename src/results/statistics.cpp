@@ -1,0 +1,135 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "response/registry.hpp"
+#include "results/results.hpp"
+
+namespace overturn {
+namespace {
+
+void count(LimitStatistics& limit, std::size_t level, VerdictEntry const& end, bool decided, bool passed) {
+    auto& stripe = limit.stripes.at(level);
+    ++stripe.trials;
+    stripe.overturned += passed ? 1 : 0;
+    stripe.failed += end.value == Verdict::failed ? 1 : 0;
+    stripe.undecided += end.value != Verdict::failed && !decided ? 1 : 0;
+    limit.unknown += end.decided && !decided ? 1 : 0;
+    limit.fell_within += end.fell && decided && !passed ? 1 : 0;
+}
+
+}  // namespace
+
+Statistics::Statistics(CampaignSpec const& spec)
+    : judge_(spec.limits, Ladder(spec.effects, spec.accuracy)), measured_(spec.source->waves_alike()) {
+    for (auto const& body : spec.bodies) {
+        BodyStatistics statistics;
+        statistics.body = body.name;
+        for (auto const& level : spec.levels.levels) {
+            statistics.stripes.push_back({.amplitude = level.value});
+        }
+        statistics.limits.resize(spec.limits.size() - 1, {statistics.stripes, 0, 0});
+        statistics.v_wes.resize(statistics.stripes.size());
+        statistics.ou_v_e.resize(statistics.stripes.size());
+        auto const levels = statistics.stripes.size();
+        statistics.ends.assign(verdicts().size(), std::vector<std::int64_t>(levels));
+        statistics.called.assign(effects().size(), std::vector<std::int64_t>(levels));
+        statistics.fell_after_record.resize(levels);
+        statistics.peaked_after_record.resize(levels);
+        statistics.rungs.resize(rungs().size());
+        auto const periods = spec.grid_periods_s();
+        for (std::size_t w = 0; w < periods.size(); ++w) {
+            statistics.grid.emplace_back(static_cast<std::int64_t>(w), periods[w], levels, spec.limits.size());
+        }
+        bodies_.push_back(std::move(statistics));
+    }
+}
+
+void Statistics::add(WaveRow const& row, std::span<MeasureRow const> measures) {
+    if (waves_.waves == 0) {
+        duration_s_ = row.duration_s;
+    } else if (row.duration_s != duration_s_) {
+        other_durations_[row.id] = row.duration_s;
+    }
+    waves_.add(row);
+    measured_.add(row, measures);
+}
+
+void Statistics::add(BlockRows const& block) {
+    auto const each = bodies_.size();
+    for (std::size_t w = 0; w < block.waves.size(); ++w) {
+        add(block.waves[w], std::span(block.measures).subspan(w * each, each));
+    }
+    auto const& rows = block.trials.rows;
+    auto const own = rows.empty() ? 0 : block.trials.own.size() / rows.size();
+    for (std::size_t t = 0; t < rows.size(); ++t) {
+        add(rows[t], std::span(block.trials.own).subspan(t * own, own));
+    }
+}
+
+void Statistics::add(TrialRow const& row, std::span<std::byte const> own) {
+    auto const limits = judge_.judge(row, own);
+    measured_.add(row, limits);
+    auto& body = bodies_.at(static_cast<std::size_t>(row.body));
+    auto const level = static_cast<std::size_t>(row.level);
+    if (!body.grid.empty()) {
+        body.grid.at(static_cast<std::size_t>(row.wave)).add(row, limits);
+    }
+    auto& stripe = body.stripes.at(level);
+    auto const& end = entry_of(row.verdict);
+    for (std::size_t l = 0; l < body.limits.size(); ++l) {
+        count(body.limits[l], level, end, limits.is_decided(l + 1), limits.has_passed(l + 1));
+    }
+    ++stripe.trials;
+    ++body.ends[static_cast<std::size_t>(&end - verdicts().data())][level];
+    for (std::size_t e = 0; e < effects().size(); ++e) {
+        body.called[e][level] += has(static_cast<EffectMask>(row.called), effects()[e].value) ? 1 : 0;
+    }
+    count_after_record(row, body);
+    if (row.verdict == Verdict::failed) {
+        ++stripe.failed;
+    } else {
+        ++body.rungs[rung_place(row.rung)];
+        stripe.undecided += end.decided ? 0 : 1;
+    }
+    if (!end.decided) {
+        body.v_wes[level].add_undecided(row.v_wes_safe != 0);
+        body.ou_v_e[level].add_undecided(row.ou_v_e_safe != 0);
+        return;
+    }
+    stripe.overturned += end.fell ? 1 : 0;
+    body.v_wes[level].add(row.v_wes_safe != 0, end.fell);
+    body.ou_v_e[level].add(row.ou_v_e_safe != 0, end.fell);
+}
+
+void Statistics::count_after_record(TrialRow const& row, BodyStatistics& body) const {
+    auto const other = other_durations_.find(row.wave);
+    double const end_s = other == other_durations_.end() ? duration_s_ : other->second;
+    auto const level = static_cast<std::size_t>(row.level);
+    if (row.overturn_time_s > end_s) {
+        ++body.fell_after_record[level];
+    } else if (entry_of(row.verdict).decided && row.time_of_peak_s > end_s) {
+        ++body.peaked_after_record[level];
+    }
+}
+
+void WaveCounts::add(WaveRow const& row) {
+    ++waves;
+    failed += row.failed != 0 ? 1 : 0;
+    not_accepted += row.failed == 0 && row.accepted == Accepted::no ? 1 : 0;
+    missed +=
+        row.failed == 0 && row.accepted == Accepted::not_asked && row.match_iterations > 0 && row.matched == 0 ? 1 : 0;
+}
+
+std::string WaveCounts::text(std::string const& acceptance) const {
+    if (acceptance == "none" && failed == 0 && missed == 0) {
+        return "";
+    }
+    auto text = fmt::format("{} waves", waves);
+    text += missed > 0 ? fmt::format(", {} missed match_tolerance and are used as they are", missed) : "";
+    text += failed > 0 ? fmt::format(", {} could not be made", failed) : "";
+    text += acceptance == "none" ? "" : fmt::format(", {} not accepted by {}", not_accepted, acceptance);
+    return text + (failed + not_accepted > 0 ? " (their trials are failed rows)" : "");
+}
+
+}  // namespace overturn

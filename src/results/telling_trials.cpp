@@ -1,0 +1,161 @@
+#include "results/telling_trials.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "response/registry.hpp"
+
+namespace overturn {
+namespace {
+
+/// The candidates of one body as the trials come, in order of their numbers: an equal one does not displace an earlier.
+class Candidates {
+  public:
+    /// \param slips whether it has friction: what a base without one wanders on points is no slip
+    explicit Candidates(bool slips) : slips_(slips) {}
+    void add(TellingTrial const& trial) {
+        auto const& end = entry_of(trial.verdict);
+        if (!end.moved || !end.decided) {
+            return;
+        }
+        if (end.fell) {
+            if (!first_overturned_ || trial.level < first_overturned_->level) {
+                first_overturned_ = trial;
+            }
+            if (!fall_ || fall_->wave != trial.wave) {
+                fall_ = trial;  // levels rise within a wave
+            }
+            return;
+        }
+        if (trial.peak_rotation_ratio > (nearest_miss_ ? nearest_miss_->peak_rotation_ratio : 0)) {
+            nearest_miss_ = trial;
+        }
+        if (slips_ && trial.peak_slip_m > (largest_slip_ ? largest_slip_->peak_slip_m : 0)) {
+            largest_slip_ = trial;
+        }
+        if (fall_ && fall_->wave == trial.wave) {
+            if (changes_back_.empty() || changes_back_.back().wave != trial.wave) {
+                changes_back_.emplace_back();
+            }
+            changes_back_.back() = trial;  // of a wave the highest
+            changes_back_.back().overturned_at = fall_->amplitude;
+        }
+    }
+
+    void append_to(std::vector<TellingTrial>& all) {
+        auto const put = [&](std::optional<TellingTrial> const& trial, TellingKind kind) {
+            if (trial) {
+                all.push_back(*trial);
+                all.back().kind = kind;
+            }
+        };
+        put(first_overturned_, TellingKind::first_overturned);
+        put(nearest_miss_, TellingKind::nearest_miss);
+        put(largest_slip_, TellingKind::largest_slip);
+        std::ranges::stable_sort(changes_back_, [](auto const& a, auto const& b) {
+            return a.amplitude / a.overturned_at > b.amplitude / b.overturned_at;
+        });
+        changes_back_.resize(std::min(changes_back_.size(), most_changes_back));
+        for (auto const& trial : changes_back_) {
+            put(trial, TellingKind::changes_back);
+        }
+    }
+
+  private:
+    bool slips_;
+    std::optional<TellingTrial> first_overturned_, nearest_miss_, largest_slip_;
+    std::optional<TellingTrial> fall_;  // the last wave's lowest
+    std::vector<TellingTrial> changes_back_;
+};
+
+}  // namespace
+
+std::vector<std::size_t> share_fairly(std::span<std::size_t const> offered, std::size_t most) {
+    std::vector<std::size_t> gets(offered.size(), 0);
+    std::vector<std::size_t> wanting;
+    for (std::size_t i = 0; i < offered.size(); ++i) {
+        if (offered[i] > 0) {
+            wanting.push_back(i);
+        }
+    }
+    if (wanting.size() > most) {
+        for (std::size_t k = 0; k < most; ++k) {
+            gets[wanting[k * wanting.size() / most]] = 1;
+        }
+        return gets;
+    }
+    for (std::size_t left = most; left > 0 && !wanting.empty();) {
+        for (auto const i : wanting) {
+            gets[i] += left > 0 ? 1 : 0;
+            left -= left > 0 ? 1 : 0;
+        }
+        std::erase_if(wanting, [&](std::size_t i) { return gets[i] == offered[i]; });
+    }
+    return gets;
+}
+
+std::vector<TellingTrial> telling_trials(CampaignSpec const& spec, Plan const& plan, TrialColumns const& columns) {
+    OVERTURN_EXPECT(columns.verdicts.size() == columns.peak_rotation_ratios.size()
+                    && columns.verdicts.size() == columns.peak_slips_m.size());
+    std::vector<Candidates> bodies;
+    for (auto const& body : spec.bodies) {
+        bodies.emplace_back(body.friction.has_value());
+    }
+    for (std::size_t t = 0; t < columns.verdicts.size(); ++t) {
+        auto const number = static_cast<std::int64_t>(t);
+        auto const [wave, body, level] = plan.trial(number);
+        TellingTrial trial;
+        trial.trial = number;
+        trial.wave = wave;
+        trial.body = body;
+        trial.level = level;
+        trial.amplitude = spec.levels.levels.at(static_cast<std::size_t>(level)).value;
+        trial.verdict = static_cast<Verdict>(columns.verdicts[t]);
+        trial.peak_rotation_ratio = columns.peak_rotation_ratios[t];
+        trial.peak_slip_m = columns.peak_slips_m[t];
+        bodies.at(static_cast<std::size_t>(body)).add(trial);
+    }
+    std::vector<TellingTrial> all;
+    for (auto& body : bodies) {
+        body.append_to(all);
+    }
+    return all;
+}
+
+std::vector<TellingTrial> telling_trials(CampaignSpec const& spec, store::ResultsReader const& file) {
+    auto const verdicts = file.integers("trials/verdict");
+    auto const rotations = file.reals("trials/peak_rotation_ratio");
+    auto const slips = file.reals("trials/peak_slip");
+    return telling_trials(spec, Plan(spec), {verdicts, rotations, slips});
+}
+
+std::string telling_table(CampaignSpec const& spec, std::vector<TellingTrial> const& trials, std::string const& file) {
+    if (trials.empty()) {
+        return {};
+    }
+    constexpr std::size_t heading = 4;
+    std::size_t wide = heading;
+    for (auto const& body : spec.bodies) {
+        wide = std::max(wide, body.name.size());
+    }
+    auto text = fmt::format(
+        "trials worth a look (overturn replay {} --trial N)\n"
+        "{:<{}}  {:<16} {:>8} {:>7} {:>14}  {:<12} {:>11} {:>9}\n",
+        file, "body", wide, "kind", "trial", "wave", spec.levels.measure_name(), "verdict", "peak/alpha", "slip m");
+    for (auto const& t : trials) {
+        text += fmt::format(
+            "{:<{}}  {:<16} {:>8} {:>7} {:>14}  {:<12} {:>11.4g} {:>9.4g}{}\n",
+            spec.bodies[static_cast<std::size_t>(t.body)].name, wide,
+            telling_kinds.at(static_cast<std::size_t>(t.kind)), t.trial, t.wave, spec.levels.text(t.amplitude),
+            entry_of(t.verdict).name, t.peak_rotation_ratio, t.peak_slip_m,
+            std::isnan(t.overturned_at) ? std::string()
+                                        : fmt::format("  overturned at {}", spec.levels.text(t.overturned_at)));
+    }
+    return text;
+}
+
+}  // namespace overturn

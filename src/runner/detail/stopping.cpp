@@ -1,0 +1,110 @@
+#include "runner/detail/stopping.hpp"
+
+#include <algorithm>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "results/analysis.hpp"
+#include "stats/precision.hpp"
+
+namespace overturn {
+namespace {
+
+std::string of_limit(CampaignSpec const& spec, std::size_t limit) {
+    return limit == 0 ? std::string() : fmt::format(" by limit {}", spec.limits[limit].name);
+}
+
+// More waves do not decide trials: where so many have no verdict that the exact interval stays wider than asked.
+std::string half_width_obstacle(std::span<Stripe const> stripes, double half_width, double confidence) {
+    for (auto const& stripe : stripes) {
+        auto const open = stripe.trials - stripe.decided();
+        if (clopper_pearson(open, stripe.trials, confidence).lower > 2 * half_width) {
+            return fmt::format("cannot meet target_half_width = {:g} ({} of {} trials at one level have no verdict)",
+                               half_width, open, stripe.trials);
+        }
+    }
+    return {};
+}
+
+std::string median_obstacle(FragilityFit const& fit, double half_width) {
+    auto const why = fit.state == FragilityState::none_overturned
+                         ? std::string(fit.passing == Passing::exceeded ? "no trial exceeds it" : "nothing overturns")
+                     : fit.state == FragilityState::all_overturned ? std::string("every trial does")
+                     : fit.state == FragilityState::undecided
+                         ? fmt::format("{:g} trials have no verdict", fit.undecided)
+                         : std::string();
+    return why.empty()
+               ? why
+               : fmt::format("cannot meet target_median_half_width = {:g} while that is so ({})", half_width, why);
+}
+
+// One body by one limit state; of obstacles the first is told.
+void look(CampaignSpec const& spec, Statistics const& statistics, std::size_t body, std::size_t limit,
+          TargetLook& looked) {
+    auto const& target = spec.limits[limit].target;
+    auto const& stripes = statistics.bodies()[body].stripes_of(limit);
+    std::string obstacle;
+    if (target.half_width && !is_precise(stripes, *target.half_width, spec.confidence)) {
+        looked.met = false;
+        obstacle = half_width_obstacle(stripes, *target.half_width, spec.confidence);
+    }
+    if (target.median_half_width) {
+        auto const fit = fit_over_levels(spec, statistics, body, {.confidence = spec.confidence}, limit);
+        if (!is_precise(fit, *target.median_half_width)) {
+            looked.met = false;
+            obstacle = obstacle.empty() ? median_obstacle(fit, *target.median_half_width) : obstacle;
+        }
+    }
+    if (looked.obstacle.empty() && !obstacle.empty()) {
+        looked.obstacle = fmt::format("{}{} {}", spec.bodies[body].name, of_limit(spec, limit), obstacle);
+    }
+}
+
+}  // namespace
+
+std::vector<std::int64_t> stopping_points(CampaignSpec const& spec, Plan const& plan) {
+    std::vector<std::int64_t> points;
+    if (!spec.has_target()) {
+        return points;
+    }
+    constexpr std::int64_t least_waves = 32;  // fewer say little, and resampling them says it too surely
+    for (auto const waves : looks(plan.block_size(), least_waves, plan.waves())) {
+        points.push_back(waves / plan.block_size());
+    }
+    return points;
+}
+
+TargetLook look_at_target(CampaignSpec const& spec, Plan const& plan, store::ShardFolder const& shards,
+                          std::int64_t blocks) {
+    Statistics statistics(spec);
+    for (std::int64_t b = 0; b < blocks; ++b) {
+        statistics.add(BlockRows::unpack(shards.read(b), plan, plan.waves_of_block(b).count));
+    }
+    TargetLook looked{true, {}};
+    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+        for (std::size_t l = 0; l < spec.limits.size(); ++l) {
+            // Once it is missed and said why, the others cost time and change nothing.
+            if (looked.met || looked.obstacle.empty()) {
+                look(spec, statistics, b, l, looked);
+            }
+        }
+    }
+    return looked;
+}
+
+Plan cut_at_target(CampaignSpec const& spec, Plan const& plan, store::ShardFolder const& shards,
+                   std::vector<std::int64_t> const& committed) {
+    for (auto const blocks : stopping_points(spec, plan)) {
+        auto const there = std::lower_bound(committed.begin(), committed.end(), blocks) - committed.begin();
+        if (there < blocks) {
+            break;
+        }
+        if (look_at_target(spec, plan, shards, blocks).met) {
+            return plan.first(blocks);
+        }
+    }
+    return plan;
+}
+
+}  // namespace overturn

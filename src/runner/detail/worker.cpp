@@ -1,0 +1,158 @@
+#include "runner/detail/worker.hpp"
+
+#include <algorithm>
+
+#include "core/elapsed.hpp"
+#include "runner/agreement.hpp"
+
+namespace overturn {
+namespace {
+
+// From here on rank 0 serves the counters and leaves computing to the others.
+constexpr int ranks_worth_serving = 64;
+// Shares of what is left that each rank takes at once; ever smaller ones, so that all end together.
+constexpr std::int64_t shares_each = 4;
+constexpr double report_every_s = 1;
+constexpr std::int64_t stop_mark = std::int64_t{1} << 40U;  // beside the blocks done, which never come near it
+
+class Worker {
+  public:
+    Worker(CampaignSpec const& spec, Plan const& plan, std::vector<std::int64_t> const& left,
+           store::ShardFolder const& shards, StopPolicy& stop_policy, parallel::Communicator const& comm,
+           Progress& progress)
+        : spec_(spec),
+          plan_(plan),
+          left_(left),
+          shards_(shards),
+          stop_policy_(stop_policy),
+          comm_(comm),
+          progress_(progress),
+          given_(comm),
+          done_(comm) {}
+
+    WorkDone work() {
+        if (!comm_.is_root() || comm_.size() <= ranks_worth_serving) {
+            compute();
+        }
+        comm_.wait_for_all([&] { show(); });
+        return {comm_.is_root() ? done_.look() % stop_mark : 0, seconds_};
+    }
+
+    /// Why this rank had to end; empty if it had not to.
+    [[nodiscard]] std::string const& failure() const { return failure_; }
+
+  private:
+    void compute() {
+        while (!stopped_ && has_next()) {
+            auto const begin = Clock::now();
+            auto const block = left_[static_cast<std::size_t>(next_++)];
+            auto const rows = run_block(spec_, plan_, block, seconds_, [&] { return goes_on(); });
+            stopped_ = !rows || !commit(block, rows->pack());
+            stop_policy_.block_took(seconds_since(begin));
+            if (!stopped_ && seconds_since(reported_) > report_every_s) {
+                report();
+            }
+        }
+        report();
+    }
+
+    // Takes the next share if this rank's is used up.
+    bool has_next() {
+        if (!stop_policy_.may_begin()) {
+            stopped_ = true;
+            return false;
+        }
+        auto const count = static_cast<std::int64_t>(left_.size());
+        if (next_ == end_) {
+            auto const share = std::max<std::int64_t>(1, (count - end_) / (shares_each * comm_.size()));
+            next_ = given_.take(share);
+            end_ = next_ + share;
+        }
+        return next_ < count;
+    }
+
+    // Adds what is done to all ranks' sum and hears whether one has stopped, which stops all.
+    void report() {
+        auto const before = done_.take(fresh_ + (stopped_ ? stop_mark : 0));
+        stopped_ = stopped_ || before >= stop_mark;
+        fresh_ = 0;
+        reported_ = Clock::now();
+    }
+
+    [[nodiscard]] bool goes_on() const {
+        if (comm_.is_root()) {
+            comm_.serve();
+        }
+        return stop_policy_.may_go_on();
+    }
+
+    bool commit(std::int64_t block, std::span<std::byte const> rows) {
+        auto const begin = Clock::now();
+        try {
+            shards_.commit(block, rows);
+        } catch (SystemError const& error) {
+            failure_ = error.what();
+            return false;
+        }
+        seconds_.store += seconds_since(begin);
+        ++fresh_;
+        show();
+        return true;
+    }
+
+    void show() {
+        if (comm_.is_root() && progress_.is_due()) {
+            progress_.show(done_.look() % stop_mark + fresh_);
+        }
+    }
+
+    CampaignSpec const& spec_;
+    Plan const& plan_;
+    std::vector<std::int64_t> const& left_;
+    store::ShardFolder const& shards_;
+    StopPolicy& stop_policy_;
+    parallel::Communicator const& comm_;
+    Progress& progress_;
+    parallel::SharedCounter given_, done_;
+    PhaseSeconds seconds_;
+    std::string failure_;
+    std::int64_t next_ = 0, end_ = 0;  ///< this rank's share of `left_`
+    std::int64_t fresh_ = 0;           ///< done and not reported yet
+    Clock::time_point reported_ = Clock::now();
+    bool stopped_ = false;
+};
+
+void print_failure(std::string const& failure, parallel::Communicator const& comm) {
+    auto const failures = comm.gather(failure);
+    (void)from_root(comm, [&] {
+        for (auto const& each : failures) {
+            if (!each.empty()) {
+                throw SystemError(each);
+            }
+        }
+        return std::string();
+    });
+}
+
+}  // namespace
+
+void WorkDone::add(WorkDone const& more) {
+    committed += more.committed;
+    seconds.add(more.seconds);
+}
+
+WorkDone work(CampaignSpec const& spec, Plan const& plan, std::vector<std::int64_t> const& left,
+              store::ShardFolder const& shards, StopPolicy& stop_policy, parallel::Communicator const& comm,
+              Progress& progress) {
+    WorkDone done;
+    std::string failure;
+    {
+        Worker worker(spec, plan, left, shards, stop_policy, comm, progress);
+        done = worker.work();
+        failure = worker.failure();
+    }
+    print_failure(failure, comm);
+    return done;
+}
+
+}  // namespace overturn

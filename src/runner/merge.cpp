@@ -1,0 +1,147 @@
+#include "runner/merge.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "core/print_note.hpp"
+#include "results/analysis.hpp"
+#include "results/rare_results.hpp"
+#include "results/telling_trials.hpp"
+#include "runner/detail/stopping.hpp"
+#include "runner/output_place.hpp"
+#include "runner/runtime_file.hpp"
+#include "store/durable.hpp"
+#include "store/results_file.hpp"
+
+namespace overturn {
+namespace {
+
+struct Interrupted {};
+
+std::vector<std::int64_t> missing_blocks(Plan const& plan, std::vector<std::int64_t> const& sound) {
+    std::vector<std::int64_t> missing;
+    for (std::int64_t block = 0; block < plan.blocks(); ++block) {
+        if (!std::binary_search(sound.begin(), sound.end(), block)) {
+            missing.push_back(block);
+        }
+    }
+    return missing;
+}
+
+// As a shell takes it for one word.
+std::string shell_word(std::string const& text) {
+    constexpr std::string_view plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./=:+,-";
+    if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) {
+        return text;
+    }
+    std::string word = "'";
+    for (char const c : text) {
+        word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    }
+    return word + "'";
+}
+
+}  // namespace
+
+std::optional<std::string> merge_blocks(std::filesystem::path const& output, CampaignInput const& input,
+                                        CampaignSpec const& spec, Plan const& plan, store::ShardFolder const& shards,
+                                        std::function<bool()> const& goes_on, std::span<RareBody const> rare) {
+    Statistics statistics(spec);
+    auto const block = [&](std::int64_t number) {
+        if (!goes_on()) {
+            throw Interrupted();
+        }
+        return shards.read(number);
+    };
+    std::vector<BodyAnalysis> analysis;
+    try {
+        analysis = write_results(output, input, spec, plan, block, statistics, rare);
+    } catch (Interrupted const&) {
+        return std::nullopt;
+    }
+    shards.remove();
+    return stripe_table(spec, statistics) + analysis_table(analysis, spec.confidence) + rare_table(spec, rare)
+           + telling_table(spec, telling_trials(spec, store::ResultsReader(output, store::Trust::unverified)),
+                           output.string());
+}
+
+std::string resume_command(CampaignInput const& input, std::filesystem::path const& output) {
+    std::string settings;
+    for (auto const& setting : input.settings) {
+        settings += " --set " + shell_word(setting);
+    }
+    return fmt::format("overturn run {} -o {} --resume{}", shell_word(input.name), shell_word(output.string()),
+                       settings);
+}
+
+void require_begun(store::ShardFolder const& shards, std::filesystem::path const& output) {
+    if (!shards.begun_with().empty()) {
+        return;
+    }
+    validate(
+        !shards.holds_blocks(),
+        "{}: blocks without the record of their campaign (removed by hand?). Go on with: overturn run CAMPAIGN -o {} "
+        "--resume",
+        shards.folder().string(), output.string());
+    throw InputError(
+        fmt::format("{}: no such results, finished or not (nothing was begun there). Check the name", output.string()));
+}
+
+void require_same_program(CampaignInput const& begun, std::filesystem::path const& output) {
+    validate(begun.program == program_identity(),
+             "{}: begun by overturn {}, this is {} (their blocks must not be mixed). Finish it with that program, or "
+             "start anew with another -o",
+             output.string(), begun.program, program_identity());
+    validate(
+        begun.machine == machine(),
+        "{}: begun on {}, this is {} (their last bits differ, blocks must not be mixed). Finish it on {}, or start "
+        "anew with another -o",
+        output.string(), begun.machine, machine(), begun.machine);
+    CampaignInput const here;
+    validate(
+        begun.libraries == here.libraries,
+        "{}: begun with {}, this has {} (their last bits may differ, blocks must not be mixed). Finish it with those, "
+        "or start anew with another -o",
+        output.string(), begun.libraries, here.libraries);
+}
+
+MergeEnd merge_parts(std::filesystem::path const& output) {
+    if (std::filesystem::exists(output)) {
+        store::ResultsReader const file(output);
+        check_complete(output, input_of(file));
+        fmt::print("{}: complete already, nothing to do\n", output.string());
+        return MergeEnd::complete;
+    }
+    store::ShardFolder const unnamed(output, "");
+    require_begun(unnamed, output);
+    store::require_writable(output);
+    store::Claim const claim(unnamed.folder(), {0, std::numeric_limits<std::int64_t>::max()});
+    auto const input = CampaignInput::deserialise(unnamed.begun_with());
+    auto const spec = parse_campaign(input);
+    Plan const whole(spec);
+    require_same_program(input, output);
+    store::ShardFolder const shards(output, input.block_key());
+    auto const committed = sound_blocks(shards, whole, {0, whole.blocks()});
+    auto const plan = cut_at_target(spec, whole, shards, committed);
+    auto const missing = missing_blocks(plan, committed);
+    if (!missing.empty()) {
+        print_note("{}: waves {} are missing ({} of {} blocks). Run their parts again with --resume, or: {}\n",
+                   shards.folder().string(), plan.waves_text(missing), missing.size(), plan.blocks(),
+                   resume_command(input, output));
+        return MergeEnd::missing;
+    }
+    if (spec.rare) {
+        print_note("{}: the rare events are missing (all ranks work at them, stage by stage). Go on with: {}\n",
+                   shards.folder().string(), resume_command(input, output));
+        return MergeEnd::missing;
+    }
+    auto const legs = shards.legs();
+    auto const tables = merge_blocks(output, input, spec, plan, shards, [] { return true; });
+    write_runtime(output, legs);
+    fmt::print("{}results: {}\n", *tables, output.string());
+    return MergeEnd::complete;
+}
+
+}  // namespace overturn

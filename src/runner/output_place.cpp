@@ -1,0 +1,231 @@
+#include "runner/output_place.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <thread>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "campaign/trial.hpp"
+#include "campaign/withheld_inputs.hpp"
+#include "core/print_note.hpp"
+#include "runner/agreement.hpp"
+#include "store/durable.hpp"
+#include "store/results_file.hpp"
+
+namespace overturn {
+namespace {
+
+void refuse_other(CampaignInput const& begun, CampaignInput const& now, std::string const& place) {
+    auto const differences = begun.differences(now);
+    validate(differences.empty(), "{}: another campaign ({}). Undo the change, or start anew with another -o", place,
+             fmt::join(differences, "; "));
+}
+
+// A whole run holds all blocks there could ever be, so that no part can start beside it.
+store::BlockRange claimed(Plan const& plan, Part part) {
+    return part.is_whole() ? store::BlockRange{0, std::numeric_limits<std::int64_t>::max()} : plan.blocks_of(part);
+}
+
+// Two parts may begin at the same time; the campaign that is on record afterwards counts.
+void begin(store::ShardFolder const& shards, CampaignInput const& input) {
+    shards.begin(input.serialise());
+    refuse_other(CampaignInput::deserialise(shards.begun_with()), input, shards.folder().string());
+}
+
+// What an unfinished run was begun with; nothing if there is none.
+std::optional<CampaignInput> begun_there(store::ShardFolder const& shards) {
+    auto const record = shards.begun_with();
+    return record.empty() ? std::nullopt : std::optional(CampaignInput::deserialise(record));
+}
+
+// A damaged record is written anew, since the blocks tell whose they are; but never by chance, and never over others'.
+std::optional<CampaignInput> sound_record(store::ShardFolder const& shards, CampaignInput const& input, bool resume) {
+    try {
+        return begun_there(shards);
+    } catch (SystemError const& error) {
+        validate(resume, "{}", error.what());
+        validate(
+            !shards.holds_foreign_blocks(),
+            "{}: blocks of another campaign or program (and the record that would name it is damaged). Choose another "
+            "place with -o",
+            shards.folder().string());
+        print_note("{}: the damaged record is written anew\n", shards.folder().string());
+        shards.begin_again(input.serialise());
+        return input;
+    }
+}
+
+// Ranks outlive a killed mpirun for some seconds, in which they may finish the file and be at removing the blocks.
+bool becomes_free(store::ShardFolder const& shards) {
+    constexpr auto pause = std::chrono::milliseconds(50);
+    constexpr int most_pauses = 100;
+    for (int i = 0; i < most_pauses && store::Claim::held(shards.folder()); ++i) {
+        std::this_thread::sleep_for(pause);
+    }
+    return !store::Claim::held(shards.folder());
+}
+
+// Of this very campaign and program, by the record or, where a kill came after that had gone, by every block itself.
+bool are_leftovers(store::ShardFolder const& shards, CampaignInput const& input) {
+    try {
+        if (auto const begun = begun_there(shards)) {
+            return begun->block_key() == input.block_key();
+        }
+    } catch (SystemError const&) {
+        return false;
+    }
+    std::vector<std::string> notes;
+    (void)shards.committed({0, std::numeric_limits<std::int64_t>::max()}, notes);
+    return notes.empty();
+}
+
+std::vector<std::int64_t> committed_in(store::ShardFolder const& shards, Plan const& plan, store::BlockRange range,
+                                       std::vector<std::string>& notes) {
+    return shards.committed(range, notes, [&](std::int64_t block) { return BlockRows::packed_size(plan, block); });
+}
+
+}  // namespace
+
+std::vector<std::int64_t> sound_blocks(store::ShardFolder const& shards, Plan const& plan, store::BlockRange range) {
+    std::vector<std::string> notes;
+    auto committed = committed_in(shards, plan, range, notes);
+    for (auto const& note : notes) {
+        write_note(note + "\n");
+    }
+    return committed;
+}
+
+void warn_of_little_space(std::filesystem::path const& output, Plan const& plan, Part part,
+                          std::vector<std::int64_t> const& committed) {
+    constexpr double page = 4096;       // what a file is rounded up to
+    constexpr double overhead = 400e3;  // groups, attributes and statistics of a small campaign
+    double left = 0;
+    double all = overhead;
+    auto const range = plan.blocks_of(part);
+    for (auto block = range.first; block < range.last; ++block) {
+        auto const bytes = static_cast<double>(BlockRows::packed_size(plan, block));
+        all += bytes;
+        left += std::ranges::binary_search(committed, block) ? 0 : page * std::ceil(bytes / page);
+    }
+    double const needed = left + (part.is_whole() ? all : 0);
+    std::error_code error;
+    auto const space = std::filesystem::space(output.has_parent_path() ? output.parent_path() : ".", error);
+    constexpr double mega = 1e6;
+    if (!error && static_cast<double>(space.available) < needed) {
+        print_note(
+            "warning: {}: {:.1f} MB are free there, blocks and the merged file need about {:.1f} MB. Free space now, "
+            "or "
+            "go on with --resume when the disk is full\n",
+            output.string(), static_cast<double>(space.available) / mega, needed / mega);
+    }
+}
+
+void check_complete(std::filesystem::path const& output, CampaignInput const& input, bool claimed) {
+    store::ResultsReader const file(output);
+    refuse_other({file.text("campaign_name"), file.text("campaign"), {}, {}},
+                 {file.text("campaign_name"), input.text, {}, {}}, output.string());
+    validate(has_withheld(input) || file.text("input_sha256") == input.sha256(),
+             "output {} (made with other settings or input files). Name another with -o", output.string());
+    store::ShardFolder const shards(output, input.block_key());
+    if (!shards.exists() || !(claimed || becomes_free(shards))) {
+        return;
+    }
+    bool const leftovers = are_leftovers(shards, input);
+    if (leftovers) {
+        shards.remove();
+    }
+    print_note(
+        "{}: {}\n", shards.folder().string(),
+        leftovers ? "blocks left over (merged already). Removed" : "what lies there is not of this file. Left alone");
+}
+
+OutputState take_output(std::filesystem::path const& output, store::ShardFolder const& shards,
+                        CampaignInput const& input, Plan const& plan, OutputWish const& wish,
+                        std::optional<store::Claim>& claim) {
+    validate(!std::filesystem::is_directory(output), "output {} (is a folder). Name a file with -o", output.string());
+    validate(!std::filesystem::exists(output) || std::filesystem::is_regular_file(output),
+             "output {} (is no file that could hold results). Name another with -o", output.string());
+    auto const refuse_taken = [&] {
+        validate(wish.resume || !std::filesystem::exists(output),
+                 "output {} (is there already and would be lost). Remove it, or name another with -o", output.string());
+    };
+    refuse_taken();
+    if (!std::filesystem::exists(output)) {
+        store::require_writable(output);
+        claim.emplace(shards.folder(), claimed(plan, wish.part));
+    }
+    refuse_taken();  // another run may have finished meanwhile
+    if (std::filesystem::exists(output)) {
+        check_complete(output, input, claim.has_value());
+        return {.complete = true};
+    }
+    auto const begun = sound_record(shards, input, wish.resume);
+    if (!begun) {
+        validate(wish.resume || !shards.holds_blocks() || begun_there(shards),
+                 "{} (blocks of an unfinished run lie there). Go on with --resume, or remove it",
+                 shards.folder().string());
+        begin(shards, input);
+    } else {
+        validate(wish.resume || !wish.part.is_whole(),
+                 "{} (an unfinished run lies there). Go on with --resume, or remove it", shards.folder().string());
+        refuse_other(*begun, input, shards.folder().string());
+    }
+    shards.remove_unfinished(plan.blocks_of(wish.part));
+    return {.begun = begun.has_value()};
+}
+
+std::vector<std::int64_t> take_blocks(std::filesystem::path const& output, store::ShardFolder const& shards,
+                                      Plan const& plan, OutputWish const& wish, bool begun,
+                                      parallel::Communicator const& comm) {
+    auto const range = plan.blocks_of(wish.part);
+    auto const place = [&](int rank) { return range.first + range.count() * rank / comm.size(); };
+    std::vector<std::string> notes;
+    nlohmann::json mine;
+    try {
+        mine["blocks"] = committed_in(shards, plan, {place(comm.rank()), place(comm.rank() + 1)}, notes);
+        mine["notes"] = notes;
+    } catch (SystemError const& error) {
+        mine["error"] = error.what();
+    }
+    auto const of_ranks = comm.gather(mine.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    return nlohmann::json::parse(from_root(comm,
+                                           [&] {
+                                               std::vector<std::int64_t> committed;
+                                               std::set<std::string> told;  // what is foreign is seen by several
+                                               for (auto const& text : of_ranks) {
+                                                   auto const found = nlohmann::json::parse(text);
+                                                   if (found.contains("error")) {
+                                                       throw SystemError(found.at("error").get<std::string>());
+                                                   }
+                                                   for (auto const& block : found.at("blocks")) {
+                                                       committed.push_back(block.get<std::int64_t>());
+                                                   }
+                                                   for (auto const& line : found.at("notes")) {
+                                                       told.insert(line.get<std::string>());
+                                                   }
+                                               }
+                                               for (auto const& line : told) {
+                                                   write_note(line + "\n");
+                                               }
+                                               validate(wish.resume || committed.empty(),
+                                                        "{}: part {}/{} (has been begun there). Go on with --resume",
+                                                        shards.folder().string(), wish.part.number, wish.part.of);
+                                               if (wish.resume && (begun || !committed.empty())) {
+                                                   print_note(
+                                                       "resuming {}: {} of {} blocks are done, {} are left\n",
+                                                       output.string(), committed.size(), range.count(),
+                                                       range.count() - static_cast<std::int64_t>(committed.size()));
+                                               }
+                                               warn_of_little_space(output, plan, wish.part, committed);
+                                               return nlohmann::json(committed).dump();
+                                           }))
+        .get<std::vector<std::int64_t>>();
+}
+
+}  // namespace overturn

@@ -1,0 +1,247 @@
+#include "runner/run.hpp"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "campaign/validated_range.hpp"
+#include "campaign/warnings.hpp"
+#include "core/elapsed.hpp"
+#include "core/print_note.hpp"
+#include "runner/agreement.hpp"
+#include "runner/detail/stopping.hpp"
+#include "runner/detail/worker.hpp"
+#include "runner/merge.hpp"
+#include "runner/output_place.hpp"
+#include "runner/progress.hpp"
+#include "runner/rare_run.hpp"
+#include "runner/runtime_file.hpp"
+
+namespace overturn {
+namespace {
+
+std::vector<std::int64_t> blocks_left(store::BlockRange const& range, std::vector<std::int64_t> const& committed) {
+    std::vector<std::int64_t> left;
+    for (auto block = range.first; block < range.last; ++block) {
+        if (!std::binary_search(committed.begin(), committed.end(), block)) {
+            left.push_back(block);
+        }
+    }
+    return left;
+}
+
+// Every rank writes, so every node has to see the folder.
+void require_shared(store::ShardFolder const& shards, std::string const& key, parallel::Communicator const& comm) {
+    auto const record = shards.begun_with();
+    bool const seen = !record.empty() && CampaignInput::deserialise(record).block_key() == key;
+    if (comm.largest(seen ? 0 : 1) == 0) {
+        return;
+    }
+    std::string blind;
+    for (auto const& host : comm.gather(seen ? "" : comm.host())) {
+        blind = blind.empty() ? host : blind;
+    }
+    comm.broadcast(blind);
+    throw InputError(
+        fmt::format("{} (not seen from {}: every rank writes its own blocks). Choose an output that all "
+                    "nodes share with -o",
+                    shards.folder().string(), blind));
+}
+
+// What a stopped run, or a finished part, has to say.
+void print_what_is_left(CampaignInput const& input, RunOptions const& options, std::int64_t done, std::int64_t blocks) {
+    auto const again = resume_command(input, options.output);
+    if (options.part.is_whole()) {
+        print_note("stopped early: {} of {} blocks are done and safe. Go on with: {}\n", done, blocks, again);
+        return;
+    }
+    auto const name = fmt::format("part {}/{}", options.part.number, options.part.of);
+    if (done < blocks) {
+        print_note("stopped early: {} of {} blocks of {} are done and safe. Go on with: {} --part {}/{}\n", done,
+                   blocks, name, again, options.part.number, options.part.of);
+        return;
+    }
+    fmt::print("{}: all {} blocks are done. When all parts are: overturn merge {}\n", name, blocks,
+               options.output.string());
+}
+
+class Run {
+  public:
+    Run(CampaignInput const& input, RunOptions const& options, parallel::Communicator const& comm)
+        : input_(input),
+          options_(options),
+          comm_(comm),
+          stop_policy_(options.max_walltime_s),
+          spec_(parse_campaign(input)),
+          plan_(spec_),
+          shards_(options.output, input.block_key()) {}
+
+    RunEnd run() {
+        validate(!spec_.rare || options_.part.is_whole(),
+                 "--part {}/{} of a campaign with [rare] (its stages need what all parts found before). Run it whole, "
+                 "under mpirun",
+                 options_.part.number, options_.part.of);
+        OutputWish const wish{options_.resume, options_.part};
+        auto const found = nlohmann::json::parse(from_root(comm_, [&] {
+            auto const state = take_output(options_.output, shards_, input_, plan_, wish, claim_);
+            return nlohmann::json{{"complete", state.complete}, {"begun", state.begun}}.dump();
+        }));
+        if (found.at("complete").get<bool>()) {
+            if (comm_.is_root()) {
+                fmt::print("{}: complete already, nothing to do\n", options_.output.string());
+            }
+            return RunEnd::complete;
+        }
+        require_shared(shards_, input_.block_key(), comm_);
+        auto const committed = take_blocks(options_.output, shards_, plan_, wish, found.at("begun").get<bool>(), comm_);
+        if (comm_.is_root()) {
+            print_note("waves: {}\n", spec_.source->describe());
+            print_note("they differ by {}\n", spec_.source->variability());
+            print_note("validated range: {}\n", validated_range_text(spec_));
+            for (auto const& line : warnings_of(spec_)) {
+                print_note("warning: {}\n", line);
+            }
+        }
+        // Up to each stopping point, where all ranks wait for the answer; a part cannot know it and does all its
+        // blocks.
+        auto const points = options_.part.is_whole() ? stopping_points(spec_, plan_) : std::vector<std::int64_t>{};
+        bool whole = true;
+        for (std::size_t i = 0; whole && i < points.size(); ++i) {
+            whole = complete({0, points[i]}, committed);
+            if (whole && meets_target_there(points[i])) {
+                plan_ = plan_.first(points[i]);
+                break;
+            }
+        }
+        auto const range = plan_.blocks_of(options_.part);
+        whole = whole && complete(range, committed);
+        if (whole && spec_.rare) {
+            rare_ = run_rare(spec_, shards_, stop_policy_, comm_);
+            whole = rare_.has_value();
+        }
+        auto const end = whole && options_.part.is_whole() ? merge() : whole ? RunEnd::complete : RunEnd::stopped;
+        if (comm_.is_root() && (end == RunEnd::stopped || !options_.part.is_whole())) {
+            print_what_is_left(input_, options_, here(range, committed) + done_.committed, range.count());
+        }
+        account();
+        return end;
+    }
+
+  private:
+    static std::int64_t here(store::BlockRange const& range, std::vector<std::int64_t> const& committed) {
+        return range.count() - static_cast<std::int64_t>(blocks_left(range, committed).size());
+    }
+
+    // Computes what is left of the blocks; false if it was time to go before the last.
+    bool complete(store::BlockRange const& range, std::vector<std::int64_t> const& committed) {
+        store::BlockRange const fresh{std::max(range.first, next_), range.last};
+        auto const left = blocks_left(fresh, committed);
+        auto const before = fresh.count() - static_cast<std::int64_t>(left.size());
+        Progress progress(fresh.count(), before,
+                          static_cast<double>(plan_.trials()) / static_cast<double>(plan_.blocks()));
+        auto const done = work(spec_, plan_, left, shards_, stop_policy_, comm_, progress);
+        if (comm_.is_root() && done.committed > 0) {
+            progress.show(done.committed);
+            progress.finish();
+        }
+        done_.add(done);
+        wall_s_ += progress.elapsed_s();
+        bool const whole = comm_.largest(comm_.is_root() && before + done.committed < fresh.count() ? 1 : 0) == 0;
+        next_ = whole ? fresh.last : next_;
+        return whole;
+    }
+
+    bool meets_target_there(std::int64_t blocks) {
+        auto const looked = nlohmann::json::parse(from_root(comm_, [&] {
+            auto const look = look_at_target(spec_, plan_, shards_, blocks);
+            return nlohmann::json{{"met", look.met}, {"obstacle", look.obstacle}}.dump();
+        }));
+        bool const yes = looked.at("met").get<bool>();
+        if (auto const obstacle = looked.at("obstacle").get<std::string>(); !obstacle.empty() && !told_obstacle_) {
+            told_obstacle_ = true;
+            if (comm_.is_root()) {
+                print_note("warning: after {} waves {}: all {} waves are run unless that changes\n",
+                           plan_.first(blocks).waves(), obstacle, plan_.waves());
+            }
+        }
+        if (comm_.is_root() && yes) {
+            print_note("precise enough after {} of {} waves\n", plan_.first(blocks).waves(), plan_.waves());
+        }
+        return yes;
+    }
+
+    RunEnd merge() {
+        auto const table = from_root(comm_, [&] {
+            auto const begin = Clock::now();
+            earlier_legs_ = shards_.legs();
+            auto const tables = merge_blocks(
+                options_.output, input_, spec_, plan_, shards_, [&] { return stop_policy_.may_merge(); },
+                rare_.value_or(std::vector<RareBody>{}));
+            done_.seconds.store += seconds_since(begin);
+            return tables.value_or("");
+        });
+        if (comm_.is_root() && !table.empty() && !options_.quiet) {
+            fmt::print("{}results: {}\n", table, options_.output.string());
+        }
+        return table.empty() ? RunEnd::stopped : RunEnd::complete;
+    }
+
+    void account() {
+        auto const ranks = comm_.gather(seconds_text(comm_, done_.seconds));
+        if (comm_.is_root()) {
+            print_note("cost: {}\n", rung_costs(sum_of_rungs(ranks)));
+            print_legs(leg_text(options_.part, ranks, wall_s_, done_.committed * plan_.trials() / plan_.blocks()));
+        }
+    }
+
+    // What is not merged yet goes on with the legs so far; a part's are told by merge.
+    void print_legs(std::string const& leg) {
+        auto legs = shards_.exists() ? shards_.legs() : earlier_legs_;
+        legs.push_back(leg);
+        if (shards_.exists()) {
+            try {
+                shards_.keep_leg(leg);
+            } catch (SystemError const& error) {
+                print_note("the times of this run are not kept: {}\n", error.what());
+            }
+        }
+        if (options_.part.is_whole()) {
+            write_runtime(options_.output, legs);
+        }
+    }
+
+    CampaignInput const& input_;
+    RunOptions const& options_;
+    parallel::Communicator const& comm_;
+    StopPolicy stop_policy_;
+    CampaignSpec spec_;
+    Plan plan_;
+    store::ShardFolder shards_;
+    std::optional<store::Claim> claim_;
+    WorkDone done_;
+    std::optional<std::vector<RareBody>> rare_;
+    std::vector<std::string> earlier_legs_;  ///< of blocks that are merged; known on rank 0
+    double wall_s_ = 0;
+    bool told_obstacle_ = false;
+    std::int64_t next_ = 0;  ///< blocks below it are done with
+};
+
+}  // namespace
+
+std::filesystem::path default_output(std::filesystem::path const& campaign) { return campaign.stem() += ".h5"; }
+
+CampaignInput load_campaign_everywhere(std::filesystem::path const& path, std::span<std::string const> settings,
+                                       parallel::Communicator const& comm) {
+    auto input = CampaignInput::deserialise(from_root(comm, [&] { return load_campaign(path, settings).serialise(); }));
+    if (comm.largest(input.program == program_identity() ? 0 : 1) != 0) {
+        throw InputError(fmt::format("ranks of different programs (rank 0 is overturn {}). Install one on all nodes",
+                                     input.program));
+    }
+    return input;
+}
+
+RunEnd run_campaign(CampaignInput const& input, RunOptions const& options, parallel::Communicator const& comm) {
+    return Run(input, options, comm).run();
+}
+
+}  // namespace overturn

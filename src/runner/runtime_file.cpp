@@ -1,0 +1,108 @@
+#include "runner/runtime_file.hpp"
+
+#include <chrono>
+#include <ctime>
+
+#include <fmt/format.h>
+#include <gnu/libc-version.h>
+#include <nlohmann/json.hpp>
+
+#include "campaign/version.hpp"
+#include "core/error.hpp"
+#include "core/print_note.hpp"
+#include "results/results.hpp"
+#include "simd/instruction_sets.hpp"
+#include "store/durable.hpp"
+
+namespace overturn {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+}  // namespace
+
+std::string seconds_text(parallel::Communicator const& comm, PhaseSeconds const& seconds) {
+    nlohmann::ordered_json json{{"rank", comm.rank()},
+                                {"host", comm.host()},
+                                {"glibc", gnu_get_libc_version()},
+                                {"lanes", simd::name_of(simd::instruction_sets().front())},
+                                {"waves_s", seconds.waves},
+                                {"measures_s", seconds.measures},
+                                {"response_s", seconds.response},
+                                {"store_s", seconds.store}};
+    for (std::size_t r = 0; r < seconds.rungs.size(); ++r) {
+        json["rungs"][rungs()[r].name] = {{"trials", seconds.rungs[r].trials}, {"seconds", seconds.rungs[r].seconds}};
+    }
+    return json.dump();
+}
+
+PhaseSeconds sum_of_rungs(std::vector<std::string> const& ranks) {
+    PhaseSeconds sum;
+    for (auto const& rank : ranks) {
+        auto const found = nlohmann::json::parse(rank).at("rungs");
+        for (std::size_t r = 0; r < sum.rungs.size(); ++r) {
+            auto const& rung = found.at(rungs()[r].name);
+            sum.rungs[r].trials += rung.at("trials").get<std::int64_t>();
+            sum.rungs[r].seconds += rung.at("seconds").get<double>();
+        }
+    }
+    return sum;
+}
+
+std::string leg_text(Part part, std::vector<std::string> const& ranks, double wall_s, std::int64_t trials) {
+    auto const now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+    auto const ended = std::chrono::system_clock::to_time_t(now);
+    std::tm utc{};
+    ::gmtime_r(&ended, &utc);
+    constexpr int first_year = 1900;
+    Json json{{"ended_utc", fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}Z", utc.tm_year + first_year,
+                                        utc.tm_mon + 1, utc.tm_mday, utc.tm_hour, utc.tm_min, utc.tm_sec)},
+              {"part", fmt::format("{}/{}", part.number, part.of)},
+              {"program", program_identity()},
+              {"compiler", compiler()},
+              {"libraries", library_versions()},
+              {"mpi", parallel::Communicator::library()},
+              {"wall_s", wall_s},
+              {"trials", trials},
+              {"ranks", Json::array()}};
+    for (auto const& rank : ranks) {
+        json["ranks"].push_back(Json::parse(rank));
+    }
+    return json.dump();
+}
+
+void write_runtime(std::filesystem::path const& output, std::span<std::string const> legs) {
+    double wall_s = 0;
+    std::int64_t trials = 0;
+    auto list = Json::array();
+    auto ranks = Json::array();
+    for (auto const& text : legs) {
+        auto leg = Json::parse(text, nullptr, false);
+        if (leg.is_discarded() || !leg.contains("ranks")) {
+            continue;  // damaged; blocks do not depend on it
+        }
+        wall_s += leg.value("wall_s", 0.0);
+        trials += leg.value("trials", std::int64_t{0});
+        for (auto& rank : leg["ranks"]) {
+            rank["leg"] = list.size();
+            ranks.push_back(rank);
+        }
+        leg["ranks"] = leg["ranks"].size();
+        list.push_back(std::move(leg));
+    }
+    Json const json{{"wall_s", wall_s},
+                    {"trials", trials},
+                    {"trials_per_s", wall_s > 0 ? static_cast<double>(trials) / wall_s : 0.0},
+                    {"legs", list},
+                    {"ranks", ranks}};
+    auto path = output;
+    path.replace_extension(".runtime.json");
+    auto const content = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    try {
+        store::write_durably(path, std::as_bytes(std::span(content)));
+    } catch (SystemError const& error) {
+        print_note("the times of this run are not kept: {}\n", error.what());
+    }
+}
+
+}  // namespace overturn

@@ -1,0 +1,41 @@
+/// Leaving on time: what signals and the time limit ask of a run.
+#pragma once
+
+#include <limits>
+
+#include "core/elapsed.hpp"
+
+namespace overturn {
+
+/// Makes SIGUSR1, SIGTERM and SIGINT ask the run to stop instead of killing it. A second one, half a second later or
+/// more, kills: launchers may deliver one request twice.
+void stop_on_signals();
+
+/// What held before stop_on_signals() does again; a signal that came meanwhile comes again.
+void restore_signals();
+
+/// Tells one rank when to stop. SIGUSR1 and the time limit let the block in hand be finished; SIGTERM and SIGINT give
+/// it half a second more, because mpirun and batch systems kill soon after.
+class StopPolicy {
+  public:
+    /// \param after_s from now on [s]
+    explicit StopPolicy(double after_s = std::numeric_limits<double>::infinity());
+
+    /// May another block be begun? Not if the longest one so far would not fit into the time that is left.
+    [[nodiscard]] bool may_begin() const;
+    /// May the block in hand go on?
+    [[nodiscard]] bool may_go_on() const;
+    /// May the merge go on? For some time after a SIGUSR1: most are done by then, and it would begin anew.
+    [[nodiscard]] bool may_merge() const;
+    /// One more block took this long.
+    void block_took(double seconds);
+
+  private:
+    [[nodiscard]] double elapsed_s() const;
+
+    Clock::time_point begin_;
+    double after_s_;
+    double longest_s_ = 0;
+};
+
+}  // namespace overturn

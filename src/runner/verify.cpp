@@ -1,0 +1,280 @@
+#include "runner/verify.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <random>
+#include <vector>
+
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "campaign/plan.hpp"
+#include "results/rare_replayer.hpp"
+#include "results/rare_results.hpp"
+#include "results/results.hpp"
+#include "results/schema.hpp"
+#include "runner/progress.hpp"
+
+namespace overturn {
+namespace {
+
+/// Rows of /trials that are computed together: a block of waves, or those drawn of one wave.
+struct Unit {
+    std::int64_t first = 0, count = 0;  ///< waves
+    std::vector<std::int64_t> drawn;    ///< trials; empty: all
+};
+
+/// Where the first difference stands, in the order of the file: of what kind, which row.
+struct Place {
+    int kind = std::numeric_limits<int>::max();  ///< 0 trial, 1 wave, 2 rare event
+    std::int64_t row = 0;
+    std::string text;
+};
+
+class Verifier {
+  public:
+    Verifier(store::ResultsReader const& file, CampaignSpec const& spec, VerifyWish const& wish)
+        : file_(file), spec_(spec), ladder_(spec.effects, spec.accuracy), plan_(spec), trial_table_(trial_table(spec)) {
+        waves_ = static_cast<std::int64_t>(file.integers("waves/id").size());
+        trials_ = waves_ * plan_.trials_per_wave();
+        auto const limits = spec.rare ? spec.limits.size() : 0;
+        for (std::size_t b = 0; b < spec.bodies.size() && limits > 0; ++b) {
+            for (std::size_t l = 0; l < limits; ++l) {
+                rare_.push_back(std::make_unique<RareReplayer>(file, spec, b, l));
+                rare_names_.push_back(rare_group(spec, b, l));
+            }
+        }
+        draw(wish);
+    }
+
+    [[nodiscard]] std::int64_t units() const { return static_cast<std::int64_t>(units_.size() + rare_rows_.size()); }
+
+    void compute(std::int64_t unit) {
+        auto const number = static_cast<std::size_t>(unit);
+        if (number >= units_.size()) {
+            compare_rare(rare_rows_[number - units_.size()]);
+        } else if (units_[number].drawn.empty()) {
+            compute_block(units_[number]);
+        } else {
+            compute_drawn(units_[number]);
+        }
+    }
+
+    [[nodiscard]] std::string found() const {
+        return nlohmann::json{{"counts", counts_}, {"kind", first_.kind}, {"row", first_.row}, {"text", first_.text}}
+            .dump();
+    }
+
+  private:
+    struct RareRowPlace {
+        std::size_t replayer;
+        std::int64_t row;
+    };
+
+    void draw(VerifyWish const& wish) {
+        std::int64_t all = trials_;
+        for (auto const& replayer : rare_) {
+            all += replayer->rows();
+        }
+        validate(!wish.sample || (*wish.sample >= 1 && *wish.sample <= all),
+                 "--sample {} (the file has {} rows of trials). Choose from 1 to {}, or leave it out for all",
+                 wish.sample.value_or(0), all, all);
+        if (!wish.sample) {
+            for (std::int64_t first = 0; first < waves_; first += plan_.block_size()) {
+                units_.push_back({first, std::min(plan_.block_size(), waves_ - first), {}});
+            }
+            for (auto row = trials_; row < all; ++row) {
+                add_rare(row - trials_);
+            }
+            return;
+        }
+        std::vector<std::int64_t> rows(static_cast<std::size_t>(all));
+        std::iota(rows.begin(), rows.end(), 0);
+        std::vector<std::int64_t> drawn;
+        std::mt19937_64 random(static_cast<std::uint64_t>(wish.seed));
+        std::ranges::sample(rows, std::back_inserter(drawn), *wish.sample, random);
+        for (auto const row : drawn) {
+            if (row >= trials_) {
+                add_rare(row - trials_);
+                continue;
+            }
+            auto const wave = row / plan_.trials_per_wave();
+            if (units_.empty() || units_.back().first != wave) {
+                units_.push_back({wave, 1, {}});
+            }
+            units_.back().drawn.push_back(row);
+        }
+    }
+
+    void add_rare(std::int64_t row) {
+        std::size_t r = 0;
+        for (; row >= rare_[r]->rows(); ++r) {
+            row -= rare_[r]->rows();
+        }
+        rare_rows_.push_back({r, row});
+    }
+
+    [[nodiscard]] TrialRows stored_trials(std::int64_t first, std::int64_t count) const {
+        TrialRows trials{std::vector<TrialRow>(static_cast<std::size_t>(count)),
+                         std::vector<std::byte>(static_cast<std::size_t>(count) * ladder_.own_bytes())};
+        file_.rows(trial_table_, trials_, first, std::as_writable_bytes(std::span(trials.rows)));
+        for (auto const& table : own_tables(ladder_)) {
+            file_.rows(table, trials_, first, trials.own);
+        }
+        return trials;
+    }
+
+    void differ(int kind, std::int64_t row, std::vector<std::string> const& columns, std::string const& what) {
+        if (columns.empty()) {
+            return;
+        }
+        ++counts_.at(static_cast<std::size_t>(kind) + 3);
+        if (kind < first_.kind || (kind == first_.kind && row < first_.row)) {
+            first_ = {kind, row, fmt::format("{}: {}", what, fmt::join(columns, ", "))};
+        }
+    }
+
+    void compare_trial(std::int64_t number, TrialRows const& stored, TrialRows const& again, std::size_t at) {
+        auto const own = ladder_.own_bytes();
+        auto const one = [&](TrialRows const& trials) {
+            auto const part = std::span(trials.own).subspan(at * own, own);
+            return TrialRows{{trials.rows[at]}, {part.begin(), part.end()}};
+        };
+        auto const a = one(stored);
+        auto const b = one(again);
+        ++counts_[0];
+        if (same_bits(a.rows.front(), b.rows.front()) && a.own == b.own) {
+            return;
+        }
+        auto const& row = b.rows.front();
+        differ(0, number, differing_columns(spec_, a, b),
+               fmt::format("trial {} (wave {}, {}, {})", number, row.wave,
+                           spec_.bodies[static_cast<std::size_t>(row.body)].name, spec_.levels.text(row.amplitude)));
+    }
+
+    void compare_waves(std::int64_t first, std::span<WaveRow const> waves, std::span<MeasureRow const> measures) {
+        auto const bodies = spec_.bodies.size();
+        std::vector<WaveRow> stored(waves.size());
+        std::vector<MeasureRow> stored_measures(measures.size());
+        auto const table = wave_table(spec_);
+        file_.rows(table, waves_, first, std::as_writable_bytes(std::span(stored)));
+        std::vector<store::TableSpec> of_body;
+        for (std::size_t b = 0; b < bodies; ++b) {
+            of_body.push_back(measure_table(spec_, b));
+            file_.rows(of_body.back(), waves_, first, std::as_writable_bytes(std::span(stored_measures)));
+        }
+        for (std::size_t w = 0; w < waves.size(); ++w) {
+            auto columns = differing(table.columns, overturn::bytes_of(stored[w]), overturn::bytes_of(waves[w]));
+            auto const mine = [&](std::span<MeasureRow const> rows) {
+                return std::as_bytes(rows.subspan(w * bodies, bodies));
+            };
+            for (std::size_t b = 0; b < bodies; ++b) {
+                for (auto const& name : differing(of_body[b].columns, mine(stored_measures), mine(measures))) {
+                    columns.push_back(spec_.bodies[b].name + "/" + name);
+                }
+            }
+            ++counts_[1];
+            auto const row = first + static_cast<std::int64_t>(w);
+            differ(1, row, columns, fmt::format("row {} of /waves", row));
+        }
+    }
+
+    void compute_block(Unit const& unit) {
+        auto const again = *run_block(spec_, plan_, unit.first / plan_.block_size(), seconds_, [] { return true; });
+        auto const first = unit.first * plan_.trials_per_wave();
+        auto const count = unit.count * plan_.trials_per_wave();
+        auto const stored = stored_trials(first, count);
+        for (std::int64_t i = 0; i < count; ++i) {
+            compare_trial(first + i, stored, again.trials, static_cast<std::size_t>(i));
+        }
+        auto const waves = static_cast<std::size_t>(unit.count);
+        compare_waves(unit.first, std::span(again.waves).first(waves),
+                      std::span(again.measures).first(waves * spec_.bodies.size()));
+    }
+
+    void compute_drawn(Unit const& unit) {
+        auto const wave = prepare_wave(spec_, plan_, unit.first, seconds_);
+        for (auto const number : unit.drawn) {
+            auto const [of_wave, body, level] = plan_.trial(number);
+            compare_trial(number, stored_trials(number, 1), run_trial(spec_, wave, body, level), 0);
+        }
+        compare_waves(unit.first, std::span(&wave.row, 1), wave.measures);
+    }
+
+    void compare_rare(RareRowPlace const& place) {
+        auto const& replayer = *rare_[place.replayer];
+        auto const stored = replayer.stored(place.row);
+        ++counts_[2];
+        differ(2, place.row, differing(stored, replayer.again(stored, place.row)),
+               fmt::format("row {} of /{}/rows", place.row, rare_names_[place.replayer]));
+    }
+
+    store::ResultsReader const& file_;
+    CampaignSpec const& spec_;
+    Ladder ladder_;
+    Plan plan_;
+    store::TableSpec trial_table_;
+    std::int64_t waves_ = 0, trials_ = 0;
+    std::vector<Unit> units_;
+    std::vector<std::unique_ptr<RareReplayer>> rare_;
+    std::vector<std::string> rare_names_;
+    std::vector<RareRowPlace> rare_rows_;
+    PhaseSeconds seconds_;
+    std::vector<std::int64_t> counts_ = std::vector<std::int64_t>(6);  ///< looked at, then differing, by kind
+    Place first_;
+};
+
+Verified together(std::vector<std::string> const& ranks) {
+    Verified sum;
+    Place first;
+    for (auto const& rank : ranks) {
+        auto const found = nlohmann::json::parse(rank);
+        auto const counts = found.at("counts").get<std::vector<std::int64_t>>();
+        sum.trials += counts[0];
+        sum.waves += counts[1];
+        sum.rare += counts[2];
+        sum.differing_trials += counts[3];
+        sum.differing_waves += counts[4];
+        sum.differing_rare += counts[5];
+        Place const place{found.at("kind").get<int>(), found.at("row").get<std::int64_t>(),
+                          found.at("text").get<std::string>()};
+        if (std::pair(place.kind, place.row) < std::pair(first.kind, first.row)) {
+            first = place;
+        }
+    }
+    sum.first = first.text;
+    return sum;
+}
+
+}  // namespace
+
+Verified verify_rows(store::ResultsReader const& file, CampaignSpec const& spec, VerifyWish const& wish,
+                     parallel::Communicator const& comm) {
+    Verifier verifier(file, spec, wish);
+    {
+        parallel::SharedCounter given(comm);
+        parallel::SharedCounter done(comm);
+        Progress progress(verifier.units(), 0, 0, wish.sample ? "waves" : "blocks");
+        auto const show = [&] {
+            if (comm.is_root() && progress.is_due()) {
+                progress.show(done.look());
+            }
+        };
+        for (auto unit = given.take(); unit < verifier.units(); unit = given.take()) {
+            verifier.compute(unit);
+            (void)done.take();
+            show();
+        }
+        comm.wait_for_all(show);
+        if (comm.is_root()) {
+            progress.finish();
+        }
+    }
+    auto const ranks = comm.gather(verifier.found());
+    return comm.is_root() ? together(ranks) : Verified{};
+}
+
+}  // namespace overturn

@@ -1,0 +1,178 @@
+// Requirement R-707: the annual frequency of each limit state follows from the campaign's curves and stripes and from a
+// hazard curve that states its measure and unit; what rests on no data is said.
+#include "results/hazard_frequency.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include "support/campaigns.hpp"
+#include "support/expect_input_error.hpp"
+
+namespace overturn {
+namespace {
+
+using testing::expect_input_error;
+
+LevelSpec levels_by(std::string const& measure) {
+    auto const keys = "measure='" + measure + "'\nvalues=['300 gal', '600 gal']\n";
+    return testing::campaign_from(testing::quick_waves + testing::type_b + "[levels]\n" + keys).levels;
+}
+
+TEST(HazardTable, UnitsOfItsNamesAreRead) {
+    auto const levels = levels_by("pga");
+    auto const gal =
+        parse_hazard("# of no site\npga [gal], annual_exceedance\n100, 1e-2\n1000, 1e-5\n", "h.csv", levels);
+    EXPECT_DOUBLE_EQ(gal.first(), 1);
+    EXPECT_DOUBLE_EQ(gal.last(), 10);
+    EXPECT_NEAR(gal.annual_exceedance(std::sqrt(10.0)), std::sqrt(1e-7), 1e-12);
+    auto const g = parse_hazard("PGA (g), annual_exceedance\n0.1, 1e-2\n1, 1e-5\n", "h.csv", levels);
+    EXPECT_DOUBLE_EQ(g.last(), g0);
+}
+
+TEST(HazardTable, WhatCannotBeMeantIsRefused) {
+    auto const levels = levels_by("pga");
+    auto const parse = [&](char const* text) { (void)parse_hazard(text, "h.csv", levels); };
+    expect_input_error([&] { parse("0.1, 1e-2\n1, 1e-5\n"); }, "h.csv:1", "pga [gal]");
+    expect_input_error([&] { parse("pgv [kine], n\n10, 1e-2\n100, 1e-5\n"); }, "h.csv:1", "levels are pga");
+    std::string const n = "annual_exceedance\n";
+    expect_input_error([&] { parse(("pga, " + n + "10, 1e-2\n100, 1e-5\n").c_str()); }, "states no unit");
+    expect_input_error([&] { parse(("pga [gal], " + n + "100, 1e-5\n200, 1e-2\n").c_str()); }, "h.csv:3", "rarer");
+    expect_input_error([&] { parse(("pga [gal], " + n + "200, 1e-2\n100, 1e-5\n").c_str()); }, "h.csv:3", "rise");
+    expect_input_error([&] { parse(("pga [gal], " + n + "200, 1e-2\n").c_str()); }, "h.csv:1", "1 point");
+    expect_input_error([&] { parse(("pgaverage [gal], " + n + "1, 1e-2\n2, 1e-5\n").c_str()); }, "h.csv:1",
+                       "levels are pga");
+    for (std::string const second : {"return_period", "annual_exceedance [%]", "n", "probability in 50 years"}) {
+        expect_input_error([&] { parse(("pga [gal], " + second + "\n100, 475\n200, 50\n").c_str()); }, "h.csv:1",
+                           "must be annual_exceedance");
+    }
+}
+
+// A spectral acceleration is one of its period.
+TEST(HazardTable, ThePeriodOfSaIsRead) {
+    auto const levels = testing::campaign_from(testing::quick_waves + testing::type_b
+                                               + "[measures]\nsa_periods=['1.9 s']\n[levels]\nmeasure='sa'\nperiod='1.9 s'\n"
+                                                 "values=['300 gal', '600 gal']\n")
+                            .levels;
+    auto const parse = [&](std::string const& over) {
+        return parse_hazard(over + ", annual_exceedance [1/a]\n0.1, 1e-2\n1, 1e-5\n", "h.csv", levels);
+    };
+    EXPECT_DOUBLE_EQ(parse("sa(1.9 s) [g]").last(), g0);
+    EXPECT_DOUBLE_EQ(parse("Sa(1.9 s)_gal").last(), 0.01);
+    for (std::string const other : {"sa(0.5 s) [g]", "sa [g]", "sa-average [g]", "sa(1.95 s) [g]"}) {
+        expect_input_error([&] { (void)parse(other); }, "h.csv:1", "levels are sa(1.9 s)");
+    }
+}
+
+// Trials whose proportions are those of a lognormal curve, so that curve, stripes and the closed form agree.
+class Frequency : public ::testing::Test {
+  protected:
+    Frequency() : Frequency(std::nullopt) {}
+    /// \param above what became of every 40th wave at the highest levels; nothing: what the curve says
+    explicit Frequency(std::optional<Verdict> above)
+        : spec(testing::campaign_from(testing::quick_waves + testing::type_b
+                                      + "[levels]\nmeasure='pga'\nvalues={from=2, to=18, count=17}\n")),
+          statistics(spec) {
+        LognormalFragility const truth{6, 0.4};
+        constexpr int each = 200;
+        for (std::int64_t w = 0; w < each; ++w) {
+            WaveRow row;
+            row.id = w;
+            row.pga_mps2 = row.pgv_mps = 1;
+            statistics.add(row, std::vector<MeasureRow>(1));
+            // Wave w falls from its own quantile of the curve on.
+            double const share = (static_cast<double>(w) + 0.5) / each;
+            for (std::size_t level = 0; level < spec.levels.levels.size(); ++level) {
+                TrialRow trial;
+                trial.wave = w;
+                trial.level = static_cast<std::int64_t>(level);
+                trial.amplitude = spec.levels.levels[level].value;
+                trial.scale = trial.amplitude;
+                trial.verdict = truth.probability(trial.amplitude) > share ? Verdict::overturned : Verdict::rocked;
+                if (above && trial.amplitude > 11 && w % 40 == 7) {
+                    trial.verdict = *above;
+                }
+                trial.v_ereq_mps = 1;
+                statistics.add(trial);
+            }
+        }
+    }
+    CampaignSpec spec;
+    Statistics statistics;
+};
+
+TEST_F(Frequency, IsThatOfTheCurveAndWithinTheStripes) {
+    HazardCurve const hazard({{0.5, 1e-2}, {50, 1e-8}});  // slope 3
+    auto const analysis = analyse(spec, statistics, {.confidence = 0.95, .beta_u = 0, .replicates = 200});
+    auto const all = frequencies_of(spec, statistics, analysis, hazard, 0.95);
+    ASSERT_EQ(all.size(), 1U);
+    auto const& f = all.front();
+    EXPECT_EQ(f.body, "type-b");
+    EXPECT_EQ(f.limit, "overturning");
+    ASSERT_TRUE(f.mean.has_value());
+    double const closed = 1e-2 * std::pow(6 / 0.5, -3) * std::exp(9 * 0.16 / 2);
+    double const mean = f.mean->annual + f.mean->beyond_least;
+    EXPECT_NEAR(mean / closed, 1, 0.03) << "200 waves' quantiles for a curve";
+    EXPECT_LT(f.interval.lower, mean);
+    EXPECT_GT(f.interval.upper, mean);
+    EXPECT_GT(f.interval.lower, 0.6 * mean);
+    EXPECT_LT(f.interval.upper, 1.6 * mean);
+    EXPECT_LT(f.seen.lower, mean);
+    EXPECT_GT(f.seen.upper, mean);
+    EXPECT_FALSE(f.fractiles.has_value());
+    EXPECT_NEAR(f.shares->below + f.shares->between + f.shares->above, 1, 1e-12);
+
+    // Stated beta_U: the mean is that of the composite curve, fractiles those of shifted medians.
+    auto const unsure = analyse(spec, statistics, {.confidence = 0.95, .beta_u = 0.3, .replicates = 200});
+    auto const with = frequencies_of(spec, statistics, unsure, hazard, 0.95).front();
+    EXPECT_NEAR((with.mean->annual + with.mean->beyond_least) / mean, std::exp(9 * 0.09 / 2), 0.01);
+    ASSERT_TRUE(with.fractiles.has_value());
+    EXPECT_NEAR(with.fractiles->median / mean, 1, 1e-9);
+    EXPECT_NEAR(with.fractiles->high / with.fractiles->median, std::exp(3 * 1.6448536 * 0.3), 0.02);
+    EXPECT_NEAR(with.fractiles->median / with.fractiles->low, std::exp(3 * 1.6448536 * 0.3), 0.02);
+}
+
+// Trials without a verdict: the frequency holds whatever they would have done.
+class OfUndecided : public Frequency {
+  public:
+    explicit OfUndecided(Verdict above) : Frequency(above) {}
+    void TestBody() override {}
+    [[nodiscard]] BodyFrequency of(HazardCurve const& hazard) const {
+        auto const analysis = analyse(spec, statistics, {.confidence = 0.95, .beta_u = 0, .replicates = 200});
+        return frequencies_of(spec, statistics, analysis, hazard, 0.95).front();
+    }
+};
+
+TEST(FrequencyOfUndecided, HoldsBothExtremes) {
+    HazardCurve const hazard({{0.5, 1e-2}, {50, 1e-8}});
+    auto const open = OfUndecided(Verdict::contact_lost).of(hazard);
+    auto const standing = OfUndecided(Verdict::rocked).of(hazard);
+    auto const fallen = OfUndecided(Verdict::overturned).of(hazard);
+    ASSERT_TRUE(open.mean && standing.mean && fallen.mean);
+    constexpr double rounding = 1e-9;
+    for (auto const* extreme : {&standing, &fallen}) {
+        EXPECT_LE(open.interval.lower, extreme->interval.lower * (1 + rounding));
+        EXPECT_GE(open.interval.upper, extreme->interval.upper * (1 - rounding));
+    }
+    EXPECT_NEAR(open.seen.lower, std::min(standing.seen.lower, fallen.seen.lower), rounding * open.seen.lower);
+    EXPECT_NEAR(open.seen.upper, std::max(standing.seen.upper, fallen.seen.upper), rounding * open.seen.upper);
+    EXPECT_LT(standing.seen.lower, fallen.seen.lower);
+}
+
+TEST_F(Frequency, WhatRestsOnNoDataIsSaid) {
+    auto const analysis = analyse(spec, statistics, {.confidence = 0.95, .beta_u = 0, .replicates = 50});
+    auto const said = [&](HazardCurve const& hazard) {
+        return frequency_table(spec, frequencies_of(spec, statistics, analysis, hazard, 0.95), hazard, 0.95);
+    };
+    EXPECT_NE(said(HazardCurve({{0.5, 1e-2}, {6, 5e-6}})).find("beyond the hazard curve's last point"),
+              std::string::npos);
+    EXPECT_NE(said(HazardCurve({{5, 1e-2}, {60, 1e-6}})).find("at the hazard curve's first point"), std::string::npos);
+    EXPECT_NE(said(HazardCurve({{0.1, 1e-1}, {60, 1e-22}})).find("outside the levels"), std::string::npos);
+    auto const sound = said(HazardCurve({{0.5, 1e-2}, {50, 1e-8}}));
+    EXPECT_EQ(sound.find("note:"), std::string::npos) << sound;
+}
+
+}  // namespace
+}  // namespace overturn
