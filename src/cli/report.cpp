@@ -6,12 +6,10 @@
 #include <optional>
 #include <span>
 #include <string_view>
-#include <variant>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "body/parts.hpp"
 #include "campaign/validated_range.hpp"
 #include "campaign/warnings.hpp"
 #include "campaign/withheld_inputs.hpp"
@@ -20,6 +18,7 @@
 #include "cli/json_values.hpp"
 #include "cli/outcome_report.hpp"
 #include "cli/rare_json.hpp"
+#include "cli/report_bodies.hpp"
 #include "cli/shown_trials.hpp"
 #include "cli/spectra_of_waves.hpp"
 #include "cli/velocity_unit.hpp"
@@ -93,24 +92,6 @@ Json facts_of(CampaignSpec const& spec, Plan const& plan, store::ResultsReader c
     add("T0, T1",
         fmt::format("R in {}", spec.measures.radius_unit == RadiusUnit::centimetre ? "centimetres" : "metres"));
     return facts;
-}
-
-// Outlines of what each body is assembled from, by its name: width, height and bottom [m]; a point mass has no width.
-Json parts_of(CampaignSpec const& spec) {
-    auto all = Json::object();
-    for (auto const& body : spec.bodies) {
-        auto& parts = all[body.name] = Json::array();
-        for (auto const& part : body.parts) {
-            if (auto const* const cylinder = std::get_if<Cylinder>(&part)) {
-                parts.push_back({2 * cylinder->radius_m, cylinder->height_m, cylinder->bottom_height_m});
-            } else if (auto const* const box = std::get_if<Box>(&part)) {
-                parts.push_back({box->width_m, box->height_m, box->bottom_height_m});
-            } else {
-                parts.push_back({0, 0, std::get<PointMass>(part).height_m});
-            }
-        }
-    }
-    return all;
 }
 
 // The first wave, and the one that overturned anything at the lowest level: usually the ones to look at.
@@ -236,7 +217,8 @@ int write_report(ReportOptions const& options) {
     auto const analysis = analyse(
         spec, statistics,
         {.confidence = confidence, .beta_u = options.beta_u, .band_points = 61, .velocities = options.unit.measures()});
-    data["parts"] = parts_of(spec);
+    data["parts"] = outlines_of(spec);
+    data["placements"] = placements_of(spec);
     data["velocity_unit"] = options.unit.json();
     data["fit"] = fit_json(spec, statistics, analysis, confidence, WarningUnits::as_written);
     auto const telling = telling_trials(spec, file);

@@ -113,7 +113,7 @@ class Report:
                  for part, shown in in_pages(self.results.bodies, body_figure.MOST_ON_A_PAGE)]
         self.section("bodies", "The bodies", *drawn,
             table(head, rows, "Outline: the parts it is assembled from, or, dashed, a block about the centre of gravity, for "
-                              "scale. Only base, centre and inertia enter the equations."))
+                              "scale. Only base, centre and inertia enter the equations."), paragraphs(self.data["placements"]))
 
     def waves(self):
         parts = []
@@ -230,6 +230,13 @@ class Report:
             head, rows, "Nearest miss and largest slip are of trials that stood. A verdict changes back where a wave "
                         "that overturned the body stood at a higher level.")
 
+    def cut_short(self, body):
+        """What a longer record would have made of trials that still rocked at its end nobody knows."""
+        mine = [stripe for stripe in self.stripes[OVERTURNING] if stripe["body"] == body.name]
+        fell, peaked = (sum(stripe.get(key, 0) for stripe in mine) for key in ("fell_after_record", "peaked_after_record"))
+        return (f"{body.name}: {fell + peaked} trials still rocked when the record ended; {fell} fell and {peaked} rose to their peak "
+                "only after it, followed without shaking.") if fell + peaked else ""
+
     def trials(self):
         parts = []
         for body in self.results.bodies:
@@ -241,6 +248,7 @@ class Report:
                 parts.append(self.figure(f"{name}-{body.name}",
                                          lambda path, draw=draw, body=body: draw(self.results, body, path),
                                          f"{name} of {body.name}"))
+        parts.append(paragraphs(filter(None, map(self.cut_short, self.results.bodies))))
         parts.append(self.telling())
         shown, bodies = self.data["histories_of"]
         if len(self.results.bodies) > shown:

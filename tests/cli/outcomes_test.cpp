@@ -1,11 +1,12 @@
-// Requirement R-1405: real outcomes are held against a campaign on the report's page: false safe first, chosen by motions left
-// out, each test that fell though it was called safe by name.
+// Requirement R-1405: real outcomes are held against a campaign on the report's page: false safe first, chosen by
+// motions left out, each test that fell though it was called safe by name.
 #include <algorithm>
 #include <cstdlib>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "cli/campaign_files.hpp"
 #include "cli/python.hpp"
@@ -106,7 +107,22 @@ TEST_F(Outcomes, APerfectPredictionHasNoFalseSafe) {
 
 TEST_F(Outcomes, APageWithoutThemHasNoSuchSection) {
     ASSERT_EQ(overturn(*folder, {"report", "c.h5", "-o", "d.html"}).code, 0);
-    EXPECT_EQ(folder->read("d.html").find("id=\"outcomes\""), std::string::npos);
+    auto const text = folder->read("d.html");
+    EXPECT_EQ(text.find("id=\"outcomes\""), std::string::npos);
+
+    int fell = 0, peaked = 0;  // after the record
+    auto const fit = nlohmann::json::parse(overturn(*folder, {"fit", "c.h5", "--json"}).out);
+    for (auto const& stripe : fit.at("stripes")) {
+        if (stripe.at("body") == "block-1") {
+            fell += stripe.at("fell_after_record").get<int>();
+            peaked += stripe.at("peaked_after_record").get<int>();
+        }
+    }
+    ASSERT_GT(fell + peaked, 0);
+    EXPECT_NE(text.find(fmt::format(
+                  "block-1: {} trials still rocked when the record ended; {} fell and {} rose to their peak",
+                  fell + peaked, fell, peaked)),
+              std::string::npos);
 }
 
 // Several bodies stand for a specimen; tests that nobody made, and waves without a row, do not count.

@@ -95,6 +95,17 @@ TEST_F(Page, DrawsABodyFromItsParts) {
     EXPECT_TRUE(parts.at("block").empty());
 }
 
+//
+TEST_F(Page, SaysHowABodyStandsThatIsNotStraight) {
+    run(quick_campaign(), {"--set", "bodies.1.slope=\"1 deg\"", "--set", "bodies.1.initial_tilt=\"-2 deg\""});
+    auto const lines = data_of({"report", "c.h5", "-o"}, "page.html").at("placements");
+    ASSERT_EQ(lines.size(), 1U);  // the cask stands straight
+    // atan(0.2 / 0.8) = 14.04 deg, less and more one
+    EXPECT_EQ(lines.at(0),
+              "block: on ground that falls by 1° towards +x; let go at -2°. It tips at 13.04° towards +x and at "
+              "15.04° towards -x; what the table says is of the weaker side.");
+}
+
 // A body of 12 m under a length ratio of 0.4 is drawn at 0.4 of its size.
 TEST_F(Page, DrawsAModelAtItsOwnSize) {
     auto campaign = quick_campaign();
