@@ -14,6 +14,7 @@ namespace overturn {
 /// the whole wave; what is told of a match and of a drawn target is the mainshock's; both shocks must pass the source's
 /// acceptance rule.
 /// \throws InputError unless the source draws its waves
+extern config::KeyTable const aftershock_table;  ///< what [waves] of drawn waves has: `aftershock`
 [[nodiscard]] std::unique_ptr<WaveSource> with_aftershock(config::Table const& waves,
                                                           std::unique_ptr<WaveSource> source);
 

@@ -43,6 +43,7 @@ struct Envelope {
 /// and distance. Calls finish(). \throws
 /// InputError unless 0 < rise <= level_end < end <= duration, 0 < peak <= duration and gamma > 0, or times rise from 0
 /// or more and values are not negative and not all 0.
+extern config::KeyTable const envelope_table;
 [[nodiscard]] Envelope read_envelope(config::Table const& table, double duration_s);
 
 }  // namespace overturn

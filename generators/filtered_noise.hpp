@@ -28,6 +28,7 @@ struct GroundFilter {
 /// between them, nothing outside; the power in any unit), rms (standard deviation of acceleration where the envelope is
 /// 1), amplitudes (gaussian | fixed). Table waves.envelope (read_envelope). Lines above the Nyquist frequency are left
 /// out, and with them their share of rms^2; baseline as for spectrum-compatible waves.
+extern config::KeyTable const filtered_noise_table;
 [[nodiscard]] std::unique_ptr<WaveSource> make_filtered_noise(config::Table const& waves, InputFiles& files);
 
 }  // namespace overturn

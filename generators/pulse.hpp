@@ -23,6 +23,7 @@ struct PulseShape {
 /// upper bound, shortened so that samples hit the pulse's ends and peaks), quiet_before, quiet_after (default 0 s).
 /// A rectangle's ends are ramps of two steps centred on them, at half the amplitude: its area is amplitude x period
 /// exactly; it begins at least one step after 0.
+extern config::KeyTable const pulse_table;
 [[nodiscard]] std::unique_ptr<WaveSource> make_pulse(config::Table const& waves, InputFiles& files);
 
 }  // namespace overturn

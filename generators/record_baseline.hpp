@@ -33,6 +33,11 @@ struct RecordBaseline {
 
 /// The key `baseline`: "none" (default), "mean", "polynomial", "high-pass 0.05 Hz", or a table with `high_pass`,
 /// `order` (1 to 10, default 4) and `phase` ("zero", the default, or "causal"). \throws InputError at the key
+extern config::KeyTable const high_pass_table;
+inline constexpr config::Key baseline_key =
+    config::text_key("baseline", "none, mean, polynomial, \"high-pass 0.05 Hz\", or a table of the high-pass")
+        .or_as(config::table_key<high_pass_table>("baseline", ""))
+        .optional();
 [[nodiscard]] RecordBaseline read_baseline(config::Table const& table);
 
 /// The same from one text. \throws InputError without a place

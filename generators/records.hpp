@@ -26,6 +26,8 @@ namespace overturn {
 /// Components from several files need one time step and are cut to the shortest of them. The wave's label says which
 /// files were used and what was cut, resampled, corrected or scaled. All files are read
 /// at once, here.
+extern config::KeyTable const records_table;       ///< [waves] of source records
+extern config::KeyTable const record_files_table;  ///< what says which records, and how they are read
 [[nodiscard]] std::unique_ptr<WaveSource> make_records(config::Table const& waves, InputFiles& files);
 
 }  // namespace overturn

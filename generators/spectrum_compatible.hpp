@@ -20,6 +20,7 @@ namespace overturn {
 /// wave takes wave-to-wave variability away and makes fragility curves too steep.
 ///
 /// Components other than the horizontal one are drawn anew, up to eight times, until no correlation exceeds 0.16.
+extern config::KeyTable const spectrum_compatible_table;
 [[nodiscard]] std::unique_ptr<WaveSource> make_spectrum_compatible(config::Table const& waves, InputFiles& files);
 
 }  // namespace overturn

@@ -61,6 +61,7 @@ class TargetVariability {
 /// with targets_per_event (default 1); correlation (baker-jayaram-2008, none, full, or a file for
 /// TabulatedCorrelation::parse; no default); per_target (default 1: waves that share a target); conditional (a table:
 /// period, and epsilon (default 0) or sa, which is given there). Calls finish(). \throws InputError at the key
+extern config::KeyTable const variability_table;
 [[nodiscard]] TargetVariability read_variability(config::Table const& table, TargetSpectrum const& median,
                                                  InputFiles& files);
 

@@ -30,6 +30,7 @@ class PointDensity {
 };
 
 /// Keys of the table: points = [[frequency, density], ...] or file = "two columns". \throws InputError
+extern config::KeyTable const point_density_table;
 [[nodiscard]] PointDensity read_point_density(config::Table const& table, InputFiles& files);
 
 }  // namespace overturn

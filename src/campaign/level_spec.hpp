@@ -59,6 +59,7 @@ struct LevelSpec {
 
 /// Keys: measure, period (of sa), values (list or {from, to, count, spacing}), design_basis, beyond_design, waves. A
 /// named level that is not among the values is added to them; named levels need no values. \throws InputError
+extern config::KeyTable const levels_table;
 [[nodiscard]] LevelSpec read_levels(config::Table const& table);
 
 /// "ordinary", "design-basis", "beyond-design".

@@ -97,6 +97,8 @@ enum class WavesOfLevels { shared, independent, grid };
 /// others stated before it; target_half_width and target_median_half_width, else those of [statistics].
 /// \param statistics [statistics], whose targets are read too \param effects gets what limits call for
 /// \throws InputError
+extern config::KeyTable const limit_table;      ///< of [[limits]]
+extern config::KeyTable const precision_table;  ///< what a campaign may stop at: in [statistics], and of one limit
 [[nodiscard]] std::vector<LimitState> read_limits(config::Table const& root, config::Table const& statistics,
                                                   WavesOfLevels waves, EffectRequest& effects);
 

@@ -13,6 +13,7 @@ namespace overturn {
 /// are matched at `damping`; a spectrum that is stated for another one says so in `stated_damping` and is carried over
 /// by `damping_rule` (damping_rules), which has no default. Reads nothing else and does not call finish(). \throws
 /// InputError at the key concerned.
+extern config::KeyTable const target_table;
 [[nodiscard]] TargetSpectrum read_target(config::Table const& table, InputFiles& files);
 
 }  // namespace overturn

@@ -9,6 +9,7 @@ namespace overturn {
 /// base = {shape = "square" | "round" | "polygon", corners = [[x, y], ...], bedding = "corners" | "flat" | share,
 /// points}; pad = {vertical_frequency, normal_restitution, strength, match_restitution, tangential_ratio,
 /// tangential_damping}. Keys that are not there leave what stands. \throws InputError
+extern config::KeyTable const footing_table;
 void read_footing(config::Table const& table, Footing& footing);
 
 /// The footing of the body in force: scaled, and matched where the restitution was stated. \throws InputError at the

@@ -10,6 +10,7 @@ namespace overturn {
 
 /// [[parts]]: kind (cylinder, box or point), mass, then diameter or width, height and bottom, or height alone.
 /// \throws InputError
+extern config::KeyTable const part_table;
 [[nodiscard]] std::vector<BodyPart> read_parts(config::Table const& table);
 
 /// The same with all lengths multiplied; masses stay.
