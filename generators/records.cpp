@@ -283,14 +283,6 @@ Record read_table(config::Table const& table, StationFiles& files, InputFiles co
 
 }  // namespace
 
-constinit config::KeyTable const record_files_table{
-    .meaning = "measured motions from files", .keys = record_files_keys.all, .also = {&reading_table}};
-constinit config::KeyTable const records_table{.meaning = "measured waves from files",
-                                               .keys = {},
-                                               .also = {&every_wave_table, &record_files_table},
-                                               .chosen_by = "source",
-                                               .word = "records"};
-
 std::unique_ptr<WaveSource> make_records(config::Table const& waves, InputFiles& files) {
     if (waves.has("files") == waves.has("records")) {
         waves.fail({}, "no single list of records (state either files or records)");

@@ -16,7 +16,6 @@ namespace overturn {
 namespace {
 
 using config::Kind;
-using config::Range;
 using config::Table;
 
 BodyInput read_shape(Table const& table, std::vector<BodyPart>& parts) {
@@ -224,11 +223,6 @@ DrawnBody with(BodySpec const& spec, Values const& values) {
 }
 
 }  // namespace
-
-constinit config::KeyTable const body_table{
-    .meaning = "a body file", .keys = body_keys.all, .also = {&footing_table, &placement_table}};
-constinit config::KeyTable const bodies_table{
-    .meaning = "one body of a campaign", .keys = bodies_keys.all, .also = {&body_table}};
 
 BodySpec read_body(Table const& table, InputFiles& files) {
     if (!table.has("file")) {
