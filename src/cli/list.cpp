@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -38,7 +39,7 @@ struct ListOptions {
 
 // The tables that stand at `path` and within, or all.
 std::vector<config::PlacedTable> chosen_tables(std::string const& path) {
-    auto const all = tables_within(campaign_table);
+    auto all = tables_within(campaign_table);
     if (path.empty()) {
         return all;
     }
@@ -62,7 +63,7 @@ std::vector<config::PlacedTable> chosen_tables(std::string const& path) {
 
 int list_keys(ListOptions const& options) {
     auto const tables = chosen_tables(options.table);
-    validate(int{options.json} + int{options.schema} + int{options.markdown} <= 1,
+    validate(std::ranges::count(std::array{options.json, options.schema, options.markdown}, true) <= 1,
              "--json, --schema and --markdown (one page has one form). Keep one of them");
     fmt::print("{}", options.json       ? keys_json(tables).dump(2) + "\n"
                      : options.schema   ? schema_text(keys_schema(*tables.front().table))

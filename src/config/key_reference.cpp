@@ -39,7 +39,7 @@ std::string quantity_text(Key const& key, Dimension dimension) {
 }
 
 std::string ranged(Key const& key) {
-    auto const quantity = quantity_text(key, key.dimension);
+    auto quantity = quantity_text(key, key.dimension);
     auto const& range = key.range;
     if (std::isinf(range.low) && std::isinf(range.high)) {
         return quantity;
