@@ -8,13 +8,15 @@
 
 namespace overturn {
 
+/// Key `aftershock` of [waves], for waves that are drawn.
+extern config::KeyTable const aftershock_table;
+
 /// The source, whose waves [waves.aftershock] lengthens by a pause without shaking and a second, independent wave of
 /// its own times `scale`. The first shock keeps every bit of the wave without the key; a body stands, lies or still
 /// rocks through the pause as the first shock left it. Intensities, levels, energies, drifts and durations are those of
 /// the whole wave; what is told of a match and of a drawn target is the mainshock's; both shocks must pass the source's
 /// acceptance rule.
 /// \throws InputError unless the source draws its waves
-extern config::KeyTable const aftershock_table;  ///< what [waves] of drawn waves has: `aftershock`
 [[nodiscard]] std::unique_ptr<WaveSource> with_aftershock(config::Table const& waves,
                                                           std::unique_ptr<WaveSource> source);
 

@@ -130,7 +130,9 @@ constexpr config::KeyTable pulse_component_table{.meaning = "a further component
 constexpr config::Keys pulse_keys{
     config::word_key<pulse_shapes>("shape", "form of the pulse"),
     config::number_key("amplitude", Dimension::acceleration, config::Range::positive(), "peak of the pulse"),
-    config::number_key("time_step", Dimension::time, {.low = 1e-6, .high = 1}, "time step").otherwise(0.005),
+    config::number_key("time_step", Dimension::time, {.low = 1e-6, .high = 1},
+                       "largest time step: samples hit ends and peaks")
+        .otherwise(0.005),
     config::number_key("quiet_before", Dimension::time, quiet, "rest before the pulse").otherwise(0),
     config::number_key("quiet_after", Dimension::time, quiet, "rest behind it").otherwise(0),
     transverse_key<pulse_component_table>,

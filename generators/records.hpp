@@ -7,6 +7,9 @@
 
 namespace overturn {
 
+extern config::KeyTable const records_table;       ///< [waves] of source records
+extern config::KeyTable const record_files_table;  ///< what says which records, and how they are read
+
 /// Wave n is record n. Keys of [waves]: `files`, a list of names with the keys below for all of them; or `records`, a
 /// list of tables ([[waves.records]]) with horizontal, transverse, vertical (names, the last two optional) and those
 /// keys each:
@@ -26,8 +29,6 @@ namespace overturn {
 /// Components from several files need one time step and are cut to the shortest of them. The wave's label says which
 /// files were used and what was cut, resampled, corrected or scaled. All files are read
 /// at once, here.
-extern config::KeyTable const records_table;       ///< [waves] of source records
-extern config::KeyTable const record_files_table;  ///< what says which records, and how they are read
 [[nodiscard]] std::unique_ptr<WaveSource> make_records(config::Table const& waves, InputFiles& files);
 
 }  // namespace overturn

@@ -18,12 +18,12 @@ inline constexpr std::array coarsenings{
 inline constexpr config::Keys reading_keys{
     config::text_key("format", "one of the record formats (overturn list); auto: told by its content")
         .otherwise("auto"),
-    config::text_key("unit", "of the files' accelerations, where they do not state it: \"gal\", \"g\", \"m/s2\"")
+    config::text_key("unit", R"(of the files' accelerations, where they do not state it: "gal", "g", "m/s2")")
         .optional(),
     config::number_key("time_step", Dimension::time, config::Range::positive(),
                        "where the files do not state it; else the step to which they are resampled")
         .optional(),
-    config::text_key("component", "which one of a file that holds several: \"EW\", \"NS\", ...").optional(),
+    config::text_key("component", R"(which one of a file that holds several: "EW", "NS", ...)").optional(),
     config::word_key<component_choices>("components", "which further components are taken").otherwise("file"),
     config::word_key<coarsenings>("resample", "to which time steps").otherwise("finer"),
     baseline_key,

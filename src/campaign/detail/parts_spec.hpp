@@ -8,9 +8,10 @@
 
 namespace overturn {
 
-/// [[parts]]: kind (cylinder, box or point), mass, then diameter or width, height and bottom, or height alone.
-/// \throws InputError
+/// What may be stated of one of [[parts]].
 extern config::KeyTable const part_table;
+
+/// \throws InputError
 [[nodiscard]] std::vector<BodyPart> read_parts(config::Table const& table);
 
 /// The same with all lengths multiplied; masses stay.
