@@ -40,6 +40,9 @@ section() {
 # Options that a verb takes, long and short.
 options() { "$program" "$1" --help | grep -oE '^  -[^ ]+' | tr -d ' ' | tr ',' '\n' | sort -u | tr '\n' ' '; }
 
+# Tables of a campaign, as `list keys` takes their names.
+tables() { "$program" list keys | grep -oE '^\[+[a-z_.]+' | tr -d '[' | sort -u | tr '\n' ' '; }
+
 {
     echo "# Completion of overturn for bash: verbs, their options, else names of files."
     echo "_overturn() {"
@@ -51,6 +54,9 @@ options() { "$program" "$1" --help | grep -oE '^  -[^ ]+' | tr -d ' ' | tr ',' '
     for verb in $verbs; do echo "            $verb) words=\"$(options "$verb")\" ;;"; done
     echo "        esac"
     echo "        [[ \$word == -* ]] || words=''"
+    # What `list` lists, and the tables that keys are in.
+    echo "        [ \"\${COMP_WORDS[1]} \$COMP_CWORD\" != 'list 2' ] || words=\"assumptions keys \$words\""
+    echo "        [ \"\${COMP_WORDS[*]:1:2} \$COMP_CWORD\" != 'list keys 3' ] || words=\"$(tables)\$words\""
     echo "    fi"
     echo "    mapfile -t COMPREPLY < <(compgen -W \"\$words\" -- \"\$word\")"
     echo "}"

@@ -9,7 +9,7 @@ packages=(g++ cmake ninja-build git ca-certificates libopenmpi-dev openmpi-bin l
           musl-dev)
 for wish in "$@"; do
     case $wish in
-        tests) packages+=(python3-h5py python3-numpy python3-matplotlib  # another reading of our files; figures
+        tests) packages+=(python3-h5py python3-numpy python3-matplotlib python3-jsonschema  # another reading of our files; figures
                           python3-xarray python3-netcdf4 python3-h5netcdf hdf5-tools  # and further ones
                           slurmctld slurmd slurm-client slurm-wlm-basic-plugins munge  # a cluster to test on
                           qemu-user) ;;  # other CPUs to test on

@@ -8,6 +8,18 @@
 namespace overturn {
 namespace {
 
+constexpr double longest_s = 3600;
+constexpr double strongest = 10;
+constexpr config::Keys second_shock_keys{
+    config::number_key("pause", Dimension::time, {.low = 0, .high = longest_s}, "quiet before the second shock"),
+    config::number_key("scale", Dimension::none, {.low = 0, .high = strongest, .low_open = true},
+                       "factor on the second shock")
+        .otherwise(1)};
+constexpr config::KeyTable second_shock_table{.meaning = "a second, independent wave that follows each",
+                                              .keys = second_shock_keys.all};
+constexpr config::Keys aftershock_keys{
+    config::table_key<second_shock_table>("aftershock", "a second shock after every wave").optional()};
+
 struct Aftershock {
     double scale = 1, pause_s = 0;
 };
@@ -69,16 +81,16 @@ class MainshockAndAftershock : public WaveSource {
 
 }  // namespace
 
+constinit config::KeyTable const aftershock_table{.meaning = "of waves that are drawn", .keys = aftershock_keys.all};
+
 std::unique_ptr<WaveSource> with_aftershock(config::Table const& waves, std::unique_ptr<WaveSource> source) {
     if (!waves.has("aftershock")) {
         return source;
     }
-    constexpr double longest_s = 3600;
-    constexpr double strongest = 10;
-    auto const given = waves.child("aftershock");
+    auto const given = waves.child(aftershock_keys["aftershock"]);
     Aftershock second;
-    second.scale = given.number("scale", Dimension::none, {.low = 0, .high = strongest, .low_open = true}, 1);
-    second.pause_s = given.number("pause", Dimension::time, {.low = 0, .high = longest_s});
+    second.scale = given.number(second_shock_keys["scale"]);
+    second.pause_s = given.number(second_shock_keys["pause"]);
     given.finish();
     if (source->available()) {
         waves.fail("aftershock",

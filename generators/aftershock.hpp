@@ -8,6 +8,9 @@
 
 namespace overturn {
 
+/// Key `aftershock` of [waves], for waves that are drawn.
+extern config::KeyTable const aftershock_table;
+
 /// The source, whose waves [waves.aftershock] lengthens by a pause without shaking and a second, independent wave of
 /// its own times `scale`. The first shock keeps every bit of the wave without the key; a body stands, lies or still
 /// rocks through the pause as the first shock left it. Intensities, levels, energies, drifts and durations are those of

@@ -18,8 +18,33 @@ double on_lines(std::span<std::pair<double, double> const> points, double time_s
     return v0 + (v1 - v0) * (time_s - t0) / (t1 - t0);
 }
 
+constexpr config::Keys envelope_keys{
+    config::word_key<envelope_shapes>("shape", "how the amplitude grows and decays").otherwise("jennings"),
+    config::number_key("rise", Dimension::time, config::Range::positive(), "end of the parabolic rise")
+        .otherwise_said("a tenth of the duration")
+        .only("shape = jennings"),
+    config::number_key("level_end", Dimension::time, config::Range::positive(), "end of the level part")
+        .otherwise_said("half the duration")
+        .only("shape = jennings"),
+    config::number_key("end", Dimension::time, config::Range::positive(), "when a tenth of the amplitude is left")
+        .otherwise_said("nine tenths of the duration")
+        .only("shape = jennings"),
+    config::number_key("peak", Dimension::time, config::Range::positive(), "time of the largest amplitude")
+        .otherwise_said("a fifth of the duration")
+        .only("shape = saragoni-hart"),
+    config::number_key("gamma", Dimension::none, {.low = 0, .high = 100, .low_open = true},
+                       "exponent of the rise of the amplitude's square")
+        .otherwise(3)
+        .only("shape = saragoni-hart"),
+    config::number_key("magnitude", Dimension::none, {.low = 4, .high = 9.5}, "magnitude that decides the durations")
+        .only("shape = noda-2002"),
+    config::number_key("distance", Dimension::length, {.low = 1e3, .high = 1e6}, "equivalent hypocentral distance")
+        .only("shape = noda-2002"),
+    config::pairs_key("points", Dimension::time, Dimension::none, "[time, amplitude], scaled to a largest one of 1")
+        .only("shape = points")};
+
 std::vector<std::pair<double, double>> read_points(config::Table const& table) {
-    auto points = table.pairs("points", Dimension::time, Dimension::none);
+    auto points = table.pairs(envelope_keys["points"]);
     double largest = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (points[i].first < 0 || points[i].second < 0 || (i > 0 && points[i].first <= points[i - 1].first)) {
@@ -40,8 +65,8 @@ std::vector<std::pair<double, double>> read_points(config::Table const& table) {
 
 void read_noda(config::Table const& table, double duration_s, Envelope& envelope) {
     constexpr double m_per_km = 1000;
-    double const magnitude = table.number("magnitude", Dimension::none, {.low = 4, .high = 9.5});
-    double const distance_km = table.number("distance", Dimension::length, {.low = 1e3, .high = 1e6}) / m_per_km;
+    double const magnitude = table.number(envelope_keys["magnitude"]);
+    double const distance_km = table.number(envelope_keys["distance"]) / m_per_km;
     envelope.rise_s = std::pow(10, 0.5 * magnitude - 2.93);
     envelope.level_end_s = envelope.rise_s + std::pow(10, 0.3 * magnitude - 1.0);
     envelope.end_s = envelope.level_end_s + std::pow(10, 0.17 * magnitude + 0.54 * std::log10(distance_km) - 0.6);
@@ -102,22 +127,27 @@ std::vector<double> Envelope::samples(double time_step_s, std::size_t count) con
     return values;
 }
 
+constinit config::KeyTable const envelope_table{.meaning = "how the amplitude of noise grows and decays",
+                                                .keys = envelope_keys.all};
+
 Envelope read_envelope(config::Table const& table, double duration_s) {
-    auto const time = config::Range{.low = 0, .high = duration_s, .low_open = true};
+    auto const within = [&](double share) {
+        return config::Given{.otherwise = share * duration_s,
+                             .range = config::Range{.low = 0, .high = duration_s, .low_open = true}};
+    };
     Envelope envelope;
-    envelope.shape = table.choice("shape", envelope_shapes(), EnvelopeShape::jennings);
+    envelope.shape = table.choice(envelope_keys["shape"], envelope_shapes());
     if (envelope.shape == EnvelopeShape::jennings) {
-        envelope.rise_s = table.number("rise", Dimension::time, time, 0.1 * duration_s);
-        envelope.level_end_s = table.number("level_end", Dimension::time, time, 0.5 * duration_s);
-        envelope.end_s = table.number("end", Dimension::time, time, 0.9 * duration_s);
+        envelope.rise_s = table.number(envelope_keys["rise"], within(0.1));
+        envelope.level_end_s = table.number(envelope_keys["level_end"], within(0.5));
+        envelope.end_s = table.number(envelope_keys["end"], within(0.9));
         if (!(envelope.rise_s <= envelope.level_end_s && envelope.level_end_s < envelope.end_s)) {
             table.fail({}, fmt::format("rise {} s, level_end {} s, end {} s (must follow each other). Mend the order",
                                        envelope.rise_s, envelope.level_end_s, envelope.end_s));
         }
     } else if (envelope.shape == EnvelopeShape::saragoni_hart) {
-        constexpr config::Range steepness{.low = 0, .high = 100, .low_open = true};
-        envelope.peak_s = table.number("peak", Dimension::time, time, 0.2 * duration_s);
-        envelope.gamma = table.number("gamma", Dimension::none, steepness, 3.0);
+        envelope.peak_s = table.number(envelope_keys["peak"], within(0.2));
+        envelope.gamma = table.number(envelope_keys["gamma"]);
     } else if (envelope.shape == EnvelopeShape::noda) {
         read_noda(table, duration_s, envelope);
     } else if (envelope.shape == EnvelopeShape::points) {

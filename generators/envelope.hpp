@@ -38,11 +38,11 @@ struct Envelope {
     [[nodiscard]] std::vector<double> samples(double time_step_s, std::size_t count) const;
 };
 
-/// Reads shape, and for jennings (the default) rise, level_end, end (10, 50 and 90 % of the duration), for
-/// saragoni-hart peak (20 % of the duration) and gamma (3), for points a list of [time, value], for noda-2002 magnitude
-/// and distance. Calls finish(). \throws
-/// InputError unless 0 < rise <= level_end < end <= duration, 0 < peak <= duration and gamma > 0, or times rise from 0
-/// or more and values are not negative and not all 0.
+/// What may be stated of an envelope.
+extern config::KeyTable const envelope_table;
+
+/// Calls finish(). \throws InputError unless 0 < rise <= level_end < end <= duration, 0 < peak <= duration and gamma >
+/// 0, or times rise from 0 or more and values are not negative and not all 0.
 [[nodiscard]] Envelope read_envelope(config::Table const& table, double duration_s);
 
 }  // namespace overturn

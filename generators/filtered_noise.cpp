@@ -9,26 +9,16 @@
 #include <gsl/gsl_randist.h>
 
 #include "core/random_stream.hpp"
+#include "generators/aftershock.hpp"
 #include "generators/detail/baseline.hpp"
 #include "generators/detail/components.hpp"
+#include "generators/detail/noise_keys.hpp"
 #include "generators/detail/point_density.hpp"
 #include "generators/detail/real_fft.hpp"
 #include "generators/envelope.hpp"
 
 namespace overturn {
 namespace {
-
-enum class NoiseModel { kanai_tajimi, clough_penzien, points };
-constexpr std::array models{
-    config::Entry<NoiseModel>{"kanai-tajimi", "one ground layer", NoiseModel::kanai_tajimi},
-    config::Entry<NoiseModel>{"clough-penzien", "one ground layer, low frequencies held back",
-                              NoiseModel::clough_penzien},
-    config::Entry<NoiseModel>{"points", "a power spectral density of the user's own", NoiseModel::points},
-};
-constexpr std::array amplitude_kinds{
-    config::Entry<bool>{"gaussian", "random phases and amplitudes", true},
-    config::Entry<bool>{"fixed", "random phases only", false},
-};
 
 /// The power of white noise behind a filter: only its shape counts.
 struct NoiseShape {
@@ -193,16 +183,14 @@ std::unique_ptr<NormalWaves> FilteredNoise::from_normals() const {
 }
 
 NoiseShape read_ground(config::Table const& waves, NoiseModel model, double time_step_s) {
-    auto const positive = config::Range::positive();
-    constexpr config::Range damping{.low = 0, .high = 10, .low_open = true};
     GroundFilter filter;
-    double const ground_hz = waves.number("ground_frequency", Dimension::frequency, positive, 2.5);
+    double const ground_hz = waves.number(noise_keys["ground_frequency"]);
     filter.ground_radps = 2 * pi * ground_hz;
-    filter.ground_damping = waves.number("ground_damping", Dimension::none, damping, filter.ground_damping);
+    filter.ground_damping = waves.number(noise_keys["ground_damping"]);
     bool const held_back = model == NoiseModel::clough_penzien;
     if (held_back) {
-        filter.filter_radps = 2 * pi * waves.number("filter_frequency", Dimension::frequency, positive, 0.25);
-        filter.filter_damping = waves.number("filter_damping", Dimension::none, damping, filter.filter_damping);
+        filter.filter_radps = 2 * pi * waves.number(noise_keys["filter_frequency"]);
+        filter.filter_damping = waves.number(noise_keys["filter_damping"]);
     }
     constexpr double steps_per_period = 4;
     if (1 / ground_hz < steps_per_period * time_step_s) {
@@ -215,7 +203,7 @@ NoiseShape read_ground(config::Table const& waves, NoiseModel model, double time
 }
 
 NoiseShape read_points(config::Table const& waves, InputFiles& files) {
-    auto const table = waves.child("density");
+    auto const table = waves.child(noise_keys["density"]);
     auto const density = read_point_density(table, files);
     table.finish();
     return {[density](double w_radps) { return density.at(w_radps / (2 * pi)); }, 2 * pi * density.integral_hz(),
@@ -254,17 +242,23 @@ double GroundFilter::integral_radps() const {
     return pi / 2 * (u * u * (a0 * a3 - a1 * a2) - a1 * b2 * b2) / (a0 * a3 * a3 + a1 * a1 - a1 * a2 * a3);
 }
 
+constinit config::KeyTable const filtered_noise_table{.meaning = "noise through a filter that stands for the ground",
+                                                      .keys = noise_keys.all,
+                                                      .also = {&every_wave_table, &aftershock_table},
+                                                      .chosen_by = "source",
+                                                      .word = "filtered-noise"};
+
 std::unique_ptr<WaveSource> make_filtered_noise(config::Table const& waves, InputFiles& files) {
     FilteredNoiseInput input;
-    input.rms_mps2 = waves.number("rms", Dimension::acceleration, config::Range::positive());
-    input.time_step_s = waves.number("time_step", Dimension::time, {.low = 1e-4, .high = 0.1}, input.time_step_s);
+    input.rms_mps2 = waves.number(noise_keys["rms"]);
+    input.time_step_s = waves.number(noise_keys["time_step"]);
     input.samples = read_samples(waves, input.time_step_s);
-    auto const model = waves.choice("model", std::span<config::Entry<NoiseModel> const>(models));
+    auto const model = waves.choice(noise_keys["model"], std::span<config::Entry<NoiseModel> const>(noise_models));
     input.shape =
         model == NoiseModel::points ? read_points(waves, files) : read_ground(waves, model, input.time_step_s);
-    input.gaussian = waves.choice("amplitudes", std::span<config::Entry<bool> const>(amplitude_kinds), true);
+    input.gaussian = waves.choice(noise_keys["amplitudes"], std::span<config::Entry<bool> const>(noise_amplitudes));
     double const duration = input.time_step_s * static_cast<double>(input.samples - 1);
-    input.envelope = read_envelope(waves.child_or_empty("envelope"), duration);
+    input.envelope = read_envelope(waves.child_or_empty(noise_keys["envelope"]), duration);
     for (auto const& component : further_components) {
         if (waves.has(component.name)) {
             auto const table = waves.child(component.name);

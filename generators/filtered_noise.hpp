@@ -22,12 +22,11 @@ struct GroundFilter {
     [[nodiscard]] double integral_radps() const;
 };
 
-/// Keys of [waves]: duration, time_step (default 0.01 s), model (kanai-tajimi | clough-penzien | points),
-/// ground_frequency (2.5 Hz) and ground_damping (0.6) of the first two, filter_frequency (0.25 Hz) and filter_damping
-/// (0.6) for clough-penzien, density = {points = [[Hz, power], ...]} or {file = "..."} for points (straight lines
-/// between them, nothing outside; the power in any unit), rms (standard deviation of acceleration where the envelope is
-/// 1), amplitudes (gaussian | fixed). Table waves.envelope (read_envelope). Lines above the Nyquist frequency are left
-/// out, and with them their share of rms^2; baseline as for spectrum-compatible waves.
+/// What [waves] may state of it.
+extern config::KeyTable const filtered_noise_table;
+
+/// A density of points is straight between them and nothing outside. Lines above the Nyquist frequency are left out,
+/// and with them their share of rms^2; baseline as for spectrum-compatible waves.
 [[nodiscard]] std::unique_ptr<WaveSource> make_filtered_noise(config::Table const& waves, InputFiles& files);
 
 }  // namespace overturn

@@ -104,23 +104,62 @@ class Harmonic : public WaveSource {
 
 }  // namespace
 
+namespace {
+
+constexpr config::Keys grid_keys{
+    config::number_key("period", Dimension::time, config::Range::positive(), "period of the only wave").optional(),
+    config::numbers_key("periods", Dimension::time, config::Range::positive(), "period of each wave").optional()};
+
+constexpr config::Keys harmonic_component_keys{
+    ratio_key, config::number_key("phase", Dimension::angle, config::Range::any(), "ahead of the horizontal component")
+                   .otherwise(0)};
+constexpr config::KeyTable harmonic_component_table{.meaning = "a further component of sinusoids",
+                                                    .keys = harmonic_component_keys.all};
+
+constexpr config::Key either_number_or_list(std::string_view name) {
+    constexpr auto positive = config::Range::positive();
+    return config::number_key(name, Dimension::frequency, positive, "frequency of the only wave, or of each")
+        .or_as(config::numbers_key(name, Dimension::frequency, positive, ""))
+        .optional();
+}
+
+constexpr config::Keys harmonic_keys{
+    config::number_key("amplitude", Dimension::acceleration, config::Range::positive(), "amplitude of the sinusoid"),
+    either_number_or_list("frequency"),
+    either_number_or_list("frequencies"),
+    config::number_key("cycles", Dimension::none, config::Range::positive(), "length in periods; or state duration")
+        .optional(),
+    config::number_key("duration", Dimension::time, config::Range::positive(), "length; or state cycles").optional(),
+    config::number_key("ramp", Dimension::time, config::Range::not_negative(),
+                       "time over which it grows at the beginning and fades at the end")
+        .otherwise(0),
+    config::number_key("time_step", Dimension::time, {.low = 1e-5, .high = 1}, "time step").otherwise(0.01),
+    transverse_key<harmonic_component_table>,
+    vertical_key<harmonic_component_table>};
+
+}  // namespace
+
+constinit config::KeyTable const grid_table{.meaning = "of waves on a grid of periods", .keys = grid_keys.all};
+constinit config::KeyTable const harmonic_table{.meaning = "sinusoids, one wave for each period or frequency",
+                                                .keys = harmonic_keys.all,
+                                                .also = {&every_wave_table, &grid_table},
+                                                .chosen_by = "source",
+                                                .word = "harmonic"};
+
 std::vector<double> read_periods(config::Table const& waves, bool frequencies_too) {
-    auto const positive = config::Range::positive();
     std::vector<double> periods;
     int stated = 0;
     if (waves.has("period")) {
-        periods = {waves.number("period", Dimension::time, positive)};
+        periods = {waves.number(grid_keys["period"])};
         ++stated;
     }
     if (waves.has("periods")) {
-        periods = waves.numbers("periods", Dimension::time, positive);
+        periods = waves.numbers(grid_keys["periods"]);
         ++stated;
     }
-    for (auto const* key : {"frequency", "frequencies"}) {
-        if (frequencies_too && waves.has(key)) {
-            periods = waves.kind(key) == config::Kind::list
-                          ? waves.numbers(key, Dimension::frequency, positive)
-                          : std::vector{waves.number(key, Dimension::frequency, positive)};
+    for (auto const& key : {harmonic_keys["frequency"], harmonic_keys["frequencies"]}) {
+        if (frequencies_too && waves.has(key.name)) {
+            periods = waves.kind(key.name) == config::Kind::list ? waves.numbers(key) : std::vector{waves.number(key)};
             std::transform(periods.begin(), periods.end(), periods.begin(), [](double f) { return 1 / f; });
             ++stated;
         }
@@ -133,17 +172,16 @@ std::vector<double> read_periods(config::Table const& waves, bool frequencies_to
 }
 
 std::unique_ptr<WaveSource> make_harmonic(config::Table const& waves, InputFiles& /*files*/) {
-    auto const positive = config::Range::positive();
     HarmonicInput input;
-    input.amplitude_mps2 = waves.number("amplitude", Dimension::acceleration, positive);
+    input.amplitude_mps2 = waves.number(harmonic_keys["amplitude"]);
     input.periods_s = read_periods(waves, true);
-    input.time_step_s = waves.number("time_step", Dimension::time, {.low = 1e-5, .high = 1}, 0.01);
-    input.ramp_s = waves.number("ramp", Dimension::time, config::Range::not_negative(), 0.0);
+    input.time_step_s = waves.number(harmonic_keys["time_step"]);
+    input.ramp_s = waves.number(harmonic_keys["ramp"]);
     if (waves.has("cycles") == waves.has("duration")) {
         waves.fail({}, "no single length (state either cycles or duration)");
     }
-    input.cycles = waves.maybe_number("cycles", Dimension::none, positive);
-    input.duration_s = waves.maybe_number("duration", Dimension::time, positive).value_or(0);
+    input.cycles = waves.maybe_number(harmonic_keys["cycles"]);
+    input.duration_s = waves.maybe_number(harmonic_keys["duration"]).value_or(0);
     for (double const period : input.periods_s) {
         constexpr double fewest = 4;
         if (period < fewest * input.time_step_s) {
@@ -160,8 +198,7 @@ std::unique_ptr<WaveSource> make_harmonic(config::Table const& waves, InputFiles
         if (waves.has(component.name)) {
             auto const table = waves.child(component.name);
             double const ratio = read_ratio(table);
-            input.further.push_back(
-                {component, ratio, table.number("phase", Dimension::angle, config::Range::any(), 0.0)});
+            input.further.push_back({component, ratio, table.number(harmonic_component_keys["phase"])});
             table.finish();
         }
     }

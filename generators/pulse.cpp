@@ -120,22 +120,47 @@ std::span<config::Entry<PulseShape> const> pulse_shapes() {
     return entries;
 }
 
+namespace {
+
+constexpr config::Range quiet{.low = 0, .high = 1000};
+constexpr config::Keys pulse_component_keys{
+    ratio_key, config::number_key("lag", Dimension::time, quiet, "behind the horizontal component").otherwise(0)};
+constexpr config::KeyTable pulse_component_table{.meaning = "a further component of pulses",
+                                                 .keys = pulse_component_keys.all};
+constexpr config::Keys pulse_keys{
+    config::word_key<pulse_shapes>("shape", "form of the pulse"),
+    config::number_key("amplitude", Dimension::acceleration, config::Range::positive(), "peak of the pulse"),
+    config::number_key("time_step", Dimension::time, {.low = 1e-6, .high = 1},
+                       "largest time step: samples hit ends and peaks")
+        .otherwise(0.005),
+    config::number_key("quiet_before", Dimension::time, quiet, "rest before the pulse").otherwise(0),
+    config::number_key("quiet_after", Dimension::time, quiet, "rest behind it").otherwise(0),
+    transverse_key<pulse_component_table>,
+    vertical_key<pulse_component_table>};
+
+}  // namespace
+
+constinit config::KeyTable const pulse_table{.meaning = "single pulses, one wave for each period",
+                                             .keys = pulse_keys.all,
+                                             .also = {&every_wave_table, &grid_table},
+                                             .chosen_by = "source",
+                                             .word = "pulse"};
+
 std::unique_ptr<WaveSource> make_pulse(config::Table const& waves, InputFiles& /*files*/) {
-    auto const quiet = config::Range{.low = 0, .high = 1000};
     PulseInput input;
-    input.shape = waves.choice("shape", pulse_shapes());
-    input.name = waves.text("shape");
+    input.shape = waves.choice(pulse_keys["shape"], pulse_shapes());
+    input.name = waves.text(pulse_keys["shape"]);
     input.jumps = input.shape.at == &flat;
-    input.amplitude_mps2 = waves.number("amplitude", Dimension::acceleration, config::Range::positive());
+    input.amplitude_mps2 = waves.number(pulse_keys["amplitude"]);
     input.periods_s = read_periods(waves, false);
-    input.time_step_s = waves.number("time_step", Dimension::time, {.low = 1e-6, .high = 1}, 0.005);
-    input.quiet_before_s = waves.number("quiet_before", Dimension::time, quiet, 0.0);
-    input.quiet_after_s = waves.number("quiet_after", Dimension::time, quiet, 0.0);
+    input.time_step_s = waves.number(pulse_keys["time_step"]);
+    input.quiet_before_s = waves.number(pulse_keys["quiet_before"]);
+    input.quiet_after_s = waves.number(pulse_keys["quiet_after"]);
     for (auto const& component : further_components) {
         if (waves.has(component.name)) {
             auto const table = waves.child(component.name);
             double const ratio = read_ratio(table);
-            input.further.push_back({component, ratio, table.number("lag", Dimension::time, quiet, 0.0)});
+            input.further.push_back({component, ratio, table.number(pulse_component_keys["lag"])});
             table.finish();
         }
     }

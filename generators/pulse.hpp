@@ -19,8 +19,10 @@ struct PulseShape {
 /// rectangle 1, u to 1.
 [[nodiscard]] std::span<config::Entry<PulseShape> const> pulse_shapes();
 
-/// Keys of [waves]: shape, amplitude, period or periods (the n-th wave takes the n-th), time_step (default 0.005 s: an
-/// upper bound, shortened so that samples hit the pulse's ends and peaks), quiet_before, quiet_after (default 0 s).
+/// What [waves] may state of them.
+extern config::KeyTable const pulse_table;
+
+/// The n-th wave is of the n-th period. The time step is shortened so that samples hit the pulse's ends and peaks.
 /// A rectangle's ends are ramps of two steps centred on them, at half the amplitude: its area is amplitude x period
 /// exactly; it begins at least one step after 0.
 [[nodiscard]] std::unique_ptr<WaveSource> make_pulse(config::Table const& waves, InputFiles& files);

@@ -26,6 +26,12 @@ constexpr std::array<config::Entry<BaselineMethod>, 3> plain_methods{
 constexpr std::array<config::Entry<FilterPhase>, 2> phases{
     {{"zero", "forwards and backwards", FilterPhase::zero}, {"causal", "forwards only", FilterPhase::causal}}};
 
+constexpr config::Keys high_pass_keys{
+    config::number_key("high_pass", Dimension::frequency, config::Range::positive(), "corner of the filter"),
+    config::integer_key("order", lowest_order, highest_order, "of the Butterworth filter")
+        .otherwise(RecordBaseline{}.order),
+    config::word_key<phases>("phase", "in which direction it runs").otherwise("zero")};
+
 void take_mean_off(std::vector<double>& a) {
     double const mean = std::accumulate(a.begin(), a.end(), 0.0) / static_cast<double>(a.size());
     for (double& value : a) {
@@ -161,19 +167,22 @@ RecordBaseline parse_baseline(std::string_view text) {
     throw InputError(fmt::format("baseline '{}' (unknown). {}", plain, config::suggestion(plain, known)));
 }
 
+constinit config::KeyTable const high_pass_table{.meaning = "a Butterworth filter that takes long periods off records",
+                                                 .keys = high_pass_keys.all};
+
 RecordBaseline read_baseline(config::Table const& table) {
     if (!table.has("baseline")) {
         return {};
     }
     if (table.kind("baseline") != config::Kind::table) {
-        auto const text = table.text("baseline");
+        auto const text = table.text(baseline_key);
         return table.located("baseline", [&] { return parse_baseline(text); });
     }
-    auto const filter = table.child("baseline");
+    auto const filter = table.child(baseline_key);
     RecordBaseline baseline{.method = BaselineMethod::high_pass};
-    baseline.corner_hz = filter.number("high_pass", Dimension::frequency, config::Range::positive());
-    baseline.order = static_cast<int>(filter.integer("order", lowest_order, highest_order, baseline.order));
-    baseline.phase = filter.choice<FilterPhase>("phase", phases, baseline.phase);
+    baseline.corner_hz = filter.number(high_pass_keys["high_pass"]);
+    baseline.order = static_cast<int>(filter.integer(high_pass_keys["order"]));
+    baseline.phase = filter.choice<FilterPhase>(high_pass_keys["phase"], phases);
     filter.finish();
     return baseline;
 }

@@ -31,8 +31,14 @@ struct RecordBaseline {
     [[nodiscard]] std::string says() const;
 };
 
-/// The key `baseline`: "none" (default), "mean", "polynomial", "high-pass 0.05 Hz", or a table with `high_pass`,
-/// `order` (1 to 10, default 4) and `phase` ("zero", the default, or "causal"). \throws InputError at the key
+/// The key `baseline`, and its table where that states a high-pass.
+extern config::KeyTable const high_pass_table;
+inline constexpr config::Key baseline_key =
+    config::text_key("baseline", R"(none, mean, polynomial, "high-pass 0.05 Hz", or a table of the high-pass)")
+        .or_as(config::table_key<high_pass_table>("baseline", ""))
+        .optional();
+
+/// Nothing is corrected where the key is absent. \throws InputError at the key
 [[nodiscard]] RecordBaseline read_baseline(config::Table const& table);
 
 /// The same from one text. \throws InputError without a place

@@ -11,6 +11,7 @@
 
 #include "core/withheld.hpp"
 #include "generators/detail/axes.hpp"
+#include "generators/detail/record_keys.hpp"
 #include "generators/detail/recorded_waves.hpp"
 #include "generators/record_baseline.hpp"
 #include "motion/resample.hpp"
@@ -36,27 +37,23 @@ struct Request {
 };
 
 Request read_request(config::Table const& table) {
-    static constexpr std::array coarsenings{
-        config::Entry<Coarsening>{"finer", "only to a shorter step", Coarsening::refused},
-        config::Entry<Coarsening>{"coarser", "also to a longer step", Coarsening::accepted}};
     Request request;
-    request.record.format = table.text("format", "auto");
+    request.record.format = table.text(reading_keys["format"]);
     if (table.has("unit")) {
-        auto const unit = table.text("unit");
+        auto const unit = table.text(reading_keys["unit"]);
         request.record.unit_mps2 = table.located("unit", [&] { return unit_factor(unit, Dimension::acceleration); });
     }
-    request.record.time_step_s = table.maybe_number("time_step", Dimension::time, config::Range::positive());
+    request.record.time_step_s = table.maybe_number(reading_keys["time_step"]);
     request.record.may_be_resampled = true;
     request.record.unit_key = R"(unit = "gal", "g" or "m/s2")";
     request.record.unit_conflict = "Leave it out; where other files need it, give each a [[waves.records]] of its own";
-    request.record.component = table.text("component", "");
-    request.record.components = table.choice<ComponentChoice>("components", component_choices(), ComponentChoice::file);
-    request.coarsening = table.choice<Coarsening>("resample", coarsenings, Coarsening::refused);
+    request.record.component = table.text(reading_keys["component"]);
+    request.record.components = table.choice(reading_keys["components"], component_choices());
+    request.coarsening = table.choice<Coarsening>(reading_keys["resample"], coarsenings);
     request.baseline = read_baseline(table);
     request.axes = read_axes(table);
-    request.scale = table.number("scale", Dimension::none, {.low = 0, .high = 1000, .low_open = true}, request.scale);
-    request.time_scale =
-        table.number("time_scale", Dimension::none, {.low = 0, .high = 100, .low_open = true}, request.time_scale);
+    request.scale = table.number(reading_keys["scale"]);
+    request.time_scale = table.number(reading_keys["time_scale"]);
     return request;
 }
 
@@ -66,7 +63,7 @@ std::string in_folder(std::string const& folder, std::string const& name) {
 }
 
 std::string read_folder(config::Table const& waves, InputFiles const& files) {
-    auto folder = waves.text("folder", "");
+    auto folder = waves.text(record_files_keys["folder"]);
     if (!folder.empty() && !files.has_folder(folder)) {
         waves.fail("folder",
                    fmt::format("'{}' (no such folder; records are not part of the program). Name the one where "
@@ -240,7 +237,8 @@ Record read_table(config::Table const& table, StationFiles& files, InputFiles co
         return *stands_for_it;
     }
     auto const request = read_request(table);
-    auto record = read_horizontal(table, "horizontal", in_folder(folder, table.text("horizontal")), request, files);
+    auto record =
+        read_horizontal(table, "horizontal", in_folder(folder, table.text(record_keys["horizontal"])), request, files);
     add_component(table, "transverse", request, files, folder, record, &GroundMotion::transverse_mps2);
     add_component(table, "vertical", request, files, folder, record, &GroundMotion::vertical_mps2);
     if (cut_to_shortest(record.motion)) {
@@ -262,14 +260,14 @@ std::unique_ptr<WaveSource> make_records(config::Table const& waves, InputFiles&
     auto const folder = read_folder(waves, files);
     if (waves.has("files")) {
         auto const request = read_request(waves);
-        for (auto const& name : waves.texts("files")) {
+        for (auto const& name : waves.texts(record_files_keys["files"])) {
             records.push_back(read_file(waves, request, in_folder(folder, name), station_files, files));
             records.back().name = name;
         }
     } else {
-        for (auto const& table : waves.children("records")) {
+        for (auto const& table : waves.children(record_files_keys["records"])) {
             records.push_back(read_table(table, station_files, files, folder));
-            records.back().name = table.text("horizontal", "");
+            records.back().name = table.has("horizontal") ? table.text(record_keys["horizontal"]) : std::string();
         }
     }
     if (records.empty()) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "generators/aftershock.hpp"
 #include "generators/detail/compatible_source.hpp"
 #include "generators/detail/components.hpp"
 #include "generators/records.hpp"
@@ -21,11 +22,47 @@ constexpr std::array line_amplitudes{
     config::Entry<LineAmplitudes>{"gaussian", "random phases and amplitudes", LineAmplitudes::gaussian},
 };
 
+constexpr config::Keys matched_target_keys{
+    config::number_key("longest", Dimension::time, {.low = 0.2, .high = 20}, "longest period that is matched")
+        .otherwise_said("the least of 10 s, the target's last period and the duration")};
+constexpr config::KeyTable matched_target_table{
+    .meaning = "the response spectrum that waves follow", .keys = matched_target_keys.all, .also = {&target_table}};
+constexpr config::Keys matched_component_keys{
+    config::number_key("ratio", ratio_key.dimension, ratio_key.range, "target over the horizontal one")
+        .only("there is no target of its own"),
+    config::table_key<target_table>("target", "a target of its own").optional(), correlation_key};
+constexpr config::KeyTable matched_component_table{.meaning = "a further component that follows a target",
+                                                   .keys = matched_component_keys.all};
+constexpr config::Keys compatible_keys{
+    config::table_key<matched_target_table>("target", "the response spectrum that waves follow"),
+    config::number_key("duration", Dimension::time, config::Range::positive(), "length of every wave")
+        .otherwise_said("that of the longest seed; required without a seed"),
+    config::number_key("time_step", Dimension::time, {.low = 1e-4, .high = 0.1}, "time step, without a seed")
+        .otherwise(0.01),
+    config::word_key<matches>("match", "how waves are brought to the target").otherwise("each"),
+    config::number_key("match_tolerance", Dimension::none, {.low = 0.001, .high = 1},
+                       "mean misfit to the target at which matching stops")
+        .otherwise(0.05)
+        .only("match = each"),
+    config::integer_key("match_iterations", 1, 1000, "iterations of matching at most")
+        .otherwise(40)
+        .only("match = each"),
+    config::word_key<acceptance_rules>("acceptance", "rule that every wave must meet").otherwise("none"),
+    config::word_key<line_amplitudes>("amplitudes", "what of each spectral line is random")
+        .otherwise_said("fixed; of match = ensemble gaussian")
+        .only("there is no seed"),
+    config::table_key<envelope_table>("envelope", "how the amplitude grows and decays")
+        .optional()
+        .only("there is no seed"),
+    config::table_key<record_files_table>("seed", "measured motions whose phases the match keeps").optional(),
+    config::table_key<variability_table>("variability", "targets that differ from wave to wave").optional(),
+    transverse_key<matched_component_table>,
+    vertical_key<matched_component_table>};
+
 double read_longest(config::Table const& table, TargetSpectrum const& target, double duration_s) {
     constexpr double usual = 10;
-    constexpr double most = 20;
-    double const longest = table.number("longest", Dimension::time, {.low = 0.2, .high = most},
-                                        std::min({usual, target.last_period_s(), duration_s}));
+    double const longest = table.number(matched_target_keys["longest"],
+                                        {.otherwise = std::min({usual, target.last_period_s(), duration_s})});
     if (longest > duration_s) {
         table.fail("longest", fmt::format("{} s (longer than the wave of {} s). Lower it", longest, duration_s));
     }
@@ -41,7 +78,7 @@ std::optional<FurtherTarget> read_further(config::Table const& waves, ComponentK
     auto const table = waves.child(kind.name);
     std::optional<TargetSpectrum> target;
     if (table.has("target")) {
-        auto const own = table.child("target");
+        auto const own = table.child(matched_component_keys["target"]);
         target = read_target(own, files);
         own.finish();
     } else {
@@ -57,7 +94,7 @@ std::optional<FurtherTarget> read_further(config::Table const& waves, ComponentK
 
 // Reads the measured motions whose phases are to be kept; the first one's time step is everybody's.
 void read_seeds(config::Table const& waves, InputFiles& files, CompatibleRequest& request) {
-    auto const table = waves.child("seed");
+    auto const table = waves.child(compatible_keys["seed"]);
     auto const records = make_records(table, files);
     table.finish();
     std::size_t longest = 0;
@@ -80,12 +117,12 @@ void read_seeds(config::Table const& waves, InputFiles& files, CompatibleRequest
 
 void read_match(config::Table const& waves, CompatibleRequest& request) {
     auto& input = request.input;
-    request.match = waves.choice<Match>("match", matches, Match::each);
-    request.rule_name = waves.text("acceptance", "none");
-    input.rule = waves.choice<AcceptanceRule>("acceptance", acceptance_rules(), {});
+    request.match = waves.choice<Match>(compatible_keys["match"], matches);
+    request.rule_name = waves.text(compatible_keys["acceptance"]);
+    input.rule = waves.choice(compatible_keys["acceptance"], acceptance_rules());
     if (request.match == Match::each) {
-        input.tolerance = waves.number("match_tolerance", Dimension::none, {.low = 0.001, .high = 1}, input.tolerance);
-        input.iterations = static_cast<int>(waves.integer("match_iterations", 1, 1000, input.iterations));
+        input.tolerance = waves.number(compatible_keys["match_tolerance"]);
+        input.iterations = static_cast<int>(waves.integer(compatible_keys["match_iterations"]));
     } else {
         input.iterations = 0;
         input.calibrated = request.match == Match::ensemble;
@@ -114,28 +151,35 @@ void read_varying_targets(config::Table const& waves, InputFiles& files, Compati
         waves.fail("variability",
                    "beside acceptance (its rule compares every wave with the one target). Leave one out");
     }
-    request.variability = read_variability(waves.child("variability"), request.input.target, files);
+    request.variability = read_variability(waves.child(compatible_keys["variability"]), request.input.target, files);
 }
 
 }  // namespace
 
+constinit config::KeyTable const spectrum_compatible_table{
+    .meaning = "random waves whose response spectrum follows a target",
+    .keys = compatible_keys.all,
+    .also = {&every_wave_table, &aftershock_table},
+    .chosen_by = "source",
+    .word = "spectrum-compatible"};
+
 std::unique_ptr<WaveSource> make_spectrum_compatible(config::Table const& waves, InputFiles& files) {
-    auto const target_table = waves.child("target");
-    CompatibleRequest request{.input = {.target = read_target(target_table, files)}};
+    auto const target = waves.child(compatible_keys["target"]);
+    CompatibleRequest request{.input = {.target = read_target(target, files)}};
     auto& input = request.input;
-    input.time_step_s = waves.number("time_step", Dimension::time, {.low = 1e-4, .high = 0.1}, 0.01);
+    input.time_step_s = waves.number(compatible_keys["time_step"]);
     if (waves.has("seed")) {
         read_seeds(waves, files, request);
     } else {
         input.samples = read_samples(waves, input.time_step_s);
     }
     double const duration = input.time_step_s * static_cast<double>(input.samples - 1);
-    input.longest_s = read_longest(target_table, input.target, duration);
-    target_table.finish();
+    input.longest_s = read_longest(target, input.target, duration);
+    target.finish();
     read_match(waves, request);
     read_varying_targets(waves, files, request);
     if (request.seeds.empty()) {
-        input.envelope = read_envelope(waves.child_or_empty("envelope"), duration);
+        input.envelope = read_envelope(waves.child_or_empty(compatible_keys["envelope"]), duration);
         input.amplitudes = waves.choice<LineAmplitudes>(
             "amplitudes", line_amplitudes, input.calibrated ? LineAmplitudes::gaussian : LineAmplitudes::fixed);
     }

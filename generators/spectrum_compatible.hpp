@@ -7,12 +7,11 @@
 
 namespace overturn {
 
-/// Keys of [waves]: duration, time_step (default 0.01 s), match, match_tolerance (0.05: mean misfit over all periods
-/// and over any decade), match_iterations (40), amplitudes (fixed | gaussian), acceptance (acceptance_rules). Tables:
-/// waves.target (read_target, and `longest`: the longest matched period, by default the target's last but at most 10 s,
-/// up to 20 s), waves.envelope (read_envelope), waves.vertical and waves.transverse (`ratio` of the horizontal target,
-/// or a `target` of its own; phases of their own), waves.seed (keys of the records source: measured motions take the
-/// place of random draws, keep their phases, and need no envelope).
+/// What [waves] may state of them.
+extern config::KeyTable const spectrum_compatible_table;
+
+/// The misfit that a match ends with is the mean one over all periods, and over any decade of them. Measured motions
+/// (waves.seed) take the place of random draws, keep their phases, and need no envelope.
 ///
 /// match = each: every wave is iterated to the target. ensemble: drawn from a density that is calibrated once, from the
 /// campaign's text alone, so that the median spectrum of many waves meets the target; single waves scatter as noise

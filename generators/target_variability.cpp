@@ -143,10 +143,42 @@ void check_sigma(Pair const& point, Pair const* before) {
              sigma, period, sigmas.low, sigmas.high);
 }
 
-TargetVariability::Sigma read_sigma(config::Table const& table, char const* key, InputFiles& files) {
+constexpr double most_epsilon = 4;
+constexpr config::Keys condition_keys{
+    config::number_key("period", Dimension::time, {.low = shortest_s, .high = longest_s}, "where Sa is given"),
+    config::number_key("epsilon", Dimension::none, {.low = -most_epsilon, .high = most_epsilon},
+                       "given deviation there, in standard deviations of ln Sa")
+        .otherwise(0),
+    config::number_key("sa", Dimension::acceleration, config::Range::positive(), "given Sa there, in place of epsilon")
+        .optional()};
+constexpr config::KeyTable condition_table{.meaning = "spectra under the condition that Sa is given at one period",
+                                           .keys = condition_keys.all};
+
+// A number, a list of [period, number], or a file of two columns.
+constexpr config::Key sigma_key(std::string_view name, std::string_view meaning) {
+    return config::number_key(name, Dimension::none, sigmas, meaning)
+        .or_as(config::pairs_key(name, Dimension::time, Dimension::none, ""))
+        .or_as(config::text_key(name, ""));
+}
+
+constexpr std::int64_t many = 1'000'000;
+constexpr config::Keys variability_keys{
+    sigma_key("sigma", "standard deviation of ln Sa: a number, [period, sigma] pairs, or a file of two columns")
+        .only("there is no between and within"),
+    sigma_key("between", "its part that targets of one event share").only("within is stated too, in place of sigma"),
+    sigma_key("within", "its part of each target's own").only("between is stated too, in place of sigma"),
+    config::text_key("correlation", "between periods: baker-jayaram-2008, none, full, or a file"),
+    config::integer_key("per_target", 1, many, "waves that share a target").otherwise(1),
+    config::integer_key("targets_per_event", 1, many, "targets that share an event")
+        .otherwise(1)
+        .only("between and within are stated"),
+    config::table_key<condition_table>("conditional", "given Sa at one period").optional().only("sigma is stated")};
+
+TargetVariability::Sigma read_sigma(config::Table const& table, config::Key const& described, InputFiles& files) {
     using config::Kind;
+    auto const key = described.name;
     if (table.kind(key) == Kind::list) {
-        auto points = table.pairs(key, Dimension::time, Dimension::none);
+        auto points = table.pairs(described);
         return table.located(key, [&] {
             validate(!points.empty(), "empty (no standard deviation). State a number, or [[period, sigma], ...]");
             for (std::size_t i = 0; i < points.size(); ++i) {
@@ -159,7 +191,7 @@ TargetVariability::Sigma read_sigma(config::Table const& table, char const* key,
         auto const name = table.text(key);
         return table.located(key, [&] { return read_pairs(files.read(name), name, "period and sigma", check_sigma); });
     }
-    return {{1.0, table.number(key, Dimension::none, sigmas)}};
+    return {{1.0, table.number(described)}};
 }
 
 PeriodCorrelation read_correlation_model(config::Table const& table, InputFiles& files, std::string const& name) {
@@ -181,24 +213,23 @@ PeriodCorrelation read_correlation_model(config::Table const& table, InputFiles&
 
 TargetVariability::Input::Condition read_condition(config::Table const& table, TargetSpectrum const& median,
                                                    TargetVariability::Sigma const& sigma) {
-    table.may_have({"period", "epsilon", "sa"});
-    double const period = table.number("period", Dimension::time, {.low = shortest_s, .high = longest_s});
-    constexpr double most = 4;
+    table.may_have(condition_table);
+    double const period = table.number(condition_keys["period"]);
     if (!table.has("sa")) {
-        double const epsilon = table.number("epsilon", Dimension::none, {.low = -most, .high = most}, 0.0);
+        double const epsilon = table.number(condition_keys["epsilon"]);
         table.finish();
         return {period, epsilon};
     }
     if (table.has("epsilon")) {
         table.fail("epsilon", "beside sa (one of them gives the other). Keep one");
     }
-    double const sa = table.number("sa", Dimension::acceleration, config::Range::positive());
+    double const sa = table.number(condition_keys["sa"]);
     double const there = median.psa_mps2(median.model_period_s(period));
     double const epsilon = std::log(sa / there) / interpolated(sigma, period);
-    if (std::abs(epsilon) > most) {
+    if (std::abs(epsilon) > most_epsilon) {
         table.fail("sa", fmt::format("{:.4g} m/s2, {:.3g} standard deviations from the target's {:.4g} m/s2 (at most "
                                      "{:g}). Scale the target",
-                                     sa, epsilon, there, most));
+                                     sa, epsilon, there, most_epsilon));
     }
     table.finish();
     return {period, epsilon};
@@ -206,38 +237,40 @@ TargetVariability::Input::Condition read_condition(config::Table const& table, T
 
 }  // namespace
 
+constinit config::KeyTable const variability_table{
+    .meaning = "targets that scatter about the stated one as recorded spectra do", .keys = variability_keys.all};
+
 TargetVariability read_variability(config::Table const& table, TargetSpectrum const& median, InputFiles& files) {
-    table.may_have({"sigma", "between", "within", "targets_per_event", "correlation", "per_target", "conditional"});
+    table.may_have(variability_table);
     TargetVariability::Input input;
     bool const parts = table.has("between") || table.has("within");
     if (parts && table.has("sigma")) {
         table.fail("sigma", "beside between and within (their squares add up to its own). Keep one or the other");
     }
     if (parts) {
-        input.between = read_sigma(table, "between", files);
-        input.within = read_sigma(table, "within", files);
+        input.between = read_sigma(table, variability_keys["between"], files);
+        input.within = read_sigma(table, variability_keys["within"], files);
     } else {
-        input.sigma = read_sigma(table, "sigma", files);
+        input.sigma = read_sigma(table, variability_keys["sigma"], files);
     }
     if (!table.has("correlation")) {
         table.fail_missing("correlation", "State baker-jayaram-2008, none, full, or a file");
     }
-    input.correlation_name = table.text("correlation");
+    input.correlation_name = table.text(variability_keys["correlation"]);
     input.correlation = read_correlation_model(table, files, input.correlation_name);
-    constexpr std::int64_t many = 1'000'000;
-    input.per_target = static_cast<std::uint64_t>(table.integer("per_target", 1, many, 1));
+    input.per_target = static_cast<std::uint64_t>(table.integer(variability_keys["per_target"]));
     if (table.has("targets_per_event") && !parts) {
         table.fail("targets_per_event",
                    "without between and within (targets are independent). State both, or leave it "
                    "out");
     }
-    input.targets_per_event = static_cast<std::uint64_t>(table.integer("targets_per_event", 1, many, 1));
+    input.targets_per_event = static_cast<std::uint64_t>(table.integer(variability_keys["targets_per_event"]));
     if (table.has("conditional")) {
         if (parts) {
             table.fail("conditional",
                        "beside between and within (an event's part would have to be known). State sigma");
         }
-        input.condition = read_condition(table.child("conditional"), median, input.sigma);
+        input.condition = read_condition(table.child(variability_keys["conditional"]), median, input.sigma);
     }
     table.finish();
     return table.located("correlation", [&] { return TargetVariability(std::move(input)); });

@@ -57,10 +57,10 @@ class TargetVariability {
     CorrelatedNormals correlated_;
 };
 
-/// Keys of the table: sigma (a number, [[period, sigma], ...] or a file of two columns), or between and within likewise
-/// with targets_per_event (default 1); correlation (baker-jayaram-2008, none, full, or a file for
-/// TabulatedCorrelation::parse; no default); per_target (default 1: waves that share a target); conditional (a table:
-/// period, and epsilon (default 0) or sa, which is given there). Calls finish(). \throws InputError at the key
+/// What may be stated of it.
+extern config::KeyTable const variability_table;
+
+/// A file of correlations is read by TabulatedCorrelation::parse. Calls finish(). \throws InputError at the key
 [[nodiscard]] TargetVariability read_variability(config::Table const& table, TargetSpectrum const& median,
                                                  InputFiles& files);
 

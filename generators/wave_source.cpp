@@ -13,28 +13,48 @@
 
 namespace overturn {
 
-std::span<config::Entry<WaveSourceMaker> const> wave_sources() {
+namespace {
+
+constexpr config::Keys every_wave_keys{config::word_key<wave_sources>("source", "where the waves come from"),
+                                       wave_count_key};
+
+}  // namespace
+
+constinit config::KeyTable const every_wave_table{.meaning = "the waves", .keys = every_wave_keys.all};
+
+std::span<config::Entry<WaveSourceKind> const> wave_sources() {
     static constexpr std::array entries{
-        config::Entry<WaveSourceMaker>{"spectrum-compatible",
-                                       "random waves matched to a target spectrum, or drawn from it",
-                                       &make_spectrum_compatible},
-        config::Entry<WaveSourceMaker>{
-            "filtered-noise", "random noise through the ground: Kanai-Tajimi, Clough-Penzien", &make_filtered_noise},
-        config::Entry<WaveSourceMaker>{"harmonic", "sinusoids, one wave for each frequency of a sweep", &make_harmonic},
-        config::Entry<WaveSourceMaker>{"pulse", "single pulses: one-sine, half-sine, ricker, rectangle", &make_pulse},
-        config::Entry<WaveSourceMaker>{"records", "measured waves from files", &make_records},
+        config::Entry<WaveSourceKind>{"spectrum-compatible",
+                                      "random waves matched to a target spectrum, or drawn from it",
+                                      {&make_spectrum_compatible, &spectrum_compatible_table}},
+        config::Entry<WaveSourceKind>{"filtered-noise",
+                                      "random noise through the ground: Kanai-Tajimi, Clough-Penzien",
+                                      {&make_filtered_noise, &filtered_noise_table}},
+        config::Entry<WaveSourceKind>{
+            "harmonic", "sinusoids, one wave for each frequency of a sweep", {&make_harmonic, &harmonic_table}},
+        config::Entry<WaveSourceKind>{
+            "pulse", "single pulses: one-sine, half-sine, ricker, rectangle", {&make_pulse, &pulse_table}},
+        config::Entry<WaveSourceKind>{"records", "measured waves from files", {&make_records, &records_table}},
     };
     return entries;
 }
 
+std::vector<config::KeyTable const*> wave_tables() {
+    std::vector<config::KeyTable const*> tables;
+    for (auto const& entry : wave_sources()) {
+        tables.push_back(entry.value.keys);
+    }
+    return tables;
+}
+
 std::unique_ptr<WaveSource> make_wave_source(config::Table const& waves, InputFiles& files) {
-    return with_aftershock(waves, waves.choice("source", wave_sources())(waves, files));
+    return with_aftershock(waves, waves.choice(every_wave_keys["source"], wave_sources()).make(waves, files));
 }
 
 std::size_t read_samples(config::Table const& waves, double time_step_s) {
     constexpr double most = 5e6;
     constexpr double fewest = 100;
-    double const steps = std::round(waves.number("duration", Dimension::time, config::Range::positive()) / time_step_s);
+    double const steps = std::round(waves.number(wave_duration_key) / time_step_s);
     if (steps < fewest || steps > most) {
         waves.fail("duration",
                    fmt::format("{} time steps (must be {} to {}). Mend duration or time_step", steps, fewest, most));

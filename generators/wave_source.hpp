@@ -103,7 +103,22 @@ class WaveSource {
 /// [waves] is its caller's.
 using WaveSourceMaker = std::unique_ptr<WaveSource> (*)(config::Table const& waves, InputFiles& files);
 
-[[nodiscard]] std::span<config::Entry<WaveSourceMaker> const> wave_sources();
+/// A kind of source, and what [waves] may state of it.
+struct WaveSourceKind {
+    WaveSourceMaker make;
+    config::KeyTable const* keys;
+};
+[[nodiscard]] std::span<config::Entry<WaveSourceKind> const> wave_sources();
+/// What [waves] may be: one table for each source.
+[[nodiscard]] std::vector<config::KeyTable const*> wave_tables();
+
+/// Keys of [waves] that every source has.
+extern config::KeyTable const every_wave_table;
+inline constexpr config::Key wave_count_key = config::integer_key("count", 1, 1'000'000'000, "number of waves")
+                                                  .otherwise_said("all that the source has; of drawn waves required");
+/// Key `duration` of waves that are drawn.
+inline constexpr config::Key wave_duration_key =
+    config::number_key("duration", Dimension::time, config::Range::positive(), "length of every wave");
 
 /// The source that `waves.source` names. \throws InputError at the key concerned.
 [[nodiscard]] std::unique_ptr<WaveSource> make_wave_source(config::Table const& waves, InputFiles& files);

@@ -1,22 +1,19 @@
 #include "generators/detail/axes.hpp"
 
-#include <array>
 #include <cmath>
+#include <string>
 
 namespace overturn {
 
 AxesRequest read_axes(config::Table const& table) {
-    static constexpr std::array names{
-        config::Entry<Axes>{"as-recorded", "as the instrument stood", Axes::recorded},
-        config::Entry<Axes>{"principal", "the stronger principal axis in the rocking plane", Axes::principal}};
     if (!table.has("axes")) {
         return {};
     }
-    if (table.kind("axes") == config::Kind::text && table.text("axes").find("deg") == std::string::npos
-        && table.text("axes").find("rad") == std::string::npos) {
-        return {table.choice<Axes>("axes", names), 0};
+    if (table.kind("axes") == config::Kind::text && table.text(axes_key).find("deg") == std::string::npos
+        && table.text(axes_key).find("rad") == std::string::npos) {
+        return {table.choice<Axes>(axes_key, axes_names), 0};
     }
-    return {Axes::turned, table.number("axes", Dimension::angle, config::Range::between(-2 * pi, 2 * pi))};
+    return {Axes::turned, table.number(axes_key)};
 }
 
 double principal_angle(GroundMotion const& motion) {

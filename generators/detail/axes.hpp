@@ -1,7 +1,10 @@
 /// In which horizontal axes a measured motion is used.
 #pragma once
 
+#include <array>
+
 #include "config/table.hpp"
+#include "core/units.hpp"
 #include "motion/ground_motion.hpp"
 
 namespace overturn {
@@ -12,6 +15,14 @@ struct AxesRequest {
     Axes axes = Axes::recorded;
     double angle_rad = 0;  ///< of Axes::turned
 };
+
+inline constexpr std::array axes_names{
+    config::Entry<Axes>{"as-recorded", "as the instrument stood", Axes::recorded},
+    config::Entry<Axes>{"principal", "the stronger principal axis in the rocking plane", Axes::principal}};
+inline constexpr config::Key axes_key =
+    config::word_key<axes_names>("axes", "the horizontal axes, as words or turned by an angle")
+        .or_as(config::number_key("axes", Dimension::angle, config::Range::between(-2 * pi, 2 * pi), ""))
+        .optional();
 
 /// Key `axes`: "as-recorded", "principal", or an angle. \throws InputError
 [[nodiscard]] AxesRequest read_axes(config::Table const& table);

@@ -22,14 +22,27 @@ struct FurtherComponent {
 inline constexpr std::array further_components{FurtherComponent{"transverse", &GroundMotion::transverse_mps2, 2},
                                                FurtherComponent{"vertical", &GroundMotion::vertical_mps2, 1}};
 
+inline constexpr config::Key ratio_key =
+    config::number_key("ratio", Dimension::none, {.low = 0, .high = 10, .low_open = true},
+                       "amplitude over that of the horizontal component");
+inline constexpr config::Key correlation_key =
+    config::number_key("correlation", Dimension::none, config::Range::between(-1, 1),
+                       "coefficient of correlation with the horizontal component; absent: independent")
+        .optional();
+
+/// Keys `transverse` and `vertical` of [waves], whose tables are `table`.
+template <config::KeyTable const& table>
+inline constexpr config::Key transverse_key =
+    config::table_key<table>("transverse", "a second horizontal component").optional();
+template <config::KeyTable const& table>
+inline constexpr config::Key vertical_key = config::table_key<table>("vertical", "a vertical component").optional();
+
 /// Key `ratio` of a component's table: its amplitude over that of the horizontal one.
-[[nodiscard]] inline double read_ratio(config::Table const& table) {
-    return table.number("ratio", Dimension::none, {.low = 0, .high = 10, .low_open = true});
-}
+[[nodiscard]] inline double read_ratio(config::Table const& table) { return table.number(ratio_key); }
 
 /// Key `correlation` of a component's table: its coefficient with the horizontal one.
 [[nodiscard]] inline std::optional<double> read_correlation(config::Table const& table) {
-    return table.maybe_number("correlation", Dimension::none, config::Range::between(-1, 1));
+    return table.maybe_number(correlation_key);
 }
 
 /// Of two draws of the same power, their mixture that is correlated so with the first: Cholesky's factor, line by line.

@@ -49,17 +49,30 @@ double PointDensity::integral_hz() const {
     return sum;
 }
 
+namespace {
+
+constexpr config::Keys point_density_keys{
+    config::pairs_key("points", Dimension::frequency, Dimension::none,
+                      "[frequency, power density]; its unit does not count, rms scales it")
+        .optional(),
+    config::text_key("file", "file of two columns in place of points").optional()};
+
+}  // namespace
+
+constinit config::KeyTable const point_density_table{.meaning = "a one-sided power spectral density: points or file",
+                                                     .keys = point_density_keys.all};
+
 PointDensity read_point_density(config::Table const& table, InputFiles& files) {
     if (table.has("points") == table.has("file")) {
         table.fail({}, "no single density (either points or file states it). Keep one");
     }
     if (table.has("file")) {
-        auto const name = table.text("file");
+        auto const name = table.text(point_density_keys["file"]);
         return table.located("file", [&] {
             return PointDensity(read_pairs(files.read(name), name, "frequency in Hz and power density", check_point));
         });
     }
-    auto points = table.pairs("points", Dimension::frequency, Dimension::none);
+    auto points = table.pairs(point_density_keys["points"]);
     return table.located("points", [&] { return PointDensity(std::move(points)); });
 }
 

@@ -29,7 +29,10 @@ class PointDensity {
     std::vector<std::pair<double, double>> points_;
 };
 
-/// Keys of the table: points = [[frequency, density], ...] or file = "two columns". \throws InputError
+/// What may be stated of it: points, or a file of two columns.
+extern config::KeyTable const point_density_table;
+
+/// \throws InputError at the key
 [[nodiscard]] PointDensity read_point_density(config::Table const& table, InputFiles& files);
 
 }  // namespace overturn

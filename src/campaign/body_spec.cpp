@@ -6,6 +6,7 @@
 
 #include <gsl/gsl_cdf.h>
 
+#include "campaign/detail/body_keys.hpp"
 #include "campaign/detail/footing_spec.hpp"
 #include "campaign/detail/gyration.hpp"
 #include "campaign/detail/parts_spec.hpp"
@@ -15,24 +16,20 @@ namespace overturn {
 namespace {
 
 using config::Kind;
-using config::Range;
 using config::Table;
 
-constexpr std::string_view uniform_block = "uniform-block";
 BodyInput read_shape(Table const& table, std::vector<BodyPart>& parts) {
-    table.may_have({"name", "file", "mass", "base_width", "centre_height", "inertia", "parts", "restitution",
-                    "friction", "gravity", "similarity", "axes", "base", "pad", "inertia_y", "inertia_z", "offset",
-                    "slope", "initial_tilt"});
-    double const width = table.number("base_width", Dimension::length, Range::positive());
+    table.may_have(bodies_table);
+    double const width = table.number(body_keys["base_width"]);
     if (table.has("parts")) {
         parts = read_parts(table);
         return table.located("parts", [&] { return assemble(parts, width); });
     }
     BodyInput input;
     input.half_width_m = 0.5 * width;
-    input.mass_kg = read_distribution(table, "mass", Dimension::mass, Range::positive()).centre();
-    input.centre_height_m = read_distribution(table, "centre_height", Dimension::length, Range::positive()).centre();
-    auto const spelled = table.kind("inertia") == Kind::text ? table.text("inertia") : std::string();
+    input.mass_kg = read_distribution(table, body_keys["mass"]).centre();
+    input.centre_height_m = read_distribution(table, body_keys["centre_height"]).centre();
+    auto const spelled = table.kind("inertia") == Kind::text ? table.text(body_keys["inertia"]) : std::string();
     bool const word = !spelled.empty() && spelled.find_first_of("0123456789") == std::string::npos;
     if (word && spelled != uniform_block) {
         table.fail("inertia", fmt::format("'{}' (neither a quantity nor '{}'). Write for example \"150 t m2\", or "
@@ -48,7 +45,7 @@ BodyInput read_shape(Table const& table, std::vector<BodyPart>& parts) {
             table.fail_missing("inertia",
                                fmt::format("State a quantity, or \"{}\" for m (b^2 + h^2) / 3", uniform_block));
         }
-        input.inertia_kgm2 = table.number("inertia", Dimension::inertia, Range::positive());
+        input.inertia_kgm2 = table.number(body_keys["inertia"]);
     }
     return input;
 }
@@ -58,14 +55,12 @@ std::optional<Scaling> read_scaling(Table const& table) {
     if (!table.has("similarity")) {
         return std::nullopt;
     }
-    auto const given = table.child("similarity");
+    auto const given = table.child(body_keys["similarity"]);
     Scaling scaling;
     auto& law = scaling.law;
-    law.length = given.number("length", Dimension::none, Range::positive(), law.length);
-    law.mass_factor = given.number("mass_factor", Dimension::none, Range::positive(), law.mass_factor);
-    static constexpr std::array directions{config::Entry<bool>{"to-model", "the keys describe the prototype", true},
-                                           config::Entry<bool>{"to-prototype", "the keys describe the model", false}};
-    scaling.to_model = given.choice<bool>("direction", directions);
+    law.length = given.number(similarity_keys["length"]);
+    law.mass_factor = given.number(similarity_keys["mass_factor"]);
+    scaling.to_model = given.choice<bool>(similarity_keys["direction"], scaling_directions);
     given.finish();
     return scaling;
 }
@@ -88,22 +83,21 @@ void set_mass(BodyInput& stated, double mass_kg) {
 
 // friction = number | distribution | { static = number | distribution, kinetic = number or kinetic_ratio = number }
 void read_friction(Table const& table, BodySpec& spec) {
-    auto const allowed = Range::not_negative();
-    if (table.kind("friction") != Kind::table || table.child("friction").has("distribution")) {
-        spec.scatter.friction = read_distribution(table, "friction", Dimension::none, allowed);
+    if (table.kind("friction") != Kind::table || table.child(body_keys["friction"]).has("distribution")) {
+        spec.scatter.friction = read_distribution(table, body_keys["friction"]);
         double const mu = spec.scatter.friction->centre();
         spec.friction = Friction{mu, mu};
         return;
     }
-    auto const given = table.child("friction");
-    auto const held = read_distribution(given, "static", Dimension::none, allowed);
+    auto const given = table.child(body_keys["friction"]);
+    auto const held = read_distribution(given, friction_keys["static"]);
     if (given.has("kinetic_ratio")) {
-        double const ratio = given.number("kinetic_ratio", Dimension::none, Range::between(0, 1));
+        double const ratio = given.number(friction_keys["kinetic_ratio"]);
         spec.friction = Friction{held.centre(), ratio * held.centre()};
     } else if (held.scatters()) {
         given.fail("static", "scatters (a fixed kinetic value would not follow it). State kinetic_ratio");
     } else {
-        spec.friction = Friction{held.centre(), given.number("kinetic", Dimension::none, allowed)};
+        spec.friction = Friction{held.centre(), given.number(friction_keys["kinetic"])};
     }
     given.finish();
     if (spec.friction->kinetic_coefficient > spec.friction->static_coefficient) {
@@ -118,13 +112,13 @@ void read_restitution(Table const& table, BodySpec& spec) {
     spec.stated.restitution.reset();
     spec.scatter.restitution.reset();
     if (table.kind("restitution") == Kind::text) {
-        if (auto const word = table.text("restitution"); word != "housner") {
+        if (auto const word = table.text(body_keys["restitution"]); word != "housner") {
             table.fail("restitution",
                        fmt::format("'{}' (unknown). Write a number, \"housner\" or a distribution", word));
         }
         return;
     }
-    spec.scatter.restitution = read_distribution(table, "restitution", Dimension::none, Range::between(0, 1));
+    spec.scatter.restitution = read_distribution(table, body_keys["restitution"]);
     spec.stated.restitution = spec.scatter.restitution->centre();
 }
 
@@ -162,11 +156,11 @@ void validate_draws(Table const& table, BodySpec const& spec) {
 // The keys that outrank what the body's parts or file say.
 void read_uncertain(Table const& table, BodySpec& spec) {
     if (table.kind("mass") == Kind::table) {
-        spec.scatter.mass = read_distribution(table, "mass", Dimension::mass, Range::positive());
+        spec.scatter.mass = read_distribution(table, body_keys["mass"]);
         set_mass(spec.stated, spec.scatter.mass->centre());
     }
     if (table.kind("centre_height") == Kind::table) {
-        spec.scatter.centre_height = read_distribution(table, "centre_height", Dimension::length, Range::positive());
+        spec.scatter.centre_height = read_distribution(table, body_keys["centre_height"]);
         spec.stated.centre_height_m = spec.scatter.centre_height->centre();
     }
     if (table.has("restitution")) {
@@ -177,7 +171,7 @@ void read_uncertain(Table const& table, BodySpec& spec) {
     }
     read_placement(table, spec);
     read_footing(table, spec.stated_footing);
-    spec.axes = static_cast<int>(table.integer("axes", 1, 3, spec.axes));
+    spec.axes = static_cast<int>(table.integer(body_keys["axes"], {.otherwise = spec.axes}));
     table.finish();
     spec.body = table.located("", [&] { return scaled(spec.stated, spec.scaling); });
     validate_draws(table, spec);
@@ -188,7 +182,7 @@ void read_uncertain(Table const& table, BodySpec& spec) {
 BodySpec read_stated(Table const& table, std::string name) {
     std::vector<BodyPart> parts;
     auto stated = read_shape(table, parts);
-    stated.gravity_mps2 = table.number("gravity", Dimension::acceleration, Range::positive(), g0);
+    stated.gravity_mps2 = table.number(body_keys["gravity"]);
     auto const scaling = read_scaling(table);
     auto const body = table.located("", [&] { return scaled(stated, scaling); });
     BodySpec spec{std::move(name), stated, scaling, body, {}, {}, 3, {}, {}, {}};
@@ -232,13 +226,13 @@ DrawnBody with(BodySpec const& spec, Values const& values) {
 
 BodySpec read_body(Table const& table, InputFiles& files) {
     if (!table.has("file")) {
-        return read_stated(table, table.text("name", "body"));
+        return read_stated(table, table.text(body_keys["name"], "body"));
     }
-    auto const file = table.text("file");
-    auto const name = table.text("name", "");
+    auto const file = table.text(bodies_keys["file"]);
+    auto const name = table.text(body_keys["name"]);
     auto const inner =
         table.named_document(table.located("file", [&]() -> std::string const& { return files.read(file); }), file);
-    auto spec = read_stated(inner, inner.text("name", "body"));
+    auto spec = read_stated(inner, inner.text(body_keys["name"], "body"));
     if (!name.empty()) {
         spec.name = name;
     }

@@ -57,9 +57,10 @@ struct BodySpec {
     [[nodiscard]] DrawnBody at_scores(std::span<double const> scores) const;
 };
 
-/// Keys: name, file, mass, base_width, centre_height, inertia (number or "uniform-block"), parts, restitution,
-/// friction, gravity, similarity, axes, base, pad, inertia_y, inertia_z (footing_spec.hpp); mass, centre_height,
-/// restitution and friction may be distributions. Reads every key of `table` and finishes it. \throws InputError
+extern config::KeyTable const body_table;    ///< of a body file
+extern config::KeyTable const bodies_table;  ///< of [[bodies]]: with `file`
+
+/// Reads every key of `table` and finishes it. \throws InputError
 [[nodiscard]] BodySpec read_body(config::Table const& table, InputFiles& files);
 
 }  // namespace overturn

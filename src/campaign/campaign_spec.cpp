@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include "campaign/detail/campaign_keys.hpp"
 #include "campaign/detail/placement_spec.hpp"
 #include "campaign/rows.hpp"
 #include "campaign/wave_check.hpp"
@@ -15,25 +16,22 @@ namespace {
 
 using config::Table;
 
-constexpr std::int64_t most_waves = 1'000'000'000;
 constexpr std::int64_t most_trials = 1'000'000'000'000;
 
 EffectRequest read_effects(Table const& table) {
     if (!table.has("include")) {
-        auto const mode = table.text("mode", text_of(EffectRequest{}));
+        auto const mode = table.text(effect_keys["mode"]);
         return table.located("mode", [&] { return parse_effect_mode(mode); });
     }
     if (table.has("mode")) {
         table.fail("include", "stated beside mode (the list already forces its effects). Keep one of them");
     }
-    return table.located("include", [&] { return parse_effect_list(table.texts("include")); });
+    return table.located("include", [&] { return parse_effect_list(table.texts(effect_keys["include"])); });
 }
-
-constexpr config::Range sa_periods{.low = 0.02, .high = 20};
 
 void read_sa(Table const& table, MeasureSpec& m) {
     if (table.has("sa_periods")) {
-        m.sa_periods_s = table.numbers("sa_periods", Dimension::time, sa_periods);
+        m.sa_periods_s = table.numbers(measure_keys["sa_periods"]);
         bool const rising = std::ranges::is_sorted(m.sa_periods_s, std::ranges::less_equal{});
         if (m.sa_periods_s.empty() || m.sa_periods_s.size() > most_sa_periods || !rising) {
             table.fail("sa_periods", fmt::format("{} periods (1 to {} that rise). Mend the list", m.sa_periods_s.size(),
@@ -41,7 +39,7 @@ void read_sa(Table const& table, MeasureSpec& m) {
         }
     }
     if (table.has("sa_band")) {
-        auto const ends = table.numbers("sa_band", Dimension::time, sa_periods);
+        auto const ends = table.numbers(measure_keys["sa_band"]);
         if (ends.size() != 2 || !(ends[0] < ends[1])) {
             table.fail("sa_band", "not two periods that rise (Sa is averaged from one to the other). Mend it");
         }
@@ -73,35 +71,23 @@ void measure_levels(Table const& root, LevelSpec const& levels, MeasureSpec& m) 
 
 MeasureSpec read_measures(Table const& table) {
     MeasureSpec m;
-    static constexpr std::array units{
-        config::Entry<RadiusUnit>{"cm", "T0 = 0.05 sqrt(R in cm)", RadiusUnit::centimetre},
-        config::Entry<RadiusUnit>{"m", "T0 = 0.05 sqrt(R in m)", RadiusUnit::metre}};
-    static constexpr std::array readings{
-        config::Entry<WindowReading>{"restarted", "the oscillators start afresh with each window",
-                                     WindowReading::restarted},
-        config::Entry<WindowReading>{"running", "energy that running oscillators gain over the window",
-                                     WindowReading::running}};
-    m.radius_unit = table.choice<RadiusUnit>("radius_unit", units, m.radius_unit);
-    m.energy = table.boolean("energy", m.energy);
-    m.wave_quality = table.boolean("wave_quality", m.wave_quality);
-    m.both_radius_units = table.boolean("both_radius_units", m.both_radius_units);
+    m.radius_unit = table.choice<RadiusUnit>(measure_keys["radius_unit"], radius_units);
+    m.energy = table.boolean(measure_keys["energy"]);
+    m.wave_quality = table.boolean(measure_keys["wave_quality"]);
+    m.both_radius_units = table.boolean(measure_keys["both_radius_units"]);
     for (auto const* key : {"both_radius_units", "window"}) {
         if (!m.energy && table.has(key)) {
             table.fail(key, "beside energy = false (it says how energies are measured). Leave it out");
         }
     }
-    m.window = table.choice<WindowReading>("window", readings, m.window);
+    m.window = table.choice<WindowReading>(measure_keys["window"], window_readings);
     read_sa(table, m);
     table.finish();
     return m;
 }
 
 Sampling read_sampling(Table const& table) {
-    static constexpr std::array samplings{
-        config::Entry<Sampling>{"independent", "each wave draws for itself", Sampling::independent},
-        config::Entry<Sampling>{"latin-hypercube", "one draw from each of as many equal slices as there are waves",
-                                Sampling::latin_hypercube}};
-    auto const sampling = table.choice<Sampling>("sampling", samplings, Sampling::independent);
+    auto const sampling = table.choice<Sampling>(scatter_keys["sampling"], samplings);
     table.finish();
     return sampling;
 }
@@ -109,7 +95,7 @@ Sampling read_sampling(Table const& table) {
 std::vector<BodySpec> read_bodies(Table const& root, InputFiles& files) {
     std::vector<BodySpec> bodies;
     std::set<std::string> names;
-    for (auto const& entry : root.children("bodies")) {
+    for (auto const& entry : root.children(campaign_keys["bodies"])) {
         bodies.push_back(read_body(entry, files));
         auto const& name = bodies.back().name;
         // Columns of /waves are beside the bodies' groups; these two kinds are named by the campaign's periods.
@@ -178,22 +164,24 @@ std::vector<double> CampaignSpec::grid_periods_s() const {
     return periods;
 }
 
+constinit config::KeyTable const campaign_table{.meaning = "the campaign itself", .keys = campaign_keys.all};
+
 CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
     auto const root = Table::parse(input.text, input.name, input.settings);
-    root.may_have({"title", "seed", "waves", "bodies", "scatter", "levels", "effects", "measures", "accuracy", "rare",
-                   "statistics", "limits", "inputs"});
+    root.described_by(campaign_table);
+    root.may_have(campaign_table);
     CampaignSpec spec;
-    spec.title = root.text("title", "");
+    spec.title = root.text(campaign_keys["title"]);
     (void)keeps_hashes_only(root);
-    spec.seed = static_cast<std::uint64_t>(root.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
+    spec.seed = static_cast<std::uint64_t>(root.integer(campaign_keys["seed"]));
     spec.bodies = read_bodies(root, files);
-    spec.sampling = read_sampling(root.child_or_empty("scatter"));
-    spec.levels = read_levels(root.child("levels"));
-    auto const waves = root.child("waves");
+    spec.sampling = read_sampling(root.child_or_empty(campaign_keys["scatter"]));
+    spec.levels = read_levels(root.child(campaign_keys["levels"]));
+    auto const waves = root.child(campaign_keys["waves"]);
     spec.source = make_wave_source(waves, files);
     auto const available = spec.source->available();
-    spec.wave_count = available ? waves.integer("count", 1, most_waves, static_cast<std::int64_t>(*available))
-                                : waves.integer("count", 1, most_waves);
+    spec.wave_count = waves.integer(
+        wave_count_key, {.otherwise = available ? std::optional(static_cast<std::int64_t>(*available)) : std::nullopt});
     if (available && spec.wave_count > static_cast<std::int64_t>(*available)) {
         waves.fail("count",
                    fmt::format("{} (the source has {} waves). Lower it or leave it out", spec.wave_count, *available));
@@ -202,7 +190,7 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
         root.child("levels").fail("waves", "independent (this source has the same waves for every level). Use shared");
     }
     waves.finish();
-    auto const effects = root.child_or_empty("effects");
+    auto const effects = root.child_or_empty(campaign_keys["effects"]);
     spec.effects = read_effects(effects);
     effects.finish();
     for (auto const& body : spec.bodies) {
@@ -220,10 +208,9 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
         }
     }
     check_planar(effects, waves, spec);
-    auto const accuracy = root.child_or_empty("accuracy");
+    auto const accuracy = root.child_or_empty(campaign_keys["accuracy"]);
     spec.accuracy = read_accuracy(accuracy);
-    constexpr double largest_phase = 40;
-    spec.measures = read_measures(root.child_or_empty("measures"));
+    spec.measures = read_measures(root.child_or_empty(campaign_keys["measures"]));
     measure_levels(root, spec.levels, spec.measures);
     if (!spec.measures.wave_quality && spec.source->acceptance() != "none") {
         root.child("measures")
@@ -232,13 +219,11 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
                   "wave). Leave one of them out");
     }
     waves.located("acceptance", [&] { validate_bands(*spec.source, spec.bodies, spec.measures.radius_unit); });
-    spec.measures.panel_phase_rad = accuracy.number("panel_phase", Dimension::angle, {.low = 1, .high = largest_phase},
-                                                    spec.measures.panel_phase_rad);
+    spec.measures.panel_phase_rad = accuracy.number(accuracy_keys["panel_phase"]);
     accuracy.finish();
     spec.rare = read_rare(root, spec.levels, *spec.source);
-    auto const statistics = root.child_or_empty("statistics");
-    spec.confidence = statistics.number("confidence", Dimension::none,
-                                        {.low = 0, .high = 1, .low_open = true, .high_open = true}, spec.confidence);
+    auto const statistics = root.child_or_empty(campaign_keys["statistics"]);
+    spec.confidence = statistics.number(statistics_keys["confidence"]);
     spec.limits = read_limits(root, statistics,
                               spec.is_grid()                  ? WavesOfLevels::grid
                               : spec.levels.independent_waves ? WavesOfLevels::independent

@@ -58,6 +58,8 @@ struct CampaignSpec {
 
 /// \throws InputError naming file, line and column for anything wrong
 [[nodiscard]] CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files);
+/// All that a campaign may state: its keys and the tables in it.
+extern config::KeyTable const campaign_table;
 /// Levels by a PGV or PGD that is drift are no levels of a campaign to be run; a file of results that has them from
 /// before that was known is still read. \throws InputError at the key
 void refuse_drifting_levels(CampaignInput const& input, CampaignSpec const& spec);

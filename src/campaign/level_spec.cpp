@@ -37,19 +37,42 @@ constexpr std::array spacings{
 
 constexpr std::int64_t most_levels = 100000;
 
+constexpr config::Key level_key(std::string_view name, std::string_view meaning) {
+    return config::number_key(name, Dimension::none, config::Range::positive(), meaning).in_unit_of("measure");
+}
+constexpr config::Keys level_range_keys{
+    level_key("from", "lowest level"), level_key("to", "highest level"),
+    config::integer_key("count", 1, most_levels, "number of levels"),
+    config::word_key<spacings>("spacing", "how they are spread").otherwise("linear")};
+constexpr config::KeyTable level_range_table{.meaning = "evenly spread levels", .keys = level_range_keys.all};
+
+constexpr config::Key level_list_key(std::string_view name, std::string_view meaning) {
+    return config::numbers_key(name, Dimension::none, config::Range::positive(), meaning).in_unit_of("measure");
+}
+constexpr config::Keys level_keys{
+    config::word_key<measure_entries>("measure", "by what waves are scaled"),
+    config::number_key("period", Dimension::time, {.low = 0.02, .high = 20}, "at which Sa is taken")
+        .only("measure = sa"),
+    level_list_key("values", "levels, listed or spread; required unless others are named")
+        .or_as(config::table_key<level_range_table>("values", ""))
+        .optional(),
+    config::word_key<independence>("waves", "are waves the same at every level?").otherwise("shared"),
+    level_key("design_basis", "level of the design basis, added to the others").optional(),
+    level_list_key("beyond_design", "levels beyond it, added likewise").optional()};
+
 std::vector<double> read_values(config::Table const& table, Dimension dimension) {
     if (table.kind("values") != config::Kind::table) {
-        auto values = table.numbers("values", dimension, config::Range::positive());
+        auto values = table.numbers(level_keys["values"], {.dimension = dimension});
         if (values.empty()) {
             table.fail("values", "empty (no level to test at). List at least one");
         }
         return values;
     }
-    auto const range = table.child("values");
-    double const from = range.number("from", dimension, config::Range::positive());
-    double const to = range.number("to", dimension, config::Range::positive());
-    auto const count = range.integer("count", 1, most_levels);
-    bool const log = range.choice<bool>("spacing", spacings, false);
+    auto const range = table.child(level_keys["values"]);
+    double const from = range.number(level_range_keys["from"], {.dimension = dimension});
+    double const to = range.number(level_range_keys["to"], {.dimension = dimension});
+    auto const count = range.integer(level_range_keys["count"]);
+    bool const log = range.choice<bool>(level_range_keys["spacing"], spacings);
     range.finish();
     if (count == 1 && to != from) {
         range.fail("count", "1 level between two (which one is meant?). Write values = [...], or count = 2");
@@ -148,27 +171,29 @@ std::optional<double> LevelSpec::scale(Level const& level, Intensity const& wave
     return base > 0 ? std::optional(level.value / base) : std::nullopt;
 }
 
+constinit config::KeyTable const levels_table{.meaning = "the levels that waves are scaled to", .keys = level_keys.all};
+
 LevelSpec read_levels(config::Table const& table) {
-    table.may_have({"measure", "period", "values", "waves", "design_basis", "beyond_design"});
+    table.may_have(levels_table);
     LevelSpec spec;
-    auto const chosen = table.choice<Measure>("measure", measure_entries);
+    auto const chosen = table.choice<Measure>(level_keys["measure"], measure_entries);
     spec.measure = chosen.measure;
     if (spec.measure == LevelMeasure::sa) {
-        spec.sa_period_s = table.number("period", Dimension::time, {.low = 0.02, .high = 20});
+        spec.sa_period_s = table.number(level_keys["period"]);
     }
-    spec.independent_waves = table.choice<bool>("waves", independence, false);
+    spec.independent_waves = table.choice<bool>(level_keys["waves"], independence);
     // Named levels alone make a campaign too.
     if (table.has("values") || !(table.has("design_basis") || table.has("beyond_design"))) {
         for (double const value : read_values(table, chosen.dimension)) {
             spec.levels.push_back({value, LevelClass::ordinary});
         }
     }
-    auto const basis = table.maybe_number("design_basis", chosen.dimension, config::Range::positive());
+    auto const basis = table.maybe_number(level_keys["design_basis"], {.dimension = chosen.dimension});
     if (basis) {
         name_level(spec.levels, *basis, LevelClass::design_basis);
     }
     if (table.has("beyond_design")) {
-        for (double const value : table.numbers("beyond_design", chosen.dimension, config::Range::positive())) {
+        for (double const value : table.numbers(level_keys["beyond_design"], {.dimension = chosen.dimension})) {
             if (basis && value <= *basis) {
                 table.fail("beyond_design", fmt::format("{} (not above design_basis {}). Raise it", value, *basis));
             }

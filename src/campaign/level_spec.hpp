@@ -57,8 +57,10 @@ struct LevelSpec {
     [[nodiscard]] std::optional<double> scale(Level const& level, Intensity const& wave) const;
 };
 
-/// Keys: measure, period (of sa), values (list or {from, to, count, spacing}), design_basis, beyond_design, waves. A
-/// named level that is not among the values is added to them; named levels need no values. \throws InputError
+/// What [levels] may state.
+extern config::KeyTable const levels_table;
+
+/// A named level that is not among the values is added to them; named levels need no values. \throws InputError
 [[nodiscard]] LevelSpec read_levels(config::Table const& table);
 
 /// "ordinary", "design-basis", "beyond-design".

@@ -14,15 +14,45 @@ namespace {
 
 using config::Table;
 
+std::vector<config::Word> quantity_words() {
+    std::vector<config::Word> words;
+    for (auto const& quantity : limit_quantities()) {
+        words.push_back({quantity.name, quantity.description});
+    }
+    return words;
+}
+
+constexpr config::Range half_widths{.low = 0, .high = 0.5, .low_open = true};
+constexpr config::Keys precision_keys{config::number_key("target_half_width", Dimension::none, half_widths,
+                                                         "of the interval of every P; a run stops when it is reached")
+                                          .optional(),
+                                      config::number_key("target_median_half_width", Dimension::none, half_widths,
+                                                         "of the interval of the median, over the median; likewise")
+                                          .optional()};
+constexpr config::Keys limit_keys{
+    config::text_key("name", "of the limit state"),
+    config::word_key("quantity", &quantity_words, "the stored response that is compared")
+        .only("there is no any and no all"),
+    config::number_key("above", Dimension::none, config::Range::not_negative(), "passed where it is larger")
+        .in_unit_of("quantity")
+        .only("quantity is stated, and no below"),
+    config::number_key("below", Dimension::none, config::Range::positive(), "passed where it is smaller")
+        .in_unit_of("quantity")
+        .only("quantity is stated, and no above"),
+    config::texts_key("any", "limit states before this one, any of which passes it")
+        .only("there is no quantity and no all"),
+    config::texts_key("all", "limit states before this one, all of which pass it")
+        .only("there is no quantity and no any")};
+
 PrecisionTarget read_target(Table const& table, WavesOfLevels waves, PrecisionTarget target) {
-    constexpr double largest = 0.5;
-    config::Range const range{.low = 0, .high = largest, .low_open = true};
-    for (auto const& [key, value] : {std::pair{"target_half_width", &target.half_width},
-                                     std::pair{"target_median_half_width", &target.median_half_width}}) {
+    for (auto const& [described, value] :
+         {std::pair{precision_keys["target_half_width"], &target.half_width},
+          std::pair{precision_keys["target_median_half_width"], &target.median_half_width}}) {
+        auto const key = described.name;
         if (!table.has(key)) {
             continue;
         }
-        *value = table.number(key, Dimension::none, range);
+        *value = table.number(described);
         if (waves == WavesOfLevels::grid) {
             table.fail(key,
                        "of a grid of frequencies (it is no sample, so that no probability gets more precise). "
@@ -38,7 +68,7 @@ PrecisionTarget read_target(Table const& table, WavesOfLevels waves, PrecisionTa
 }
 
 std::string read_name(Table const& table, std::span<LimitState const> before) {
-    auto name = table.text("name");
+    auto name = table.text(limit_keys["name"]);
     if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos) {
         table.fail("name", fmt::format("'{}' (names a group of the results file). Choose another, without '/'", name));
     }
@@ -50,7 +80,7 @@ std::string read_name(Table const& table, std::span<LimitState const> before) {
 }
 
 LimitQuantity read_quantity(Table const& table) {
-    auto const name = table.text("quantity");
+    auto const name = table.text(limit_keys["quantity"]);
     auto const all = limit_quantities();
     auto const found = std::ranges::find(all, name, &LimitQuantity::name);
     if (found == all.end()) {
@@ -100,19 +130,19 @@ void call_for(Table const& table, LimitQuantity const& quantity, EffectRequest& 
 
 void read_threshold(Table const& table, LimitState& limit, EffectRequest& effects) {
     limit.quantity = read_quantity(table);
-    auto const* const key = table.has("below") ? "below" : "above";
+    auto const& key = table.has("below") ? limit_keys["below"] : limit_keys["above"];
     limit.rule = table.has("below") ? LimitState::Rule::below : LimitState::Rule::above;
     if (table.has("above") && table.has("below")) {
         table.fail("below", "stated beside above (one side fails). Keep one, or join two limits with any or all");
     }
-    bool const above = limit.rule == LimitState::Rule::above;
-    limit.threshold = table.number(key, dimension_of(limit.quantity), {.low = 0, .low_open = !above});
+    limit.threshold = table.number(key, {.dimension = dimension_of(limit.quantity)});
     call_for(table, limit.quantity, effects);
 }
 
-void read_parts(Table const& table, char const* key, LimitState& limit, std::span<LimitState const> before) {
-    limit.rule = std::string_view(key) == "any" ? LimitState::Rule::any : LimitState::Rule::all;
-    for (auto const& name : table.texts(key)) {
+void read_parts(Table const& table, config::Key const& joined, LimitState& limit, std::span<LimitState const> before) {
+    auto const key = joined.name;
+    limit.rule = key == "any" ? LimitState::Rule::any : LimitState::Rule::all;
+    for (auto const& name : table.texts(joined)) {
         auto const found = std::ranges::find(before, name, &LimitState::name);
         if (found == before.end()) {
             std::vector<std::string> names;
@@ -144,12 +174,17 @@ LimitState read_limit(Table const& table, std::span<LimitState const> before, Ef
     if (table.has("quantity")) {
         read_threshold(table, limit, effects);
     } else {
-        read_parts(table, stated.front(), limit, before);
+        read_parts(table, table.has("any") ? limit_keys["any"] : limit_keys["all"], limit, before);
     }
     return limit;
 }
 
 }  // namespace
+
+constinit config::KeyTable const precision_table{.meaning = "precision at which a run may stop",
+                                                 .keys = precision_keys.all};
+constinit config::KeyTable const limit_table{
+    .meaning = "a limit state beside overturning", .keys = limit_keys.all, .also = {&precision_table}};
 
 std::vector<LimitState> read_limits(config::Table const& root, config::Table const& statistics, WavesOfLevels waves,
                                     EffectRequest& effects) {

@@ -93,8 +93,11 @@ class LimitJudge {
 /// Which waves the levels have: the same, each its own, or the same points of a grid.
 enum class WavesOfLevels { shared, independent, grid };
 
-/// Reads [[limits]], behind overturning, which is always there: name, quantity with above or below, or any or all of
-/// others stated before it; target_half_width and target_median_half_width, else those of [statistics].
+extern config::KeyTable const limit_table;      ///< of [[limits]]
+extern config::KeyTable const precision_table;  ///< what a campaign may stop at: in [statistics], and of one limit
+
+/// Reads [[limits]], behind overturning, which is always there. Targets that a limit does not state are those of
+/// [statistics].
 /// \param statistics [statistics], whose targets are read too \param effects gets what limits call for
 /// \throws InputError
 [[nodiscard]] std::vector<LimitState> read_limits(config::Table const& root, config::Table const& statistics,

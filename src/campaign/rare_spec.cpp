@@ -17,6 +17,22 @@ constexpr std::array rare_methods{
     config::Entry<Wish>{"crude", "plain trials, counted", rare::Method::crude},
 };
 
+constexpr std::int64_t fewest_replicates = 4;  // fewer give no interval
+constexpr std::int64_t most_replicates = 4095;
+constexpr std::int64_t fewest_counted = 1000;
+constexpr std::int64_t most_runs = 1'000'000'000;
+constexpr config::Keys rare_keys{
+    config::word_key<rare_methods>("method", "how rare events are sought").otherwise("auto"),
+    config::number_key("target_cov", Dimension::none, {.low = 0.01, .high = 1},
+                       "wanted standard error over probability")
+        .otherwise(RareSpec{}.target_cov),
+    config::integer_key("replicates", fewest_replicates, most_replicates,
+                        "independent estimates; grown up to four times to meet target_cov")
+        .otherwise(RareSpec{}.replicates),
+    config::integer_key("max_runs", fewest_counted, most_runs,
+                        "trials of an estimator at most; of others than crude at least 20000")
+        .otherwise(RareSpec{}.max_runs)};
+
 void check_levels(config::Table const& root, LevelSpec const& levels) {
     if (levels.measure != LevelMeasure::factor) {
         root.child("levels").fail(
@@ -53,21 +69,21 @@ void check_waves(config::Table const& root, WaveSource const& source, Wish const
 
 }  // namespace
 
+constinit config::KeyTable const rare_keys_table{.meaning = "probabilities that are rare, estimated at every level",
+                                                 .keys = rare_keys.all};
+
 std::optional<RareSpec> read_rare(config::Table const& root, LevelSpec const& levels, WaveSource const& source) {
     if (!root.has("rare")) {
         return std::nullopt;
     }
     auto const table = root.child("rare");
     RareSpec spec;
-    spec.method = table.choice<Wish>("method", rare_methods, std::nullopt);
-    spec.target_cov = table.number("target_cov", Dimension::none, {.low = 0.01, .high = 1}, spec.target_cov);
-    constexpr std::int64_t fewest_replicates = 4;  // fewer give no interval
-    constexpr std::int64_t most_replicates = 4095;
-    spec.replicates = table.integer("replicates", fewest_replicates, most_replicates, spec.replicates);
+    spec.method = table.choice<Wish>(rare_keys["method"], rare_methods);
+    spec.target_cov = table.number(rare_keys["target_cov"]);
+    spec.replicates = table.integer(rare_keys["replicates"]);
     // A first look and the first stage of an estimator; plain trials are counted however few.
-    std::int64_t const fewest_runs = spec.method == rare::Method::crude ? 1000 : 20'000;
-    constexpr std::int64_t most_runs = 1'000'000'000;
-    spec.max_runs = table.integer("max_runs", fewest_runs, most_runs, spec.max_runs);
+    std::int64_t const fewest_runs = spec.method == rare::Method::crude ? fewest_counted : 20'000;
+    spec.max_runs = table.integer(rare_keys["max_runs"], {.least = fewest_runs});
     table.finish();
     check_levels(root, levels);
     check_waves(root, source, spec.method);

@@ -18,8 +18,10 @@ struct RareSpec {
     std::int64_t max_runs = 1'000'000;   ///< waves per estimator, body and level
 };
 
-/// Reads [rare]: method (auto | pulse-mixture | subset | crude), target_cov (0.1), replicates (8), max_runs (1e6).
-/// Nothing where there is no such table. \throws InputError where the campaign's levels or waves are not for these
+/// What [rare] may state.
+extern config::KeyTable const rare_keys_table;
+
+/// Nothing where there is no [rare]. \throws InputError where the campaign's levels or waves are not for these
 /// estimators, with the reason and what to do
 [[nodiscard]] std::optional<RareSpec> read_rare(config::Table const& root, LevelSpec const& levels,
                                                 WaveSource const& source);

@@ -21,34 +21,57 @@ constexpr std::array distribution_kinds{
     config::Entry<DistributionKind>{"lognormal", "median, beta, low, high", DistributionKind::lognormal},
     config::Entry<DistributionKind>{"uniform", "low, high", DistributionKind::uniform}};
 
-Distribution read_stated(Table const& given, DistributionKind kind, Dimension dimension, Range range) {
+constexpr std::string_view as_the_value = "the value";
+constexpr config::Key share_of(std::string_view name, std::string_view meaning) {
+    return config::number_key(name, Dimension::none, Range::any(), meaning).in_unit_of(as_the_value);
+}
+constexpr config::Keys distribution_keys{
+    config::word_key<distribution_kinds>("distribution", "which one"),
+    share_of("value", "the value itself").only("distribution = fixed"),
+    share_of("mean", "mean").only("distribution = normal"),
+    share_of("deviation", "standard deviation").only("distribution = normal"),
+    share_of("median", "median").only("distribution = lognormal"),
+    config::number_key("beta", Dimension::none, {.low = 0, .high = 2}, "standard deviation of the logarithm")
+        .only("distribution = lognormal"),
+    share_of("low", "least value; of a uniform one required").otherwise_said("what the key's range allows"),
+    share_of("high", "largest value; of a uniform one required").otherwise_said("what the key's range allows")};
+
+Distribution read_stated(Table const& given, DistributionKind kind, config::Given const& value) {
     switch (kind) {
         case DistributionKind::fixed:
-            return Distribution::fixed(given.number("value", dimension, range));
+            return Distribution::fixed(given.number(distribution_keys["value"], value));
         case DistributionKind::normal:
-            return Distribution::normal(given.number("mean", dimension, range),
-                                        given.number("deviation", dimension, Range::not_negative()));
+            return Distribution::normal(given.number(distribution_keys["mean"], value),
+                                        given.number(distribution_keys["deviation"],
+                                                     {.range = Range::not_negative(), .dimension = value.dimension}));
         case DistributionKind::lognormal:
-            return Distribution::lognormal(given.number("median", dimension, range),
-                                           given.number("beta", Dimension::none, {.low = 0, .high = 2}));
+            return Distribution::lognormal(given.number(distribution_keys["median"], value),
+                                           given.number(distribution_keys["beta"]));
         case DistributionKind::uniform:
             break;
     }
-    return Distribution::uniform(given.number("low", dimension, range), given.number("high", dimension, range));
+    return Distribution::uniform(given.number(distribution_keys["low"], value),
+                                 given.number(distribution_keys["high"], value));
 }
 
 }  // namespace
 
-Distribution read_distribution(Table const& table, std::string_view key, Dimension dimension, Range range) {
-    if (table.kind(key) != config::Kind::table) {
-        return Distribution::fixed(table.number(key, dimension, range));
+constinit config::KeyTable const distribution_table{.meaning = "a value that is not known exactly, drawn for each wave",
+                                                    .keys = distribution_keys.all};
+
+Distribution read_distribution(Table const& table, config::Key const& key) {
+    if (table.kind(key.name) != config::Kind::table) {
+        return Distribution::fixed(table.number(key));
     }
     auto const given = table.child(key);
-    auto const kind = given.choice<DistributionKind>("distribution", distribution_kinds);
-    auto distribution = given.located("distribution", [&] { return read_stated(given, kind, dimension, range); });
+    config::Given const value{.range = key.range, .dimension = key.dimension};
+    auto const kind = given.choice<DistributionKind>(distribution_keys["distribution"], distribution_kinds);
+    auto distribution = given.located("distribution", [&] { return read_stated(given, kind, value); });
     if (kind == DistributionKind::normal || kind == DistributionKind::lognormal) {
-        double const low = given.number("low", dimension, range, range.low);
-        double const high = given.number("high", dimension, range, range.high);
+        double const low = given.number(distribution_keys["low"],
+                                        {.otherwise = key.range.low, .range = key.range, .dimension = key.dimension});
+        double const high = given.number(distribution_keys["high"],
+                                         {.otherwise = key.range.high, .range = key.range, .dimension = key.dimension});
         distribution = given.located("distribution", [&] { return distribution.truncated(low, high); });
     }
     given.finish();

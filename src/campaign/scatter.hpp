@@ -13,9 +13,15 @@ namespace overturn {
 
 /// `key` as a number, or as { distribution = "fixed" | "normal" | "lognormal" | "uniform", ... }: value; mean,
 /// deviation; median, beta; low, high. `low` and `high` truncate a normal or lognormal one.
-/// \param range every draw lies in it: what it forbids is cut off. \throws InputError
-[[nodiscard]] Distribution read_distribution(config::Table const& table, std::string_view key, Dimension dimension,
-                                             config::Range range);
+/// Every draw lies in the key's range: what that forbids is cut off. \throws InputError
+[[nodiscard]] Distribution read_distribution(config::Table const& table, config::Key const& key);
+
+extern config::KeyTable const distribution_table;
+/// A number that may be stated as a distribution.
+[[nodiscard]] constexpr config::Key distribution_key(std::string_view name, Dimension dimension, config::Range range,
+                                                     std::string_view meaning) {
+    return config::number_key(name, dimension, range, meaning).or_as(config::table_key<distribution_table>(name, ""));
+}
 
 /// The uncertain quantities of a body: one draw of each per wave, the same at every level. Empty: known exactly.
 struct BodyScatter {

@@ -27,8 +27,10 @@ bool is_there(std::filesystem::path const& place) {
 
 }  // namespace
 
+std::vector<config::Word> keeping_words() { return config::words_of<keeping_kinds>(); }
+
 bool keeps_hashes_only(config::Table const& root) {
-    bool const hashes = root.choice<Kept>("inputs", keeping_kinds, Kept::whole) == Kept::hashes;
+    bool const hashes = root.choice<Kept>(inputs_key, keeping_kinds) == Kept::hashes;
     if (hashes && root.child("waves").text("source") != "records") {
         root.fail("inputs",
                   "hash-only (for source = \"records\": other waves cannot be made without their files). "

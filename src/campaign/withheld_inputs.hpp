@@ -10,7 +10,12 @@
 
 namespace overturn {
 
-/// Reads the campaign's key `inputs`. \throws InputError if it is "hash-only" and the waves are no records
+/// Key `inputs` of a campaign: what its results file holds of the files that it names.
+[[nodiscard]] std::vector<config::Word> keeping_words();
+inline constexpr config::Key inputs_key =
+    config::word_key("inputs", &keeping_words, "what the results file keeps of input files").otherwise("stored");
+
+/// Reads it. \throws InputError if it is "hash-only" and the waves are no records
 [[nodiscard]] bool keeps_hashes_only(config::Table const& root);
 
 /// What a results file keeps of the input files: all of them, or hashes in place of what is no TOML.

@@ -1,12 +1,19 @@
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "campaign/campaign_spec.hpp"
 #include "campaign/limit_state.hpp"
 #include "cli/assumptions_told.hpp"
+#include "cli/key_list.hpp"
 #include "cli/verbs.hpp"
+#include "config/key_reference.hpp"
+#include "config/suggestion.hpp"
 #include "generators/acceptance.hpp"
 #include "generators/envelope.hpp"
 #include "motion/record.hpp"
@@ -26,15 +33,55 @@ template <class Value> void print_entries(char const* heading, std::span<config:
 }
 
 struct ListOptions {
-    std::string what;
-    bool json = false;
+    std::string what, table;
+    bool json = false, schema = false, markdown = false;
 };
 
+// The tables that stand at `path` and within, or all.
+std::vector<config::PlacedTable> chosen_tables(std::string const& path) {
+    auto all = tables_within(campaign_table);
+    if (path.empty()) {
+        return all;
+    }
+    std::vector<config::PlacedTable> chosen;
+    std::vector<std::string> known;
+    for (auto const& placed : all) {
+        for (auto const& place : placed.places) {
+            if (std::ranges::find(known, place.path) == known.end() && !place.path.empty()) {
+                known.push_back(place.path);
+            }
+        }
+        if (std::ranges::any_of(placed.places, [&](config::TablePlace const& place) {
+                return place.path == path || place.path.starts_with(path + ".");
+            })) {
+            chosen.push_back(placed);
+        }
+    }
+    validate(!chosen.empty(), "list keys '{}' (no table of a campaign). {}", path, config::suggestion(path, known));
+    return chosen;
+}
+
+int list_keys(ListOptions const& options) {
+    auto const tables = chosen_tables(options.table);
+    validate(std::ranges::count(std::array{options.json, options.schema, options.markdown}, true) <= 1,
+             "--json, --schema and --markdown (one page has one form). Keep one of them");
+    fmt::print("{}", options.json       ? keys_json(tables).dump(2) + "\n"
+                     : options.schema   ? schema_text(keys_schema(*tables.front().table))
+                     : options.markdown ? keys_markdown(tables)
+                                        : keys_text(tables));
+    return done;
+}
+
 int list(ListOptions const& options) {
-    validate(options.what.empty() || options.what == "assumptions",
-             "list '{}' (unknown). Say assumptions, or nothing: everything else", options.what);
+    validate(options.what.empty() || options.what == "assumptions" || options.what == "keys",
+             "list '{}' (unknown). Say assumptions, keys, or nothing: everything else", options.what);
+    if (options.what == "keys") {
+        return list_keys(options);
+    }
+    validate(options.table.empty(), "'{}' (one argument too many). See overturn list --help", options.table);
+    validate(!options.schema && !options.markdown, "--schema and --markdown (of keys alone). Say overturn list keys");
     validate(!options.json || !options.what.empty(),
-             "--json (of assumptions alone). Say overturn list assumptions "
+             "--json (of keys and assumptions alone). Say overturn list assumptions "
              "--json");
     if (!options.what.empty()) {
         fmt::print("{}", options.json ? model_assumptions_json().dump(2) + "\n" : model_assumptions_text());
@@ -65,17 +112,21 @@ int list(ListOptions const& options) {
             fmt::print("  {:<22} {}\n", fmt::format("{}/{}", model.traits().name, column.name), column.description);
         }
     }
-    fmt::print("what the model assumes: overturn list assumptions\n");
+    fmt::print("what a campaign may state: overturn list keys; what the model assumes: overturn list assumptions\n");
     return done;
 }
 
 }  // namespace
 
 void add_list(CommandLine& line) {
-    auto verb = line.verb("list", "what can be asked for: sources, targets, formats, effects, measures");
+    auto verb = line.verb(
+        "list", "what can be asked for: sources, targets, formats, effects, measures; all keys of a campaign");
     auto options = std::make_shared<ListOptions>();
-    verb.takes("what", options->what, "assumptions: what the model takes for granted");
-    verb.takes("--json", options->json, "assumptions as JSON");
+    verb.takes("what", options->what, "keys: what a campaign may state; assumptions: what the model takes for granted");
+    verb.takes("table", options->table, "keys of this table and those in it: waves, bodies.pad, ...");
+    verb.takes("--json", options->json, "keys or assumptions as JSON");
+    verb.takes("--schema", options->schema, "keys as a JSON schema, for editors of TOML");
+    verb.takes("--markdown", options->markdown, "keys as a page");
     verb.does([options] { return list(*options); });
 }
 

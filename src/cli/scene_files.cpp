@@ -63,6 +63,7 @@ void note_warnings(std::vector<std::string> const& lines) {
 BodySpec load_body(std::string const& path) {
     InputFiles files(".");
     auto const table = config::Table::parse(files.read(path), path);
+    table.described_by(bodies_table);
     return read_body(table, files);
 }
 

@@ -13,10 +13,10 @@ struct Range {
     bool low_open = false;   ///< true: low itself is refused
     bool high_open = false;  ///< true: high itself is refused
 
-    [[nodiscard]] static Range any() { return {}; }
-    [[nodiscard]] static Range positive() { return {.low = 0, .low_open = true}; }
-    [[nodiscard]] static Range not_negative() { return {.low = 0}; }
-    [[nodiscard]] static Range between(double low, double high) { return {.low = low, .high = high}; }
+    [[nodiscard]] static constexpr Range any() { return {}; }
+    [[nodiscard]] static constexpr Range positive() { return {.low = 0, .low_open = true}; }
+    [[nodiscard]] static constexpr Range not_negative() { return {.low = 0}; }
+    [[nodiscard]] static constexpr Range between(double low, double high) { return {.low = low, .high = high}; }
 
     [[nodiscard]] bool holds(double value) const;
     [[nodiscard]] std::string text() const;

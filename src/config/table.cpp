@@ -98,6 +98,7 @@ void check_range(double value, Range const& range, Dimension dimension) {
 }  // namespace
 
 double Table::number(std::string_view key, Dimension dimension, Range range) const {
+    node_->check_read(key, Form::number, dimension, range);
     return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
         double const value = quantity_of(node, dimension);
         check_range(value, range, dimension);
@@ -107,6 +108,7 @@ double Table::number(std::string_view key, Dimension dimension, Range range) con
 }
 
 double Table::number(std::string_view key, Dimension dimension, Range range, double otherwise) const {
+    node_->check_default(key, {.kind = Default::Kind::value, .number = otherwise});
     if (has(key)) {
         return number(key, dimension, range);
     }
@@ -122,6 +124,7 @@ std::optional<double> Table::maybe_number(std::string_view key, Dimension dimens
 }
 
 std::vector<double> Table::numbers(std::string_view key, Dimension dimension, Range range) const {
+    node_->check_read(key, Form::numbers, dimension, range);
     return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
         validate(node.is_array(), "{} (must be a list of numbers). Write [1, 2]", kind_name(node));
         std::vector<double> values;
@@ -135,6 +138,7 @@ std::vector<double> Table::numbers(std::string_view key, Dimension dimension, Ra
 }
 
 std::vector<std::pair<double, double>> Table::pairs(std::string_view key, Dimension first, Dimension second) const {
+    node_->check_read(key, Form::pairs, second);
     return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
         validate(node.is_array(), "{} (must be a list of [x, y] pairs). Write [[1, 2], [3, 4]]", kind_name(node));
         std::vector<std::pair<double, double>> values;
@@ -151,6 +155,7 @@ std::vector<std::pair<double, double>> Table::pairs(std::string_view key, Dimens
 }
 
 std::int64_t Table::integer(std::string_view key, std::int64_t low, std::int64_t high) const {
+    node_->check_read(key, Form::integer);
     return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
         auto const value = node.value_exact<std::int64_t>();
         validate(value.has_value(), "{} (must be a whole number). Write it without {}", kind_name(node),
@@ -162,6 +167,7 @@ std::int64_t Table::integer(std::string_view key, std::int64_t low, std::int64_t
 }
 
 std::int64_t Table::integer(std::string_view key, std::int64_t low, std::int64_t high, std::int64_t otherwise) const {
+    node_->check_default(key, {.kind = Default::Kind::value, .integer = otherwise});
     if (has(key)) {
         return integer(key, low, high);
     }
@@ -170,6 +176,8 @@ std::int64_t Table::integer(std::string_view key, std::int64_t low, std::int64_t
 }
 
 bool Table::boolean(std::string_view key, bool otherwise) const {
+    node_->check_read(key, Form::boolean);
+    node_->check_default(key, {.kind = Default::Kind::value, .boolean = otherwise});
     if (!has(key)) {
         keep_default(key, otherwise ? "true" : "false");
         return otherwise;
@@ -183,6 +191,7 @@ bool Table::boolean(std::string_view key, bool otherwise) const {
 }
 
 std::string Table::text(std::string_view key) const {
+    node_->check_read(key, Form::text);
     return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
         auto const value = node.value_exact<std::string>();
         validate(value.has_value(), "{} (must be a text). Put it in quotes", kind_name(node));
@@ -192,6 +201,7 @@ std::string Table::text(std::string_view key) const {
 }
 
 std::string Table::text(std::string_view key, std::string_view otherwise) const {
+    node_->check_default(key, {.kind = Default::Kind::value, .words = otherwise});
     if (has(key)) {
         return text(key);
     }
@@ -202,6 +212,7 @@ std::string Table::text(std::string_view key, std::string_view otherwise) const 
 }
 
 std::vector<std::string> Table::texts(std::string_view key) const {
+    node_->check_read(key, Form::texts);
     return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
         validate(node.is_array(), R"({} (must be a list of texts). Write ["one", "two"])", kind_name(node));
         std::vector<std::string> values;
@@ -217,6 +228,7 @@ std::vector<std::string> Table::texts(std::string_view key) const {
 }
 
 Table Table::child(std::string_view key) const {
+    node_->check_read(key, Form::table);
     return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
         validate(node.is_table(), "{} (must be a table). Write its keys in braces or under its own heading",
                  kind_name(node));
@@ -232,10 +244,12 @@ Table Table::child_or_empty(std::string_view key) const {
     nothing.node_->ledger = node_->ledger;
     nothing.node_->ledger_path = node_->ledger_key(key);
     nothing.node_->depth = node_->depth;
+    nothing.node_->described = node_->tables_at(key);
     return nothing;
 }
 
 std::vector<Table> Table::children(std::string_view key) const {
+    node_->check_read(key, Form::tables);
     return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
         validate(node.is_array(), "{} (must be a list of tables). Write [[{}]]", kind_name(node), key);
         std::vector<Table> tables;

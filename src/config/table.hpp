@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "config/input_value.hpp"
+#include "config/key.hpp"
 #include "config/range.hpp"
 #include "config/registry.hpp"
 #include "core/error.hpp"
@@ -23,6 +24,18 @@ namespace overturn::config {
 
 /// What kind of value stands behind a key.
 enum class Kind { absent, number, text, boolean, list, table };
+
+/// What is known of a number only when it is read; else its key says it.
+struct Given {
+    std::optional<double> otherwise = {};     ///< [SI] of a key whose default is said in words
+    std::optional<Range> range = {};          ///< within that of the key
+    std::optional<Dimension> dimension = {};  ///< of a key whose unit is that of another
+};
+
+/// As Given, of a whole number.
+struct GivenInteger {
+    std::optional<std::int64_t> otherwise = {}, least = {}, most = {};
+};
 
 /// One TOML table. Copies share the record of which keys were read; call finish() when all have been.
 /// All readers throw InputError with the key's place in the file; a quantity may be a bare SI number or "1.5 unit".
@@ -36,6 +49,34 @@ class Table {
 
     [[nodiscard]] bool has(std::string_view key) const { return kind(key) != Kind::absent; }
     [[nodiscard]] Kind kind(std::string_view key) const;
+
+    /// Holds every value read from this table, from tables in it and from documents it names to what is described:
+    /// a key that is not, or that is read as something else, is a ContractError.
+    void described_by(KeyTable const& description) const;
+
+    /// \name Readers of described keys: the key says unit, range and default.
+    /// @{
+    [[nodiscard]] double number(Key const& key, Given const& given = {}) const;
+    [[nodiscard]] std::optional<double> maybe_number(Key const& key, Given const& given = {}) const;
+    [[nodiscard]] std::vector<double> numbers(Key const& key, Given const& given = {}) const;
+    [[nodiscard]] std::vector<std::pair<double, double>> pairs(Key const& key, Given const& given = {}) const;
+    [[nodiscard]] std::int64_t integer(Key const& key, GivenInteger const& given = {}) const;
+    [[nodiscard]] bool boolean(Key const& key) const;
+    /// \param otherwise of a key whose default is said in words; "" where an optional one is absent
+    [[nodiscard]] std::string text(Key const& key, std::string_view otherwise = {}) const;
+    [[nodiscard]] std::vector<std::string> texts(Key const& key) const;
+    /// \param entries the registry that the key's words are of
+    template <class Value> [[nodiscard]] Value choice(Key const& key, std::span<Entry<Value> const> entries) const {
+        if (!has(key.name) && key.absent.kind == Default::Kind::value) {
+            keep_default(key.name, std::string(key.absent.words));
+            return find_entry(entries, key.absent.words, key.name).value;
+        }
+        return choice(key.name, entries);
+    }
+    [[nodiscard]] Table child(Key const& key) const { return child(key.name); }
+    [[nodiscard]] Table child_or_empty(Key const& key) const { return child_or_empty(key.name); }
+    [[nodiscard]] std::vector<Table> children(Key const& key) const { return children(key.name); }
+    /// @}
 
     [[nodiscard]] double number(std::string_view key, Dimension dimension, Range range) const;
     [[nodiscard]] double number(std::string_view key, Dimension dimension, Range range, double otherwise) const;
@@ -77,7 +118,7 @@ class Table {
         if constexpr (std::equality_comparable<Value>) {
             for (auto const& entry : entries) {
                 if (entry.value == otherwise) {
-                    keep_default(key, std::string(entry.name));
+                    take_default_word(key, entry.name);
                 }
             }
         }
@@ -109,6 +150,7 @@ class Table {
     /// Says which keys this table may have, before any is read: a missing one is then told together with those that
     /// are not among them.
     void may_have(std::initializer_list<std::string_view> keys) const;
+    void may_have(KeyTable const& keys) const;
 
     /// Runs `build`, putting the place of `key` in front of any InputError it throws that names no file itself.
     template <class Build> auto located(std::string_view key, Build&& build) const {
@@ -124,6 +166,7 @@ class Table {
 
   private:
     void keep_default(std::string_view key, std::string text) const;
+    void take_default_word(std::string_view key, std::string_view word) const;
 
     struct Node;
     explicit Table(std::shared_ptr<Node> node) : node_(std::move(node)) {}

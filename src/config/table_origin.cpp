@@ -213,6 +213,7 @@ std::shared_ptr<Table::Node> Table::Node::below(std::string_view key, toml::tabl
     node->ledger = ledger;
     node->ledger_path = ledger_key(numbered);
     node->depth = depth;
+    node->described = tables_at(key);
     node->inherited = origin_of(key);
     validate(node->inherited.range == nullptr,
              "range of a table (it is each value that lies between two). State it "
@@ -259,6 +260,7 @@ Table Table::named_document(std::string_view text, std::string file) const {
     document.node_->ledger = node_->ledger;
     document.node_->ledger_path = node_->ledger_path;
     document.node_->depth = node_->depth + 1;
+    document.node_->described = node_->described;
     return document;
 }
 

@@ -7,27 +7,50 @@
 namespace overturn {
 namespace {
 
+constexpr config::Range fraction{.low = 0, .high = 1, .low_open = true, .high_open = true};
+constexpr config::Keys target_keys{
+    config::word_key<named_targets>("spectrum", "a published spectrum").only("there are no points and no file"),
+    config::number_key("pga", Dimension::acceleration, config::Range::positive(),
+                       "peak acceleration that scales a spectrum of unit height")
+        .optional()
+        .only("spectrum is stated"),
+    config::pairs_key("points", Dimension::time, Dimension::acceleration, "[period, ordinate], straight in log-log")
+        .in_unit_of("kind")
+        .only("there is no spectrum and no file"),
+    config::text_key("file", "file of two columns, period and ordinate").only("there is no spectrum and no points"),
+    config::word_key<target_kinds>("kind", "what the ordinates are").only("points or file are stated"),
+    config::text_key("unit", "of the ordinates, where neither points nor the file's header state one")
+        .otherwise_said("SI")
+        .only("points or file are stated"),
+    config::number_key("damping", Dimension::none, fraction, "of the oscillators, fraction of critical")
+        .otherwise(0.05),
+    config::number_key("stated_damping", Dimension::none, fraction, "of the spectrum as it is stated")
+        .otherwise_said("that of damping"),
+    config::word_key<damping_rules>("damping_rule", "that carries it from stated_damping to damping").optional(),
+    config::number_key("scale", Dimension::none, config::Range::positive(), "factor on all ordinates").otherwise(1),
+    config::number_key("time_scale", Dimension::none, config::Range::positive(), "factor on all periods, for a model")
+        .otherwise(1)};
+
 TargetSpectrum read_named(config::Table const& table, double damping) {
-    auto const make = table.choice("spectrum", named_targets());
-    NamedTargetInput input{.damping = damping,
-                           .pga_mps2 = table.maybe_number("pga", Dimension::acceleration, config::Range::positive())};
+    auto const make = table.choice(target_keys["spectrum"], named_targets());
+    NamedTargetInput input{.damping = damping, .pga_mps2 = table.maybe_number(target_keys["pga"])};
     return table.located("spectrum", [&] { return make(input); });
 }
 
 TargetSpectrum read_tabulated(config::Table const& table, InputFiles& files, double damping) {
-    auto const kind = table.choice("kind", target_kinds());
+    auto const kind = table.choice(target_keys["kind"], target_kinds());
     auto const ordinate = dimension_of(kind);
     std::optional<double> unit;
     if (table.has("unit")) {
-        auto const symbol = table.text("unit");
+        auto const symbol = table.text(target_keys["unit"]);
         unit = table.located("unit", [&] { return unit_factor(symbol, ordinate); });
     }
     if (table.has("file")) {
-        auto const name = table.text("file");
+        auto const name = table.text(target_keys["file"]);
         return table.located("file", [&] { return parse_target_table(files.read(name), name, kind, damping, unit); });
     }
     // With a unit stated for all of them, points are numbers alone.
-    auto points = table.pairs("points", Dimension::time, unit ? Dimension::none : ordinate);
+    auto points = table.pairs(target_keys["points"], {.dimension = unit ? Dimension::none : ordinate});
     for (auto& point : points) {
         point.second *= unit.value_or(1);
     }
@@ -37,27 +60,29 @@ TargetSpectrum read_tabulated(config::Table const& table, InputFiles& files, dou
 
 }  // namespace
 
+constinit config::KeyTable const target_table{.meaning = "a response spectrum: spectrum, points or file states it",
+                                              .keys = target_keys.all};
+
 TargetSpectrum read_target(config::Table const& table, InputFiles& files) {
-    table.may_have({"spectrum", "pga", "kind", "points", "file", "unit", "damping", "stated_damping", "damping_rule",
-                    "scale", "time_scale", "longest", "ratio", "correlation"});
-    constexpr config::Range fraction{.low = 0, .high = 1, .low_open = true, .high_open = true};
-    auto const damping = table.number("damping", Dimension::none, fraction, 0.05);
+    table.may_have(target_table);
+    table.may_have({"longest", "ratio", "correlation"});  // of the tables round it
+    auto const damping = table.number(target_keys["damping"]);
     int const ways = (table.has("spectrum") ? 1 : 0) + (table.has("points") ? 1 : 0) + (table.has("file") ? 1 : 0);
     if (ways != 1) {
         table.fail({}, "no single target (exactly one of spectrum, points, file states it). Keep one");
     }
-    auto const stated = table.number("stated_damping", Dimension::none, fraction, damping);
+    auto const stated = table.number(target_keys["stated_damping"], {.otherwise = damping});
     auto target = table.has("spectrum") ? read_named(table, stated) : read_tabulated(table, files, stated);
     if (table.has("damping_rule")) {
-        auto const rule = table.choice("damping_rule", damping_rules());
+        auto const rule = table.choice(target_keys["damping_rule"], damping_rules());
         target = table.located("damping", [&] { return target.at_damping(damping, rule); });
     } else if (stated != damping) {
         table.fail("stated_damping", fmt::format("{} beside damping {} (nothing says how to carry the spectrum over). "
                                                  "Add damping_rule",
                                                  stated, damping));
     }
-    auto const scale = table.number("scale", Dimension::none, config::Range::positive(), 1.0);
-    auto const time_scale = table.number("time_scale", Dimension::none, config::Range::positive(), 1.0);
+    auto const scale = table.number(target_keys["scale"]);
+    auto const time_scale = table.number(target_keys["time_scale"]);
     return target.scaled(scale).at_time_scale(time_scale);
 }
 

@@ -26,7 +26,7 @@ TEST(Campaigns, AreAcceptedAsTheyStand) {
             continue;
         }
         auto const text = read_text(file.path());
-        EXPECT_TRUE(text.starts_with("# Question: ")) << file.path();
+        EXPECT_TRUE(text.starts_with("#:schema schema.json\n# Question: ")) << file.path();
         EXPECT_NE(text.find("\n# Cost: "), std::string::npos) << file.path();
         if (std::regex_search(text, std::regex("\nfolder += "))) {
             continue;  // see below

@@ -11,7 +11,8 @@ fail() { echo "install: $1" >&2; exit 1; }
 cmake --install "$build" --prefix "$scratch/prefix" > "$scratch/log" || fail "$(tail -3 "$scratch/log")"
 prefix=$scratch/prefix data=$scratch/prefix/share/overturn
 for file in bin/overturn share/man/man1/overturn.1 share/bash-completion/completions/overturn share/overturn/campaigns/quickstart.toml \
-            share/overturn/campaigns/bodies/cask_prototype.toml share/overturn/slurm/campaign.sbatch share/overturn/slurm/overturn.def \
+            share/overturn/campaigns/bodies/cask_prototype.toml share/overturn/campaigns/KEYS.md \
+            share/overturn/campaigns/schema.json share/overturn/campaigns/bodies/schema.json share/overturn/slurm/campaign.sbatch share/overturn/slurm/overturn.def \
             share/overturn/slurm/spack.yaml share/doc/overturn/LICENSE share/doc/overturn/THIRD_PARTY.md; do
     [ -s "$prefix/$file" ] || fail "$file is missing"
 done
@@ -40,6 +41,8 @@ complete_words() {
 }
 [ "$(complete_words overturn rep)" = "replay report" ] || fail "completion of 'rep': $(complete_words overturn rep)"
 [ "$(complete_words overturn run --max)" = --max-walltime ] || fail "completion of 'run --max'"
+[ "$(complete_words overturn list k)" = keys ] || fail "completion of 'list k'"
+[ "$(complete_words overturn list keys sta)" = statistics ] || fail "completion of 'list keys sta'"
 [ -z "$(complete_words overturn fit c.h)" ] || fail "completion of a file's name is bash's own"
 
 # Work, in a world without the source tree where the kernel lets us make one.

@@ -21,21 +21,57 @@ constexpr std::array shapes{
     config::Entry<BaseShape>{"round", "of the diameter base_width", BaseShape::round},
     config::Entry<BaseShape>{"polygon", "convex, with the corners that are stated", BaseShape::polygon}};
 
+constexpr std::array beddings{config::Entry<bool>{"corners", "nothing but the corners bears", true},
+                              config::Entry<bool>{"flat", "all of the base bears evenly", false}};
+constexpr config::Keys base_keys{
+    config::word_key<shapes>("shape", "outline of the base").otherwise("square"),
+    config::word_key<beddings>("bedding", "what of a square base bears, or the corners' share of the stiffness")
+        .or_as(config::number_key("bedding", Dimension::none, {.low = 0, .high = 1, .low_open = true}, ""))
+        .otherwise(1),
+    config::pairs_key("corners", Dimension::length, Dimension::length, "[x, y] of the corners of a convex polygon")
+        .only("shape = polygon"),
+    config::integer_key("points", 2, 1000, "points from corner to corner; of a round base round its rim")
+        .otherwise_said("11, of a round base 32")
+        .only("shape = square or round")};
+constexpr config::KeyTable base_table{.meaning = "the base that a body stands on", .keys = base_keys.all};
+constexpr config::Keys pad_keys{
+    config::number_key("vertical_frequency", Dimension::frequency, Range::positive(), "of the body on its whole base")
+        .otherwise(Pad{}.vertical_frequency_hz),
+    config::number_key("normal_restitution", Dimension::none, {.low = 0.05, .high = 1},
+                       "of one point in a flat drop, at any speed")
+        .otherwise(Pad{}.normal_restitution),
+    config::number_key("strength", Dimension::pressure, Range::positive(),
+                       "above which the pad is crushed for good; absent: it stays elastic")
+        .optional(),
+    config::number_key("tangential_ratio", Dimension::none, {.low = 0.01, .high = 100},
+                       "tangential over normal stiffness")
+        .otherwise(Pad{}.tangential_ratio),
+    config::number_key("tangential_damping", Dimension::none, Range::not_negative(), "fraction of critical")
+        .otherwise(Pad{}.tangential_damping),
+    config::boolean_key("match_restitution", "tune bed and points until the body rocks with its restitution")
+        .otherwise(Pad{}.match_restitution)};
+constexpr config::KeyTable pad_table{.meaning = "the pad under the base", .keys = pad_keys.all};
+constexpr config::Keys footing_keys{
+    config::table_key<base_table>("base", "the base it stands on; absent: two rigid corners").optional(),
+    config::table_key<pad_table>("pad", "the pad under it").optional(),
+    config::number_key("inertia_y", Dimension::inertia, Range::positive(), "about the axis across the rocking plane")
+        .otherwise_said("that of the rocking plane"),
+    config::number_key("inertia_z", Dimension::inertia, Range::positive(), "about the vertical axis")
+        .otherwise_said("that of the base's uniform solid")};
+
 std::optional<double> read_bedding(Table const& given) {
     if (given.kind("bedding") != Kind::text) {
-        return given.number("bedding", Dimension::none, {.low = 0, .high = 1, .low_open = true}, 1);
+        return given.number(base_keys["bedding"]);
     }
-    static constexpr std::array beddings{config::Entry<bool>{"corners", "nothing but the corners bears", true},
-                                         config::Entry<bool>{"flat", "all of the base bears evenly", false}};
-    return given.choice<bool>("bedding", beddings) ? std::optional(1.0) : std::nullopt;
+    return given.choice<bool>(base_keys["bedding"], beddings) ? std::optional(1.0) : std::nullopt;
 }
 
 BasePlan read_base(Table const& given) {
     BasePlan base;
-    base.shape = given.choice<BaseShape>("shape", shapes, BaseShape::square);
+    base.shape = given.choice<BaseShape>(base_keys["shape"], shapes);
     bool const square = base.shape == BaseShape::square;
     if (base.shape == BaseShape::polygon) {
-        for (auto const& [x, y] : given.pairs("corners", Dimension::length, Dimension::length)) {
+        for (auto const& [x, y] : given.pairs(base_keys["corners"])) {
             base.corners_m.push_back({x, y});
         }
     }
@@ -45,10 +81,9 @@ BasePlan read_base(Table const& given) {
         }
     }
     base.corner_share = square ? read_bedding(given) : 1;
-    constexpr std::int64_t most = 1000;
     if (base.shape != BaseShape::polygon) {
-        base.points = static_cast<int>(
-            given.integer("points", 2, most, square ? BasePlan::points_across : BasePlan::points_around));
+        base.points = static_cast<int>(given.integer(
+            base_keys["points"], {.otherwise = square ? BasePlan::points_across : BasePlan::points_around}));
     }
     given.finish();
     return base;
@@ -56,16 +91,12 @@ BasePlan read_base(Table const& given) {
 
 Pad read_pad(Table const& given) {
     Pad pad;
-    pad.vertical_frequency_hz =
-        given.number("vertical_frequency", Dimension::frequency, Range::positive(), pad.vertical_frequency_hz);
-    pad.normal_restitution =
-        given.number("normal_restitution", Dimension::none, {.low = 0.05, .high = 1}, pad.normal_restitution);
-    pad.strength_pa = given.maybe_number("strength", Dimension::pressure, Range::positive());
-    pad.tangential_ratio =
-        given.number("tangential_ratio", Dimension::none, {.low = 0.01, .high = 100}, pad.tangential_ratio);
-    pad.tangential_damping =
-        given.number("tangential_damping", Dimension::none, Range::not_negative(), pad.tangential_damping);
-    pad.match_restitution = given.boolean("match_restitution", pad.match_restitution);
+    pad.vertical_frequency_hz = given.number(pad_keys["vertical_frequency"]);
+    pad.normal_restitution = given.number(pad_keys["normal_restitution"]);
+    pad.strength_pa = given.maybe_number(pad_keys["strength"]);
+    pad.tangential_ratio = given.number(pad_keys["tangential_ratio"]);
+    pad.tangential_damping = given.number(pad_keys["tangential_damping"]);
+    pad.match_restitution = given.boolean(pad_keys["match_restitution"]);
     given.finish();
     return pad;
 }
@@ -116,19 +147,21 @@ void validate_width(Table const& table, RigidBody const& body, SpatialBlock cons
 
 }  // namespace
 
+constinit config::KeyTable const footing_table{.meaning = "what a body stands on", .keys = footing_keys.all};
+
 void read_footing(Table const& table, Footing& footing) {
     if (table.has("base")) {
-        footing.base = read_base(table.child("base"));
+        footing.base = read_base(table.child(footing_keys["base"]));
         footing.stated = true;
     }
     if (table.has("pad")) {
-        footing.pad = read_pad(table.child("pad"));
+        footing.pad = read_pad(table.child(footing_keys["pad"]));
         footing.stated = true;
     }
-    if (auto const across = table.maybe_number("inertia_y", Dimension::inertia, Range::positive())) {
+    if (auto const across = table.maybe_number(footing_keys["inertia_y"])) {
         footing.inertia_across_kgm2 = across;
     }
-    if (auto const vertical = table.maybe_number("inertia_z", Dimension::inertia, Range::positive())) {
+    if (auto const vertical = table.maybe_number(footing_keys["inertia_z"])) {
         footing.inertia_vertical_kgm2 = vertical;
     }
 }

@@ -6,9 +6,10 @@
 
 namespace overturn {
 
-/// base = {shape = "square" | "round" | "polygon", corners = [[x, y], ...], bedding = "corners" | "flat" | share,
-/// points}; pad = {vertical_frequency, normal_restitution, strength, match_restitution, tangential_ratio,
-/// tangential_damping}. Keys that are not there leave what stands. \throws InputError
+/// What may be stated of base, pad and the inertias of a body in space.
+extern config::KeyTable const footing_table;
+
+/// Keys that are not there leave what stands. \throws InputError
 void read_footing(config::Table const& table, Footing& footing);
 
 /// The footing of the body in force: scaled, and matched where the restitution was stated. \throws InputError at the

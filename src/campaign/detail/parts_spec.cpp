@@ -1,5 +1,6 @@
 #include "campaign/detail/parts_spec.hpp"
 
+#include <array>
 #include <variant>
 
 #include <fmt/format.h>
@@ -9,26 +10,43 @@ namespace overturn {
 using config::Range;
 using config::Table;
 
+namespace {
+
+constexpr std::array<config::Word, 3> part_kinds{{{"cylinder", "upright, solid"},
+                                                  {"box", "upright, solid, as deep as wide"},
+                                                  {"point", "without inertia of its own"}}};
+constexpr config::Keys part_keys{
+    config::word_key<part_kinds>("kind", "what it is"),
+    config::number_key("mass", Dimension::mass, Range::positive(), "mass"),
+    config::number_key("diameter", Dimension::length, Range::positive(), "diameter").only("kind = cylinder"),
+    config::number_key("width", Dimension::length, Range::positive(), "width").only("kind = box"),
+    config::number_key("height", Dimension::length, Range::not_negative(), "of the part; of a point above the ground"),
+    config::number_key("bottom", Dimension::length, Range::not_negative(), "height of its lower end above the ground")
+        .otherwise(0)
+        .only("kind = cylinder or box")};
+
+}  // namespace
+
+constinit config::KeyTable const part_table{.meaning = "one part of a body, on its axis", .keys = part_keys.all};
+
 std::vector<BodyPart> read_parts(Table const& table) {
     std::vector<BodyPart> parts;
+    config::Given const solid{.range = Range::positive()};
     for (auto const& entry : table.children("parts")) {
-        auto const kind = entry.text("kind");
-        double const mass = entry.number("mass", Dimension::mass, Range::positive());
+        auto const kind = entry.text(part_keys["kind"]);
+        double const mass = entry.number(part_keys["mass"]);
         if (kind == "cylinder") {
-            parts.emplace_back(
-                Cylinder{.mass_kg = mass,
-                         .radius_m = 0.5 * entry.number("diameter", Dimension::length, Range::positive()),
-                         .height_m = entry.number("height", Dimension::length, Range::positive()),
-                         .bottom_height_m = entry.number("bottom", Dimension::length, Range::not_negative(), 0)});
+            parts.emplace_back(Cylinder{.mass_kg = mass,
+                                        .radius_m = 0.5 * entry.number(part_keys["diameter"]),
+                                        .height_m = entry.number(part_keys["height"], solid),
+                                        .bottom_height_m = entry.number(part_keys["bottom"])});
         } else if (kind == "box") {
-            parts.emplace_back(
-                Box{.mass_kg = mass,
-                    .width_m = entry.number("width", Dimension::length, Range::positive()),
-                    .height_m = entry.number("height", Dimension::length, Range::positive()),
-                    .bottom_height_m = entry.number("bottom", Dimension::length, Range::not_negative(), 0)});
+            parts.emplace_back(Box{.mass_kg = mass,
+                                   .width_m = entry.number(part_keys["width"]),
+                                   .height_m = entry.number(part_keys["height"], solid),
+                                   .bottom_height_m = entry.number(part_keys["bottom"])});
         } else if (kind == "point") {
-            parts.emplace_back(PointMass{.mass_kg = mass,
-                                         .height_m = entry.number("height", Dimension::length, Range::not_negative())});
+            parts.emplace_back(PointMass{.mass_kg = mass, .height_m = entry.number(part_keys["height"])});
         } else {
             entry.fail("kind", fmt::format("'{}' (unknown part). Use cylinder, box or point", kind));
         }

@@ -8,7 +8,9 @@
 
 namespace overturn {
 
-/// [[parts]]: kind (cylinder, box or point), mass, then diameter or width, height and bottom, or height alone.
+/// What may be stated of one of [[parts]].
+extern config::KeyTable const part_table;
+
 /// \throws InputError
 [[nodiscard]] std::vector<BodyPart> read_parts(config::Table const& table);
 

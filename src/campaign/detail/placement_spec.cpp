@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -19,19 +20,28 @@ char const* BodySpec::planar_key() const {
                                           : nullptr;
 }
 
+namespace {
+
+constexpr config::Keys placement_keys{
+    config::number_key("offset", Dimension::length, Range::any(),
+                       "of the centre of gravity from the base's middle, to +x")
+        .otherwise(0),
+    config::number_key("slope", Dimension::angle, Range::any(), "by which the ground falls towards +x").otherwise(0),
+    config::number_key("initial_tilt", Dimension::angle, Range::any(), "rotation at t = 0, let go there").otherwise(0)};
+
+}  // namespace
+
+constinit config::KeyTable const placement_table{.meaning = "what is not straight about a body and its pad",
+                                                 .keys = placement_keys.all};
+
 // Where the centre of gravity, the ground and the body's axis are off what symmetry would have.
 void read_placement(Table const& table, BodySpec& spec) {
-    struct Key {
-        char const* name;
-        double BodyInput::*value;
-        Dimension dimension;
-    };
-    for (auto const& [name, value, dimension] :
-         {Key{"offset", &BodyInput::offset_m, Dimension::length}, Key{"slope", &BodyInput::slope_rad, Dimension::angle},
-          Key{"initial_tilt", &BodyInput::initial_tilt_rad, Dimension::angle}}) {
-        if (table.has(name)) {
-            spec.stated.*value = table.number(name, dimension, Range::any());
-            (void)table.located(name, [&] { return RigidBody(spec.stated); });
+    for (auto const& [key, value] : {std::pair{placement_keys["offset"], &BodyInput::offset_m},
+                                     {placement_keys["slope"], &BodyInput::slope_rad},
+                                     {placement_keys["initial_tilt"], &BodyInput::initial_tilt_rad}}) {
+        if (table.has(key.name)) {
+            spec.stated.*value = table.number(key);
+            (void)table.located(key.name, [&] { return RigidBody(spec.stated); });
         }
     }
 }

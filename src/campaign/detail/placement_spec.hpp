@@ -7,8 +7,10 @@
 
 namespace overturn {
 
-/// Reads offset, slope and initial_tilt, which outrank what the body's file says. \throws InputError at the key if it
-/// would fall by itself
+/// Keys offset, slope and initial_tilt.
+extern config::KeyTable const placement_table;
+
+/// What is read outranks what the body's file says. \throws InputError at the key if it would fall by itself
 void read_placement(config::Table const& table, BodySpec& spec);
 
 /// \throws InputError beside base, pad and inertias that only other models hold, and where friction lets it slide away

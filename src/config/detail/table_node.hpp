@@ -42,9 +42,10 @@ struct Table::Node {
     std::set<std::string, std::less<>> asked =
         {};  // also optional keys that are absent: what a misspelt key may have meant
     std::shared_ptr<Ledger> ledger = {};
-    std::string ledger_path = {};  // as `path`, of a file that a table names below that table
-    int depth = 0;                 // of files that name files
-    Origin inherited = {};         // of every value that is not said to come from elsewhere
+    std::string ledger_path = {};                 // as `path`, of a file that a table names below that table
+    int depth = 0;                                // of files that name files
+    Origin inherited = {};                        // of every value that is not said to come from elsewhere
+    std::vector<KeyTable const*> described = {};  // one of them says what keys there are; empty: nothing does
 
     [[nodiscard]] toml::node const* find(std::string_view key) {
         asked.emplace(key);
@@ -70,6 +71,15 @@ struct Table::Node {
                                               std::optional<std::size_t> place) const;
     /// \throws InputError where an origin is wrongly stated
     [[nodiscard]] Origin origin_of(std::string_view key) const;
+    /// What is said of `key`: more than one thing where several tables may stand in this place.
+    [[nodiscard]] std::vector<Key const*> descriptions(std::string_view key) const;
+    /// The tables that may stand at `key`, as far as they are described.
+    [[nodiscard]] std::vector<KeyTable const*> tables_at(std::string_view key) const;
+    /// \throws ContractError unless `key` may be read so, in developers' builds. \param dimension, range of a number
+    void check_read(std::string_view key, Form form, std::optional<Dimension> dimension = {},
+                    std::optional<Range> range = {}) const;
+    /// \throws ContractError unless an absent `key` may count as this, in developers' builds
+    void check_default(std::string_view key, Default const& taken) const;
     /// Keeps a value that was read. \param number [SI] if it is one. \throws InputError as origin_of
     void keep(std::string_view key, toml::node const& value, std::optional<double> number, Dimension dimension) const;
     /// Is `key` no value but says where this table's values come from?

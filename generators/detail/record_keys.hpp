@@ -1,0 +1,48 @@
+/// What may be stated of records: which files, and how they are read.
+#pragma once
+
+#include <array>
+
+#include "config/table.hpp"
+#include "core/units.hpp"
+#include "generators/detail/axes.hpp"
+#include "generators/record_baseline.hpp"
+#include "motion/recording.hpp"
+#include "motion/resample.hpp"
+
+namespace overturn {
+
+inline constexpr std::array coarsenings{
+    config::Entry<Coarsening>{"finer", "only to a shorter step", Coarsening::refused},
+    config::Entry<Coarsening>{"coarser", "also to a longer step", Coarsening::accepted}};
+inline constexpr config::Keys reading_keys{
+    config::text_key("format", "one of the record formats (overturn list); auto: told by its content")
+        .otherwise("auto"),
+    config::text_key("unit", R"(of the files' accelerations, where they do not state it: "gal", "g", "m/s2")")
+        .optional(),
+    config::number_key("time_step", Dimension::time, config::Range::positive(),
+                       "where the files do not state it; else the step to which they are resampled")
+        .optional(),
+    config::text_key("component", R"(which one of a file that holds several: "EW", "NS", ...)").optional(),
+    config::word_key<component_choices>("components", "which further components are taken").otherwise("file"),
+    config::word_key<coarsenings>("resample", "to which time steps").otherwise("finer"),
+    baseline_key,
+    axes_key,
+    config::number_key("scale", Dimension::none, {.low = 0, .high = 1000, .low_open = true}, "factor on all components")
+        .otherwise(1),
+    config::number_key("time_scale", Dimension::none, {.low = 0, .high = 100, .low_open = true},
+                       "factor on the time step, for a model")
+        .otherwise(1)};
+inline constexpr config::KeyTable reading_table{.meaning = "how records are read", .keys = reading_keys.all};
+inline constexpr config::Keys record_keys{
+    config::text_key("horizontal", "file of the component in the rocking plane"),
+    config::text_key("transverse", "file of the other horizontal component").optional(),
+    config::text_key("vertical", "file of the vertical component").optional()};
+inline constexpr config::KeyTable record_table{
+    .meaning = "one record, from a file for each component", .keys = record_keys.all, .also = {&reading_table}};
+inline constexpr config::Keys record_files_keys{
+    config::text_key("folder", "in which the files lie, beside the campaign").optional(),
+    config::texts_key("files", "names of files, each a record; or state records").optional(),
+    config::tables_key<record_table>("records", "one table for each record; or state files").optional()};
+
+}  // namespace overturn

@@ -1,0 +1,79 @@
+/// What may be stated of a body: in its file, or in [[bodies]].
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "body/similarity.hpp"
+#include "campaign/detail/footing_spec.hpp"
+#include "campaign/detail/parts_spec.hpp"
+#include "campaign/detail/placement_spec.hpp"
+#include "campaign/scatter.hpp"
+#include "config/table.hpp"
+#include "core/units.hpp"
+
+namespace overturn {
+
+inline constexpr std::string_view uniform_block = "uniform-block";
+inline constexpr std::array<config::Word, 1> inertia_words{{{uniform_block, "m (b^2 + h^2) / 3"}}};
+inline constexpr std::array<config::Word, 1> restitution_words{
+    {{"housner", "1 - 3/2 sin^2 alpha of a block, by its inertia"}}};
+inline constexpr std::array scaling_directions{
+    config::Entry<bool>{"to-model", "the keys describe the prototype", true},
+    config::Entry<bool>{"to-prototype", "the keys describe the model", false}};
+
+inline constexpr config::Keys similarity_keys{
+    config::word_key<scaling_directions>("direction", "what is wanted of what is described"),
+    config::number_key("length", Dimension::none, config::Range::positive(), "model over prototype length")
+        .otherwise(SimilarityLaw{}.length),
+    config::number_key("mass_factor", Dimension::none, config::Range::positive(),
+                       "mass over geometrically similar mass")
+        .otherwise(SimilarityLaw{}.mass_factor)};
+inline constexpr config::KeyTable similarity_table{.meaning = "the law between a model and its prototype",
+                                                   .keys = similarity_keys.all};
+inline constexpr config::Keys friction_keys{
+    distribution_key("static", Dimension::none, config::Range::not_negative(), "coefficient at rest"),
+    config::number_key("kinetic", Dimension::none, config::Range::not_negative(), "coefficient in motion")
+        .only("there is no kinetic_ratio"),
+    config::number_key("kinetic_ratio", Dimension::none, config::Range::between(0, 1),
+                       "kinetic over static coefficient")
+        .optional()};
+inline constexpr config::KeyTable friction_table{.meaning = "friction at rest and in motion",
+                                                 .keys = friction_keys.all};
+
+inline constexpr std::string_view whole = "there is no file and no parts";
+inline constexpr config::Keys body_keys{
+    config::text_key("name", "tells bodies apart").otherwise_said("that of its file, else body"),
+    config::number_key("base_width", Dimension::length, config::Range::positive(), "2 b, in the rocking plane")
+        .only("there is no file"),
+    config::tables_key<part_table>("parts", "what the body is made of, in place of mass, centre_height and inertia")
+        .optional()
+        .only("there is no file"),
+    distribution_key("mass", Dimension::mass, config::Range::positive(), "mass; beside a file only as a distribution")
+        .only(whole),
+    distribution_key("centre_height", Dimension::length, config::Range::positive(),
+                     "h, of the centre of gravity; beside a file only as a distribution")
+        .only(whole),
+    config::word_key<inertia_words>("inertia", "about the centre of gravity, in the rocking plane")
+        .or_as(config::number_key("inertia", Dimension::inertia, config::Range::positive(), ""))
+        .only(whole),
+    distribution_key("restitution", Dimension::none, config::Range::between(0, 1),
+                     "angular velocity after over before an impact")
+        .or_as(config::word_key<restitution_words>("restitution", ""))
+        .otherwise_said("housner"),
+    distribution_key("friction", Dimension::none, config::Range::not_negative(), "coefficient; absent: no slip")
+        .or_as(config::table_key<distribution_table, friction_table>("friction", ""))
+        .optional(),
+    config::number_key("gravity", Dimension::acceleration, config::Range::positive(), "acceleration of gravity")
+        .otherwise(g0)
+        .only("there is no file"),
+    config::table_key<similarity_table>("similarity", "carry what is described to a model or its prototype")
+        .optional()
+        .only("there is no file"),
+    config::integer_key("axes", 1, 3, "components that shake it: 1 horizontal, 2 both, 3 the vertical one too")
+        .otherwise_said("that of its file, else 3")};
+
+inline constexpr config::Keys bodies_keys{
+    config::text_key("file", "file that describes the body; keys beside it outrank its own").optional()};
+
+}  // namespace overturn

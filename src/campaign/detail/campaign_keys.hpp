@@ -1,0 +1,99 @@
+/// What a campaign may state beside its waves, bodies, levels, limits and rare events, which describe their own keys.
+#pragma once
+
+#include <array>
+#include <limits>
+
+#include "campaign/body_spec.hpp"
+#include "campaign/campaign_spec.hpp"
+#include "campaign/limit_state.hpp"
+#include "campaign/withheld_inputs.hpp"
+#include "config/table.hpp"
+#include "contact/contact_accuracy.hpp"
+#include "generators/wave_source.hpp"
+#include "response/effects.hpp"
+#include "rocking/rocking_accuracy.hpp"
+
+namespace overturn {
+
+inline constexpr std::array radius_units{
+    config::Entry<RadiusUnit>{"cm", "T0 = 0.05 sqrt(R in cm)", RadiusUnit::centimetre},
+    config::Entry<RadiusUnit>{"m", "T0 = 0.05 sqrt(R in m)", RadiusUnit::metre}};
+inline constexpr std::array window_readings{
+    config::Entry<WindowReading>{"restarted", "the oscillators start afresh with each window",
+                                 WindowReading::restarted},
+    config::Entry<WindowReading>{"running", "energy that running oscillators gain over the window",
+                                 WindowReading::running}};
+inline constexpr config::Range sa_periods{.low = 0.02, .high = 20};
+inline constexpr config::Keys measure_keys{
+    config::word_key<radius_units>("radius_unit", "in which R enters T0").otherwise("cm"),
+    config::boolean_key("energy", "measure V_WES and ouV_E of every wave and body").otherwise(true),
+    config::boolean_key("wave_quality", "measure match, durations, residuals and correlation of every wave")
+        .otherwise(true),
+    config::boolean_key("both_radius_units", "measure energies with the other unit too").otherwise(false),
+    config::word_key<window_readings>("window", "how energy is counted over a window").otherwise("restarted"),
+    config::numbers_key("sa_periods", Dimension::time, sa_periods, "up to 4 periods at which Sa is measured")
+        .optional(),
+    config::numbers_key("sa_band", Dimension::time, sa_periods, "[first, last] period that Sa is averaged over")
+        .optional()};
+inline constexpr config::KeyTable measures_table{.meaning = "what is measured of every wave", .keys = measure_keys.all};
+
+inline constexpr std::array samplings{
+    config::Entry<Sampling>{"independent", "each wave draws for itself", Sampling::independent},
+    config::Entry<Sampling>{"latin-hypercube", "one draw from each of as many equal slices as there are waves",
+                            Sampling::latin_hypercube}};
+inline constexpr config::Keys scatter_keys{
+    config::word_key<samplings>("sampling", "how draws are spread over the waves").otherwise("independent")};
+inline constexpr config::KeyTable scatter_table{.meaning = "how uncertain bodies are drawn", .keys = scatter_keys.all};
+
+inline constexpr config::Keys effect_keys{
+    config::text_key("mode", "auto: what each scene calls for; none: plain rocking").otherwise("auto"),
+    config::words_key<effects>("include", "effects that are simulated in every trial, in place of mode").optional()};
+inline constexpr config::KeyTable effects_table{.meaning = "what is simulated", .keys = effect_keys.all};
+
+// Read by response/accuracy.cpp, under these names; what it reads is held to this.
+inline constexpr std::array restoring_words{config::Word{"nonlinear", "the block as it is"},
+                                            config::Word{"linear", "for the closed forms of the literature"}};
+inline constexpr config::Keys accuracy_keys{
+    config::integer_key("taylor_order", 1, 99, "terms of the series of theta per step: 8, 10, 12, ...")
+        .otherwise(RockingAccuracy{}.taylor_order),
+    config::integer_key("substeps", 1, 1000, "steps per wave sample").otherwise(RockingAccuracy{}.substeps),
+    config::number_key("step_tolerance", Dimension::none, {.low = 1e-16, .high = 1e-3},
+                       "a step's last series term over alpha, at most")
+        .otherwise(RockingAccuracy{}.step_tolerance),
+    config::number_key("settle", Dimension::none, {.low = 0, .high = 1e-2, .low_open = true},
+                       "bouncing slower than this times p is summed in closed form")
+        .otherwise(RockingAccuracy{}.settle),
+    config::word_key<restoring_words>("restoring", "restoring moment").otherwise("nonlinear"),
+    config::number_key("contact_step", Dimension::none, {.low = 1e-4, .high = 1},
+                       "longest step on points times the pad's angular frequency")
+        .otherwise(ContactAccuracy{}.step_ratio),
+    config::number_key("panel_phase", Dimension::angle, {.low = 1, .high = 40},
+                       "longest stretch over which energy is summed at once")
+        .otherwise(MeasureSpec{}.panel_phase_rad)};
+inline constexpr config::KeyTable accuracy_table{.meaning = "how exactly trials are followed",
+                                                 .keys = accuracy_keys.all};
+
+inline constexpr config::Keys statistics_keys{
+    config::number_key("confidence", Dimension::none, {.low = 0, .high = 1, .low_open = true, .high_open = true},
+                       "of all intervals")
+        .otherwise(0.95)};
+inline constexpr config::KeyTable statistics_table{
+    .meaning = "intervals, and when to stop", .keys = statistics_keys.all, .also = {&precision_table}};
+
+inline constexpr config::Keys campaign_keys{
+    config::text_key("title", "of pages and figures").optional(),
+    config::integer_key("seed", 0, std::numeric_limits<std::int64_t>::max(), "of all random numbers"),
+    inputs_key,
+    config::table_key("waves", &wave_tables, "what shakes the bodies"),
+    config::tables_key<bodies_table>("bodies", "what is shaken"),
+    config::table_key<scatter_table>("scatter", "how uncertain bodies are drawn").optional(),
+    config::table_key<levels_table>("levels", "how strongly"),
+    config::table_key<effects_table>("effects", "what is simulated").optional(),
+    config::table_key<measures_table>("measures", "what is measured of the waves").optional(),
+    config::table_key<statistics_table>("statistics", "intervals, and when to stop").optional(),
+    config::tables_key<limit_table>("limits", "limit states beside overturning").optional(),
+    config::table_key<rare_keys_table>("rare", "rare events").optional(),
+    config::table_key<accuracy_table>("accuracy", "how exactly trials are followed").optional()};
+
+}  // namespace overturn

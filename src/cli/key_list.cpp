@@ -1,0 +1,139 @@
+#include "cli/key_list.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace overturn::cli {
+namespace {
+
+using config::Default;
+using config::Form;
+using config::Key;
+using config::PlacedTable;
+
+constexpr std::size_t columns = 100;
+constexpr std::size_t name_width = 26;  // of the longest key, and two blanks on either side
+
+// `text` in lines of at most `columns`, those after the first indented; the first begins behind `begun`.
+std::string wrapped(std::string begun, std::string_view text) {
+    std::size_t used = begun.size();
+    bool fresh = true;
+    while (!text.empty()) {
+        auto const end = std::min(text.find(' '), text.size());
+        auto const word = text.substr(0, end);
+        if (!fresh && used + 1 + word.size() > columns) {
+            begun += "\n" + std::string(name_width, ' ');
+            used = name_width;
+            fresh = true;
+        }
+        begun += fresh ? std::string(word) : fmt::format(" {}", word);
+        used += word.size() + (fresh ? 0 : 1);
+        fresh = false;
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return begun + "\n";
+}
+
+bool has_default(Key const& key) {
+    return key.absent.kind == Default::Kind::value || key.absent.kind == Default::Kind::said;
+}
+
+std::string title_of(PlacedTable const& placed) {
+    auto const heading = heading_of(placed);
+    return heading.empty() ? std::string("outermost keys") : heading;
+}
+
+// What tells a table from others in its place has one word here.
+std::string takes_in(config::KeyTable const& table, Key const& key) {
+    return !table.word.empty() && key.name == table.chosen_by ? std::string(table.word) : takes_text(key);
+}
+
+Json or_nothing(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json json_of(Key const& key) {
+    Json one{{"key", key.name}, {"takes", takes_text(key)}};
+    if (key.takes(Form::number) || key.takes(Form::numbers)) {
+        one["unit"] = key.dimension_of.empty() ? Json(si_symbol(key.dimension)) : Json(nullptr);
+        one["low"] = or_nothing(key.range.low);
+        one["high"] = or_nothing(key.range.high);
+        one["low_is_allowed"] = !key.range.low_open;
+        one["high_is_allowed"] = !key.range.high_open;
+    }
+    if (key.takes(Form::integer)) {
+        one["low"] = key.least;
+        one["high"] = key.most;
+    }
+    if (key.words != nullptr) {
+        one["words"] = Json::array();
+        for (auto const& word : key.words()) {
+            one["words"].push_back({{"name", word.name}, {"meaning", word.summary}});
+        }
+    }
+    one["required"] = key.absent.kind == Default::Kind::required;
+    one["default"] = has_default(key) ? Json(default_text(key)) : Json(nullptr);
+    one["where"] = key.where.empty() ? Json(nullptr) : Json(key.where);
+    one["meaning"] = key.meaning;
+    return one;
+}
+
+}  // namespace
+
+std::string absent_text(Key const& key) { return (has_default(key) ? "default " : "") + default_text(key); }
+
+std::string keys_text(std::span<PlacedTable const> tables) {
+    std::string text;
+    for (auto const& placed : tables) {
+        text += text.empty() ? "" : "\n";
+        text += wrapped("", title_of(placed));
+        text += wrapped("  ", std::string(placed.table->meaning));
+        for (auto const* key : placed.table->every_key()) {
+            text += wrapped(fmt::format("  {:<{}}", key->name, name_width - 2),
+                            fmt::format("{}; {}", takes_in(*placed.table, *key), absent_text(*key)));
+            text += wrapped(std::string(name_width, ' '), meaning_text(*key));
+        }
+    }
+    return text;
+}
+
+std::string keys_markdown(std::span<PlacedTable const> tables) {
+    std::string text =
+        "# Keys of a campaign\n\n"
+        "Made by `overturn list keys --markdown` from the descriptions that the program reads with. A bare number is "
+        "SI;\n"
+        "a quantity may be a text with a unit, \"1.5 t\". Any value may say where it comes from, `{value = ..., basis "
+        "= "
+        "\"measured\",\nsource = \"...\", range = [low, high]}`, and a table by keys `basis` and `source` of its "
+        "own.\n";
+    for (auto const& placed : tables) {
+        text += fmt::format("\n## {}\n\n{}\n\n| key | takes | default | meaning |\n|---|---|---|---|\n",
+                            placed.places.front().path.empty() ? "The file itself" : "`" + title_of(placed) + "`",
+                            placed.table->meaning);
+        for (auto const* key : placed.table->every_key()) {
+            text += fmt::format("| `{}` | {} | {} | {} |\n", key->name, takes_in(*placed.table, *key),
+                                default_text(*key), meaning_text(*key));
+        }
+    }
+    return text;
+}
+
+Json keys_json(std::span<PlacedTable const> tables) {
+    auto all = Json::array();
+    for (auto const& placed : tables) {
+        Json table{{"places", Json::array()}, {"meaning", placed.table->meaning}, {"keys", Json::array()}};
+        for (auto const& [path, is_list, condition] : placed.places) {
+            table["places"].push_back(
+                {{"path", path}, {"list", is_list}, {"where", condition.empty() ? Json(nullptr) : Json(condition)}});
+        }
+        for (auto const* key : placed.table->every_key()) {
+            table["keys"].push_back(json_of(*key));
+        }
+        all.push_back(std::move(table));
+    }
+    return all;
+}
+
+}  // namespace overturn::cli

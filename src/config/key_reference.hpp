@@ -1,0 +1,41 @@
+/// The reference of all keys, made from their descriptions: which tables there are, where they stand, what keys take.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "config/key.hpp"
+
+namespace overturn::config {
+
+/// Where a table may stand: "waves.target", and what other keys must say for that: "waves.source = harmonic".
+struct TablePlace {
+    std::string path;       ///< empty: the file itself
+    bool is_list = false;   ///< [[path]]
+    std::string condition;  ///< empty: none
+
+    friend bool operator==(TablePlace const&, TablePlace const&) = default;
+};
+
+/// A table and all places where it may stand, in the order of the description.
+struct PlacedTable {
+    KeyTable const* table;
+    std::vector<TablePlace> places;
+};
+
+/// `root` and every table in it, each once, before those that stand in it.
+[[nodiscard]] std::vector<PlacedTable> tables_within(KeyTable const& root);
+
+/// "[waves.target], [waves.vertical.target], where waves.source = spectrum-compatible"; "" of the file itself.
+[[nodiscard]] std::string heading_of(PlacedTable const& placed);
+
+/// What may be written behind a key: "time [s] above 0 or list of them", "one of each, ensemble, none".
+[[nodiscard]] std::string takes_text(Key const& key);
+
+/// What an absent key means: "required", "optional", "0.01 s", "a tenth of the duration".
+[[nodiscard]] std::string default_text(Key const& key);
+
+/// The meaning, behind the condition under which the key has one: "where shape = points: ...".
+[[nodiscard]] std::string meaning_text(Key const& key);
+
+}  // namespace overturn::config
