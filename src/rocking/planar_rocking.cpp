@@ -94,8 +94,8 @@ RockingOutcome simulate_rocking(RockingBlock const& block, Excitation const& sha
     switch (slip) {
         case Slip::ignored:
             return call.with_order<rocking::NonlinearRestoring, Slip::ignored>();
-        case Slip::watched:
-            return call.with_order<rocking::NonlinearRestoring, Slip::watched>();
+        case Slip::detected:
+            return call.with_order<rocking::NonlinearRestoring, Slip::detected>();
         case Slip::simulated:
             break;
     }
@@ -105,9 +105,9 @@ RockingOutcome simulate_rocking(RockingBlock const& block, Excitation const& sha
 namespace {
 
 void side_by_side(std::span<RockingTrial const> trials, RockingAccuracy const& accuracy, Slip slip,
-                  std::span<RockingOutcome> outcomes, std::span<rocking::Pause> pauses) {
+                  std::span<RockingOutcome> outcomes, std::span<rocking::Checkpoint> checkpoints) {
     OVERTURN_EXPECT(outcomes.size() == trials.size());
-    bool const lanes = accuracy.taylor_order == rocking::SwingSeries::order && accuracy.substeps == 1
+    bool const lanes = accuracy.taylor_order == rocking::LaneStep::order && accuracy.substeps == 1
                        && accuracy.restoring == Restoring::nonlinear && slip != Slip::simulated;
     std::vector<std::size_t> plain;
     std::vector<std::size_t> vertical;
@@ -121,11 +121,11 @@ void side_by_side(std::span<RockingTrial const> trials, RockingAccuracy const& a
         }
     }
     if (slip == Slip::ignored) {
-        rocking::step_in_lanes<false, Slip::ignored>(trials, plain, accuracy, outcomes, pauses);
-        rocking::step_in_lanes<true, Slip::ignored>(trials, vertical, accuracy, outcomes, pauses);
+        rocking::step_in_lanes<false, Slip::ignored>(trials, plain, accuracy, outcomes, checkpoints);
+        rocking::step_in_lanes<true, Slip::ignored>(trials, vertical, accuracy, outcomes, checkpoints);
     } else {
-        rocking::step_in_lanes<false, Slip::watched>(trials, plain, accuracy, outcomes, pauses);
-        rocking::step_in_lanes<true, Slip::watched>(trials, vertical, accuracy, outcomes, pauses);
+        rocking::step_in_lanes<false, Slip::detected>(trials, plain, accuracy, outcomes, checkpoints);
+        rocking::step_in_lanes<true, Slip::detected>(trials, vertical, accuracy, outcomes, checkpoints);
     }
 }
 
@@ -136,18 +136,19 @@ void simulate_rocking(std::span<RockingTrial const> trials, RockingAccuracy cons
     side_by_side(trials, accuracy, slip, outcomes, {});
 }
 
-void watch_friction(std::span<RockingTrial const> trials, RockingAccuracy const& accuracy,
-                    std::span<RockingOutcome> outcomes, std::span<rocking::Pause> pauses) {
-    OVERTURN_EXPECT(pauses.size() == trials.size());
-    side_by_side(trials, accuracy, Slip::watched, outcomes, pauses);
+void simulate_until_slip(std::span<RockingTrial const> trials, RockingAccuracy const& accuracy,
+                         std::span<RockingOutcome> outcomes, std::span<rocking::Checkpoint> checkpoints) {
+    OVERTURN_EXPECT(checkpoints.size() == trials.size());
+    side_by_side(trials, accuracy, Slip::detected, outcomes, checkpoints);
 }
 
-RockingOutcome go_on_slipping(RockingTrial const& trial, RockingAccuracy const& accuracy, rocking::Pause const& pause) {
-    OVERTURN_EXPECT(pause.at_hand);
+RockingOutcome resume_sliding(RockingTrial const& trial, RockingAccuracy const& accuracy,
+                              rocking::Checkpoint const& checkpoint) {
+    OVERTURN_EXPECT(checkpoint.at_hand);
     auto const go_on = [&]<bool Vertical>() {
         using Trial =
-            rocking::Integrator<rocking::SwingSeries::order, rocking::NonlinearRestoring, Vertical, Slip::simulated>;
-        return Trial(trial.block, trial.shaking, accuracy, nullptr).run_from(pause);
+            rocking::Integrator<rocking::LaneStep::order, rocking::NonlinearRestoring, Vertical, Slip::simulated>;
+        return Trial(trial.block, trial.shaking, accuracy, nullptr).run_from(checkpoint);
     };
     return trial.shaking.vertical_mps2.empty() ? go_on.template operator()<false>() : go_on.template operator()<true>();
 }

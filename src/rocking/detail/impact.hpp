@@ -11,7 +11,7 @@ struct ImpactLaw {
     double kappa;                     ///< I_G / (m R^2)
     double restitution;
     double friction_static, friction_kinetic;
-    double sine_next;  ///< b of the corner that is struck, over R; sine_alpha unless the corners differ
+    double sine_next;  ///< b of the other corner, over R; sine_alpha unless the corners differ
 
     /// Kinetic energy over m R^2 for rotation rate w and corner velocity v (over R), before the impact.
     [[nodiscard]] double energy(double w, double v) const { return energy_about(sine_alpha, w, v); }
@@ -36,7 +36,7 @@ struct AfterImpact {
 
 /// The corner sticks if |P_x| <= mu_s P_z, else it slips on with mu_k, never backwards.
 /// \param e the restitution in force
-[[nodiscard]] inline AfterImpact strike_with(ImpactLaw const& law, double w, double v, double e) {
+[[nodiscard]] inline AfterImpact after_impact_with(ImpactLaw const& law, double w, double v, double e) {
     double const vertical = law.impulse(e) * std::abs(w);
     double const wanted = v + law.cosine_alpha * w * (1 - e);  // minus the impulse that no slip needs
     if (std::abs(wanted) <= law.friction_static * vertical) {
@@ -48,8 +48,8 @@ struct AfterImpact {
 
 /// Impact of a body that rotates at w while its corner slips at v (over R). A stated restitution can ask for more
 /// energy than a slipping body brings; then the rebound is lowered to what conserves it: an impact never adds energy.
-[[nodiscard]] inline AfterImpact strike(ImpactLaw const& law, double w, double v) {
-    auto after = strike_with(law, w, v, law.restitution);
+[[nodiscard]] inline AfterImpact after_impact(ImpactLaw const& law, double w, double v) {
+    auto after = after_impact_with(law, w, v, law.restitution);
     double const before = law.energy(w, v);
     if (v == 0 || law.energy_after(after.rotation_rate, after.slip_rate) <= before) {
         return after;
@@ -59,10 +59,10 @@ struct AfterImpact {
     constexpr int halvings = 60;
     for (int i = 0; i < halvings; ++i) {
         double const middle = 0.5 * (low + high);
-        after = strike_with(law, w, v, middle);
+        after = after_impact_with(law, w, v, middle);
         (law.energy_after(after.rotation_rate, after.slip_rate) <= before ? low : high) = middle;
     }
-    return strike_with(law, w, v, low);
+    return after_impact_with(law, w, v, low);
 }
 
 }  // namespace overturn::rocking

@@ -32,7 +32,8 @@ bool Integrator<Order, Restoring, Vertical, Friction>::decided() const {
     }
     double const e = corner_.restitution;
     constexpr double slack = 1e-12;
-    if (lopsided_) {  // the swing in hand, the next one over the other corner, and the first of the later ones here
+    if (lopsided_) {  // the half cycle in hand, the next one over the other corner, and the first of the later ones
+                      // here
         auto const reached = [&](Corner const& at, double left) {
             return at.reach * Restoring::turning_point(at.alpha_rad, left * corner_.weight / at.weight);
         };

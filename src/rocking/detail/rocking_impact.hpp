@@ -7,7 +7,7 @@ namespace overturn::rocking {
 
 // Reset: phi = 0, omega -> e omega on the other corner; the slip velocity by the friction-limited impulse.
 template <int Order, class Restoring, bool Vertical, Slip Friction>
-void Integrator<Order, Restoring, Vertical, Friction>::strike() {
+void Integrator<Order, Restoring, Vertical, Friction>::apply_impact() {
     auto& out = log_.outcome();
     ++out.impacts;
     double const speed = std::max(0.0, -omega_);
@@ -20,7 +20,7 @@ void Integrator<Order, Restoring, Vertical, Friction>::strike() {
     if constexpr (limited) {
         double const before =
             corner_.radius_m * corner_.radius_m * corner_.law.energy(-side_ * speed, v_mps_ / corner_.radius_m);
-        auto const after = overturn::rocking::strike(corner_.law, -side_ * speed, v_mps_ / corner_.radius_m);
+        auto const after = after_impact(corner_.law, -side_ * speed, v_mps_ / corner_.radius_m);
         if constexpr (slipping) {
             rebound = std::abs(after.rotation_rate);
             v_mps_ = after.slip_rate * corner_.radius_m;
@@ -28,7 +28,7 @@ void Integrator<Order, Restoring, Vertical, Friction>::strike() {
                 before
                 - corner_.radius_m * corner_.radius_m * corner_.law.energy_after(after.rotation_rate, after.slip_rate);
         } else if (after.slip_rate != 0) {
-            log_.call_slip();
+            log_.end_at_slip();
             return;
         }
     }
@@ -75,7 +75,7 @@ double Integrator<Order, Restoring, Vertical, Friction>::impact_demand() const {
 // carries b omega less than the weight's impulse, friction brakes it that much less.
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 void Integrator<Order, Restoring, Vertical, Friction>::settle_slipping(double a, double hold) {
-    double const slow = invisible * accuracy_.settle * corner_.p_radps;
+    double const slow = rest_speed_share * accuracy_.settle * corner_.p_radps;
     bool const sticks = std::abs(v_mps_) <= slow * corner_.radius_m;
     bool const tips = block_.friction_kinetic > at_side(sigma_).base_ratio;
     if (omega_ > slow || (tips && !sticks && omega_ > 0)) {
@@ -105,7 +105,7 @@ void Integrator<Order, Restoring, Vertical, Friction>::settle_slipping(double a,
     energy.impact_loss -= mechanical_energy();
 }
 
-// Impacts accumulate at a finite time: with the forcing as it is now the swings last 2 omega / decel, each e times
+// Impacts accumulate at a finite time: with the forcing as it is now the half cycles last 2 omega / decel, each e times
 // the one before, over alternating corners. If the sum ends within this sample the block is at rest from then on.
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 void Integrator<Order, Restoring, Vertical, Friction>::settle(double a, double gv) {
@@ -115,7 +115,7 @@ void Integrator<Order, Restoring, Vertical, Friction>::settle(double a, double g
     if (end <= sample_.length_s && std::abs(a_end) <= sample_.vertical(end) * tipped_by(a_end).uplift_ratio
         && tail_sticks(a, lopsided_ ? gv : hold / corner_.uplift_ratio)) {
         sample_.tau_s = end;
-    } else if (omega_ > invisible * accuracy_.settle * corner_.p_radps) {
+    } else if (omega_ > rest_speed_share * accuracy_.settle * corner_.p_radps) {
         return;
     }
     if constexpr (slipping) {
@@ -139,7 +139,7 @@ double Integrator<Order, Restoring, Vertical, Friction>::bouncing_s(double a, do
     return 2 * omega_ * (1 / braking(corner_, side_) + e / braking(other, -side_)) / (1 - e * other.restitution);
 }
 
-// Whether the small swings on both corners need no more friction than there is.
+// Whether the small half cycles on both corners need no more friction than there is.
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 bool Integrator<Order, Restoring, Vertical, Friction>::tail_sticks(double a, double gv) const {
     if constexpr (!limited) {

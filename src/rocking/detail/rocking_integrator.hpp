@@ -2,13 +2,13 @@
 #pragma once
 
 #include "model/chunk_extremes.hpp"
+#include "rocking/detail/checkpoint.hpp"
 #include "rocking/detail/impact.hpp"
 #include "rocking/detail/incline.hpp"
-#include "rocking/detail/pause.hpp"
+#include "rocking/detail/lane_step.hpp"
 #include "rocking/detail/rocking_events.hpp"
 #include "rocking/detail/sample.hpp"
 #include "rocking/detail/slip_series.hpp"
-#include "rocking/detail/swing.hpp"
 #include "rocking/detail/trial_log.hpp"
 #include "rocking/detail/work.hpp"
 
@@ -22,25 +22,25 @@ template <int Order, class Restoring, bool Vertical, Slip Friction> class Integr
 
     // The same in pieces, for lanes that are stepped together (rocking_swing.hpp).
     void begin(RockingStart const& start);
-    /// Until the block swings: then everything up to the next instant that needs care can be left to swing_on.
-    /// \return false once the trial is over
+    /// Until the block rocks without slip: then everything up to the next instant that needs care can be left to
+    /// step_lanes. \return false once the trial is over
     bool advance();
-    template <int Lanes> void load_lane(SwingLanes<Lanes>& lanes, int lane) const;
-    template <int Lanes> void store_lane(SwingLanes<Lanes> const& lanes, int lane);
+    template <int Lanes> void load_lane(RockingFields<Lanes>& lanes, int lane) const;
+    template <int Lanes> void store_lane(RockingFields<Lanes> const& lanes, int lane);
     RockingOutcome const& finish();
 
     /// Where friction gave out, of a trial that is over.
-    [[nodiscard]] Pause const& pause() const { return pause_; }
-    /// Goes on where another one paused.
-    RockingOutcome run_from(Pause const& pause);
+    [[nodiscard]] Checkpoint const& checkpoint() const { return checkpoint_; }
+    /// Goes on where another one stopped at slip.
+    RockingOutcome run_from(Checkpoint const& checkpoint);
 
   private:
     static constexpr bool nonlinear = std::is_same_v<Restoring, NonlinearRestoring>;
-    static constexpr bool swings = nonlinear && Order == SwingSeries::order;  ///< what swing_on is made for
+    static constexpr bool lanes_offered = nonlinear && Order == LaneStep::order;  ///< what step_lanes is made for
     static constexpr bool slipping = Friction == Slip::simulated;
     static constexpr bool limited = Friction != Slip::ignored;  ///< friction has a limit that is looked at
     /// Bouncing slower than this fraction of accuracy.settle is rest, whatever the forcing does next.
-    static constexpr double invisible = 1e-3;
+    static constexpr double rest_speed_share = 1e-3;
 
     /// What ends a step before its length is up.
     enum class Event { none, impact, overturned, slip_starts, slip_stops, contact_lost };
@@ -80,22 +80,22 @@ template <int Order, class Restoring, bool Vertical, Slip Friction> class Integr
         }
     }
 
-    // time loop (this file, below; step_watched and run_from: rocking_pause.hpp)
+    // time loop (this file, below; step_with_checkpoint and run_from: rocking_checkpoint.hpp)
     void skip_rest();
     void skip_lopsided_rest();
     [[nodiscard]] bool next_sample();
     void step();
-    void step_watched();
+    void step_with_checkpoint();
     // once the wave is over (rocking_end.hpp, with finish)
     void run_out(double end_s);
     [[nodiscard]] bool decided() const;
-    // swings (rocking_swing.hpp)
-    void swing();
-    void swing_shown();
-    bool swing_unslipped();
-    void account_for(SwingLanes<1> const& before, SwingLanes<1> const& after, SwingSeries const& series);
-    void show_swing(SwingLanes<1> const& before, SwingSeries const& series);
-    void show_impact(SwingLanes<1> const& after);
+    // in a lane (rocking_swing.hpp)
+    void step_in_lane();
+    void step_lane_observed();
+    bool step_unless_slip();
+    void account_for(RockingFields<1> const& before, RockingFields<1> const& after, LaneStep const& series);
+    void show_lane_step(RockingFields<1> const& before, LaneStep const& series);
+    void show_impact(RockingFields<1> const& after);
     // full base contact (rocking_rest.hpp)
     void rest();
     void leave_rest(double tau, double acceleration);
@@ -136,7 +136,7 @@ template <int Order, class Restoring, bool Vertical, Slip Friction> class Integr
     void lose_contact(bool at_rest);
     void raise_energy_inside(Series<Order> const& series, Forcing const& forcing, double end);
     // at phi = 0 (rocking_impact.hpp)
-    void strike();
+    void apply_impact();
     void settle(double a, double gv);
     void settle_slipping(double a, double hold);
     [[nodiscard]] double bouncing_s(double a, double gv) const;
@@ -187,27 +187,27 @@ template <int Order, class Restoring, bool Vertical, Slip Friction> class Integr
     bool slipped_ = false;
     StartRoot start_root_ = StartRoot::none;
 
-    std::size_t index_ = 0;         ///< of the sample
-    int steps_here_ = 0;            ///< within it
-    double sine_ = 0, cosine_ = 0;  ///< of psi, as the last swing left them
-    bool carried_ = false;          ///< they still hold
-    bool careful_ = false;          ///< the next step is one that swing_on refused
-    bool steps_together_ = false;
-    Pause pause_;
+    std::size_t index_ = 0;           ///< of the sample
+    int steps_here_ = 0;              ///< within it
+    double sine_ = 0, cosine_ = 0;    ///< of psi, as the last step in a lane left them
+    bool trig_is_current_ = false;    ///< they still hold
+    bool needs_scalar_step_ = false;  ///< the next step is one that step_lanes refused
+    bool uses_lanes_ = false;
+    Checkpoint checkpoint_;
 };
 
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 RockingOutcome Integrator<Order, Restoring, Vertical, Friction>::run(RockingStart const& start) {
     begin(start);
     while (advance()) {
-        swing();
+        step_in_lane();
     }
     return finish();
 }
 
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 void Integrator<Order, Restoring, Vertical, Friction>::begin(RockingStart const& start) {
-    steps_together_ = swings && accuracy_.substeps == 1;
+    uses_lanes_ = lanes_offered && accuracy_.substeps == 1;
     if (start.rotation_rad == 0 && start.velocity_radps == 0) {
         return;
     }
@@ -230,15 +230,15 @@ bool Integrator<Order, Restoring, Vertical, Friction>::advance() {
         if (!(sample_.tau_s < sample_.length_s) && !next_sample()) {
             break;
         }
-        if (steps_together_ && !careful_ && mode_ == Mode::rock && start_root_ != StartRoot::twofold) {
+        if (uses_lanes_ && !needs_scalar_step_ && mode_ == Mode::rock && start_root_ != StartRoot::twofold) {
             return true;
         }
-        if (careful_ && swing_unslipped()) {
+        if (needs_scalar_step_ && step_unless_slip()) {
             continue;
         }
-        careful_ = false;
-        carried_ = false;
-        step_watched();
+        needs_scalar_step_ = false;
+        trig_is_current_ = false;
+        step_with_checkpoint();
     }
     return false;
 }
@@ -263,8 +263,8 @@ bool Integrator<Order, Restoring, Vertical, Friction>::next_sample() {
 
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 void Integrator<Order, Restoring, Vertical, Friction>::step() {
-    constexpr int hopeless = 1000000;  // steps within one sample: a trial must end
-    if (++steps_here_ > hopeless) {
+    constexpr int max_steps_per_sample = 1000000;  // a trial must end
+    if (++steps_here_ > max_steps_per_sample) {
         log_.fail(FailureReason::no_convergence);
         return;
     }
@@ -286,10 +286,10 @@ void Integrator<Order, Restoring, Vertical, Friction>::step() {
 
 }  // namespace overturn::rocking
 
+#include "rocking/detail/rocking_checkpoint.hpp"
 #include "rocking/detail/rocking_corner.hpp"
 #include "rocking/detail/rocking_end.hpp"
 #include "rocking/detail/rocking_impact.hpp"
-#include "rocking/detail/rocking_pause.hpp"
 #include "rocking/detail/rocking_rest.hpp"
 #include "rocking/detail/rocking_step.hpp"
 #include "rocking/detail/rocking_swing.hpp"

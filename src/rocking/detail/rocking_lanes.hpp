@@ -11,23 +11,23 @@
 
 namespace overturn::rocking {
 
-/// What a simd::LaneScheduler runs: swings in lanes, everything else in the trial's own integrator.
+/// What a simd::LaneScheduler runs: rocking without slip in lanes, everything else in the trial's own integrator.
 template <bool Vertical, Slip Friction> class RockingLanes {
   public:
-    using Fields = SwingLanes<most_lanes>;
+    using Fields = RockingFields<most_lanes>;
     struct Trajectory {
         Trajectory(RockingTrial const& of, RockingAccuracy const& accuracy, std::size_t of_number)
             : trial(of.block, of.shaking, accuracy, nullptr), number(of_number) {}
 
-        Integrator<SwingSeries::order, NonlinearRestoring, Vertical, Friction> trial;
+        Integrator<LaneStep::order, NonlinearRestoring, Vertical, Friction> trial;
         std::size_t number;
     };
 
     RockingLanes(std::span<RockingTrial const> trials, std::span<std::size_t const> queue,
-                 RockingAccuracy const& accuracy, std::span<RockingOutcome> outcomes, std::span<Pause> pauses)
-        : trials_(trials), queue_(queue), accuracy_(accuracy), outcomes_(outcomes), pauses_(pauses) {}
+                 RockingAccuracy const& accuracy, std::span<RockingOutcome> outcomes, std::span<Checkpoint> checkpoints)
+        : trials_(trials), queue_(queue), accuracy_(accuracy), outcomes_(outcomes), checkpoints_(checkpoints) {}
 
-    [[nodiscard]] int width() const { return swing_width(); }
+    [[nodiscard]] int width() const { return lane_width(); }
     bool start_next(std::optional<Trajectory>& place) {
         if (next_ == queue_.size()) {
             return false;
@@ -42,11 +42,11 @@ template <bool Vertical, Slip Friction> class RockingLanes {
     void store_lane(Trajectory& trajectory, Fields const& fields, int lane) {
         trajectory.trial.store_lane(fields, lane);
     }
-    std::uint32_t step(Fields& fields, int used) { return swing_on(fields, used, Vertical); }
+    std::uint32_t step(Fields& fields, int used) { return step_lanes(fields, used, Vertical); }
     void finish(Trajectory& trajectory) {
         outcomes_[trajectory.number] = trajectory.trial.finish();
-        if (!pauses_.empty()) {
-            pauses_[trajectory.number] = trajectory.trial.pause();
+        if (!checkpoints_.empty()) {
+            checkpoints_[trajectory.number] = trajectory.trial.checkpoint();
         }
     }
 
@@ -55,16 +55,17 @@ template <bool Vertical, Slip Friction> class RockingLanes {
     std::span<std::size_t const> queue_;
     RockingAccuracy accuracy_;
     std::span<RockingOutcome> outcomes_;
-    std::span<Pause> pauses_;
+    std::span<Checkpoint> checkpoints_;
     std::size_t next_ = 0;
 };
 
 /// The trials whose numbers stand in `queue`.
-/// \param outcomes one per trial; so are pauses, which are filled if there are any
+/// \param outcomes one per trial; so are checkpoints, which are filled if there are any
 template <bool Vertical, Slip Friction>
 void step_in_lanes(std::span<RockingTrial const> trials, std::span<std::size_t const> queue,
-                   RockingAccuracy const& accuracy, std::span<RockingOutcome> outcomes, std::span<Pause> pauses) {
-    RockingLanes<Vertical, Friction> lanes(trials, queue, accuracy, outcomes, pauses);
+                   RockingAccuracy const& accuracy, std::span<RockingOutcome> outcomes,
+                   std::span<Checkpoint> checkpoints) {
+    RockingLanes<Vertical, Friction> lanes(trials, queue, accuracy, outcomes, checkpoints);
     simd::LaneScheduler(lanes).run();
 }
 

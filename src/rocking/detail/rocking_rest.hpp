@@ -131,7 +131,7 @@ void Integrator<Order, Restoring, Vertical, Friction>::leave_rest(double tau, do
                 slipped_ = true;
                 log_.raise_demand(block_.friction_static);
             } else {
-                log_.call_slip();
+                log_.end_at_slip();
             }
             return;
         }

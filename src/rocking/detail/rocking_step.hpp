@@ -20,8 +20,8 @@ double Integrator<Order, Restoring, Vertical, Friction>::step_length(Series<Orde
     if (double const allowed = accuracy_.step_tolerance * corner_.alpha_rad; size > allowed) {
         h *= 0.9 * std::pow(allowed / size, 1.0 / Order);
     }
-    constexpr double hopeless = 1e-12;
-    if (!(h > sample_.length_s * hopeless) && left > sample_.length_s * hopeless) {
+    constexpr double min_step_share = 1e-12;  // of the sample: shorter steps end no trial
+    if (!(h > sample_.length_s * min_step_share) && left > sample_.length_s * min_step_share) {
         log_.fail(FailureReason::no_convergence);
     }
     return h;
@@ -68,7 +68,7 @@ void Integrator<Order, Restoring, Vertical, Friction>::rock() {
             if constexpr (nonlinear) {
                 watch_landing();
             }
-            strike();
+            apply_impact();
             break;
         case Event::overturned:
             log_.overturn(sample_.now());
@@ -136,7 +136,7 @@ void Integrator<Order, Restoring, Vertical, Friction>::slip_rock() {
         move(series, ending);
         switch (ending.event) {
             case Event::impact:
-                strike();
+                apply_impact();
                 break;
             case Event::overturned:
                 log_.overturn(sample_.now());
@@ -242,7 +242,7 @@ void Integrator<Order, Restoring, Vertical, Friction>::move(Series<Order> const&
 template <int Order, class Restoring, bool Vertical, Slip Friction>
 void Integrator<Order, Restoring, Vertical, Friction>::start_slip(double friction) {
     if constexpr (!slipping) {
-        log_.call_slip();
+        log_.end_at_slip();
     } else {
         sigma_ = -side_ * std::copysign(1.0, friction);
         v_mps_ = 0;

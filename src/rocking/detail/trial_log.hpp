@@ -82,8 +82,8 @@ class TrialLog {
         out_ = so_far;
         energy_ = energy;
     }
-    void call_slip() {
-        out_.slip_called = true;
+    void end_at_slip() {
+        out_.slip_onset = true;
         done_ = true;
     }
 

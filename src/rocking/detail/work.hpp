@@ -3,7 +3,7 @@
 
 #include "core/polynomial.hpp"
 #include "rocking/detail/contact_series.hpp"
-#include "rocking/detail/swing.hpp"
+#include "rocking/detail/lane_step.hpp"
 
 namespace overturn::rocking {
 
@@ -38,9 +38,9 @@ template <int Order> [[nodiscard]] double shaking_work(Series<Order> const& s, F
     return -product_integral(Rates<Order>(s).velocity, pull, t);
 }
 
-/// The same for a step of a swing.
-[[nodiscard]] inline double shaking_work(SwingSeries const& s) {
-    constexpr std::size_t order = SwingSeries::order;
+/// The same for a step in a lane.
+[[nodiscard]] inline double shaking_work(LaneStep const& s) {
+    constexpr std::size_t order = LaneStep::order;
     std::array<double, order> pull{};
     for (std::size_t k = 0; k < order; ++k) {
         for (std::size_t j = 0; j <= std::min<std::size_t>(k, 1); ++j) {

@@ -1,27 +1,27 @@
-// The arithmetic of one step of swinging, in any vector width. Included once per instruction set, so without a
-// #pragma once; by swing.cpp only.
-#if defined(OVERTURN_SWING_STEP) == defined(HWY_TARGET_TOGGLE)
-#ifdef OVERTURN_SWING_STEP
-#undef OVERTURN_SWING_STEP
+// The arithmetic of one step of rocking, in any vector width. Included once per instruction set, so without a
+// #pragma once; by lane_step.cpp only.
+#if defined(OVERTURN_LANE_STEP) == defined(HWY_TARGET_TOGGLE)
+#ifdef OVERTURN_LANE_STEP
+#undef OVERTURN_LANE_STEP
 #else
-#define OVERTURN_SWING_STEP
+#define OVERTURN_LANE_STEP
 #endif
 
 #include <numbers>
 
-#include "rocking/detail/swing_path-inl.hpp"
+#include "rocking/detail/lane_series-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace overturn::rocking::HWY_NAMESPACE {
 
-template <class V, int Stride, bool Vertical> class Stepper : private SwingPath<V, Stride, Vertical> {
+template <class V, int Stride, bool Vertical> class Stepper : private LaneSeries<V, Stride, Vertical> {
   public:
-    using Path = SwingPath<V, Stride, Vertical>;
+    using Path = LaneSeries<V, Stride, Vertical>;
     using M = typename Path::M;
     using Path::Path;
 
     // Returns the lanes that need care. Those that took no step are unchanged.
-    OVERTURN_LANES_INLINE M step(SwingSeries* shown);
+    OVERTURN_LANES_INLINE M step(LaneStep* shown);
 
   private:
     using Path::expand;
@@ -40,7 +40,7 @@ template <class V, int Stride, bool Vertical> class Stepper : private SwingPath<
         V spin, friction, normal;  // friction's amount
     };
     // Whether any lane stands on a slope.
-    OVERTURN_LANES_INLINE bool inclined() const { return any(abs(get(Swing::incline_sine)) > V(0)); }
+    OVERTURN_LANES_INLINE bool inclined() const { return any(abs(get(RockingField::incline_sine)) > V(0)); }
     OVERTURN_LANES_INLINE Forces forces(V s, V c, V rate, V a, V g) const;
     OVERTURN_LANES_INLINE V slant(V u, Series const& x, Forcing const& a, Forcing const& g) const;
     OVERTURN_LANES_INLINE V energy_at(V u, Series const& x, V length) const;
@@ -49,16 +49,16 @@ template <class V, int Stride, bool Vertical> class Stepper : private SwingPath<
 // Contact forces over m g, along and across the ground.
 template <class V, int Stride, bool Vertical>
 OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::forces(V s, V c, V rate, V a, V g) const -> Forces {
-    V const spin = get(Swing::r) * (rate * rate);
+    V const spin = get(RockingField::r) * (rate * rate);
     V const push = a * c;
-    V const grip = get(Swing::inertia_ratio) * (Vertical ? fma(g, s, push) : s + push);
+    V const grip = get(RockingField::inertia_ratio) * (Vertical ? fma(g, s, push) : s + push);
     V const along = fma(s, spin, a) - c * grip;
     V const across = g - fma(s, grip, c * spin);
     if (!inclined()) {
         return {spin, abs(along), across};
     }
-    V const down = get(Swing::incline_sine);  // zero changes no bit of a lane on level ground
-    V const level = get(Swing::incline_cosine);
+    V const down = get(RockingField::incline_sine);  // zero changes no bit of a lane on level ground
+    V const level = get(RockingField::incline_cosine);
     return {spin, abs(fma(along, level, -(across * down))), fma(along, down, across * level)};
 }
 
@@ -76,34 +76,34 @@ OVERTURN_LANES_INLINE V Stepper<V, Stride, Vertical>::slant(V u, Series const& x
 
 template <class V, int Stride, bool Vertical>
 OVERTURN_LANES_INLINE V Stepper<V, Stride, Vertical>::energy_at(V u, Series const& x, V length) const {
-    V const spread = Path::at(u, x.rate) / (get(Swing::p) * length);
-    return fma(0.5 * spread, spread, this->turned(x, this->gain(u, x)).c - get(Swing::cosine_alpha));
+    V const spread = Path::at(u, x.rate) / (get(RockingField::p) * length);
+    return fma(0.5 * spread, spread, this->turned(x, this->gain(u, x)).c - get(RockingField::cosine_alpha));
 }
 
 template <class V, int Stride, bool Vertical>
-OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::step(SwingSeries* shown) -> M {
+OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::step(LaneStep* shown) -> M {
     V const zero = 0;
     V const one = 1;
-    V const index = get(Swing::index);
-    V const tau = get(Swing::tau);
-    V const dt = get(Swing::time_step);
-    V const side = get(Swing::side);
-    V const scale = get(Swing::scale);
+    V const index = get(RockingField::index);
+    V const tau = get(RockingField::tau);
+    V const dt = get(RockingField::time_step);
+    V const side = get(RockingField::side);
+    V const scale = get(RockingField::scale);
     V const length = dt - tau;
-    V const into = tau * get(Swing::sampling_rate);
-    Forcing const a = forcing(SwingWave::horizontal, side * scale, index, into);
+    V const into = tau * get(RockingField::sampling_rate);
+    Forcing const a = forcing(RockingWave::horizontal, side * scale, index, into);
     Forcing g{one, zero, one};
     if constexpr (Vertical) {
-        g = forcing(SwingWave::vertical, scale, index, into);
+        g = forcing(RockingWave::vertical, scale, index, into);
         g.start = g.start + 1.0;
         g.end = g.end + 1.0;
     }
-    V const ph = get(Swing::p) * length;
+    V const ph = get(RockingField::p) * length;
     V const w = ph * ph;
     Series const x = expand(length, w, a, g);
     auto const& rate = x.rate;
-    V const phi = get(Swing::phi);
-    V const omega = get(Swing::omega);
+    V const phi = get(RockingField::phi);
+    V const omega = get(RockingField::omega);
     V const s = x.s[0];
     V const c = x.c[0];
     Target const to = target(x);
@@ -126,7 +126,7 @@ OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::step(SwingSeries* shown
     V const fastest = rate[0] + max(most_curved, zero);
     M const concave = most_curved < zero;
     M const convex = least_curved > zero;
-    M const started = get(Swing::start) > zero;
+    M const started = get(RockingField::start) > zero;
     V const lift = choose(started, rate[0], phi);  // what keeps it off the ground at first
     V const drop = 0.5 * min(least_curved, zero);
     V const fall_back = choose(started, drop, min(rate[0], zero) + drop);
@@ -136,14 +136,15 @@ OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::step(SwingSeries* shown
 
     // Every other event must be out of reach, and the series sound.
     V const last_terms = max(abs(rate[order - 1]), abs(rate[order - 2]) * ph);
-    M fine = (last_terms <= get(Swing::tolerance)) & (arc <= most_arc) & (to.phi < 0.5 * std::numbers::pi - most_arc);
+    M fine =
+        (last_terms <= get(RockingField::tolerance)) & (arc <= most_arc) & (to.phi < 0.5 * std::numbers::pi - most_arc);
 
     // A record of rotation or of energy inside? Energy is stationary where the block turns and where the shaking lets
     // go of it. A path that bends one way has no more than one turn.
-    V const peak = get(Swing::peak);
-    V const record = get(Swing::energy);
-    V const spread = omega * get(Swing::inverse_p);
-    V const energy = fma(0.5 * spread, spread, c - get(Swing::cosine_alpha));
+    V const peak = get(RockingField::peak);
+    V const record = get(RockingField::energy);
+    V const spread = omega * get(RockingField::inverse_p);
+    V const energy = fma(0.5 * spread, spread, c - get(RockingField::cosine_alpha));
     V const down = Vertical ? g.start - 1.0 : zero;
     V const down_end = Vertical ? g.end - 1.0 : zero;
     V const shove = Vertical ? fma(down, s, push) : push;
@@ -163,7 +164,7 @@ OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::step(SwingSeries* shown
         fine = without(fine, without(turns, found));
         V const gain = this->gain(u, x);
         crest = choose(turns, phi + gain, zero);
-        crest_energy = choose(turns, this->turned(x, gain).c - get(Swing::cosine_alpha), zero);
+        crest_energy = choose(turns, this->turned(x, gain).c - get(RockingField::cosine_alpha), zero);
         crest_share = choose(turns, u, one);
     }
     M const lets_go = fine & charged & (shove * shove_end < zero);
@@ -179,9 +180,9 @@ OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::step(SwingSeries* shown
 
     // Contact forces here, and how far they could move: r p^2 = inertia_ratio < 1.
     Forces const here = forces(s, c, omega, a.start, g.start);
-    V const both = inclined() ? get(Swing::incline_cosine) + abs(get(Swing::incline_sine)) : one;
+    V const both = inclined() ? get(RockingField::incline_cosine) + abs(get(RockingField::incline_sine)) : one;
     V const sway = both * fma(force + here.spin, 3.0 * arc, change + change);
-    V const limit = get(Swing::friction_limit);
+    V const limit = get(RockingField::friction_limit);
     auto const holds = [&](V pulling, V pressing, V astray) HWY_ATTR {
         V const least = pressing - astray;
         return (least > zero) & (pulling + astray <= limit * least);
@@ -204,43 +205,44 @@ OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::step(SwingSeries* shown
     V tau1 = zero;
     V start1 = zero;
     V energy1 = max(record, energy);
-    V demand1 = get(Swing::demand);
-    V normal1 = min(here.normal, get(Swing::normal));
+    V demand1 = get(RockingField::demand);
+    V normal1 = min(here.normal, get(RockingField::normal));
     V share = one;
     M taken = clear & fine;
-    M strikes = lands & fine;
-    if (any(strikes)) {
+    M impacts = lands & fine;
+    if (any(impacts)) {
         auto const [u, found] = first_zero(x, started);
         V const approach = -Path::at(u, rate) / length;
-        V const rebound = get(Swing::restitution) * approach;
+        V const rebound = get(RockingField::restitution) * approach;
         V const gv = Vertical ? fma(g.change, u, g.start) : one;
         V const av = fma(a.change, u, a.start);
-        V const hold = gv * get(Swing::uplift_ratio) - abs(av);
-        V const settle = get(Swing::settle_speed);
-        constexpr double invisible = 1e-3;
-        M const lasts =
-            (rebound > settle * invisible) & (rebound * get(Swing::settle_rate) > fma(-u, length, length) * hold);
-        strikes = strikes & found & ((rebound > settle) | lasts) & (u > zero) & (u < one)
-                  & (get(Swing::impact_demand) <= get(Swing::friction_limit));
-        V const approach_spread = approach * get(Swing::inverse_p);
-        energy1 = choose(strikes, max(energy1, 0.5 * approach_spread * approach_spread), energy1);
-        demand1 = choose(strikes, max(demand1, get(Swing::impact_demand)), demand1);
-        auto const before = forces(get(Swing::sine_alpha), get(Swing::cosine_alpha), approach, av, gv);
-        normal1 = choose(strikes, min(normal1, before.normal), normal1);
+        V const hold = gv * get(RockingField::uplift_ratio) - abs(av);
+        V const settle = get(RockingField::settle_speed);
+        constexpr double rest_speed_share = 1e-3;
+        M const lasts = (rebound > settle * rest_speed_share)
+                        & (rebound * get(RockingField::settle_rate) > fma(-u, length, length) * hold);
+        impacts = impacts & found & ((rebound > settle) | lasts) & (u > zero) & (u < one)
+                  & (get(RockingField::impact_demand) <= get(RockingField::friction_limit));
+        V const approach_spread = approach * get(RockingField::inverse_p);
+        energy1 = choose(impacts, max(energy1, 0.5 * approach_spread * approach_spread), energy1);
+        demand1 = choose(impacts, max(demand1, get(RockingField::impact_demand)), demand1);
+        auto const before = forces(get(RockingField::sine_alpha), get(RockingField::cosine_alpha), approach, av, gv);
+        normal1 = choose(impacts, min(normal1, before.normal), normal1);
         demand1 =
-            choose(strikes & (before.friction > demand1 * before.normal), before.friction / before.normal, demand1);
-        share = choose(strikes, u, one);
-        phi1 = choose(strikes, zero, phi1);
-        omega1 = choose(strikes, rebound, omega1);
-        s1 = choose(strikes, get(Swing::sine_alpha), s1);
-        c1 = choose(strikes, get(Swing::cosine_alpha), c1);
-        index1 = choose(strikes, index, index1);
-        tau1 = choose(strikes, min(dt, fma(u, length, tau)), tau1);
-        start1 = choose(strikes, one, zero);
-        taken = taken | strikes;
-        put(Swing::side, choose(strikes, -side, side));
-        put(Swing::impact_spin, choose(strikes, max(approach, get(Swing::impact_spin)), get(Swing::impact_spin)));
-        put(Swing::impacts, choose(strikes, get(Swing::impacts) + 1.0, get(Swing::impacts)));
+            choose(impacts & (before.friction > demand1 * before.normal), before.friction / before.normal, demand1);
+        share = choose(impacts, u, one);
+        phi1 = choose(impacts, zero, phi1);
+        omega1 = choose(impacts, rebound, omega1);
+        s1 = choose(impacts, get(RockingField::sine_alpha), s1);
+        c1 = choose(impacts, get(RockingField::cosine_alpha), c1);
+        index1 = choose(impacts, index, index1);
+        tau1 = choose(impacts, min(dt, fma(u, length, tau)), tau1);
+        start1 = choose(impacts, one, zero);
+        taken = taken | impacts;
+        put(RockingField::side, choose(impacts, -side, side));
+        put(RockingField::impact_spin,
+            choose(impacts, max(approach, get(RockingField::impact_spin)), get(RockingField::impact_spin)));
+        put(RockingField::impacts, choose(impacts, get(RockingField::impacts) + 1.0, get(RockingField::impacts)));
     }
     M const stays = !taken;
     energy1 = max(energy1, max(crest_energy, choose(free_share < share, free_energy, zero)));
@@ -251,23 +253,23 @@ OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::step(SwingSeries* shown
     if (M const higher = without(max(phi1, crest) > peak, stays); any(higher)) {
         M const inside = crest > phi1;
         V const after = choose(inside, crest_share * length, fma(index1 - index, dt, tau1 - tau));
-        put(Swing::peak_time, choose(higher, fma(index, dt, tau + after), get(Swing::peak_time)));
-        put(Swing::peak, choose(higher, max(phi1, crest), peak));
+        put(RockingField::peak_time, choose(higher, fma(index, dt, tau + after), get(RockingField::peak_time)));
+        put(RockingField::peak, choose(higher, max(phi1, crest), peak));
     }
     bool const some_stay = any(stays);
-    auto const keep = [&](Swing field, V now)
+    auto const keep = [&](RockingField field, V now)
                           HWY_ATTR { put(field, some_stay ? choose(stays, get(field), now) : now); };
-    keep(Swing::phi, phi1);
-    keep(Swing::omega, omega1);
-    keep(Swing::sine, s1);
-    keep(Swing::cosine, c1);
-    keep(Swing::index, index1);
-    keep(Swing::tau, tau1);
-    keep(Swing::start, start1);
-    keep(Swing::energy, energy1);
-    keep(Swing::demand, demand1);
-    keep(Swing::normal, normal1);
-    keep(Swing::steps, get(Swing::steps) + 1.0);
+    keep(RockingField::phi, phi1);
+    keep(RockingField::omega, omega1);
+    keep(RockingField::sine, s1);
+    keep(RockingField::cosine, c1);
+    keep(RockingField::index, index1);
+    keep(RockingField::tau, tau1);
+    keep(RockingField::start, start1);
+    keep(RockingField::energy, energy1);
+    keep(RockingField::demand, demand1);
+    keep(RockingField::normal, normal1);
+    keep(RockingField::steps, get(RockingField::steps) + 1.0);
 
     if (shown != nullptr) {
         shown->length_s = length.first();
@@ -282,7 +284,7 @@ OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::step(SwingSeries* shown
         shown->horizontal = {a.start.first(), a.change.first()};
         shown->vertical = {g.start.first(), g.change.first()};
     }
-    return stays | (index1 >= get(Swing::last)) | (tau1 >= dt);
+    return stays | (index1 >= get(RockingField::last)) | (tau1 >= dt);
 }
 
 }  // namespace overturn::rocking::HWY_NAMESPACE

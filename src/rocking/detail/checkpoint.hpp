@@ -10,7 +10,7 @@ namespace overturn::rocking {
 enum class Mode { rest, slide, rock, slip_rock };
 
 /// Where a trial stood before the step in which friction gave out. Up to there slip changes no bit.
-struct Pause {
+struct Checkpoint {
     bool at_hand = false;  ///< else friction did not give out, or only after the wave
     RockingOutcome so_far;
     double energy = 0;  ///< its peak, over m g R of the weaker corner
@@ -26,13 +26,13 @@ struct Pause {
 
 namespace overturn {
 
-/// Many trials as simulate_rocking with Slip::watched, and where those stood that called for slip: pauses[i].
-void watch_friction(std::span<RockingTrial const> trials, RockingAccuracy const& accuracy,
-                    std::span<RockingOutcome> outcomes, std::span<rocking::Pause> pauses);
+/// Many trials as simulate_rocking with Slip::detected, and where those stood that called for slip: checkpoints[i].
+void simulate_until_slip(std::span<RockingTrial const> trials, RockingAccuracy const& accuracy,
+                         std::span<RockingOutcome> outcomes, std::span<rocking::Checkpoint> checkpoints);
 
 /// The rest of a trial with slip: bit-equal to Slip::simulated from the start, but for its energies, which count from
-/// the pause on. \pre pause.at_hand, and the trial is the one that paused
-[[nodiscard]] RockingOutcome go_on_slipping(RockingTrial const& trial, RockingAccuracy const& accuracy,
-                                            rocking::Pause const& pause);
+/// the checkpoint on. \pre checkpoint.at_hand, and the trial is the one that stopped there
+[[nodiscard]] RockingOutcome resume_sliding(RockingTrial const& trial, RockingAccuracy const& accuracy,
+                                            rocking::Checkpoint const& checkpoint);
 
 }  // namespace overturn
