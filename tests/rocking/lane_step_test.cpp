@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/detail/rocking_swing.hpp"
+#include "rocking/detail/lane_run.hpp"
 
 namespace overturn::rocking {
 namespace {

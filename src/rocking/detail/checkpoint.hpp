@@ -1,25 +1,19 @@
 /// Trials that stop where friction gives out, and go on from there with slip.
 #pragma once
 
-#include "rocking/detail/rocking_events.hpp"
+#include "rocking/detail/state.hpp"
 #include "rocking/planar_rocking.hpp"
 
 namespace overturn::rocking {
-
-/// rest: full base contact, at rest. slide: full contact, slipping. rock: on one corner, stuck. slip_rock: both.
-enum class Mode { rest, slide, rock, slip_rock };
 
 /// Where a trial stood before the step in which friction gave out. Up to there slip changes no bit.
 struct Checkpoint {
     bool at_hand = false;  ///< else friction did not give out, or only after the wave
     RockingOutcome so_far;
     double energy = 0;  ///< its peak, over m g R of the weaker corner
-    Mode mode = Mode::rest;
-    StartRoot start_root = StartRoot::none;
-    double side = 1, phi = 0, omega = 0;
-    std::size_t index = 0;  ///< of the sample
-    double tau_s = 0;       ///< since then
-    int steps_here = 0;     ///< within it
+    State state;
+    Progress progress;
+    double tau_s = 0;  ///< since the sample
 };
 
 }  // namespace overturn::rocking
