@@ -15,6 +15,21 @@
 HWY_BEFORE_NAMESPACE();
 namespace overturn::rocking::HWY_NAMESPACE {
 
+#define OVERTURN_LAW [[nodiscard]] OVERTURN_LANES_INLINE
+#include "rocking/detail/block_laws-inl.hpp"
+#undef OVERTURN_LAW
+
+// The k-th coefficient of a series and the one before, and a forcing that is linear over the step: the numbers that the
+// equation of motion takes term by term. Of every sum the newest terms come last: they are what the next ones wait for.
+template <class V> struct Term { V now, before; };
+template <class V> struct Linear { V start, change; };
+template <class V> OVERTURN_LANES_INLINE V operator*(Linear<V> f, Term<V> x) {
+    return fma(f.start, x.now, f.change * x.before);
+}
+template <class V> OVERTURN_LANES_INLINE V mul_add(Linear<V> f, Term<V> x, V sum) {
+    return fma(f.start, x.now, fma(f.change, x.before, sum));
+}
+
 template <class V, int Stride, bool Vertical> class LaneSeries {
   public:
     using M = typename V::Mask;
@@ -80,8 +95,7 @@ OVERTURN_LANES_INLINE auto LaneSeries<V, Stride, Vertical>::forcing(RockingWave 
     return {fma(rise, into, a), fma(-rise, into, rise), end};
 }
 
-// phi'' = -p^2 (Gv sin psi + A cos psi), psi' = -phi', in the share of the step; w = (p length)^2. Of every sum the
-// newest terms come last: they are what the next ones wait for.
+// phi'' = -w pull, psi' = -phi', in the share of the step; w = (p length)^2, which the forcing takes up.
 template <class V, int Stride, bool Vertical>
 OVERTURN_LANES_INLINE auto LaneSeries<V, Stride, Vertical>::expand(V length, V w, Forcing const& a,
                                                                    Forcing const& g) const -> Series {
@@ -91,18 +105,15 @@ OVERTURN_LANES_INLINE auto LaneSeries<V, Stride, Vertical>::expand(V length, V w
     x.c[0] = get(RockingField::cosine);
     x.s[1] = -(x.rate[0] * x.c[0]);
     x.c[1] = x.rate[0] * x.s[0];
-    V const across = w * a.start;
-    V const across_change = w * a.change;
-    V const down = Vertical ? w * g.start : w;
-    V const down_change = w * g.change;
-    x.rate[1] = -fma(across, x.c[0], down * x.s[0]);
+    Linear<V> const across{w * a.start, w * a.change};
+    Linear<V> const down{Vertical ? w * g.start : w, w * g.change};
+    x.rate[1] = -pull(across.start, down.start, x.c[0], x.s[0]);  // which of its products is rounded is as good
 #pragma GCC unroll 16
     for (int k = 1; k < trig; ++k) {
-        V pull = fma(across, x.c[k], across_change * x.c[k - 1]);
-        if constexpr (Vertical) {
-            pull = fma(down_change, x.s[k - 1], pull);
-        }
-        x.rate[k + 1] = fma(down, x.s[k], pull) * (-1.0 / (k + 1));
+        Term<V> const s{x.s[k], x.s[k - 1]};
+        Term<V> const c{x.c[k], x.c[k - 1]};
+        V const back = Vertical ? pull(down, across, s, c) : fma(down.start, s.now, across * c);
+        x.rate[k + 1] = back * (-1.0 / (k + 1));
         if (k + 1 == trig) {
             break;
         }

@@ -37,10 +37,15 @@ template <class V, int Stride, bool Vertical> class Stepper : private LaneSeries
     using typename Path::Target;
 
     struct Forces {
-        V spin, friction, normal;  // friction's amount
+        V spin, friction, normal;  // r phi'^2; friction's amount
     };
     // Whether any lane stands on a slope.
     OVERTURN_LANES_INLINE bool inclined() const { return any(abs(get(RockingField::incline_sine)) > V(0)); }
+    // The pull, and the shaking's share of it, where there is vertical motion or none.
+    static OVERTURN_LANES_INLINE V pull_of(V g, V a, V s, V c) { return Vertical ? pull(g, a, s, c) : pull(a, s, c); }
+    static OVERTURN_LANES_INLINE V shaking_pull_of(V g, V a, V s, V c) {
+        return Vertical ? pull(g - 1.0, a, s, c) : a * c;
+    }
     OVERTURN_LANES_INLINE Forces forces(V s, V c, V rate, V a, V g) const;
     OVERTURN_LANES_INLINE V slant(V u, Series const& x, Forcing const& a, Forcing const& g) const;
     OVERTURN_LANES_INLINE V energy_at(V u, Series const& x, V length) const;
@@ -50,16 +55,12 @@ template <class V, int Stride, bool Vertical> class Stepper : private LaneSeries
 template <class V, int Stride, bool Vertical>
 OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::forces(V s, V c, V rate, V a, V g) const -> Forces {
     V const spin = get(RockingField::r) * (rate * rate);
-    V const push = a * c;
-    V const grip = get(RockingField::inertia_ratio) * (Vertical ? fma(g, s, push) : s + push);
-    V const along = fma(s, spin, a) - c * grip;
-    V const across = g - fma(s, grip, c * spin);
-    if (!inclined()) {
-        return {spin, abs(along), across};
+    V const grip = get(RockingField::inertia_ratio) * pull_of(g, a, s, c);
+    auto at = contact_forces_in_motion(s, c, spin, a, g, grip);
+    if (inclined()) {  // level ground changes no bit of its lanes
+        at = turned_to_ground(at, get(RockingField::incline_sine), get(RockingField::incline_cosine));
     }
-    V const down = get(RockingField::incline_sine);  // zero changes no bit of a lane on level ground
-    V const level = get(RockingField::incline_cosine);
-    return {spin, abs(fma(along, level, -(across * down))), fma(along, down, across * level)};
+    return {spin, abs(at.friction), at.normal};
 }
 
 // The shaking's pull over m g, along the way of the centre of gravity and over cos psi: almost a line.
@@ -77,7 +78,7 @@ OVERTURN_LANES_INLINE V Stepper<V, Stride, Vertical>::slant(V u, Series const& x
 template <class V, int Stride, bool Vertical>
 OVERTURN_LANES_INLINE V Stepper<V, Stride, Vertical>::energy_at(V u, Series const& x, V length) const {
     V const spread = Path::at(u, x.rate) / (get(RockingField::p) * length);
-    return fma(0.5 * spread, spread, this->turned(x, this->gain(u, x)).c - get(RockingField::cosine_alpha));
+    return rocking_energy(spread, this->turned(x, this->gain(u, x)).c - get(RockingField::cosine_alpha));
 }
 
 template <class V, int Stride, bool Vertical>
@@ -109,17 +110,15 @@ OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::step(LaneStep* shown) -
     Target const to = target(x);
 
     // Bounds of what may happen on the way; phi'' = -w pull, and pull is close to a line.
-    V const push = a.start * c;
-    V const push_end = a.end * to.c;
-    V const pull = Vertical ? fma(g.start, s, push) : s + push;
-    V const pull_end = Vertical ? fma(g.end, to.s, push_end) : to.s + push_end;
+    V const pull_here = pull_of(g.start, a.start, s, c);
+    V const pull_end = pull_of(g.end, a.end, to.s, to.c);
     V const change = Vertical ? abs(a.change) + abs(g.change) : abs(a.change);
     V const across = max(abs(a.start), abs(a.end));
     V const force = across + (Vertical ? max(abs(g.start), abs(g.end)) : one);
     V const arc = fma(w, force, abs(rate[0]));
     V const off_line = fma(force, fma(arc, arc, w * force), (change + change) * arc);
-    V const most_curved = w * (off_line - min(pull, pull_end));
-    V const least_curved = -(w * (off_line + max(pull, pull_end)));
+    V const most_curved = w * (off_line - min(pull_here, pull_end));
+    V const least_curved = -(w * (off_line + max(pull_here, pull_end)));
 
     // Does phi stay clear of zero, or fall through it once?
     V const slowest = rate[0] + min(least_curved, zero);
@@ -144,11 +143,11 @@ OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::step(LaneStep* shown) -
     V const peak = get(RockingField::peak);
     V const record = get(RockingField::energy);
     V const spread = omega * get(RockingField::inverse_p);
-    V const energy = fma(0.5 * spread, spread, c - get(RockingField::cosine_alpha));
+    V const energy = rocking_energy(spread, c - get(RockingField::cosine_alpha));
     V const down = Vertical ? g.start - 1.0 : zero;
     V const down_end = Vertical ? g.end - 1.0 : zero;
-    V const shove = Vertical ? fma(down, s, push) : push;
-    V const shove_end = Vertical ? fma(down_end, to.s, push_end) : push_end;
+    V const shove = shaking_pull_of(g.start, a.start, s, c);
+    V const shove_end = shaking_pull_of(g.end, a.end, to.s, to.c);
     M const reaches = phi + arc > peak;
     M const charged = energy + arc * (Vertical ? across + max(abs(down), abs(down_end)) : across) > record;
     M const wavers = without(without((slowest <= zero) & (fastest >= zero), concave), convex);
