@@ -7,283 +7,284 @@
 #define OVERTURN_LANE_STEP
 #endif
 
-#include <numbers>
-
-#include "rocking/detail/lane_series-inl.hpp"
+#include "rocking/detail/block_dynamics.hpp"
+#include "rocking/detail/lane_bounds-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace overturn::rocking::HWY_NAMESPACE {
 
-template <class V, int Stride, bool Vertical> class Stepper : private LaneSeries<V, Stride, Vertical> {
+template <class V, int Stride, bool Vertical> class Stepper : private LaneBounds<V, Stride, Vertical> {
   public:
-    using Path = LaneSeries<V, Stride, Vertical>;
-    using M = typename Path::M;
-    using Path::Path;
+    using Base = LaneBounds<V, Stride, Vertical>;
+    using Path = typename Base::Path;
+    using M = typename Base::M;
+    using Base::Base;
 
     // Returns the lanes that need care. Those that took no step are unchanged.
     OVERTURN_LANES_INLINE M step(LaneStep* shown);
 
   private:
-    using Path::expand;
-    using Path::first_zero;
-    using Path::forcing;
-    using Path::get;
-    using Path::order;
-    using Path::put;
-    using Path::target;
-    using Path::trig;
-    using typename Path::Forcing;
-    using typename Path::Series;
-    using typename Path::Target;
+    using Base::forces;
+    using Base::get;
+    using Base::order;
+    using Base::put;
+    using Base::shaking_pull_of;
+    using Base::trig;
+    using typename Base::Bounds;
+    using typename Base::Forces;
+    using typename Base::Forcing;
+    using typename Base::Landing;
+    using typename Base::Plan;
+    using typename Base::Series;
+    using typename Base::Target;
 
-    struct Forces {
-        V spin, friction, normal;  // r phi'^2; friction's amount
+    // The highest rotation inside a step, and two energies that may be the highest: where the block turns, and where
+    // the shaking's power changes its sign.
+    struct Crest {
+        V phi, energy, share;
+        V free_energy, free_share;
     };
-    // Whether any lane stands on a slope.
-    OVERTURN_LANES_INLINE bool inclined() const { return any(abs(get(RockingField::incline_sine)) > V(0)); }
-    // The pull, and the shaking's share of it, where there is vertical motion or none.
-    static OVERTURN_LANES_INLINE V pull_of(V g, V a, V s, V c) { return Vertical ? pull(g, a, s, c) : pull(a, s, c); }
-    static OVERTURN_LANES_INLINE V shaking_pull_of(V g, V a, V s, V c) {
-        return Vertical ? pull(g - 1.0, a, s, c) : a * c;
-    }
-    OVERTURN_LANES_INLINE Forces forces(V s, V c, V rate, V a, V g) const;
-    OVERTURN_LANES_INLINE V slant(V u, Series const& x, Forcing const& a, Forcing const& g) const;
-    OVERTURN_LANES_INLINE V energy_at(V u, Series const& x, V length) const;
+    // What the step leaves; of the lanes that take it.
+    struct After {
+        V phi, omega, s, c, index, tau, start;
+        V energy, demand, normal;
+        V share;  // of the step that was taken
+        M taken;
+    };
+
+    OVERTURN_LANES_INLINE V energy_here(Plan const& plan) const;
+    OVERTURN_LANES_INLINE Crest crest_of(Plan const& plan, Bounds const& bounds, V energy, M& fine) const;
+    OVERTURN_LANES_INLINE After at_end(Plan const& plan, V energy, Forces const& here) const;
+    OVERTURN_LANES_INLINE void apply_impacts(Plan const& plan, M started, M impacts, After& after);
+    OVERTURN_LANES_INLINE void write(Plan const& plan, Crest const& crest, Forces const& here, After& after);
+    static OVERTURN_LANES_INLINE void show(Plan const& plan, After const& after, LaneStep& shown);
+    OVERTURN_LANES_INLINE V power_over_cosine(V u, Plan const& plan) const;
+    OVERTURN_LANES_INLINE V energy_at(V u, Plan const& plan) const;
 };
 
-// Contact forces over m g, along and across the ground.
+// The shaking's power over -phi' cos psi: its share of the pull along the way of the centre of gravity. Almost a line.
 template <class V, int Stride, bool Vertical>
-OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::forces(V s, V c, V rate, V a, V g) const -> Forces {
-    V const spin = get(RockingField::r) * (rate * rate);
-    V const grip = get(RockingField::inertia_ratio) * pull_of(g, a, s, c);
-    auto at = contact_forces_in_motion(s, c, spin, a, g, grip);
-    if (inclined()) {  // level ground changes no bit of its lanes
-        at = turned_to_ground(at, get(RockingField::incline_sine), get(RockingField::incline_cosine));
-    }
-    return {spin, abs(at.friction), at.normal};
-}
-
-// The shaking's pull over m g, along the way of the centre of gravity and over cos psi: almost a line.
-template <class V, int Stride, bool Vertical>
-OVERTURN_LANES_INLINE V Stepper<V, Stride, Vertical>::slant(V u, Series const& x, Forcing const& a,
-                                                            Forcing const& g) const {
-    V const across = fma(a.change, u, a.start);
+OVERTURN_LANES_INLINE V Stepper<V, Stride, Vertical>::power_over_cosine(V u, Plan const& plan) const {
+    V const across = fma(plan.a.change, u, plan.a.start);
     if constexpr (Vertical) {
-        auto const [s, c] = this->turned(x, this->gain(u, x));
-        return fma(fma(g.change, u, g.start) - 1.0, s / c, across);
+        auto const [s, c] = this->turned(plan.x, this->gain(u, plan.x));
+        return fma(fma(plan.g.change, u, plan.g.start) - 1.0, s / c, across);
     }
     return across;
 }
 
 template <class V, int Stride, bool Vertical>
-OVERTURN_LANES_INLINE V Stepper<V, Stride, Vertical>::energy_at(V u, Series const& x, V length) const {
-    V const spread = Path::at(u, x.rate) / (get(RockingField::p) * length);
-    return rocking_energy(spread, this->turned(x, this->gain(u, x)).c - get(RockingField::cosine_alpha));
+OVERTURN_LANES_INLINE V Stepper<V, Stride, Vertical>::energy_at(V u, Plan const& plan) const {
+    V const rate = Path::at(u, plan.x.rate) / (get(RockingField::p) * plan.length);
+    return rocking_energy(rate, this->turned(plan.x, this->gain(u, plan.x)).c - get(RockingField::cosine_alpha));
+}
+
+template <class V, int Stride, bool Vertical>
+OVERTURN_LANES_INLINE V Stepper<V, Stride, Vertical>::energy_here(Plan const& plan) const {
+    return rocking_energy(plan.omega * get(RockingField::inverse_p), plan.c - get(RockingField::cosine_alpha));
+}
+
+// Energy is stationary where the block turns and where the shaking's power changes its sign. A path that bends one way
+// turns once at most; what may turn twice, or up, is left to the scalar step where it could hide a record.
+template <class V, int Stride, bool Vertical>
+OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::crest_of(Plan const& plan, Bounds const& bounds, V energy,
+                                                                  M& fine) const -> Crest {
+    V const zero = 0;
+    V const one = 1;
+    Forcing const& a = plan.a;
+    Forcing const& g = plan.g;
+    V const rate = plan.x.rate[0];
+    V const down = Vertical ? g.start - 1.0 : zero;
+    V const down_end = Vertical ? g.end - 1.0 : zero;
+    // |phi - phi(0)| <= arc; and energy changes by the shaking's share of the pull along it.
+    M const may_be_highest = plan.phi + bounds.arc > get(RockingField::peak);
+    V const work = bounds.arc * (Vertical ? bounds.across + max(abs(down), abs(down_end)) : bounds.across);
+    M const may_have_most = energy + work > get(RockingField::energy);
+    M const may_turn_twice =
+        without(without((bounds.slowest <= zero) & (bounds.fastest >= zero), bounds.concave), bounds.convex);
+    // Beyond alpha energy may have a maximum where a fall back turns into a rise.
+    M const may_turn_up = may_have_most & (rate < zero) & (plan.to.speed > zero);
+    fine = without(fine, (may_turn_twice & (may_be_highest | may_have_most)) | may_turn_up);
+    M const turns = fine & (may_be_highest | may_have_most) & (rate > zero) & (plan.to.speed <= zero);
+    Crest crest{zero, zero, one, zero, one};
+    if (any(turns)) {
+        auto const [u, found] = this->turning(plan.x);
+        fine = without(fine, without(turns, found));
+        V const gain = this->gain(u, plan.x);
+        crest.phi = choose(turns, plan.phi + gain, zero);
+        crest.energy = choose(turns, this->turned(plan.x, gain).c - get(RockingField::cosine_alpha), zero);
+        crest.share = choose(turns, u, one);
+    }
+    V const power = shaking_pull_of(g.start, a.start, plan.s, plan.c);
+    V const power_end = shaking_pull_of(g.end, a.end, plan.to.s, plan.to.c);
+    M const power_turns = fine & may_have_most & (power * power_end < zero);
+    if (any(power_turns)) {  // by regula falsi, twice
+        V const here = Vertical ? fma(down, plan.s / plan.c, a.start) : a.start;
+        V const fall = here - (Vertical ? fma(down_end, plan.to.s / plan.to.c, a.end) : a.end);
+        V const u = here / fall;
+        crest.free_share = choose(power_turns, max(zero, min(one, u + power_over_cosine(u, plan) / fall)), one);
+        crest.free_energy = choose(power_turns, energy_at(crest.free_share, plan), zero);
+    }
+    return crest;
+}
+
+// The sample's end, where nothing happens on the way.
+template <class V, int Stride, bool Vertical>
+OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::at_end(Plan const& plan, V energy, Forces const& here) const
+    -> After {
+    V const zero = 0;
+    return {plan.to.phi,
+            plan.to.speed / plan.length,  // its inverse would err one way in every step
+            plan.to.s,
+            plan.to.c,
+            get(RockingField::index) + 1.0,
+            zero,
+            zero,
+            max(get(RockingField::energy), energy),
+            get(RockingField::demand),
+            min(here.normal, get(RockingField::normal)),
+            1,
+            zero > zero};
+}
+
+// Guard: phi falls through zero, and what follows is no settling: the rebound is not slow, or slow but its bouncing
+// lasts longer than the sample does, by the corner that holds it least; and the other corner sticks.
+// Reset: omega -> e omega on the other corner.
+template <class V, int Stride, bool Vertical>
+OVERTURN_LANES_INLINE void Stepper<V, Stride, Vertical>::apply_impacts(Plan const& plan, M started, M impacts,
+                                                                       After& after) {
+    V const zero = 0;
+    V const one = 1;
+    V const length = plan.length;
+    auto const [u, found] = this->first_zero(plan.x, started);
+    V const approach = -Path::at(u, plan.x.rate) / length;
+    V const rebound = get(RockingField::restitution) * approach;
+    V const gv = Vertical ? fma(plan.g.change, u, plan.g.start) : one;
+    V const av = fma(plan.a.change, u, plan.a.start);
+    V const hold = gv * get(RockingField::uplift_ratio) - abs(av);
+    V const settle = get(RockingField::settle_speed);
+    M const lasts = (rebound > settle * rest_speed_share)
+                    & (rebound * get(RockingField::settle_rate) > fma(-u, length, length) * hold);
+    impacts = impacts & found & ((rebound > settle) | lasts) & (u > zero) & (u < one)
+              & (get(RockingField::impact_demand) <= get(RockingField::friction_limit));
+    V const rate = approach * get(RockingField::inverse_p);
+    after.energy = choose(impacts, max(after.energy, 0.5 * rate * rate), after.energy);
+    after.demand = choose(impacts, max(after.demand, get(RockingField::impact_demand)), after.demand);
+    auto const before = forces(get(RockingField::sine_alpha), get(RockingField::cosine_alpha), approach, av, gv);
+    after.normal = choose(impacts, min(after.normal, before.normal), after.normal);
+    after.demand = choose(impacts & (before.friction > after.demand * before.normal), before.friction / before.normal,
+                          after.demand);
+    after.share = choose(impacts, u, one);
+    after.phi = choose(impacts, zero, after.phi);
+    after.omega = choose(impacts, rebound, after.omega);
+    after.s = choose(impacts, get(RockingField::sine_alpha), after.s);
+    after.c = choose(impacts, get(RockingField::cosine_alpha), after.c);
+    after.index = choose(impacts, get(RockingField::index), after.index);
+    after.tau = choose(impacts, min(get(RockingField::time_step), fma(u, length, get(RockingField::tau))), after.tau);
+    after.start = choose(impacts, one, zero);
+    after.taken = after.taken | impacts;
+    V const side = get(RockingField::side);
+    put(RockingField::side, choose(impacts, -side, side));
+    V const fastest = get(RockingField::impact_spin);
+    put(RockingField::impact_spin, choose(impacts, max(approach, fastest), fastest));
+    V const count = get(RockingField::impacts);
+    put(RockingField::impacts, choose(impacts, count + 1.0, count));
+}
+
+// Of the lanes that take the step: where they stand, and their records.
+template <class V, int Stride, bool Vertical>
+OVERTURN_LANES_INLINE void Stepper<V, Stride, Vertical>::write(Plan const& plan, Crest const& crest, Forces const& here,
+                                                               After& after) {
+    M const stays = !after.taken;
+    after.energy =
+        max(after.energy, max(crest.energy, choose(crest.free_share < after.share, crest.free_energy, V(0))));
+    M const demands = without(here.friction > after.demand * here.normal, stays);
+    if (any(demands)) {
+        after.demand = choose(demands, here.friction / here.normal, after.demand);
+    }
+    V const peak = get(RockingField::peak);
+    if (M const higher = without(max(after.phi, crest.phi) > peak, stays); any(higher)) {
+        V const index = get(RockingField::index);
+        V const tau = get(RockingField::tau);
+        V const dt = get(RockingField::time_step);
+        M const inside = crest.phi > after.phi;
+        V const since = choose(inside, crest.share * plan.length, fma(after.index - index, dt, after.tau - tau));
+        put(RockingField::peak_time, choose(higher, fma(index, dt, tau + since), get(RockingField::peak_time)));
+        put(RockingField::peak, choose(higher, max(after.phi, crest.phi), peak));
+    }
+    bool const some_stay = any(stays);
+    auto const keep = [&](RockingField field, V now)
+                          HWY_ATTR { put(field, some_stay ? choose(stays, get(field), now) : now); };
+    keep(RockingField::phi, after.phi);
+    keep(RockingField::omega, after.omega);
+    keep(RockingField::sine, after.s);
+    keep(RockingField::cosine, after.c);
+    keep(RockingField::index, after.index);
+    keep(RockingField::tau, after.tau);
+    keep(RockingField::start, after.start);
+    keep(RockingField::energy, after.energy);
+    keep(RockingField::demand, after.demand);
+    keep(RockingField::normal, after.normal);
+    keep(RockingField::steps, get(RockingField::steps) + 1.0);
+}
+
+template <class V, int Stride, bool Vertical>
+OVERTURN_LANES_INLINE void Stepper<V, Stride, Vertical>::show(Plan const& plan, After const& after, LaneStep& shown) {
+    shown.length_s = plan.length.first();
+    shown.share = after.share.first();
+    for (int k = 0; k < order; ++k) {
+        shown.rates[k] = plan.x.rate[k].first();
+    }
+    for (int k = 0; k < trig; ++k) {
+        shown.sine[k] = plan.x.s[k].first();
+        shown.cosine[k] = plan.x.c[k].first();
+    }
+    shown.horizontal = {plan.a.start.first(), plan.a.change.first()};
+    shown.vertical = {plan.g.start.first(), plan.g.change.first()};
 }
 
 template <class V, int Stride, bool Vertical>
 OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::step(LaneStep* shown) -> M {
-    V const zero = 0;
     V const one = 1;
     V const index = get(RockingField::index);
     V const tau = get(RockingField::tau);
-    V const dt = get(RockingField::time_step);
-    V const side = get(RockingField::side);
     V const scale = get(RockingField::scale);
-    V const length = dt - tau;
+    V const length = get(RockingField::time_step) - tau;
     V const into = tau * get(RockingField::sampling_rate);
-    Forcing const a = forcing(RockingWave::horizontal, side * scale, index, into);
-    Forcing g{one, zero, one};
+    Forcing const a = this->forcing(RockingWave::horizontal, get(RockingField::side) * scale, index, into);
+    Forcing g{one, 0, one};
     if constexpr (Vertical) {
-        g = forcing(RockingWave::vertical, scale, index, into);
+        g = this->forcing(RockingWave::vertical, scale, index, into);
         g.start = g.start + 1.0;
         g.end = g.end + 1.0;
     }
     V const ph = get(RockingField::p) * length;
     V const w = ph * ph;
-    Series const x = expand(length, w, a, g);
-    auto const& rate = x.rate;
-    V const phi = get(RockingField::phi);
-    V const omega = get(RockingField::omega);
-    V const s = x.s[0];
-    V const c = x.c[0];
-    Target const to = target(x);
+    Series const x = this->expand(length, w, a, g);
+    Target const to = this->target(x);
+    Plan const plan{length, a, g, ph, w, x, get(RockingField::phi), get(RockingField::omega), x.s[0], x.c[0], to};
+    Bounds const bounds = this->bounds_of(plan);
+    Landing const landing = this->landing_of(plan, bounds);
+    // The series is sound: its last terms are small (as in step_length), its sums exact. A fall is out of reach.
+    auto const& rate = plan.x.rate;
+    V const last_terms = max(abs(rate[order - 1]), abs(rate[order - 2]) * plan.ph);
+    M fine = (last_terms <= get(RockingField::tolerance)) & (bounds.arc <= most_arc)
+             & (plan.to.phi < overturned_rad - most_arc);
+    V const energy = energy_here(plan);
+    Crest const crest = crest_of(plan, bounds, energy, fine);
+    Forces const here = forces(plan.s, plan.c, plan.omega, plan.a.start, plan.g.start);
+    fine = fine & this->contact_holds(plan, bounds, here);
 
-    // Bounds of what may happen on the way; phi'' = -w pull, and pull is close to a line.
-    V const pull_here = pull_of(g.start, a.start, s, c);
-    V const pull_end = pull_of(g.end, a.end, to.s, to.c);
-    V const change = Vertical ? abs(a.change) + abs(g.change) : abs(a.change);
-    V const across = max(abs(a.start), abs(a.end));
-    V const force = across + (Vertical ? max(abs(g.start), abs(g.end)) : one);
-    V const arc = fma(w, force, abs(rate[0]));
-    V const off_line = fma(force, fma(arc, arc, w * force), (change + change) * arc);
-    V const most_curved = w * (off_line - min(pull_here, pull_end));
-    V const least_curved = -(w * (off_line + max(pull_here, pull_end)));
-
-    // Does phi stay clear of zero, or fall through it once?
-    V const slowest = rate[0] + min(least_curved, zero);
-    V const fastest = rate[0] + max(most_curved, zero);
-    M const concave = most_curved < zero;
-    M const convex = least_curved > zero;
-    M const started = get(RockingField::start) > zero;
-    V const lift = choose(started, rate[0], phi);  // what keeps it off the ground at first
-    V const drop = 0.5 * min(least_curved, zero);
-    V const fall_back = choose(started, drop, min(rate[0], zero) + drop);
-    M const once = (lift > zero) & (concave | without(fastest < zero, started));
-    M const lands = once & (to.phi <= zero);
-    M const clear = (lift + fall_back > zero) | ((rate[0] >= zero) & convex) | without(once, lands);
-
-    // Every other event must be out of reach, and the series sound.
-    V const last_terms = max(abs(rate[order - 1]), abs(rate[order - 2]) * ph);
-    M fine =
-        (last_terms <= get(RockingField::tolerance)) & (arc <= most_arc) & (to.phi < 0.5 * std::numbers::pi - most_arc);
-
-    // A record of rotation or of energy inside? Energy is stationary where the block turns and where the shaking lets
-    // go of it. A path that bends one way has no more than one turn.
-    V const peak = get(RockingField::peak);
-    V const record = get(RockingField::energy);
-    V const spread = omega * get(RockingField::inverse_p);
-    V const energy = rocking_energy(spread, c - get(RockingField::cosine_alpha));
-    V const down = Vertical ? g.start - 1.0 : zero;
-    V const down_end = Vertical ? g.end - 1.0 : zero;
-    V const shove = shaking_pull_of(g.start, a.start, s, c);
-    V const shove_end = shaking_pull_of(g.end, a.end, to.s, to.c);
-    M const reaches = phi + arc > peak;
-    M const charged = energy + arc * (Vertical ? across + max(abs(down), abs(down_end)) : across) > record;
-    M const wavers = without(without((slowest <= zero) & (fastest >= zero), concave), convex);
-    // Beyond alpha energy may have a maximum where a fall back turns into a rise.
-    M const falters = charged & (rate[0] < zero) & (to.speed > zero);
-    fine = without(fine, (wavers & (reaches | charged)) | falters);
-    M const turns = fine & (reaches | charged) & (rate[0] > zero) & (to.speed <= zero);
-    V crest = zero;
-    V crest_energy = zero;
-    V crest_share = one;
-    if (any(turns)) {
-        auto const [u, found] = this->turning(x);
-        fine = without(fine, without(turns, found));
-        V const gain = this->gain(u, x);
-        crest = choose(turns, phi + gain, zero);
-        crest_energy = choose(turns, this->turned(x, gain).c - get(RockingField::cosine_alpha), zero);
-        crest_share = choose(turns, u, one);
+    After after = at_end(plan, energy, here);
+    after.taken = landing.clear & fine;
+    if (M const impacts = landing.lands & fine; any(impacts)) {
+        apply_impacts(plan, landing.started, impacts, after);
     }
-    M const lets_go = fine & charged & (shove * shove_end < zero);
-    V free_energy = zero;
-    V free_share = one;
-    if (any(lets_go)) {
-        V const slant_here = Vertical ? fma(down, s / c, a.start) : a.start;
-        V const yield = slant_here - (Vertical ? fma(down_end, to.s / to.c, a.end) : a.end);
-        V const u = slant_here / yield;
-        free_share = choose(lets_go, max(zero, min(one, u + slant(u, x, a, g) / yield)), one);
-        free_energy = choose(lets_go, energy_at(free_share, x, length), zero);
-    }
-
-    // Contact forces here, and how far they could move: r p^2 = inertia_ratio < 1.
-    Forces const here = forces(s, c, omega, a.start, g.start);
-    V const both = inclined() ? get(RockingField::incline_cosine) + abs(get(RockingField::incline_sine)) : one;
-    V const sway = both * fma(force + here.spin, 3.0 * arc, change + change);
-    V const limit = get(RockingField::friction_limit);
-    auto const holds = [&](V pulling, V pressing, V astray) HWY_ATTR {
-        V const least = pressing - astray;
-        return (least > zero) & (pulling + astray <= limit * least);
-    };
-    M held = holds(here.friction, here.normal, sway);
-    if (any(!held)) {
-        // Near a limit: the forces stray from the line between their ends by an eighth of their second derivatives,
-        // which are below (arc^2 + w force) (spin + 10.06 force) + 6 arc change.
-        Forces const there = forces(to.s, to.c, to.speed / length, a.end, g.end);
-        V const bow = 0.125 * both * fma(fma(arc, arc, w * force), here.spin + 10.06 * force, 6.0 * arc * change);
-        held = held | (holds(here.friction, here.normal, bow) & holds(there.friction, there.normal, bow));
-    }
-    fine = fine & held;
-
-    V phi1 = to.phi;
-    V omega1 = to.speed / length;  // its inverse would err one way in every step
-    V s1 = to.s;
-    V c1 = to.c;
-    V index1 = index + 1.0;
-    V tau1 = zero;
-    V start1 = zero;
-    V energy1 = max(record, energy);
-    V demand1 = get(RockingField::demand);
-    V normal1 = min(here.normal, get(RockingField::normal));
-    V share = one;
-    M taken = clear & fine;
-    M impacts = lands & fine;
-    if (any(impacts)) {
-        auto const [u, found] = first_zero(x, started);
-        V const approach = -Path::at(u, rate) / length;
-        V const rebound = get(RockingField::restitution) * approach;
-        V const gv = Vertical ? fma(g.change, u, g.start) : one;
-        V const av = fma(a.change, u, a.start);
-        V const hold = gv * get(RockingField::uplift_ratio) - abs(av);
-        V const settle = get(RockingField::settle_speed);
-        constexpr double rest_speed_share = 1e-3;
-        M const lasts = (rebound > settle * rest_speed_share)
-                        & (rebound * get(RockingField::settle_rate) > fma(-u, length, length) * hold);
-        impacts = impacts & found & ((rebound > settle) | lasts) & (u > zero) & (u < one)
-                  & (get(RockingField::impact_demand) <= get(RockingField::friction_limit));
-        V const approach_spread = approach * get(RockingField::inverse_p);
-        energy1 = choose(impacts, max(energy1, 0.5 * approach_spread * approach_spread), energy1);
-        demand1 = choose(impacts, max(demand1, get(RockingField::impact_demand)), demand1);
-        auto const before = forces(get(RockingField::sine_alpha), get(RockingField::cosine_alpha), approach, av, gv);
-        normal1 = choose(impacts, min(normal1, before.normal), normal1);
-        demand1 =
-            choose(impacts & (before.friction > demand1 * before.normal), before.friction / before.normal, demand1);
-        share = choose(impacts, u, one);
-        phi1 = choose(impacts, zero, phi1);
-        omega1 = choose(impacts, rebound, omega1);
-        s1 = choose(impacts, get(RockingField::sine_alpha), s1);
-        c1 = choose(impacts, get(RockingField::cosine_alpha), c1);
-        index1 = choose(impacts, index, index1);
-        tau1 = choose(impacts, min(dt, fma(u, length, tau)), tau1);
-        start1 = choose(impacts, one, zero);
-        taken = taken | impacts;
-        put(RockingField::side, choose(impacts, -side, side));
-        put(RockingField::impact_spin,
-            choose(impacts, max(approach, get(RockingField::impact_spin)), get(RockingField::impact_spin)));
-        put(RockingField::impacts, choose(impacts, get(RockingField::impacts) + 1.0, get(RockingField::impacts)));
-    }
-    M const stays = !taken;
-    energy1 = max(energy1, max(crest_energy, choose(free_share < share, free_energy, zero)));
-    M const demands = without(here.friction > demand1 * here.normal, stays);
-    if (any(demands)) {
-        demand1 = choose(demands, here.friction / here.normal, demand1);
-    }
-    if (M const higher = without(max(phi1, crest) > peak, stays); any(higher)) {
-        M const inside = crest > phi1;
-        V const after = choose(inside, crest_share * length, fma(index1 - index, dt, tau1 - tau));
-        put(RockingField::peak_time, choose(higher, fma(index, dt, tau + after), get(RockingField::peak_time)));
-        put(RockingField::peak, choose(higher, max(phi1, crest), peak));
-    }
-    bool const some_stay = any(stays);
-    auto const keep = [&](RockingField field, V now)
-                          HWY_ATTR { put(field, some_stay ? choose(stays, get(field), now) : now); };
-    keep(RockingField::phi, phi1);
-    keep(RockingField::omega, omega1);
-    keep(RockingField::sine, s1);
-    keep(RockingField::cosine, c1);
-    keep(RockingField::index, index1);
-    keep(RockingField::tau, tau1);
-    keep(RockingField::start, start1);
-    keep(RockingField::energy, energy1);
-    keep(RockingField::demand, demand1);
-    keep(RockingField::normal, normal1);
-    keep(RockingField::steps, get(RockingField::steps) + 1.0);
-
+    write(plan, crest, here, after);
     if (shown != nullptr) {
-        shown->length_s = length.first();
-        shown->share = share.first();
-        for (int k = 0; k < order; ++k) {
-            shown->rates[k] = rate[k].first();
-        }
-        for (int k = 0; k < trig; ++k) {
-            shown->sine[k] = x.s[k].first();
-            shown->cosine[k] = x.c[k].first();
-        }
-        shown->horizontal = {a.start.first(), a.change.first()};
-        shown->vertical = {g.start.first(), g.change.first()};
+        show(plan, after, *shown);
     }
-    return stays | (index1 >= get(RockingField::last)) | (tau1 >= dt);
+    return (!after.taken) | (after.index >= get(RockingField::last)) | (after.tau >= get(RockingField::time_step));
 }
 
 }  // namespace overturn::rocking::HWY_NAMESPACE

@@ -53,6 +53,11 @@ enum class RockingField : int {
     count
 };
 
+/// Bouncing slower than this fraction of RockingAccuracy::settle is rest, whatever the forcing does next. Empirical:
+/// low enough for a rebound of 1e-8 p at most to be lost, by the default `settle`; how results move with it was not
+/// measured.
+inline constexpr double rest_speed_share = 1e-3;
+
 /// The waves that a lane reads, in m/s2; the vertical one only if it is stepped with vertical motion.
 enum class RockingWave : int { horizontal, vertical, count };
 

@@ -15,11 +15,6 @@
 
 namespace overturn::rocking {
 
-/// Bouncing slower than this fraction of RockingAccuracy::settle is rest, whatever the forcing does next. Empirical:
-/// low enough for a rebound of 1e-8 p at most to be lost, by the default `settle`; how results move with it was not
-/// measured.
-inline constexpr double rest_speed_share = 1e-3;
-
 /// What of a trial stays as it is.
 struct RockingSetup {
     RockingSetup(RockingBlock const& of, Excitation const& by, RockingAccuracy const& with, Slip friction);
