@@ -1,5 +1,5 @@
-/// Planar rocking of a rigid block about its base corners: the plain scalar implementation, the reference for all
-/// others.
+/// Planar rocking of a rigid block about its base corners, one trial or many. Equations, modes and where each stands:
+/// README.md of this folder.
 #pragma once
 
 #include <array>
