@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "core/error.hpp"
@@ -105,20 +104,6 @@ RockingOutcome resume_sliding(RockingTrial const& trial, RockingAccuracy const& 
     OVERTURN_EXPECT(checkpoint.at_hand);
     rocking::RockingRun run(trial.block, trial.shaking, accuracy, Slip::simulated, nullptr);
     return run_from_checkpoint(run, checkpoint);
-}
-
-double peak_tipping_ratio(Excitation const& shaking, double gravity_mps2) {
-    double const k = shaking.scale / gravity_mps2;
-    double peak = 0;
-    for (std::size_t i = 0; i < shaking.horizontal_mps2.size(); ++i) {
-        double const gv = shaking.vertical_mps2.empty() ? 1.0 : 1 + k * shaking.vertical_mps2[i];
-        if (!(gv > 0)) {
-            return std::numeric_limits<double>::infinity();
-        }
-        // Between samples a and gv are linear and gv positive, so the ratio is largest at a sample.
-        peak = std::max(peak, std::abs(k * shaking.horizontal_mps2[i]) / gv);
-    }
-    return peak;
 }
 
 }  // namespace overturn

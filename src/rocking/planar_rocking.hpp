@@ -135,8 +135,4 @@ struct RockingTrial {
 void simulate_rocking(std::span<RockingTrial const> trials, RockingAccuracy const& accuracy, Slip slip,
                       std::span<RockingOutcome> outcomes);
 
-/// The largest horizontal acceleration over gv, max |a| / gv: at rest while it does not exceed tan(alpha) [-, in g];
-/// infinite where gv falls to zero or below.
-[[nodiscard]] double peak_tipping_ratio(Excitation const& shaking, double gravity_mps2);
-
 }  // namespace overturn
