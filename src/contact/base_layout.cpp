@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/detail/pressing.hpp"
+#include "contact/detail/contact_step.hpp"
 #include "core/error.hpp"
 
 namespace overturn {

@@ -28,12 +28,12 @@ ContactOutcome simulate_contact(ContactBlock const& block, Excitation const& sha
     contact::ContactRun run(block, shaking, accuracy, start);
     while (run.advance()) {
         if (observer == nullptr) {
-            contact::press_on(run.lane());
+            contact::step_lanes(run.lane());
             continue;
         }
         do {
             observer->at(run.instant());
-        } while (!contact::press_once(run.lane()));
+        } while (!contact::step_lane_once(run.lane()));
     }
     if (observer != nullptr) {
         observer->at(run.instant());

@@ -1,5 +1,5 @@
-/// Planar rocking of a rigid block about its base corners: the plain scalar implementation, the reference for all
-/// others.
+/// Planar rocking of a rigid block about its base corners, one trial or many. Equations, modes and where each stands:
+/// README.md of this folder.
 #pragma once
 
 #include <array>
@@ -50,7 +50,7 @@ struct RockingBlock {
 /// What becomes of friction that is not enough.
 enum class Slip {
     ignored,    ///< the corner never slips; friction demand is monitored
-    watched,    ///< the same motion, ended at the instant the block would slip: RockingOutcome::slip_called
+    detected,   ///< the same motion, ended at the instant the block would slip: RockingOutcome::slip_onset
     simulated,  ///< at rest, sliding, rocking, slide-rocking
 };
 
@@ -78,7 +78,7 @@ struct RockingOutcome : Outcome {
     double peak_reach_rad = 0;
     double peak_side = 0;          ///< of a block whose corners differ: the sign of the peak rotation
     double impact_spin_radps = 0;  ///< largest |omega| before an impact
-    bool slip_called = false;      ///< Slip::watched ended here: nothing else of this outcome counts
+    bool slip_onset = false;       ///< Slip::detected ended here: nothing else of this outcome counts
     EnergyBalance energy;          ///< with Slip::simulated only
 };
 
@@ -134,9 +134,5 @@ struct RockingTrial {
 /// alone. Trials come in any mixture.
 void simulate_rocking(std::span<RockingTrial const> trials, RockingAccuracy const& accuracy, Slip slip,
                       std::span<RockingOutcome> outcomes);
-
-/// The largest horizontal acceleration over gv, max |a| / gv: at rest while it does not exceed tan(alpha) [-, in g];
-/// infinite where gv falls to zero or below.
-[[nodiscard]] double peak_tipping_ratio(Excitation const& shaking, double gravity_mps2);
 
 }  // namespace overturn

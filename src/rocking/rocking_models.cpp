@@ -6,7 +6,7 @@
 
 #include "body/response_velocity.hpp"
 #include "core/error.hpp"
-#include "rocking/detail/pause.hpp"
+#include "rocking/detail/checkpoint.hpp"
 
 namespace overturn {
 namespace {
@@ -30,8 +30,8 @@ constexpr std::array channels{Channel{"time_s"},
                               Channel{"slip_m"},
                               Channel{"slip_velocity_mps"}};
 
-struct Pauses : Checkpoints {
-    std::vector<rocking::Pause> at;
+struct SlipCheckpoints : Checkpoints {
+    std::vector<rocking::Checkpoint> at;
 };
 
 RockingTrial rocking_trial(Trial const& trial) {
@@ -77,26 +77,26 @@ class RockingModel : public Model {
             show(batch);
             return nullptr;
         }
-        auto pauses = std::make_unique<Pauses>();
-        pauses->at.resize(batch.trials.size());
-        run_alike(batch, Slip::ignored, pauses->at);
-        run_alike(batch, Slip::watched, pauses->at);
-        return pauses;
+        auto checkpoints = std::make_unique<SlipCheckpoints>();
+        checkpoints->at.resize(batch.trials.size());
+        run_alike(batch, Slip::ignored, checkpoints->at);
+        run_alike(batch, Slip::detected, checkpoints->at);
+        return checkpoints;
     }
 
   private:
     static Slip slip_of(Trial const& trial) {
-        return trial.friction && has(trial.taken_over, Effect::sliding) ? Slip::watched : Slip::ignored;
+        return trial.friction && has(trial.taken_over, Effect::sliding) ? Slip::detected : Slip::ignored;
     }
     static void conclude_one(RockingOutcome const& rocking, Trial const& trial, Outcome& outcome) {
-        bool const slips = slip_of(trial) == Slip::watched
-                               ? rocking.slip_called
+        bool const slips = slip_of(trial) == Slip::detected
+                               ? rocking.slip_onset
                                : trial.friction && rocking.friction_demand > trial.friction->static_coefficient;
         conclude(rocking, trial, slips ? mask_of(Effect::sliding) : 0, outcome);
     }
 
     // All trials that look at friction in the same way, side by side.
-    void run_alike(Batch const& batch, Slip slip, std::vector<rocking::Pause>& pauses) const {
+    void run_alike(Batch const& batch, Slip slip, std::vector<rocking::Checkpoint>& checkpoints) const {
         std::vector<std::size_t> which;
         std::vector<RockingTrial> trials;
         which.reserve(batch.trials.size());
@@ -108,16 +108,16 @@ class RockingModel : public Model {
             }
         }
         std::vector<RockingOutcome> outcomes(trials.size());
-        std::vector<rocking::Pause> paused(slip == Slip::watched ? trials.size() : 0);
-        if (slip == Slip::watched) {
-            watch_friction(trials, accuracy_, outcomes, paused);
+        std::vector<rocking::Checkpoint> stopped(slip == Slip::detected ? trials.size() : 0);
+        if (slip == Slip::detected) {
+            simulate_until_slip(trials, accuracy_, outcomes, stopped);
         } else {
             simulate_rocking(trials, accuracy_, slip, outcomes);
         }
         for (std::size_t i = 0; i < which.size(); ++i) {
             conclude_one(outcomes[i], batch.trials[which[i]], batch.outcomes[which[i]]);
-            if (slip == Slip::watched) {
-                pauses[which[i]] = paused[i];
+            if (slip == Slip::detected) {
+                checkpoints[which[i]] = stopped[i];
             }
         }
     }
@@ -143,7 +143,7 @@ class SlidingModel : public Model {
     }
 
     [[nodiscard]] std::unique_ptr<Checkpoints> run(Batch const& batch) const override {
-        auto const* const paused = dynamic_cast<Pauses const*>(batch.before);
+        auto const* const stopped = dynamic_cast<SlipCheckpoints const*>(batch.before);
         std::optional<Shown> shown;
         if (batch.observer != nullptr) {
             OVERTURN_EXPECT(batch.trials.size() == 1);
@@ -152,9 +152,9 @@ class SlidingModel : public Model {
         for (std::size_t i = 0; i < batch.trials.size(); ++i) {
             auto const& trial = batch.trials[i];
             auto const rocking = rocking_trial(trial);
-            auto const* const pause = paused == nullptr ? nullptr : &paused->at.at(batch.places[i]);
-            auto const outcome = pause != nullptr && pause->at_hand && !shown
-                                     ? go_on_slipping(rocking, accuracy_, *pause)
+            auto const* const checkpoint = stopped == nullptr ? nullptr : &stopped->at.at(batch.places[i]);
+            auto const outcome = checkpoint != nullptr && checkpoint->at_hand && !shown
+                                     ? resume_sliding(rocking, accuracy_, *checkpoint)
                                      : simulate_rocking(rocking.block, rocking.shaking, accuracy_, rocking.start,
                                                         shown ? &*shown : nullptr, Slip::simulated);
             bool const asked = has(static_cast<EffectMask>(batch.outcomes[i].called), Effect::sliding);

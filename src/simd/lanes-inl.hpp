@@ -194,6 +194,11 @@ template <class D, int R> OVERTURN_LANES_INLINE Lanes<D, R> fma(Lanes<D, R> a, h
     return fma(a, Lanes<D, R>(b), Lanes<D, R>(c));
 }
 
+/// The same by the name under which formulas ask any number for it: doubles round it twice.
+template <class D, int R> OVERTURN_LANES_INLINE Lanes<D, R> mul_add(Lanes<D, R> a, Lanes<D, R> b, Lanes<D, R> c) {
+    return fma(a, b, c);
+}
+
 /// `b` in the lanes where `a` holds, `c` in the others.
 template <class D, int R> OVERTURN_LANES_INLINE Lanes<D, R> choose(Truth<D, R> a, Lanes<D, R> b, Lanes<D, R> c) {
     OVERTURN_REGISTERS(OVERTURN_TERNARY, hn::IfThenElse)

@@ -1,5 +1,5 @@
-// What an effect costs while it is off, watched, or forced on without being called for; and what choosing it per trial
-// saves. Figures are for people: nothing here asserts.
+// What an effect costs while it is off, looked for, or forced on without being called for; and what choosing it per
+// trial saves. Figures are for people: nothing here asserts.
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -73,11 +73,11 @@ void choosing(benchmark::State& state, EffectRequest const& request) {
 }
 
 BENCHMARK_CAPTURE(rocking, plain / set_a, Set::a, Slip::ignored, false)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(rocking, slip_watched / set_a, Set::a, Slip::watched, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(rocking, slip_detected / set_a, Set::a, Slip::detected, false)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(rocking, slip_forced / set_a, Set::a, Slip::simulated, false)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(rocking, zero_vertical / set_a, Set::a, Slip::ignored, true)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(rocking, plain / set_b, Set::b, Slip::ignored, false)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(rocking, slip_watched / set_b, Set::b, Slip::watched, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(rocking, slip_detected / set_b, Set::b, Slip::detected, false)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(rocking, slip_forced / set_b, Set::b, Slip::simulated, false)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(rocking, zero_vertical / set_b, Set::b, Slip::ignored, true)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(choosing, automatic, EffectRequest{EffectMode::automatic, 0})->Unit(benchmark::kMillisecond);

@@ -233,15 +233,15 @@ TEST(HardCases, NoLossOfContactOrSlipHidesInsideAStep) {
         }
         auto const fine = resampled(coarse, 50);
         double const level = (10 + 40 * (number % 41) / 40.0) * g0;
-        for (Slip const slip : {Slip::ignored, Slip::watched}) {
+        for (Slip const slip : {Slip::ignored, Slip::detected}) {
             auto const body = type_a(0.66 + 0.06 * (number % 11));
             auto const one = simulate_rocking(body, shaking_of(coarse, 0.05, level), {}, {}, nullptr, slip);
             auto const two = simulate_rocking(body, shaking_of(fine, 0.001, level), {}, {}, nullptr, slip);
-            EXPECT_EQ(one.slip_called, two.slip_called) << number;
+            EXPECT_EQ(one.slip_onset, two.slip_onset) << number;
             EXPECT_EQ(one.verdict, two.verdict) << number;
             EXPECT_TRUE(same_time(one.contact_lost_s, two.contact_lost_s, 1e-7)) << number;
             lost += !std::isnan(two.contact_lost_s);
-            slipped += two.slip_called;
+            slipped += two.slip_onset;
         }
     }
     EXPECT_GT(lost, 100);

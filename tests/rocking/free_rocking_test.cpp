@@ -13,7 +13,7 @@ using testing::near;
 
 RockingBlock const block{.alpha_rad = 0.25, .p_radps = 1.5, .restitution = 0.9};
 
-/// Records the instants at which the block strikes, and the swings' peaks.
+/// Records the instants at which the block hits the ground, and the peaks between.
 class Impacts : public RockingObserver {
   public:
     void at(RockingInstant const& instant) override {

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "model/chunk_extremes.hpp"
-#include "rocking/detail/swing.hpp"
+#include "rocking/detail/lane_step.hpp"
 #include "rocking/planar_rocking.hpp"
 #include "simd/instruction_sets.hpp"
 #include "support/bit_equal.hpp"
@@ -20,7 +20,7 @@ namespace {
 
 void expect_same_bits(RockingOutcome const& one, RockingOutcome const& other, std::size_t trial) {
     EXPECT_TRUE(testing::bit_equal<Outcome>(one, other)) << trial;
-    EXPECT_EQ(one.slip_called, other.slip_called) << trial;
+    EXPECT_EQ(one.slip_onset, other.slip_onset) << trial;
 }
 
 // Waves of several lengths and steps, with and without a vertical component; slender and squat blocks; every verdict.
@@ -74,7 +74,7 @@ std::vector<RockingOutcome> side_by_side(std::vector<RockingTrial> const& trials
 
 TEST(Lanes, GiveWhatEachTrialGivesAlone) {
     Mixture const mixture;
-    for (Slip const slip : {Slip::ignored, Slip::watched}) {
+    for (Slip const slip : {Slip::ignored, Slip::detected}) {
         auto const together = side_by_side(mixture.trials(), slip);
         std::array<int, 6> verdicts{};
         for (std::size_t i = 0; i < together.size(); ++i) {
@@ -122,16 +122,16 @@ TEST(Lanes, NeighboursAndOrderDoNotMatter) {
 TEST(Lanes, InstructionSetsAgreeToTheLastBit) {
     Mixture const mixture;
     auto const native = side_by_side(mixture.trials(), Slip::ignored);
-    int const native_width = rocking::swing_width();
+    int const native_width = rocking::lane_width();
     for (auto const set : simd::instruction_sets()) {
         simd::OnlyInstructionSet const only(set);
         auto const outcomes = side_by_side(mixture.trials(), Slip::ignored);
-        RecordProperty("lanes_" + std::string(simd::name_of(set)), rocking::swing_width());
+        RecordProperty("lanes_" + std::string(simd::name_of(set)), rocking::lane_width());
         for (std::size_t i = 0; i < outcomes.size(); ++i) {
             expect_same_bits(outcomes[i], native[i], i);
         }
     }
-    EXPECT_EQ(rocking::swing_width(), native_width);
+    EXPECT_EQ(rocking::lane_width(), native_width);
 }
 
 // Waves too short for anything to happen, and none at all.

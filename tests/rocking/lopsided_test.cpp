@@ -9,7 +9,7 @@
 #include <gsl/gsl_sf_ellint.h>
 #include <gtest/gtest.h>
 
-#include "rocking/detail/pause.hpp"
+#include "rocking/detail/checkpoint.hpp"
 #include "support/bit_equal.hpp"
 #include "support/long_period_wave.hpp"
 #include "support/sliding_blocks.hpp"
@@ -241,18 +241,18 @@ TEST(Lopsided, GoesOnWithSlipWhereFrictionGaveOut) {
         }
     }
     std::vector<RockingOutcome> outcomes(trials.size());
-    std::vector<rocking::Pause> pauses(trials.size());
+    std::vector<rocking::Checkpoint> checkpoints(trials.size());
 
-    watch_friction(trials, {}, outcomes, pauses);
+    simulate_until_slip(trials, {}, outcomes, checkpoints);
 
     int gone_on = 0;
     for (std::size_t i = 0; i < trials.size(); ++i) {
-        if (!pauses[i].at_hand) {
+        if (!checkpoints[i].at_hand) {
             continue;
         }
         ++gone_on;
         EXPECT_TRUE(testing::bit_equal<Outcome>(
-            go_on_slipping(trials[i], {}, pauses[i]),
+            resume_sliding(trials[i], {}, checkpoints[i]),
             simulate_rocking(trials[i].block, trials[i].shaking, {}, trials[i].start, nullptr, Slip::simulated)));
     }
     EXPECT_GT(gone_on, 6);

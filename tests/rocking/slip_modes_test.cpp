@@ -1,8 +1,8 @@
-// Requirement R-504: sliding changes nothing where nothing slips: watched, simulated and ignored slip agree bit for bit
-// there.
+// Requirement R-504: sliding changes nothing where nothing slips: detected, simulated and ignored slip agree bit for
+// bit there.
 #include <gtest/gtest.h>
 
-#include "rocking/detail/pause.hpp"
+#include "rocking/detail/checkpoint.hpp"
 #include "support/bit_equal.hpp"
 #include "support/long_period_wave.hpp"
 #include "support/sliding_blocks.hpp"
@@ -41,17 +41,17 @@ TEST(SlipModes, AgreeBitForBitUnlessSomethingSlips) {
                         shaking.vertical_mps2 = vertical;
                     }
                     auto const block = type_a(mu, 0.9 * mu);
-                    auto const watched = simulate(block, shaking, Slip::watched);
+                    auto const detected = simulate(block, shaking, Slip::detected);
                     auto const simulated = simulate(block, shaking, Slip::simulated);
-                    EXPECT_EQ(watched.slip_called, simulated.peak_slip_m > 0) << number << ' ' << level << ' ' << mu;
-                    if (watched.slip_called) {
+                    EXPECT_EQ(detected.slip_onset, simulated.peak_slip_m > 0) << number << ' ' << level << ' ' << mu;
+                    if (detected.slip_onset) {
                         ++slipping;
                         at_impacts += simulated.impacts > 0;
                         continue;
                     }
                     ++still;
-                    expect_same_motion(watched, simulated);
-                    expect_same_motion(watched, simulate(block, shaking, Slip::ignored));
+                    expect_same_motion(detected, simulated);
+                    expect_same_motion(detected, simulate(block, shaking, Slip::ignored));
                 }
             }
         }
@@ -70,18 +70,18 @@ TEST(SlipModes, SlipInTheImpactAloneIsCalled) {
     auto const run = [&](Slip slip) {
         return simulate_rocking(block, shaking_of(calm, 0.01), {}, {.rotation_rad = 0.1}, nullptr, slip);
     };
-    EXPECT_TRUE(run(Slip::watched).slip_called);
+    EXPECT_TRUE(run(Slip::detected).slip_onset);
     EXPECT_GT(run(Slip::simulated).peak_slip_m, 0);
     EXPECT_NEAR(run(Slip::ignored).friction_demand, demand, 1e-12);
     block.restitution = 0.8;  // 0.44 < 0.6
-    EXPECT_FALSE(run(Slip::watched).slip_called);
+    EXPECT_FALSE(run(Slip::detected).slip_onset);
     EXPECT_EQ(run(Slip::simulated).peak_slip_m, 0);
-    expect_same_motion(run(Slip::watched), run(Slip::simulated));
-    expect_same_motion(run(Slip::watched), run(Slip::ignored));
+    expect_same_motion(run(Slip::detected), run(Slip::simulated));
+    expect_same_motion(run(Slip::detected), run(Slip::ignored));
 }
 
 // A trial that calls for slip is not run again from its start: it goes on from where friction gave out.
-TEST(SlipModes, PausedTrialsEndAsIfSlipHadBeenSimulatedFromTheStart) {
+TEST(SlipModes, InterruptedTrialsEndAsIfSlipHadBeenSimulatedFromTheStart) {
     std::vector<std::vector<double>> waves;
     for (int number = 0; number < 24; ++number) {
         waves.push_back(testing::short_wave(number));
@@ -99,17 +99,17 @@ TEST(SlipModes, PausedTrialsEndAsIfSlipHadBeenSimulatedFromTheStart) {
         }
     }
     std::vector<RockingOutcome> outcomes(trials.size());
-    std::vector<rocking::Pause> pauses(trials.size());
-    watch_friction(trials, {}, outcomes, pauses);
+    std::vector<rocking::Checkpoint> checkpoints(trials.size());
+    simulate_until_slip(trials, {}, outcomes, checkpoints);
 
     std::map<Verdict, int> went_on;
     for (std::size_t i = 0; i < trials.size(); ++i) {
-        EXPECT_TRUE(outcomes[i].slip_called || !pauses[i].at_hand) << i;
-        if (pauses[i].at_hand) {
-            auto const rest = go_on_slipping(trials[i], {}, pauses[i]);
+        EXPECT_TRUE(outcomes[i].slip_onset || !checkpoints[i].at_hand) << i;
+        if (checkpoints[i].at_hand) {
+            auto const rest = resume_sliding(trials[i], {}, checkpoints[i]);
             auto const whole = simulate(trials[i].block, trials[i].shaking, Slip::simulated);
             expect_same_motion(rest, whole);
-            EXPECT_FALSE(rest.slip_called);
+            EXPECT_FALSE(rest.slip_onset);
             EXPECT_EQ(rest.energy.friction_work, whole.energy.friction_work);
             auto const& energy = rest.energy;
             EXPECT_NEAR(energy.input, energy.mechanical + energy.impact_loss + energy.friction_work,

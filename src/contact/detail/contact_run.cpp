@@ -19,7 +19,7 @@ ContactRun::ContactRun(ContactBlock const& block, Excitation const& shaking, Con
     }
 }
 
-bool ContactRun::fallen() const { return !(std::abs(get(Pressing::rotation)) < pi / 2); }
+bool ContactRun::fallen() const { return !(std::abs(get(ContactField::rotation)) < pi / 2); }
 
 void ContactRun::hold(std::size_t sample) {
     held_across_ = across(sample);
@@ -30,7 +30,7 @@ void ContactRun::hold(std::size_t sample) {
 bool ContactRun::calm(std::size_t sample) const {
     double const strongest = std::max(std::abs(across(sample)), std::abs(across(sample + 1)));
     double const weight = planar_.gravity_mps2 + std::min(up(sample), up(sample + 1));
-    return strongest <= get(Pressing::rest_ratio) * weight;
+    return strongest <= get(ContactField::rest_ratio) * weight;
 }
 
 double ContactRun::across(std::size_t sample) const { return shaking_.horizontal_mps2[sample] * shaking_.scale; }
@@ -39,12 +39,12 @@ double ContactRun::up(std::size_t sample) const {
 }
 
 void ContactRun::show_sample() {
-    auto const index = static_cast<std::size_t>(get(Pressing::index));
-    put(Pressing::horizontal, across(index));
-    put(Pressing::horizontal_change, across(index + 1) - across(index));
-    put(Pressing::vertical, up(index));
-    put(Pressing::vertical_change, up(index + 1) - up(index));
-    put(Pressing::substep, 0);
+    auto const index = static_cast<std::size_t>(get(ContactField::index));
+    put(ContactField::horizontal, across(index));
+    put(ContactField::horizontal_change, across(index + 1) - across(index));
+    put(ContactField::vertical, up(index));
+    put(ContactField::vertical_change, up(index + 1) - up(index));
+    put(ContactField::substep, 0);
 }
 
 // The shaking grew while the body was held: it stands where springs that still touch have let it sink, sway and lean.
@@ -52,11 +52,11 @@ void ContactRun::wake() {
     double stiffness = 0;
     double first = 0;
     double second = 0;
-    double const base = get(Pressing::rise) + planar_.centre_height_m * (1 - get(Pressing::cosine));
+    double const base = get(ContactField::rise) + planar_.centre_height_m * (1 - get(ContactField::cosine));
     for (int i = 0; i < lane_.points; ++i) {
         double const x = lane_.at(Spot::offset, i, 0);
         double const k = lane_.at(Spot::stiffness, i, 0);
-        bool const touches = get(Pressing::sine) * x - base - lane_.at(Spot::crush, i, 0) > 0;
+        bool const touches = get(ContactField::sine) * x - base - lane_.at(Spot::crush, i, 0) > 0;
         stiffness += touches ? k : 0;
         first += touches ? k * x : 0;
         second += touches ? k * x * x : 0;
@@ -72,23 +72,23 @@ void ContactRun::wake() {
                           h * turn - push / (stiffness * planar_.pad.tangential_ratio)};
     };
     auto const [turn, rise, sway] =
-        yielding(get(Pressing::horizontal) - held_across_, get(Pressing::vertical) - held_up_);
+        yielding(get(ContactField::horizontal) - held_across_, get(ContactField::vertical) - held_up_);
     double const rate = 1 / shaking_.time_step_s;
     auto const [spin, rise_speed, sway_speed] =
-        yielding(get(Pressing::horizontal_change) * rate, get(Pressing::vertical_change) * rate);
-    turn_to(get(Pressing::rotation) + turn);
-    put(Pressing::rise, get(Pressing::rise) + rise);
-    put(Pressing::sway, get(Pressing::sway) + sway);
-    put(Pressing::spin, spin);
-    put(Pressing::rise_speed, rise_speed);
-    put(Pressing::sway_speed, sway_speed);
+        yielding(get(ContactField::horizontal_change) * rate, get(ContactField::vertical_change) * rate);
+    turn_to(get(ContactField::rotation) + turn);
+    put(ContactField::rise, get(ContactField::rise) + rise);
+    put(ContactField::sway, get(ContactField::sway) + sway);
+    put(ContactField::spin, spin);
+    put(ContactField::rise_speed, rise_speed);
+    put(ContactField::sway_speed, sway_speed);
 }
 
 // One that has slipped may slip on: it is followed until it rests.
 bool ContactRun::decided() const {
     return !slipped()
-           && stays(mechanical_energy(), planar_.half_width_m, std::abs(get(Pressing::rotation)),
-                    std::max(get(Pressing::crest), -get(Pressing::trough)));
+           && stays(mechanical_energy(), planar_.half_width_m, std::abs(get(ContactField::rotation)),
+                    std::max(get(ContactField::crest), -get(ContactField::trough)));
 }
 
 }  // namespace overturn::contact

@@ -6,21 +6,21 @@
 #include <cstdint>
 #include <optional>
 
-#include "contact/detail/pressing.hpp"
+#include "contact/detail/contact_step.hpp"
 #include "contact/planar_contact.hpp"
 #include "contact/point_run.hpp"
 
 namespace overturn::contact {
 
-class ContactRun : public PointRun<ContactRun, Pressing, Spot, PressLanes<1>> {
+class ContactRun : public PointRun<ContactRun, ContactField, Spot, ContactLanes<1>> {
   public:
     using Trial = ContactTrial;
     using Accuracy = ContactAccuracy;
     using Outcome = ContactOutcome;
-    using Lanes = PressLanes<simd::most_lanes>;
+    using Lanes = ContactLanes<simd::most_lanes>;
 
-    [[nodiscard]] static int width() { return press_width(); }
-    [[nodiscard]] static std::uint32_t step(Lanes& lanes, int used) { return press_on(lanes, used); }
+    [[nodiscard]] static int width() { return lane_width(); }
+    [[nodiscard]] static std::uint32_t step(Lanes& lanes, int used) { return step_lanes(lanes, used); }
 
     /// \param block and what the shaking shows outlive this
     ContactRun(ContactBlock const& block, Excitation const& shaking, ContactAccuracy const& accuracy,
@@ -31,10 +31,10 @@ class ContactRun : public PointRun<ContactRun, Pressing, Spot, PressLanes<1>> {
     [[nodiscard]] ContactInstant instant() const;
 
   private:
-    using Base = PointRun<ContactRun, Pressing, Spot, PressLanes<1>>;
+    using Base = PointRun<ContactRun, ContactField, Spot, ContactLanes<1>>;
     friend Base;
-    static constexpr std::array shaken_by{Pressing::horizontal, Pressing::horizontal_change, Pressing::vertical,
-                                          Pressing::vertical_change};
+    static constexpr std::array shaken_by{ContactField::horizontal, ContactField::horizontal_change,
+                                          ContactField::vertical, ContactField::vertical_change};
 
     void fill_trial(ContactAccuracy const& accuracy);
     void fill_waves();

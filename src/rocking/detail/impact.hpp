@@ -1,68 +1,16 @@
-/// The base impact: angular velocity by restitution, slip velocity by a friction-limited impulse.
+/// The base impact of a block on one corner, and the bouncing that settles.
 #pragma once
 
-#include <cmath>
+#include "rocking/detail/rocking_run.hpp"
 
 namespace overturn::rocking {
 
-/// Body and contact constants of the impact law; lengths in units of R.
-struct ImpactLaw {
-    double sine_alpha, cosine_alpha;  ///< b / R, h / R of the corner that it comes from
-    double kappa;                     ///< I_G / (m R^2)
-    double restitution;
-    double friction_static, friction_kinetic;
-    double sine_next;  ///< b of the corner that is struck, over R; sine_alpha unless the corners differ
+/// Reset of an impact: phi = 0, omega -> e omega on the other corner; the slip velocity by the friction-limited
+/// impulse. Where the shaking does not hold the block in motion, bounces that have become slow settle.
+void apply_impact(RockingRun& run);
 
-    /// Kinetic energy over m R^2 for rotation rate w and corner velocity v (over R), before the impact.
-    [[nodiscard]] double energy(double w, double v) const { return energy_about(sine_alpha, w, v); }
-    /// The same after it.
-    [[nodiscard]] double energy_after(double w, double v) const { return energy_about(sine_next, w, v); }
-    /// The vertical impulse over m R |w| of an impact with restitution e: what the centre's fall and rise sum to.
-    [[nodiscard]] double impulse(double e) const {
-        return sine_next == sine_alpha ? sine_alpha * (1 + e) : sine_alpha + sine_next * e;
-    }
-
-  private:
-    [[nodiscard]] double energy_about(double arm, double w, double v) const {
-        double const across = v + cosine_alpha * w;
-        return 0.5 * (across * across + (arm * arm + kappa) * w * w);
-    }
-};
-
-struct AfterImpact {
-    double rotation_rate;  ///< theta' [rad/s]
-    double slip_rate;      ///< x' / R [1/s]
-};
-
-/// The corner sticks if |P_x| <= mu_s P_z, else it slips on with mu_k, never backwards.
-/// \param e the restitution in force
-[[nodiscard]] inline AfterImpact strike_with(ImpactLaw const& law, double w, double v, double e) {
-    double const vertical = law.impulse(e) * std::abs(w);
-    double const wanted = v + law.cosine_alpha * w * (1 - e);  // minus the impulse that no slip needs
-    if (std::abs(wanted) <= law.friction_static * vertical) {
-        return {e * w, 0};
-    }
-    double const given = law.friction_kinetic * vertical;
-    return {e * w, std::abs(wanted) <= given ? 0 : wanted - std::copysign(given, wanted)};
-}
-
-/// Impact of a body that rotates at w while its corner slips at v (over R). A stated restitution can ask for more
-/// energy than a slipping body brings; then the rebound is lowered to what conserves it: an impact never adds energy.
-[[nodiscard]] inline AfterImpact strike(ImpactLaw const& law, double w, double v) {
-    auto after = strike_with(law, w, v, law.restitution);
-    double const before = law.energy(w, v);
-    if (v == 0 || law.energy_after(after.rotation_rate, after.slip_rate) <= before) {
-        return after;
-    }
-    double low = 0;
-    double high = law.restitution;
-    constexpr int halvings = 60;
-    for (int i = 0; i < halvings; ++i) {
-        double const middle = 0.5 * (low + high);
-        after = strike_with(law, w, v, middle);
-        (law.energy_after(after.rotation_rate, after.slip_rate) <= before ? low : high) = middle;
-    }
-    return strike_with(law, w, v, low);
-}
+/// The same of a corner that did not slip: it looks at the contact forces just before, where the corner carries least
+/// as the block turns fastest.
+void land_and_apply_impact(RockingRun& run);
 
 }  // namespace overturn::rocking

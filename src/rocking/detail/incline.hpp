@@ -1,7 +1,7 @@
 /// Inclined ground: forces and motions along it and across it, from those along the horizon and the vertical.
 #pragma once
 
-#include "rocking/detail/contact_series.hpp"
+#include "rocking/detail/power_series.hpp"
 
 namespace overturn::rocking {
 
@@ -9,36 +9,33 @@ namespace overturn::rocking {
 struct Incline {
     double sine = 0, cosine = 1;  ///< of the slope
 
-    struct Pair {
-        double along, across;
-    };
+    [[nodiscard]] bool level() const { return sine == 0; }
     /// \param side of mirrored quantities; 1 of others
-    [[nodiscard]] Pair turned(double horizontal, double vertical, double side) const {
-        double const s = side * sine;
-        return {cosine * horizontal - s * vertical, s * horizontal + cosine * vertical};
+    template <class Number>
+    [[nodiscard]] ContactForces<Number> turned(ContactForces<Number> const& from, double side) const {
+        return level() ? from : with_slope(from, side);
     }
     /// What a turned pair may change by, at most, where each of the pair changes by one.
     [[nodiscard]] double spread() const { return cosine + std::abs(sine); }
     /// Gravity's share included: it drives along the ground.
     [[nodiscard]] Forcing turned(Forcing const& f, double side) const {
-        auto const now = turned(f.horizontal, f.vertical, side);
-        auto const slope = turned(f.horizontal_slope, f.vertical_slope, side);
-        return {now.along, slope.along, now.across, slope.across};
+        if (level()) {
+            return f;
+        }
+        auto const [along, across] = with_slope<double>({f.horizontal.start, f.vertical.start}, side);
+        auto const [along_slope, across_slope] = with_slope<double>({f.horizontal.slope, f.vertical.slope}, side);
+        return {{along, along_slope}, {across, across_slope}};
     }
     /// What of a turned forcing is shaking: as if gravity pulled across the ground.
     [[nodiscard]] Forcing shaking_of(Forcing const& turned, double side) const {
-        return {turned.horizontal + side * sine, turned.horizontal_slope, turned.vertical - cosine + 1,
-                turned.vertical_slope};
+        return {{turned.horizontal.start + side * sine, turned.horizontal.slope},
+                {turned.vertical.start - cosine + 1, turned.vertical.slope}};
     }
-    template <int Order> void turn(ContactSeries<Order>& contact, double side) const {
-        if (sine == 0) {
-            return;
-        }
-        for (std::size_t k = 0; k < contact.normal.size(); ++k) {
-            auto const [along, across] = turned(contact.friction[k], contact.normal[k], side);
-            contact.friction[k] = along;
-            contact.normal[k] = across;
-        }
+
+  private:
+    template <class Number>
+    [[nodiscard]] ContactForces<Number> with_slope(ContactForces<Number> const& from, double side) const {
+        return turned_to_ground(from, side * sine, cosine);
     }
 };
 

@@ -1,4 +1,4 @@
-/// Trials side by side in the machine's vector lanes. Included by planar_rocking.cpp only.
+/// Trials of planar rocking side by side in the machine's vector lanes.
 #pragma once
 
 #include <cstddef>
@@ -6,47 +6,56 @@
 #include <optional>
 #include <span>
 
-#include "rocking/detail/rocking_integrator.hpp"
+#include "rocking/detail/lane_run.hpp"
 #include "simd/lane_scheduler.hpp"
 
 namespace overturn::rocking {
 
-/// What a simd::LaneScheduler runs: swings in lanes, everything else in the trial's own integrator.
-template <bool Vertical, Slip Friction> class RockingLanes {
+/// What a simd::LaneScheduler runs: rocking without slip in lanes, everything else in the trial's own run.
+class RockingLanes {
   public:
-    using Fields = SwingLanes<most_lanes>;
+    using Fields = RockingFields<most_lanes>;
     struct Trajectory {
-        Trajectory(RockingTrial const& of, RockingAccuracy const& accuracy, std::size_t of_number)
-            : trial(of.block, of.shaking, accuracy, nullptr), number(of_number) {}
-
-        Integrator<SwingSeries::order, NonlinearRestoring, Vertical, Friction> trial;
+        RockingRun run;
         std::size_t number;
     };
 
+    /// \param queue the numbers of the trials to run: all with a vertical component, or all without
+    /// \param outcomes one per trial; so are checkpoints, which are filled if there are any
     RockingLanes(std::span<RockingTrial const> trials, std::span<std::size_t const> queue,
-                 RockingAccuracy const& accuracy, std::span<RockingOutcome> outcomes, std::span<Pause> pauses)
-        : trials_(trials), queue_(queue), accuracy_(accuracy), outcomes_(outcomes), pauses_(pauses) {}
+                 RockingAccuracy const& accuracy, Slip slip, std::span<RockingOutcome> outcomes,
+                 std::span<Checkpoint> checkpoints)
+        : trials_(trials),
+          queue_(queue),
+          accuracy_(accuracy),
+          slip_(slip),
+          outcomes_(outcomes),
+          checkpoints_(checkpoints),
+          vertical_(!queue.empty() && !trials[queue.front()].shaking.vertical_mps2.empty()) {}
 
-    [[nodiscard]] int width() const { return swing_width(); }
+    [[nodiscard]] int width() const { return lane_width(); }
     bool start_next(std::optional<Trajectory>& place) {
         if (next_ == queue_.size()) {
             return false;
         }
         auto const number = queue_[next_++];
-        place.emplace(trials_[number], accuracy_, number);
-        place->trial.begin(trials_[number].start);
+        auto const& trial = trials_[number];
+        place.emplace(Trajectory{{trial.block, trial.shaking, accuracy_, slip_, nullptr}, number});
+        begin(place->run, trial.start);
         return true;
     }
-    bool advance(Trajectory& trajectory) { return trajectory.trial.advance(); }
-    void load_lane(Trajectory const& trajectory, Fields& fields, int lane) { trajectory.trial.load_lane(fields, lane); }
-    void store_lane(Trajectory& trajectory, Fields const& fields, int lane) {
-        trajectory.trial.store_lane(fields, lane);
+    bool advance(Trajectory& trajectory) { return rocking::advance(trajectory.run); }
+    void load_lane(Trajectory const& trajectory, Fields& fields, int lane) {
+        rocking::load_lane(trajectory.run, fields, lane);
     }
-    std::uint32_t step(Fields& fields, int used) { return swing_on(fields, used, Vertical); }
+    void store_lane(Trajectory& trajectory, Fields const& fields, int lane) {
+        rocking::store_lane(trajectory.run, fields, lane);
+    }
+    std::uint32_t step(Fields& fields, int used) { return step_lanes(fields, used, vertical_); }
     void finish(Trajectory& trajectory) {
-        outcomes_[trajectory.number] = trajectory.trial.finish();
-        if (!pauses_.empty()) {
-            pauses_[trajectory.number] = trajectory.trial.pause();
+        outcomes_[trajectory.number] = rocking::finish(trajectory.run);
+        if (!checkpoints_.empty()) {
+            checkpoints_[trajectory.number] = trajectory.run.checkpoint;
         }
     }
 
@@ -54,18 +63,11 @@ template <bool Vertical, Slip Friction> class RockingLanes {
     std::span<RockingTrial const> trials_;
     std::span<std::size_t const> queue_;
     RockingAccuracy accuracy_;
+    Slip slip_;
     std::span<RockingOutcome> outcomes_;
-    std::span<Pause> pauses_;
+    std::span<Checkpoint> checkpoints_;
+    bool vertical_;
     std::size_t next_ = 0;
 };
-
-/// The trials whose numbers stand in `queue`.
-/// \param outcomes one per trial; so are pauses, which are filled if there are any
-template <bool Vertical, Slip Friction>
-void step_in_lanes(std::span<RockingTrial const> trials, std::span<std::size_t const> queue,
-                   RockingAccuracy const& accuracy, std::span<RockingOutcome> outcomes, std::span<Pause> pauses) {
-    RockingLanes<Vertical, Friction> lanes(trials, queue, accuracy, outcomes, pauses);
-    simd::LaneScheduler(lanes).run();
-}
 
 }  // namespace overturn::rocking

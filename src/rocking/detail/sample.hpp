@@ -1,14 +1,15 @@
 /// One sample interval of a wave: forcing in units of g, linear, and how far into it the trial has come.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
-#include "rocking/detail/rocking_series.hpp"
-#include "rocking/planar_rocking.hpp"
+#include "model/excitation.hpp"
+#include "rocking/detail/power_series.hpp"
 
 namespace overturn::rocking {
 
-template <bool Vertical> struct Sample {
+struct Sample {
     double start_s = 0, length_s = 0, tau_s = 0;
     double a0 = 0, a1 = 0, a_slope = 0;
     double g0 = 1, g1 = 1, g_slope = 0;
@@ -21,7 +22,7 @@ template <bool Vertical> struct Sample {
         a0 = k * shaking.horizontal_mps2[i];
         a1 = k * shaking.horizontal_mps2[i + 1];
         a_slope = (a1 - a0) / length_s;
-        if constexpr (Vertical) {
+        if (!shaking.vertical_mps2.empty()) {
             g0 = 1 + k * shaking.vertical_mps2[i];
             g1 = 1 + k * shaking.vertical_mps2[i + 1];
             g_slope = (g1 - g0) / length_s;
@@ -29,7 +30,7 @@ template <bool Vertical> struct Sample {
     }
     /// No shaking from `begin_s` on.
     void calm(double begin_s, double length) {
-        *this = Sample{};
+        *this = {};
         start_s = begin_s;
         length_s = length;
     }
@@ -38,15 +39,10 @@ template <bool Vertical> struct Sample {
     [[nodiscard]] double left() const { return length_s - tau_s; }
     /// Exact at both ends.
     [[nodiscard]] double horizontal(double tau) const { return tau < length_s ? a0 + a_slope * tau : a1; }
-    [[nodiscard]] double vertical(double tau) const {
-        if constexpr (Vertical) {
-            return tau < length_s ? g0 + g_slope * tau : g1;
-        }
-        return 1.0;
-    }
+    [[nodiscard]] double vertical(double tau) const { return tau < length_s ? g0 + g_slope * tau : g1; }
     /// Forcing from here on, mirrored to a side.
     [[nodiscard]] Forcing forcing(double side) const {
-        return {side * horizontal(tau_s), side * a_slope, vertical(tau_s), g_slope};
+        return {{side * horizontal(tau_s), side * a_slope}, {vertical(tau_s), g_slope}};
     }
     /// A step that ends at the sample's end ends exactly there.
     void advance(double end, bool at_event) {

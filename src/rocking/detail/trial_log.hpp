@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "rocking/detail/block_dynamics.hpp"
 #include "rocking/planar_rocking.hpp"
 
 namespace overturn::rocking {
@@ -46,10 +47,10 @@ class TrialLog {
     void raise_slip(double slip_m) { out_.peak_slip_m = std::max(out_.peak_slip_m, std::abs(slip_m)); }
     void raise_demand(double demand) { out_.friction_demand = std::max(out_.friction_demand, demand); }
     void lower_contact(double normal) { out_.min_contact_force_ratio = std::min(out_.min_contact_force_ratio, normal); }
-    /// Contact forces over m g of a base that does not slip.
-    void watch_forces(double friction, double normal) {
-        lower_contact(normal);
-        raise_demand(normal > 0 ? std::abs(friction) / normal : std::numeric_limits<double>::infinity());
+    /// Of a base that does not slip.
+    void watch_forces(ContactForces<double> const& at) {
+        lower_contact(at.normal);
+        raise_demand(at.normal > 0 ? std::abs(at.friction) / at.normal : std::numeric_limits<double>::infinity());
     }
     void show(RockingInstant const& instant) {
         if (observer_ != nullptr) {
@@ -66,7 +67,7 @@ class TrialLog {
         if (side_ != 0) {
             out_.peak_reach_rad = 0;  // the fall is the peak, however near to falling over the other corner it was
         }
-        raise_peak(0.5 * pi, time_s);
+        raise_peak(overturned_rad, time_s);
         end(Verdict::overturned);
     }
     void end(Verdict verdict) {
@@ -82,8 +83,8 @@ class TrialLog {
         out_ = so_far;
         energy_ = energy;
     }
-    void call_slip() {
-        out_.slip_called = true;
+    void end_at_slip() {
+        out_.slip_onset = true;
         done_ = true;
     }
 

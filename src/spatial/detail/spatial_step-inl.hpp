@@ -44,7 +44,7 @@ template <class V, int Stride> class SpatialStepper : private SpatialForce<V, St
     OVERTURN_LANES_INLINE void log_height(Motion const& at, Depths const& depths, V time);
     OVERTURN_LANES_INLINE void log_place(Motion const& at);
     OVERTURN_LANES_INLINE void log_reversal(Motion const& at, Triple<V> const& axis);
-    M turn_page(Motion const& at, Pull const& pull, V index, M ended);
+    M next_sample(Motion const& at, Pull const& pull, V index, M ended);
     OVERTURN_LANES_INLINE M advanced(Motion const& at, Pull const& pull);
 };
 
@@ -155,16 +155,16 @@ OVERTURN_LANES_INLINE void SpatialStepper<V, Stride>::log_reversal(Motion const&
     }
     V const slow = get(State::impact_spin);
     V const fast = at.spin.x * at.spin.x + at.spin.y * at.spin.y;
-    M const strikes = passes & (fast > slow * slow);
-    put(State::most_spin, max(choose(strikes, fast, zero), get(State::most_spin)));
-    put(State::impacts, get(State::impacts) + choose(strikes, V(1), zero));
+    M const impacts = passes & (fast > slow * slow);
+    put(State::most_spin, max(choose(impacts, fast, zero), get(State::most_spin)));
+    put(State::impacts, get(State::impacts) + choose(impacts, V(1), zero));
     put(State::lean_x, choose(leans, axis.x, get(State::lean_x)));
     put(State::lean_y, choose(leans, axis.y, get(State::lean_y)));
 }
 
 // The next sample, for the lanes whose last step reached it. Returns those that are at the end or may rest.
 template <class V, int Stride>
-auto SpatialStepper<V, Stride>::turn_page(Motion const& at, Pull const& pull, V index, M ended) -> M {
+auto SpatialStepper<V, Stride>::next_sample(Motion const& at, Pull const& pull, V index, M ended) -> M {
     V const last = get(State::last);
     V const place = min(index, last - 1.0);
     auto const read = [&](Wave wave, State scale, State value, State change, V& here, V& next) HWY_ATTR {
@@ -250,7 +250,7 @@ OVERTURN_LANES_INLINE auto SpatialStepper<V, Stride>::advanced(Motion const& at,
         return fell;
     }
     V const reached = choose(ended, index + 1.0, index);
-    M const turned = turn_page(at, pull, reached, ended);
+    M const turned = next_sample(at, pull, reached, ended);
     put(State::index, reached);
     put(State::substep, choose(ended, V(0), after));
     return fell | turned;

@@ -1,6 +1,6 @@
 // Requirement R-405: an impact, a peak or an energy that the lanes take without care is the step's own series' zero or
 // highest, and friction and contact hold all along the step.
-#include "rocking/detail/swing.hpp"
+#include "rocking/detail/lane_step.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/detail/rocking_swing.hpp"
+#include "rocking/detail/lane_run.hpp"
 
 namespace overturn::rocking {
 namespace {
@@ -20,9 +20,9 @@ namespace {
 class Draw {
   public:
     /// \param high anywhere up to 1.5 rad, else not far from landing
-    [[nodiscard]] SwingLanes<1> lane(std::array<double, 2> const& samples, bool high = false) {
-        SwingLanes<1> lane;
-        auto const set = [&](Swing field, double value) { lane.at(field, 0) = value; };
+    [[nodiscard]] RockingFields<1> lane(std::array<double, 2> const& samples, bool high = false) {
+        RockingFields<1> lane;
+        auto const set = [&](RockingField field, double value) { lane.at(field, 0) = value; };
         double const alpha = between(0.05, 1.2);
         double const p = spread(0.5, 4);
         double const dt = spread(0.0025, 0.05);
@@ -31,36 +31,36 @@ class Draw {
         bool const started = coin();
         double const phi = started ? 0 : high ? between(0, 1.5) : spread(1e-12, 0.03);
         double const rate = (started || coin() ? 1 : -1) * spread(1e-9, 0.03);
-        set(Swing::phi, phi);
-        set(Swing::omega, rate / (dt - tau));
-        set(Swing::sine, std::sin(alpha - phi));
-        set(Swing::cosine, std::cos(alpha - phi));
-        set(Swing::side, 1);
-        set(Swing::tau, tau);
-        set(Swing::start, started ? 1 : 0);
-        set(Swing::peak, 10);
-        set(Swing::energy, unlimited);
-        set(Swing::demand, 0);
-        set(Swing::normal, unlimited);
-        set(Swing::p, p);
-        set(Swing::inverse_p, 1 / p);
-        set(Swing::r, 0.75 / (p * p));
-        set(Swing::inertia_ratio, 0.75);
-        set(Swing::restitution, e);
-        set(Swing::sine_alpha, std::sin(alpha));
-        set(Swing::cosine_alpha, std::cos(alpha));
-        set(Swing::uplift_ratio, std::tan(alpha));
-        set(Swing::incline_sine, 0);
-        set(Swing::incline_cosine, 1);
-        set(Swing::friction_limit, unlimited);
-        set(Swing::settle_speed, 1e-5 * p);
-        set(Swing::settle_rate, 2 / ((1 - e) * p * p * std::cos(alpha)));
-        set(Swing::tolerance, 1e-11 * alpha);
-        set(Swing::scale, 1);
-        set(Swing::time_step, dt);
-        set(Swing::sampling_rate, 1 / dt);
-        set(Swing::last, 5);
-        lane.at(SwingWave::horizontal, 0) = samples.data();
+        set(RockingField::phi, phi);
+        set(RockingField::omega, rate / (dt - tau));
+        set(RockingField::sine, std::sin(alpha - phi));
+        set(RockingField::cosine, std::cos(alpha - phi));
+        set(RockingField::side, 1);
+        set(RockingField::tau, tau);
+        set(RockingField::start, started ? 1 : 0);
+        set(RockingField::peak, 10);
+        set(RockingField::energy, unlimited);
+        set(RockingField::demand, 0);
+        set(RockingField::normal, unlimited);
+        set(RockingField::p, p);
+        set(RockingField::inverse_p, 1 / p);
+        set(RockingField::r, 0.75 / (p * p));
+        set(RockingField::inertia_ratio, 0.75);
+        set(RockingField::restitution, e);
+        set(RockingField::sine_alpha, std::sin(alpha));
+        set(RockingField::cosine_alpha, std::cos(alpha));
+        set(RockingField::uplift_ratio, std::tan(alpha));
+        set(RockingField::incline_sine, 0);
+        set(RockingField::incline_cosine, 1);
+        set(RockingField::friction_limit, unlimited);
+        set(RockingField::settle_speed, 1e-5 * p);
+        set(RockingField::settle_rate, 2 / ((1 - e) * p * p * std::cos(alpha)));
+        set(RockingField::tolerance, 1e-11 * alpha);
+        set(RockingField::scale, 1);
+        set(RockingField::time_step, dt);
+        set(RockingField::sampling_rate, 1 / dt);
+        set(RockingField::last, 5);
+        lane.at(RockingWave::horizontal, 0) = samples.data();
         return lane;
     }
     [[nodiscard]] double between(double low, double high) {
@@ -80,22 +80,22 @@ class Draw {
 };
 
 // phi at a share of the step; after a start at zero, over the share.
-long double height(SwingSeries const& series, double phi, bool started, long double u) {
+long double height(LaneStep const& series, double phi, bool started, long double u) {
     long double sum = 0;
-    for (int k = SwingSeries::order - 1; k >= 0; --k) {
+    for (int k = LaneStep::order - 1; k >= 0; --k) {
         sum = sum * u + static_cast<long double>(series.rates.at(k)) / (k + 1);
     }
     return started ? sum : phi + sum * u;
 }
 
-long double rotation(SwingSeries const& series, double phi, bool started, long double u) {
+long double rotation(LaneStep const& series, double phi, bool started, long double u) {
     return height(series, phi, started, u) * (started ? u : 1);
 }
 
 // phi' length at a share of the step.
-long double rate(SwingSeries const& series, long double u) {
+long double rate(LaneStep const& series, long double u) {
     long double sum = 0;
-    for (int k = SwingSeries::order - 1; k >= 0; --k) {
+    for (int k = LaneStep::order - 1; k >= 0; --k) {
         sum = sum * u + static_cast<long double>(series.rates.at(k));
     }
     return sum;
@@ -106,15 +106,15 @@ struct Forces {
 };
 
 // Contact forces over m g of a block that turns at `rate`, under a horizontal acceleration over g.
-Forces forces(SwingLanes<1> const& lane, double sine, double cosine, double rate, double a) {
-    double const r = lane.at(Swing::r, 0);
-    double const p = lane.at(Swing::p, 0);
+Forces forces(RockingFields<1> const& lane, double sine, double cosine, double rate, double a) {
+    double const r = lane.at(RockingField::r, 0);
+    double const p = lane.at(RockingField::p, 0);
     double const turn = -p * p * (sine + a * cosine);  // phi''
     double const spin = rate * rate;
     return {std::abs(r * (cosine * turn + sine * spin) + a), r * (sine * turn - cosine * spin) + 1};
 }
 
-TEST(Swing, ImpactsLieOnTheSeries) {
+TEST(LaneStep, ImpactsLieOnTheSeries) {
     Draw draw;
     int impacts = 0;
     int refused = 0;
@@ -122,33 +122,33 @@ TEST(Swing, ImpactsLieOnTheSeries) {
         auto const samples = draw.samples();
         auto lane = draw.lane(samples);
         auto const before = lane;
-        SwingSeries series;
-        (void)swing_once(lane, false, series);
-        bool const started = before.at(Swing::start, 0) > 0;
-        refused += lane.at(Swing::steps, 0) == 0 ? 1 : 0;
-        if (lane.at(Swing::impacts, 0) == 0) {
+        LaneStep series;
+        (void)step_lane_once(lane, false, series);
+        bool const started = before.at(RockingField::start, 0) > 0;
+        refused += lane.at(RockingField::steps, 0) == 0 ? 1 : 0;
+        if (lane.at(RockingField::impacts, 0) == 0) {
             continue;
         }
         ++impacts;
         constexpr long double aside = 1e-13L;  // of the share
         long double const u = series.share;
-        double const phi = before.at(Swing::phi, 0);
+        double const phi = before.at(RockingField::phi, 0);
         EXPECT_GT(height(series, phi, started, u * (1 - aside)), 0) << "draw " << i;
         EXPECT_LT(height(series, phi, started, u * (1 + aside)), 0) << "draw " << i;
 
         // What the corner carries, and the friction it needs, is looked at here and just before the impact.
-        auto const before_sine = before.at(Swing::sine, 0);
-        auto const before_cosine = before.at(Swing::cosine, 0);
-        auto const s = before.at(Swing::sine_alpha, 0);
-        auto const c = before.at(Swing::cosine_alpha, 0);
-        double const omega = before.at(Swing::omega, 0);
-        double const landing = lane.at(Swing::omega, 0) / before.at(Swing::restitution, 0);
+        auto const before_sine = before.at(RockingField::sine, 0);
+        auto const before_cosine = before.at(RockingField::cosine, 0);
+        auto const s = before.at(RockingField::sine_alpha, 0);
+        auto const c = before.at(RockingField::cosine_alpha, 0);
+        double const omega = before.at(RockingField::omega, 0);
+        double const landing = lane.at(RockingField::omega, 0) / before.at(RockingField::restitution, 0);
         auto const start = forces(before, before_sine, before_cosine, omega, series.horizontal[0]);
         auto const end = forces(before, s, c, landing, series.horizontal[0] + series.share * series.horizontal[1]);
         double const least = std::min(start.normal, end.normal);
-        EXPECT_NEAR(lane.at(Swing::normal, 0), least, 1e-12 * (1 + std::abs(end.normal))) << "draw " << i;
+        EXPECT_NEAR(lane.at(RockingField::normal, 0), least, 1e-12 * (1 + std::abs(end.normal))) << "draw " << i;
         double const needs = std::max(start.friction / start.normal, end.friction / end.normal);
-        EXPECT_NEAR(lane.at(Swing::demand, 0), needs, 1e-11 * (1 + needs)) << "draw " << i;
+        EXPECT_NEAR(lane.at(RockingField::demand, 0), needs, 1e-11 * (1 + needs)) << "draw " << i;
     }
     EXPECT_GT(impacts, 50000);
     EXPECT_LT(refused, impacts) << "most impacts are the lanes' own";
@@ -182,39 +182,39 @@ void expect_highest(bool vertical, double off) {
         auto const samples = draw.samples();
         auto const vertical_samples = draw.samples();
         auto lane = draw.lane(samples, i % 4 > 1);
-        lane.at(SwingWave::vertical, 0) = vertical_samples.data();
-        double const phi = lane.at(Swing::phi, 0);
-        double const reach = std::abs(lane.at(Swing::omega, 0)) * lane.at(Swing::time_step, 0);
-        lane.at(Swing::peak, 0) = i % 2 == 0 ? phi : phi + draw.between(0, 0.5) * reach;
-        lane.at(Swing::energy, 0) = 0;
+        lane.at(RockingWave::vertical, 0) = vertical_samples.data();
+        double const phi = lane.at(RockingField::phi, 0);
+        double const reach = std::abs(lane.at(RockingField::omega, 0)) * lane.at(RockingField::time_step, 0);
+        lane.at(RockingField::peak, 0) = i % 2 == 0 ? phi : phi + draw.between(0, 0.5) * reach;
+        lane.at(RockingField::energy, 0) = 0;
         auto const before = lane;
-        SwingSeries series;
-        (void)swing_once(lane, vertical, series);
-        if (lane.at(Swing::steps, 0) == 0) {
+        LaneStep series;
+        (void)step_lane_once(lane, vertical, series);
+        if (lane.at(RockingField::steps, 0) == 0) {
             continue;
         }
-        bool const started = before.at(Swing::start, 0) > 0;
+        bool const started = before.at(RockingField::start, 0) > 0;
         auto const turned = [&](long double u) { return rotation(series, phi, started, u); };
         auto const energy = [&](long double u) {
-            long double const alpha = std::acos(static_cast<long double>(before.at(Swing::cosine_alpha, 0)));
+            long double const alpha = std::acos(static_cast<long double>(before.at(RockingField::cosine_alpha, 0)));
             long double const spread =
-                rate(series, u) / (before.at(Swing::p, 0) * static_cast<long double>(series.length_s));
+                rate(series, u) / (before.at(RockingField::p, 0) * static_cast<long double>(series.length_s));
             return 0.5L * spread * spread + std::cos(alpha - turned(u)) - std::cos(alpha);
         };
         long double const share = series.share;
         long double const top = highest(turned, share);
         long double const most = highest(energy, share);
-        double const peak = std::max(before.at(Swing::peak, 0), static_cast<double>(top));
-        EXPECT_NEAR(lane.at(Swing::peak, 0), peak, 1e-14 * peak) << "draw " << i;
-        crests += top > std::max<long double>(turned(share), before.at(Swing::peak, 0)) * (1 + 1e-9L) ? 1 : 0;
+        double const peak = std::max(before.at(RockingField::peak, 0), static_cast<double>(top));
+        EXPECT_NEAR(lane.at(RockingField::peak, 0), peak, 1e-14 * peak) << "draw " << i;
+        crests += top > std::max<long double>(turned(share), before.at(RockingField::peak, 0)) * (1 + 1e-9L) ? 1 : 0;
         // Of the energy every step raises what it starts with; what it ends with is the next one's.
-        long double const ends = std::max(energy(0), lane.at(Swing::impacts, 0) > 0 ? energy(share) : 0);
+        long double const ends = std::max(energy(0), lane.at(RockingField::impacts, 0) > 0 ? energy(share) : 0);
         if (most > std::max({ends, energy(share), 0.0L}) * (1 + 1e-6L)) {
             ++summits;
-            worst = std::max(worst, static_cast<double>(std::abs(lane.at(Swing::energy, 0) - most)));
+            worst = std::max(worst, static_cast<double>(std::abs(lane.at(RockingField::energy, 0) - most)));
         } else {
-            EXPECT_GE(lane.at(Swing::energy, 0), ends - off) << "draw " << i;
-            EXPECT_LE(lane.at(Swing::energy, 0), std::max(most, 0.0L) + off) << "draw " << i;
+            EXPECT_GE(lane.at(RockingField::energy, 0), ends - off) << "draw " << i;
+            EXPECT_LE(lane.at(RockingField::energy, 0), std::max(most, 0.0L) + off) << "draw " << i;
         }
     }
     EXPECT_GT(crests, 1000);
@@ -223,35 +223,36 @@ void expect_highest(bool vertical, double off) {
 }
 
 // Friction that would just do at the start of a step, or a little more, and what is needed all along it.
-TEST(Swing, StepsTakenHoldAllAlong) {
+TEST(LaneStep, StepsTakenHoldAllAlong) {
     Draw draw;
     int taken = 0;
     for (int i = 0; i < 60000; ++i) {
         auto const samples = draw.samples();
         auto lane = draw.lane(samples, i % 2 == 0);
         double const a =
-            samples[0] + (samples[1] - samples[0]) * lane.at(Swing::tau, 0) * lane.at(Swing::sampling_rate, 0);
-        auto const start =
-            forces(lane, lane.at(Swing::sine, 0), lane.at(Swing::cosine, 0), lane.at(Swing::omega, 0), a);
+            samples[0]
+            + (samples[1] - samples[0]) * lane.at(RockingField::tau, 0) * lane.at(RockingField::sampling_rate, 0);
+        auto const start = forces(lane, lane.at(RockingField::sine, 0), lane.at(RockingField::cosine, 0),
+                                  lane.at(RockingField::omega, 0), a);
         double const limit = start.friction / start.normal * (1 + draw.spread(1e-6, 0.3));
         if (!(start.normal > 0)) {
             continue;
         }
-        lane.at(Swing::friction_limit, 0) = limit;
-        lane.at(Swing::impact_demand, 0) = 0;
+        lane.at(RockingField::friction_limit, 0) = limit;
+        lane.at(RockingField::impact_demand, 0) = 0;
         auto const before = lane;
-        SwingSeries series;
-        (void)swing_once(lane, false, series);
-        if (lane.at(Swing::steps, 0) == 0) {
+        LaneStep series;
+        (void)step_lane_once(lane, false, series);
+        if (lane.at(RockingField::steps, 0) == 0) {
             continue;
         }
         ++taken;
-        double const alpha = std::acos(before.at(Swing::cosine_alpha, 0));
-        bool const started = before.at(Swing::start, 0) > 0;
+        double const alpha = std::acos(before.at(RockingField::cosine_alpha, 0));
+        bool const started = before.at(RockingField::start, 0) > 0;
         constexpr int points = 32;
         for (int k = 0; k <= points; ++k) {
             double const u = series.share * k / points;
-            auto const phi = static_cast<double>(rotation(series, before.at(Swing::phi, 0), started, u));
+            auto const phi = static_cast<double>(rotation(series, before.at(RockingField::phi, 0), started, u));
             auto const omega = static_cast<double>(rate(series, u)) / series.length_s;
             auto const now = forces(before, std::sin(alpha - phi), std::cos(alpha - phi), omega,
                                     series.horizontal[0] + u * series.horizontal[1]);
@@ -262,8 +263,8 @@ TEST(Swing, StepsTakenHoldAllAlong) {
     EXPECT_GT(taken, 5000);
 }
 
-TEST(Swing, PeaksAndEnergiesAreTheSeriesHighest) { expect_highest(false, 1e-15); }
-TEST(Swing, PeaksAndEnergiesUnderVerticalMotionToo) { expect_highest(true, 1e-10); }
+TEST(LaneStep, PeaksAndEnergiesAreTheSeriesHighest) { expect_highest(false, 1e-15); }
+TEST(LaneStep, PeaksAndEnergiesUnderVerticalMotionToo) { expect_highest(true, 1e-10); }
 
 }  // namespace
 }  // namespace overturn::rocking

@@ -1,12 +1,12 @@
-#include "rocking/detail/swing.hpp"
+#include "rocking/detail/lane_step.hpp"
 
 #include "simd/targets.hpp"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "rocking/detail/swing.cpp"
+#define HWY_TARGET_INCLUDE "rocking/detail/lane_step.cpp"
 #include <hwy/foreach_target.h>
 // foreach_target comes first: it includes this file once per instruction set
-#include "rocking/detail/swing_step-inl.hpp"
+#include "rocking/detail/lane_step-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace overturn::rocking::HWY_NAMESPACE {
@@ -15,7 +15,7 @@ using Wide = simd::HWY_NAMESPACE::Doubles<2>;
 using Half = simd::HWY_NAMESPACE::Doubles<1>;
 using Single = simd::HWY_NAMESPACE::OneDouble;
 
-template <class V, bool Vertical> std::uint32_t swing_many(SwingLanes<most_lanes>& lanes) {
+template <class V, bool Vertical> std::uint32_t step_many(RockingFields<most_lanes>& lanes) {
     Stepper<V, most_lanes, Vertical> stepper(lanes.values.data(), lanes.samples.data());
     for (;;) {
         if (auto const care = stepper.step(nullptr); any(care)) {
@@ -24,24 +24,24 @@ template <class V, bool Vertical> std::uint32_t swing_many(SwingLanes<most_lanes
     }
 }
 
-template <bool Vertical> void swing_alone(SwingLanes<1>& lane) {
+template <bool Vertical> void step_alone(RockingFields<1>& lane) {
     Stepper<Single, 1, Vertical> stepper(lane.values.data(), lane.samples.data());
     while (!any(stepper.step(nullptr))) {}
 }
 
-template <bool Vertical> bool swing_shown(SwingLanes<1>& lane, SwingSeries& series) {
+template <bool Vertical> bool step_once(RockingFields<1>& lane, LaneStep& series) {
     return !any(Stepper<Single, 1, Vertical>(lane.values.data(), lane.samples.data()).step(&series));
 }
 
-std::uint32_t many_lanes(SwingLanes<most_lanes>& lanes, int used, bool vertical) {
+std::uint32_t many_lanes(RockingFields<most_lanes>& lanes, int used, bool vertical) {
     if (used <= Half::count) {
-        return vertical ? swing_many<Half, true>(lanes) : swing_many<Half, false>(lanes);
+        return vertical ? step_many<Half, true>(lanes) : step_many<Half, false>(lanes);
     }
-    return vertical ? swing_many<Wide, true>(lanes) : swing_many<Wide, false>(lanes);
+    return vertical ? step_many<Wide, true>(lanes) : step_many<Wide, false>(lanes);
 }
-void one_lane(SwingLanes<1>& lane, bool vertical) { vertical ? swing_alone<true>(lane) : swing_alone<false>(lane); }
-bool shown_lane(SwingLanes<1>& lane, bool vertical, SwingSeries& series) {
-    return vertical ? swing_shown<true>(lane, series) : swing_shown<false>(lane, series);
+void one_lane(RockingFields<1>& lane, bool vertical) { vertical ? step_alone<true>(lane) : step_alone<false>(lane); }
+bool shown_lane(RockingFields<1>& lane, bool vertical, LaneStep& series) {
+    return vertical ? step_once<true>(lane, series) : step_once<false>(lane, series);
 }
 int lane_count() { return Wide::count; }
 
@@ -56,17 +56,17 @@ HWY_EXPORT(shown_lane);
 HWY_EXPORT(one_lane);
 HWY_EXPORT(lane_count);
 
-std::uint32_t swing_on(SwingLanes<most_lanes>& lanes, int used, bool vertical) {
+std::uint32_t step_lanes(RockingFields<most_lanes>& lanes, int used, bool vertical) {
     return HWY_DYNAMIC_DISPATCH(many_lanes)(lanes, used, vertical);
 }
 
-void swing_on(SwingLanes<1>& lane, bool vertical) { HWY_DYNAMIC_DISPATCH(one_lane)(lane, vertical); }
+void step_lanes(RockingFields<1>& lane, bool vertical) { HWY_DYNAMIC_DISPATCH(one_lane)(lane, vertical); }
 
-bool swing_once(SwingLanes<1>& lane, bool vertical, SwingSeries& series) {
+bool step_lane_once(RockingFields<1>& lane, bool vertical, LaneStep& series) {
     return HWY_DYNAMIC_DISPATCH(shown_lane)(lane, vertical, series);
 }
 
-int swing_width() { return HWY_DYNAMIC_DISPATCH(lane_count)(); }
+int lane_width() { return HWY_DYNAMIC_DISPATCH(lane_count)(); }
 
 }  // namespace overturn::rocking
 #endif

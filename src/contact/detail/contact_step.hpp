@@ -9,7 +9,7 @@
 namespace overturn::contact {
 
 /// What a lane holds of the body. SI, forces over the mass: accelerations.
-enum class Pressing : int {
+enum class ContactField : int {
     // state
     sway,      ///< x of the centre of gravity
     rise,      ///< z - h; -g/w_v^2 in rest
@@ -86,21 +86,21 @@ enum class Spot : int {
     count
 };
 
-enum class PressWave : int { horizontal, vertical, count };
+enum class ContactWave : int { horizontal, vertical, count };
 
 /// Points of a base at most.
 inline constexpr int most_points = 41;
 
-template <int Lanes> using PressLanes = simd::PointLanes<Pressing, PressWave, Spot, most_points, Lanes>;
+template <int Lanes> using ContactLanes = simd::PointLanes<ContactField, ContactWave, Spot, most_points, Lanes>;
 
-/// Steps the first `used` lanes, all or half of press_width(), until at least one needs care: its wave has ended, it
+/// Steps the first `used` lanes, all or half of lane_width(), until at least one needs care: its wave has ended, it
 /// may rest, or |theta| has reached pi/2. \return one bit per such lane
-[[nodiscard]] std::uint32_t press_on(PressLanes<simd::most_lanes>& lanes, int used);
+[[nodiscard]] std::uint32_t step_lanes(ContactLanes<simd::most_lanes>& lanes, int used);
 /// Steps one lane until it needs care.
-void press_on(PressLanes<1>& lane);
+void step_lanes(ContactLanes<1>& lane);
 /// One step of one lane. \return whether it now needs care
-[[nodiscard]] bool press_once(PressLanes<1>& lane);
+[[nodiscard]] bool step_lane_once(ContactLanes<1>& lane);
 /// Lanes that this machine steps at once.
-[[nodiscard]] int press_width();
+[[nodiscard]] int lane_width();
 
 }  // namespace overturn::contact

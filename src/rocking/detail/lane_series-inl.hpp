@@ -1,28 +1,43 @@
-// One swing as a power series over one step: what it leads to, and where it ends. Included once per instruction set, so
-// without a #pragma once; by swing_step-inl.hpp only.
-#if defined(OVERTURN_SWING_PATH) == defined(HWY_TARGET_TOGGLE)
-#ifdef OVERTURN_SWING_PATH
-#undef OVERTURN_SWING_PATH
+// Rocking on one corner as a power series over one step: what it leads to, and where it ends. Included once per
+// instruction set, so without a #pragma once; by lane_bounds-inl.hpp only.
+#if defined(OVERTURN_LANE_SERIES) == defined(HWY_TARGET_TOGGLE)
+#ifdef OVERTURN_LANE_SERIES
+#undef OVERTURN_LANE_SERIES
 #else
-#define OVERTURN_SWING_PATH
+#define OVERTURN_LANE_SERIES
 #endif
 
 #include <algorithm>
 
-#include "rocking/detail/swing.hpp"
+#include "rocking/detail/lane_step.hpp"
 #include "simd/lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace overturn::rocking::HWY_NAMESPACE {
 
-template <class V, int Stride, bool Vertical> class SwingPath {
+#define OVERTURN_LAW [[nodiscard]] OVERTURN_LANES_INLINE
+#include "rocking/detail/block_laws-inl.hpp"
+#undef OVERTURN_LAW
+
+// The k-th coefficient of a series and the one before, and a forcing that is linear over the step: the numbers that the
+// equation of motion takes term by term. Of every sum the newest terms come last: they are what the next ones wait for.
+template <class V> struct Term { V now, before; };
+template <class V> struct Linear { V start, change; };
+template <class V> OVERTURN_LANES_INLINE V operator*(Linear<V> f, Term<V> x) {
+    return fma(f.start, x.now, f.change * x.before);
+}
+template <class V> OVERTURN_LANES_INLINE V mul_add(Linear<V> f, Term<V> x, V sum) {
+    return fma(f.start, x.now, fma(f.change, x.before, sum));
+}
+
+template <class V, int Stride, bool Vertical> class LaneSeries {
   public:
     using M = typename V::Mask;
 
-    SwingPath(double* values, double const* const* samples) : values_(values), samples_(samples) {}
+    LaneSeries(double* values, double const* const* samples) : values_(values), samples_(samples) {}
 
   protected:
-    static constexpr int order = SwingSeries::order;
+    static constexpr int order = LaneStep::order;
     static constexpr int trig = order - 1;  // terms of sine and cosine that phi needs
 
     // Forcing over the step, over g and mirrored.
@@ -46,12 +61,14 @@ template <class V, int Stride, bool Vertical> class SwingPath {
         M found;  // else the search has not come to its end
     };
 
-    OVERTURN_LANES_INLINE V get(Swing f) const {
+    OVERTURN_LANES_INLINE V get(RockingField f) const {
         return V::load_aligned(values_ + static_cast<std::ptrdiff_t>(f) * Stride);
     }
-    OVERTURN_LANES_INLINE void put(Swing f, V v) { v.store_aligned(values_ + static_cast<std::ptrdiff_t>(f) * Stride); }
+    OVERTURN_LANES_INLINE void put(RockingField f, V v) {
+        v.store_aligned(values_ + static_cast<std::ptrdiff_t>(f) * Stride);
+    }
 
-    OVERTURN_LANES_INLINE Forcing forcing(SwingWave wave, V scale, V index, V into) const;
+    OVERTURN_LANES_INLINE Forcing forcing(RockingWave wave, V scale, V index, V into) const;
     OVERTURN_LANES_INLINE Series expand(V length, V w, Forcing const& a, Forcing const& g) const;
     OVERTURN_LANES_INLINE Target target(Series const& x) const;
     OVERTURN_LANES_INLINE Zero first_zero(Series const& x, M started) const;
@@ -67,7 +84,7 @@ template <class V, int Stride, bool Vertical> class SwingPath {
 };
 
 template <class V, int Stride, bool Vertical>
-OVERTURN_LANES_INLINE auto SwingPath<V, Stride, Vertical>::forcing(SwingWave wave, V scale, V index, V into) const
+OVERTURN_LANES_INLINE auto LaneSeries<V, Stride, Vertical>::forcing(RockingWave wave, V scale, V index, V into) const
     -> Forcing {
     V here;
     V next;
@@ -78,29 +95,25 @@ OVERTURN_LANES_INLINE auto SwingPath<V, Stride, Vertical>::forcing(SwingWave wav
     return {fma(rise, into, a), fma(-rise, into, rise), end};
 }
 
-// phi'' = -p^2 (Gv sin psi + A cos psi), psi' = -phi', in the share of the step; w = (p length)^2. Of every sum the
-// newest terms come last: they are what the next ones wait for.
+// phi'' = -w pull, psi' = -phi', in the share of the step; w = (p length)^2, which the forcing takes up.
 template <class V, int Stride, bool Vertical>
-OVERTURN_LANES_INLINE auto SwingPath<V, Stride, Vertical>::expand(V length, V w, Forcing const& a,
-                                                                  Forcing const& g) const -> Series {
+OVERTURN_LANES_INLINE auto LaneSeries<V, Stride, Vertical>::expand(V length, V w, Forcing const& a,
+                                                                   Forcing const& g) const -> Series {
     Series x;
-    x.rate[0] = get(Swing::omega) * length;
-    x.s[0] = get(Swing::sine);
-    x.c[0] = get(Swing::cosine);
+    x.rate[0] = get(RockingField::omega) * length;
+    x.s[0] = get(RockingField::sine);
+    x.c[0] = get(RockingField::cosine);
     x.s[1] = -(x.rate[0] * x.c[0]);
     x.c[1] = x.rate[0] * x.s[0];
-    V const across = w * a.start;
-    V const across_change = w * a.change;
-    V const down = Vertical ? w * g.start : w;
-    V const down_change = w * g.change;
-    x.rate[1] = -fma(across, x.c[0], down * x.s[0]);
+    Linear<V> const across{w * a.start, w * a.change};
+    Linear<V> const down{Vertical ? w * g.start : w, w * g.change};
+    x.rate[1] = -pull(across.start, down.start, x.c[0], x.s[0]);  // which of its products is rounded is as good
 #pragma GCC unroll 16
     for (int k = 1; k < trig; ++k) {
-        V pull = fma(across, x.c[k], across_change * x.c[k - 1]);
-        if constexpr (Vertical) {
-            pull = fma(down_change, x.s[k - 1], pull);
-        }
-        x.rate[k + 1] = fma(down, x.s[k], pull) * (-1.0 / (k + 1));
+        Term<V> const s{x.s[k], x.s[k - 1]};
+        Term<V> const c{x.c[k], x.c[k - 1]};
+        V const back = Vertical ? pull(down, across, s, c) : fma(down.start, s.now, across * c);
+        x.rate[k + 1] = back * (-1.0 / (k + 1));
         if (k + 1 == trig) {
             break;
         }
@@ -121,7 +134,7 @@ OVERTURN_LANES_INLINE auto SwingPath<V, Stride, Vertical>::expand(V length, V w,
 
 // psi turns by minus what phi gains; its sine and cosine turn with it.
 template <class V, int Stride, bool Vertical>
-OVERTURN_LANES_INLINE auto SwingPath<V, Stride, Vertical>::turned(Series const& x, V gain) const -> Turned {
+OVERTURN_LANES_INLINE auto LaneSeries<V, Stride, Vertical>::turned(Series const& x, V gain) const -> Turned {
     V const t2 = gain * gain;
     V const sine_tail = fma(fma(t2, -1.0 / 5040, 1.0 / 120), t2, -1.0 / 6);
     V const cosine_tail = fma(fma(fma(t2, 1.0 / 40320, -1.0 / 720), t2, 1.0 / 24), t2, -0.5);
@@ -129,10 +142,12 @@ OVERTURN_LANES_INLINE auto SwingPath<V, Stride, Vertical>::turned(Series const& 
     V const drop = cosine_tail * t2;  // cos - 1
     return {x.s[0] + fma(x.s[0], drop, -(x.c[0] * sine)), x.c[0] + fma(x.c[0], drop, x.s[0] * sine)};
 }
-constexpr double most_arc = 0.03;  // to which the sums above are exact to rounding [rad]
+// To which the sums above are exact to rounding [rad]: the first terms left out are gain^8 / 9! of the sine, 2e-18, and
+// gain^10 / 10! of the cosine, 2e-22.
+constexpr double most_arc = 0.03;
 
 template <class V, int Stride, bool Vertical>
-OVERTURN_LANES_INLINE auto SwingPath<V, Stride, Vertical>::target(Series const& x) const -> Target {
+OVERTURN_LANES_INLINE auto LaneSeries<V, Stride, Vertical>::target(Series const& x) const -> Target {
     auto const& r = x.rate;
     V late = r[4] * (1.0 / 5);
     V speed = r[order - 2] + r[order - 1];
@@ -146,12 +161,12 @@ OVERTURN_LANES_INLINE auto SwingPath<V, Stride, Vertical>::target(Series const& 
     }
     V const gain = fma(r[1], 0.5, r[0]) + (fma(r[3], 0.25, r[2] * (1.0 / 3)) + late);
     auto const [s, c] = turned(x, gain);
-    return {get(Swing::phi) + gain, speed, s, c};
+    return {get(RockingField::phi) + gain, speed, s, c};
 }
 
 // What phi has gained at a share of the step.
 template <class V, int Stride, bool Vertical>
-OVERTURN_LANES_INLINE V SwingPath<V, Stride, Vertical>::gain(V u, Series const& x) const {
+OVERTURN_LANES_INLINE V LaneSeries<V, Stride, Vertical>::gain(V u, Series const& x) const {
     std::array<V, order> c;
 #pragma GCC unroll 16
     for (int k = 0; k < order; ++k) {
@@ -162,14 +177,14 @@ OVERTURN_LANES_INLINE V SwingPath<V, Stride, Vertical>::gain(V u, Series const& 
 
 // Where c0 + c1 u + c2 u^2 falls through zero.
 template <class V, int Stride, bool Vertical>
-OVERTURN_LANES_INLINE V SwingPath<V, Stride, Vertical>::falling_root(V c0, V c1, V c2) {
+OVERTURN_LANES_INLINE V LaneSeries<V, Stride, Vertical>::falling_root(V c0, V c1, V c2) {
     return (c0 + c0) / (sqrt(max(c1 * c1 - 4.0 * c0 * c2, 0)) - c1);
 }
 
 // sum c[k] u^k in two chains, even and odd, as one would wait for itself.
 template <class V, int Stride, bool Vertical>
 template <std::size_t N>
-OVERTURN_LANES_INLINE V SwingPath<V, Stride, Vertical>::at(V u, std::array<V, N> const& c) {
+OVERTURN_LANES_INLINE V LaneSeries<V, Stride, Vertical>::at(V u, std::array<V, N> const& c) {
     static_assert(N >= 2);
     constexpr int top = static_cast<int>(N) - 1;
     V const u2 = u * u;
@@ -185,7 +200,7 @@ OVERTURN_LANES_INLINE V SwingPath<V, Stride, Vertical>::at(V u, std::array<V, N>
 
 // Where phi turns from rising to falling, as a share of the step.
 template <class V, int Stride, bool Vertical>
-OVERTURN_LANES_INLINE auto SwingPath<V, Stride, Vertical>::turning(Series const& x) const -> Zero {
+OVERTURN_LANES_INLINE auto LaneSeries<V, Stride, Vertical>::turning(Series const& x) const -> Zero {
     std::array<V, order - 1> slope;
 #pragma GCC unroll 16
     for (int k = 1; k < order; ++k) {
@@ -202,9 +217,9 @@ OVERTURN_LANES_INLINE auto SwingPath<V, Stride, Vertical>::turning(Series const&
 // Where phi falls to zero, as a share of the step: from its parabola, by Newton's steps. A zero at the start is
 // divided out first.
 template <class V, int Stride, bool Vertical>
-OVERTURN_LANES_INLINE auto SwingPath<V, Stride, Vertical>::first_zero(Series const& x, M started) const -> Zero {
+OVERTURN_LANES_INLINE auto LaneSeries<V, Stride, Vertical>::first_zero(Series const& x, M started) const -> Zero {
     std::array<V, order + 1> c;
-    c[0] = choose(started, x.rate[0], get(Swing::phi));
+    c[0] = choose(started, x.rate[0], get(RockingField::phi));
 #pragma GCC unroll 16
     for (int k = 1; k < order; ++k) {
         c[k] = choose(started, x.rate[k] * (1.0 / (k + 1)), x.rate[k - 1] * (1.0 / k));

@@ -1,13 +1,13 @@
 // What the points of a base do to the body, in any vector width. Included once per instruction set, so without a
-// #pragma once; by press_step-inl.hpp only.
-#if defined(OVERTURN_PRESS_FORCE) == defined(HWY_TARGET_TOGGLE)
-#ifdef OVERTURN_PRESS_FORCE
-#undef OVERTURN_PRESS_FORCE
+// #pragma once; by contact_step-inl.hpp only.
+#if defined(OVERTURN_CONTACT_FORCE) == defined(HWY_TARGET_TOGGLE)
+#ifdef OVERTURN_CONTACT_FORCE
+#undef OVERTURN_CONTACT_FORCE
 #else
-#define OVERTURN_PRESS_FORCE
+#define OVERTURN_CONTACT_FORCE
 #endif
 
-#include "contact/detail/pressing.hpp"
+#include "contact/detail/contact_step.hpp"
 #include "contact/point_law-inl.hpp"
 #include "simd/lanes-inl.hpp"
 
@@ -15,7 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace overturn::contact::HWY_NAMESPACE {
 
 /// \tparam Points of the base; 0: as many as are said
-template <class V, int Stride, int Points> class PressForce {
+template <class V, int Stride, int Points> class ContactForce {
   public:
     using M = typename V::Mask;
 
@@ -30,16 +30,16 @@ template <class V, int Stride, int Points> class PressForce {
         V press, least_depth;  // sum of the normal forces; of the point that stands highest
     };
 
-    explicit PressForce(PressLanes<Stride>& lanes)
+    explicit ContactForce(ContactLanes<Stride>& lanes)
         : body_(lanes.body.values.data()),
           bed_(lanes.bed.data()),
           samples_(lanes.body.samples.data()),
           points_(Points > 0 ? Points : lanes.points) {}
 
   protected:
-    [[nodiscard]] OVERTURN_LANES_INLINE V get(Pressing field) const { return V::load(body_ + row(field)); }
-    OVERTURN_LANES_INLINE void put(Pressing field, V value) { value.store(body_ + row(field)); }
-    OVERTURN_LANES_INLINE void fetch_wave(PressWave wave, V index, V& here, V& next) const {
+    [[nodiscard]] OVERTURN_LANES_INLINE V get(ContactField field) const { return V::load(body_ + row(field)); }
+    OVERTURN_LANES_INLINE void put(ContactField field, V value) { value.store(body_ + row(field)); }
+    OVERTURN_LANES_INLINE void fetch_wave(ContactWave wave, V index, V& here, V& next) const {
         fetch(samples_ + row(wave), index, here, next);
     }
 
@@ -71,9 +71,9 @@ template <class V, int Stride, int Points> class PressForce {
 
 // The approach speed until it touches; the crush that it leaves.
 template <class V, int Stride, int Points>
-OVERTURN_LANES_INLINE void PressForce<V, Stride, Points>::remember_touch(double* point, V depth, V approach) const {
+OVERTURN_LANES_INLINE void ContactForce<V, Stride, Points>::remember_touch(double* point, V depth, V approach) const {
     if (M const away = depth <= V(0); any(away)) {
-        V const fresh = gain_of_approach(approach, get(Pressing::damping), get(Pressing::least_approach));
+        V const fresh = gain_of_approach(approach, get(ContactField::damping), get(ContactField::least_approach));
         set_spot(point, Spot::gain, choose(away, fresh, spot(point, Spot::gain)));
     }
     V const excess = depth - spot(point, Spot::yield);
@@ -84,7 +84,7 @@ OVERTURN_LANES_INLINE void PressForce<V, Stride, Points>::remember_touch(double*
 
 // An anchor that friction cannot hold follows its point. Returns the shift that is left.
 template <class V, int Stride, int Points>
-OVERTURN_LANES_INLINE V PressForce<V, Stride, Points>::remember_anchor(double* point, V here, V shift, V most) const {
+OVERTURN_LANES_INLINE V ContactForce<V, Stride, Points>::remember_anchor(double* point, V here, V shift, V most) const {
     M const drags = abs(shift) > most;
     V const held = max(-most, min(most, shift));
     if (any(drags)) {
@@ -95,20 +95,20 @@ OVERTURN_LANES_INLINE V PressForce<V, Stride, Points>::remember_anchor(double* p
 
 template <class V, int Stride, int Points>
 template <bool Remember>
-OVERTURN_LANES_INLINE auto PressForce<V, Stride, Points>::pulled(Motion const& at, Shaking const& by, double* bed) const
-    -> Pull {
+OVERTURN_LANES_INLINE auto ContactForce<V, Stride, Points>::pulled(Motion const& at, Shaking const& by,
+                                                                   double* bed) const -> Pull {
     V const zero = 0;
-    V const h = get(Pressing::height);
+    V const h = get(ContactField::height);
     V const turning = at.spin * at.sine;
     V const rolling = at.spin * at.cosine;
     V const lift = fma(h, 1.0 - at.cosine, at.rise);  // of the middle of the base
     V const climb = fma(h, turning, at.rise_speed);   // its velocities
     V const slide = at.sway_speed - h * rolling;
     V const base = at.sway - h * at.sine;
-    V const friction = get(Pressing::friction);
-    V const ratio = get(Pressing::tangential_ratio);
-    V const drag = get(Pressing::tangential_damping);
-    V const cap = get(Pressing::most_damping);
+    V const friction = get(ContactField::friction);
+    V const ratio = get(ContactField::tangential_ratio);
+    V const drag = get(ContactField::tangential_damping);
+    V const cap = get(ContactField::most_damping);
     V press = zero;
     V grip = zero;
     V press_moment = zero;
@@ -128,7 +128,7 @@ OVERTURN_LANES_INLINE auto PressForce<V, Stride, Points>::pulled(Motion const& a
         V const here = fma(at.cosine, offset, base);
         V shift = here - spot(point, Spot::anchor);
         if constexpr (Remember) {
-            shift = remember_anchor(point, here, shift, get(Pressing::hold) * normal);
+            shift = remember_anchor(point, here, shift, get(ContactField::hold) * normal);
         }
         V const limit = friction * normal;
         V const wanted = fma(ratio, shift, drag * fma(-turning, offset, slide));
@@ -142,7 +142,7 @@ OVERTURN_LANES_INLINE auto PressForce<V, Stride, Points>::pulled(Motion const& a
         grip_moment = grip_moment + lever * held;
     }
     V const moment = at.sine * grip_moment - at.cosine * press_moment + h * fma(at.cosine, grip, at.sine * press);
-    return {-(grip + by.across), press - by.weight, moment * get(Pressing::mass_over_inertia), press, least_depth};
+    return {-(grip + by.across), press - by.weight, moment * get(ContactField::mass_over_inertia), press, least_depth};
 }
 
 }  // namespace overturn::contact::HWY_NAMESPACE

@@ -1,5 +1,5 @@
-/// Swings: rocking on one corner, stepped in SIMD lanes of any mixture of trials up to the first instant that needs
-/// care. One arithmetic serves one lane and many: whatever the machine's vectors, the bits are the same.
+/// Rocking on one corner without slip, stepped in SIMD lanes of any mixture of trials up to the first instant that
+/// needs care. One arithmetic serves one lane and many: whatever the machine's vectors, the bits are the same.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ namespace overturn::rocking {
 
 /// What a lane holds. Time in s, angles in rad, mirrored like the integrator's (phi = side * theta >= 0); forces over
 /// m g, energies over m g R.
-enum class Swing : int {
+enum class RockingField : int {
     // state
     phi,
     omega,
@@ -53,14 +53,19 @@ enum class Swing : int {
     count
 };
 
+/// Bouncing slower than this fraction of RockingAccuracy::settle is rest, whatever the forcing does next. Empirical:
+/// low enough for a rebound of 1e-8 p at most to be lost, by the default `settle`; how results move with it was not
+/// measured.
+inline constexpr double rest_speed_share = 1e-3;
+
 /// The waves that a lane reads, in m/s2; the vertical one only if it is stepped with vertical motion.
-enum class SwingWave : int { horizontal, vertical, count };
+enum class RockingWave : int { horizontal, vertical, count };
 
 using simd::most_lanes;
-template <int Lanes> using SwingLanes = simd::LaneFields<Swing, SwingWave, Lanes>;
+template <int Lanes> using RockingFields = simd::LaneFields<RockingField, RockingWave, Lanes>;
 
 /// The last step taken, as power series in the share of its length.
-struct SwingSeries {
+struct LaneStep {
     static constexpr int order = 10;
     double length_s = 0;                             ///< as planned
     double share = 1;                                ///< of it, where an impact cut it short
@@ -71,18 +76,18 @@ struct SwingSeries {
 
 /// Steps every lane on until one of them needs care: its next step may hold an event other than a clear impact, or
 /// turns that may hide a record of rotation or energy, or its wave is over. That lane is then as before this step.
-/// \param used the first so many lanes are stepped, at least; half of swing_width() costs half. All that are stepped
+/// \param used the first so many lanes are stepped, at least; half of lane_width() costs half. All that are stepped
 ///     hold a trial or a copy of one: ask for all or for half
 /// \return one bit per such lane
-[[nodiscard]] std::uint32_t swing_on(SwingLanes<most_lanes>& lanes, int used, bool vertical);
+[[nodiscard]] std::uint32_t step_lanes(RockingFields<most_lanes>& lanes, int used, bool vertical);
 
 /// The same for a lane alone.
-void swing_on(SwingLanes<1>& lane, bool vertical);
+void step_lanes(RockingFields<1>& lane, bool vertical);
 
-/// One step of a lane alone, if it needs no care. \return false where swing_on would have stopped
-[[nodiscard]] bool swing_once(SwingLanes<1>& lane, bool vertical, SwingSeries& series);
+/// One step of a lane alone, if it needs no care. \return false where step_lanes would have stopped
+[[nodiscard]] bool step_lane_once(RockingFields<1>& lane, bool vertical, LaneStep& series);
 
 /// How many of most_lanes this machine steps; the others stay as they are.
-[[nodiscard]] int swing_width();
+[[nodiscard]] int lane_width();
 
 }  // namespace overturn::rocking
