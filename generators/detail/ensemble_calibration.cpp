@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "generators/detail/baseline.hpp"
-#include "generators/detail/peak_response.hpp"
 #include "spectra/input_energy.hpp"
+#include "spectra/peak_response.hpp"
 
 namespace overturn {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "generators/detail/peak_response.hpp"
+#include "spectra/peak_response.hpp"
 
 namespace overturn {
 

@@ -10,7 +10,7 @@
 #include "generators/acceptance.hpp"
 #include "generators/detail/line_gains.hpp"
 #include "generators/detail/noise_lines.hpp"
-#include "generators/detail/peak_response.hpp"
+#include "spectra/peak_response.hpp"
 
 namespace overturn {
 

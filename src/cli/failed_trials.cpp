@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include "generators/acceptance.hpp"
-#include "results/results.hpp"
 
 namespace overturn::cli {
 namespace {

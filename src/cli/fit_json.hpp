@@ -6,6 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "results/analysis.hpp"
+#include "results/statistics.hpp"
 #include "results/telling_trials.hpp"
 
 namespace overturn::cli {

@@ -19,7 +19,7 @@
 #include "motion/record.hpp"
 #include "response/effects.hpp"
 #include "response/registry.hpp"
-#include "results/results.hpp"
+#include "results/schema.hpp"
 #include "spectra/named_targets.hpp"
 
 namespace overturn::cli {

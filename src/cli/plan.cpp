@@ -14,9 +14,12 @@
 #include "cli/verbs.hpp"
 #include "contact/matching.hpp"
 #include "core/elapsed.hpp"
-#include "results/results.hpp"
+#include "results/schema.hpp"
 #include "results/shown_levels.hpp"
+#include "results/statistics.hpp"
+#include "results/stripe_table.hpp"
 #include "runner/progress.hpp"
+#include "store/shards.hpp"
 
 namespace overturn::cli {
 namespace {

@@ -16,7 +16,7 @@
 #include "report/figure.hpp"
 #include "response/registry.hpp"
 #include "results/rare_results.hpp"
-#include "results/results.hpp"
+#include "results/recount.hpp"
 
 namespace overturn::cli {
 namespace {

@@ -29,8 +29,9 @@ std::string placement_of(BodySpec const& spec) {
     }
     auto text = fmt::format("{}: {}.", spec.name, fmt::join(said, "; "));
     if (body.lopsided()) {
-        text += fmt::format(" It tips at {:.4g}° towards +x and at {:.4g}° towards -x; what the table says is of the weaker side.",
-                            body.corner(1).alpha_rad / degree, body.corner(-1).alpha_rad / degree);
+        text += fmt::format(
+            " It tips at {:.4g}° towards +x and at {:.4g}° towards -x; what the table says is of the weaker side.",
+            body.corner(1).alpha_rad / degree, body.corner(-1).alpha_rad / degree);
     }
     return text;
 }

@@ -9,7 +9,7 @@
 #include "cli/other_bits.hpp"
 #include "cli/verbs.hpp"
 #include "core/print_note.hpp"
-#include "results/results.hpp"
+#include "results/recount.hpp"
 #include "runner/agreement.hpp"
 
 namespace overturn::cli {

@@ -193,7 +193,7 @@ void add_match_knobs(std::vector<Knob>& knobs, CampaignInput const& input) {
         return;  // records, pulses, and waves that are left as drawn
     }
     constexpr double usual_tolerance = 0.05;
-    constexpr std::int64_t usual_iterations = 100;
+    constexpr std::int64_t usual_iterations = 40;
     auto const waves = config::Table::parse(input.text, input.name, input.settings).child("waves");
     constexpr char const* misfit = "mean misfit to the target, 300 periods a decade; verdicts against the last setting";
     Knob tolerance{"match_tolerance", "misfit at which matching stops", misfit, "wave", Acts::waves, {}, {}};

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "results/results.hpp"
+#include "results/statistics.hpp"
 #include "stats/proportion.hpp"
 
 namespace overturn::cost {

@@ -8,9 +8,11 @@
 #include <fmt/format.h>
 
 #include "core/field.hpp"
+#include "results/criterion_verdict.hpp"
 #include "results/detail/drawn_trials.hpp"
 #include "results/detail/fitted_measures.hpp"
 #include "results/detail/level_quantiles.hpp"
+#include "results/statistics.hpp"
 #include "stats/quantile.hpp"
 #include "stats/rank.hpp"
 

@@ -10,7 +10,7 @@
 #include "campaign/campaign_spec.hpp"
 #include "results/grid_map.hpp"
 #include "results/measured_trials.hpp"
-#include "results/results.hpp"
+#include "results/statistics.hpp"
 #include "stats/beta_split.hpp"
 #include "stats/fragility.hpp"
 #include "stats/quantile.hpp"
@@ -32,15 +32,6 @@ struct MeasuredFragility {
     double rank_area = std::numeric_limits<double>::quiet_NaN();  ///< NaN where all trials ended alike
     Interval rank_interval{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 };
-
-/// How far stored curves are from the same fitted again.
-struct RefitDifference {
-    double relative = 0;  ///< the largest of all columns; infinite where one is known and the other is not
-    std::string column;   ///< where: "fragility/type-a/median"
-};
-/// \param fits at the confidence that the file's were made at
-[[nodiscard]] RefitDifference refit_difference(store::ResultsReader const& file, std::string const& group,
-                                               std::vector<MeasuredFragility> const& fits);
 
 /// One criterion of one body, measure < V_Ereq.
 struct MeasuredCriterion {
@@ -107,17 +98,5 @@ struct AnalysisOptions {
 /// One body's fit over the levels' own measure, alone. \param limit place of the limit state; 0: overturning
 [[nodiscard]] FragilityFit fit_over_levels(CampaignSpec const& spec, Statistics const& statistics, std::size_t body,
                                            AnalysisOptions const& options, std::size_t limit = 0);
-
-[[nodiscard]] CriterionVerdict verdict_on(BodyAnalysis const& body, double confidence);
-
-/// Fragility, criterion and verdict for the terminal.
-[[nodiscard]] std::string analysis_table(std::vector<BodyAnalysis> const& bodies, double confidence);
-
-/// The fragility part of it, for one list of fits; also for tables that are nobody's campaign.
-[[nodiscard]] std::string fragility_table(std::vector<MeasuredFragility> const& fits, double confidence);
-
-/// One row per measure into `group`; numbers that are not identifiable are NaN. \pre fits of one limit state
-void write_fragility(store::ResultsWriter& file, std::string const& group, std::vector<MeasuredFragility> const& fits,
-                     double confidence);
 
 }  // namespace overturn

@@ -1,3 +1,5 @@
+#include "results/analysis_table.hpp"
+
 #include <algorithm>
 #include <cmath>
 

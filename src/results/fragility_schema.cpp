@@ -1,3 +1,5 @@
+#include "results/fragility_schema.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "results/analysis.hpp"
+#include "results/statistics.hpp"
 #include "stats/hazard.hpp"
 
 namespace overturn {

@@ -13,6 +13,7 @@
 #include "core/error.hpp"
 #include "core/field.hpp"
 #include "results/detail/column_values.hpp"
+#include "results/fragility_schema.hpp"
 #include "results/shown_levels.hpp"
 
 namespace overturn {

@@ -1,3 +1,5 @@
+#include "results/recount.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -6,7 +8,8 @@
 #include "campaign/withheld_inputs.hpp"
 #include "response/registry.hpp"
 #include "results/detail/limit_results.hpp"
-#include "results/results.hpp"
+#include "results/schema.hpp"
+#include "results/statistics.hpp"
 
 namespace overturn {
 

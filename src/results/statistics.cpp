@@ -1,9 +1,10 @@
+#include "results/statistics.hpp"
+
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include "response/registry.hpp"
-#include "results/results.hpp"
 
 namespace overturn {
 namespace {

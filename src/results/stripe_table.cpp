@@ -1,3 +1,5 @@
+#include "results/stripe_table.hpp"
+
 #include <algorithm>
 #include <numeric>
 
@@ -5,8 +7,8 @@
 
 #include "response/registry.hpp"
 #include "results/detail/limit_results.hpp"
-#include "results/results.hpp"
 #include "results/shown_levels.hpp"
+#include "results/statistics.hpp"
 
 namespace overturn {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "campaign/campaign_spec.hpp"
-#include "results/results.hpp"
+#include "results/statistics.hpp"
 #include "stats/fragility.hpp"
 #include "stats/joint.hpp"
 #include "stats/two_measures.hpp"

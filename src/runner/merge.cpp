@@ -7,8 +7,13 @@
 
 #include "core/print_note.hpp"
 #include "results/analysis.hpp"
+#include "results/analysis_table.hpp"
 #include "results/rare_results.hpp"
+#include "results/recount.hpp"
+#include "results/statistics.hpp"
+#include "results/stripe_table.hpp"
 #include "results/telling_trials.hpp"
+#include "results/write_results.hpp"
 #include "runner/detail/stopping.hpp"
 #include "runner/output_place.hpp"
 #include "runner/runtime_file.hpp"

@@ -7,7 +7,10 @@
 #include <span>
 #include <string>
 
-#include "results/results.hpp"
+#include "campaign/campaign_input.hpp"
+#include "campaign/campaign_spec.hpp"
+#include "campaign/plan.hpp"
+#include "results/rare_rows.hpp"
 #include "store/shards.hpp"
 
 namespace overturn {

@@ -8,6 +8,7 @@
 #include "campaign/warnings.hpp"
 #include "core/elapsed.hpp"
 #include "core/print_note.hpp"
+#include "results/stripe_table.hpp"
 #include "runner/agreement.hpp"
 #include "runner/detail/stopping.hpp"
 #include "runner/detail/worker.hpp"

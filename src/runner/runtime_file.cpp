@@ -10,7 +10,6 @@
 #include "campaign/version.hpp"
 #include "core/error.hpp"
 #include "core/print_note.hpp"
-#include "results/results.hpp"
 #include "simd/instruction_sets.hpp"
 #include "store/durable.hpp"
 

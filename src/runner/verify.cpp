@@ -14,7 +14,7 @@
 #include "campaign/plan.hpp"
 #include "results/rare_replayer.hpp"
 #include "results/rare_results.hpp"
-#include "results/results.hpp"
+#include "results/recount.hpp"
 #include "results/schema.hpp"
 #include "runner/progress.hpp"
 

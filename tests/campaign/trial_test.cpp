@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "results/results.hpp"
 #include "spatial/spatial_model.hpp"
 #include "support/bit_equal.hpp"
 #include "support/campaigns.hpp"

@@ -7,6 +7,8 @@
 
 #include "campaign/warnings.hpp"
 #include "results/analysis.hpp"
+#include "results/schema.hpp"
+#include "results/statistics.hpp"
 #include "spectra/response_spectrum.hpp"
 #include "support/campaign_rows.hpp"
 #include "support/campaigns.hpp"

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <span>
 
-#include "results/results.hpp"
+#include "results/statistics.hpp"
+#include "results/stripe_table.hpp"
 #include "support/campaign_rows.hpp"
 #include "support/campaigns.hpp"
 #include "support/expect_input_error.hpp"

@@ -8,7 +8,6 @@
 
 #include "cost/bench.hpp"
 #include "cost/study_output.hpp"
-#include "results/results.hpp"
 #include "store/results_file.hpp"
 #include "support/bit_equal.hpp"
 #include "support/campaigns.hpp"

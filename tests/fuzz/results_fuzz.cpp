@@ -4,7 +4,7 @@
 
 #include <unistd.h>
 
-#include "results/results.hpp"
+#include "results/recount.hpp"
 #include "store/durable.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size);

@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "core/units.hpp"
-#include "generators/detail/peak_response.hpp"
 #include "generators/detail/real_fft.hpp"
 #include "spectra/oscillator.hpp"
+#include "spectra/peak_response.hpp"
 #include "spectra/response_spectrum.hpp"
 #include "support/waves.hpp"
 

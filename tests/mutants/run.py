@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Breaks the program one line at a time, and says which tests notice.
 
-tests/mutants/run.py [--only TEXT] [--from N] [--minutes M] [--list FILE] [--report FILE]
+tests/mutants/run.py --check | [--only TEXT] [--from N] [--minutes M] [--list FILE] [--report FILE]
 
 Works in a scratch copy of this tree and of .build/dev (which has to be built), seen at this tree's own path in a mount
 namespace of its own (root), so that only what a mutant touches is built again. Every mutant of mutants.txt is applied
@@ -63,10 +63,14 @@ def main():
     options.add_argument("--only", default="", help="mutants of files whose name holds TEXT")
     options.add_argument("--from", dest="first", type=int, default=1, help="begin with the N-th of these")
     options.add_argument("--minutes", type=float, default=1e9, help="begin no further mutant after so long")
+    options.add_argument("--check", action="store_true", help="run nothing: is every mutant's text there once?")
     options.add_argument("--list", type=pathlib.Path, default=HERE / "mutants.txt", help="another list than mutants.txt")
     options.add_argument("--report", type=pathlib.Path, help="write the table there too")
     options = options.parse_args()
     chosen = [mutant for mutant in mutants(options.list) if options.only in mutant.file][options.first - 1:]
+    if options.check:
+        print(f"{len(chosen)} mutants stand where the list says")
+        return
     begun = time.monotonic()
     rows = []
     with tempfile.TemporaryDirectory(prefix="overturn-mutants.") as scratch:

@@ -8,6 +8,8 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include "results/criterion_verdict.hpp"
+#include "results/statistics.hpp"
 #include "support/campaigns.hpp"
 
 namespace overturn {

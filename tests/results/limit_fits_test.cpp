@@ -11,6 +11,7 @@
 #include "campaign/warnings.hpp"
 #include "response/registry.hpp"
 #include "results/analysis.hpp"
+#include "results/statistics.hpp"
 #include "support/expect_input_error.hpp"
 #include "support/limited_campaigns.hpp"
 

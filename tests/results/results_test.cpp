@@ -1,12 +1,13 @@
 // Requirement R-1003: every field of a row is stored in exactly one column, and statistics count exactly what the rows
 // say.
-#include "results/results.hpp"
-
 #include <set>
 
 #include <gtest/gtest.h>
 
 #include "response/registry.hpp"
+#include "results/schema.hpp"
+#include "results/statistics.hpp"
+#include "results/stripe_table.hpp"
 #include "support/campaigns.hpp"
 
 namespace overturn {

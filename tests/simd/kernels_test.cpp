@@ -9,10 +9,10 @@
 
 #include "core/units.hpp"
 #include "generators/detail/line_sums.hpp"
-#include "generators/detail/oscillator_sweep.hpp"
 #include "simd/instruction_sets.hpp"
 #include "spectra/band_rule.hpp"
 #include "spectra/detail/direct_sums.hpp"
+#include "spectra/detail/oscillator_sweep.hpp"
 #include "spectra/detail/smoothing.hpp"
 #include "spectra/detail/window_sweep.hpp"
 #include "spectra/input_energy.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "results/analysis.hpp"
-#include "results/results.hpp"
+#include "results/statistics.hpp"
 #include "store/results_file.hpp"
 
 namespace overturn {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "results/analysis.hpp"
+#include "results/statistics.hpp"
 #include "stats/precision.hpp"
 
 namespace overturn {

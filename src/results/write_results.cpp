@@ -1,4 +1,4 @@
-#include "results/results.hpp"
+#include "results/write_results.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -11,7 +11,11 @@
 #include "results/analysis.hpp"
 #include "results/detail/column_values.hpp"
 #include "results/detail/limit_results.hpp"
+#include "results/fragility_schema.hpp"
 #include "results/rare_results.hpp"
+#include "results/rare_rows.hpp"
+#include "results/schema.hpp"
+#include "results/statistics.hpp"
 
 namespace overturn {
 namespace {

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <complex>
 
-#include "generators/detail/oscillator_sweep.hpp"
+#include "spectra/detail/oscillator_sweep.hpp"
 
 namespace overturn {
 namespace {

@@ -1,11 +1,11 @@
-#include "generators/detail/oscillator_sweep.hpp"
+#include "spectra/detail/oscillator_sweep.hpp"
 
 #include <algorithm>
 
 #include "simd/targets.hpp"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "generators/detail/oscillator_sweep.cpp"
+#define HWY_TARGET_INCLUDE "spectra/detail/oscillator_sweep.cpp"
 #include <hwy/foreach_target.h>
 // foreach_target comes first: it includes this file once per instruction set
 #include "simd/lanes-inl.hpp"

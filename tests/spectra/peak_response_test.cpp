@@ -1,6 +1,6 @@
 // Requirement R-102: the quick search for peaks finds those of the exact spectrum, in any wave and at any damping up to
 // five times the critical one.
-#include "generators/detail/peak_response.hpp"
+#include "spectra/peak_response.hpp"
 
 #include <cmath>
 

@@ -1,23 +1,18 @@
-/// From rows to the results file: the columns with their meaning, and the statistics counted over them.
+/// Counts over the rows of a campaign: verdicts, limit states, criteria, waves.
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
-#include <functional>
+#include <cstdint>
 #include <map>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "campaign/campaign_spec.hpp"
-#include "campaign/plan.hpp"
 #include "campaign/trial.hpp"
 #include "results/grid_map.hpp"
 #include "results/measured_trials.hpp"
-#include "results/rare_rows.hpp"
-#include "results/schema.hpp"
 #include "stats/stripe.hpp"
-#include "store/results_file.hpp"
 
 namespace overturn {
 
@@ -86,33 +81,5 @@ class Statistics {
     std::map<std::int64_t, double> other_durations_;  ///< of waves unlike it, by id
     std::vector<BodyStatistics> bodies_;
 };
-
-struct BodyAnalysis;
-
-/// Writes the finished file from the blocks, given in order by `block`. \return what the trials say, as stored
-/// \param rare one per body, or none
-std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, CampaignInput const& input,
-                                        CampaignSpec const& spec, Plan const& plan,
-                                        std::function<std::vector<std::byte>(std::int64_t)> const& block,
-                                        Statistics& statistics, std::span<RareBody const> rare = {});
-
-/// The stripe table for the terminal.
-[[nodiscard]] std::string stripe_table(CampaignSpec const& spec, Statistics const& statistics);
-
-/// "at-rest 512 trials, 0.1 us each; ..." of what was measured.
-[[nodiscard]] std::string rung_costs(PhaseSeconds const& seconds);
-
-/// The campaign a results file was made from.
-[[nodiscard]] CampaignInput input_of(store::ResultsReader const& file);
-
-/// One trial as stored.
-[[nodiscard]] TrialRows read_trial(store::ResultsReader const& file, CampaignSpec const& spec, std::int64_t number);
-
-/// All statistics recomputed from the stored trials.
-[[nodiscard]] Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec);
-
-/// The columns in which two trials differ in any bit; those of a model with its name: "contact/peak_crush".
-[[nodiscard]] std::vector<std::string> differing_columns(CampaignSpec const& spec, TrialRows const& a,
-                                                         TrialRows const& b);
 
 }  // namespace overturn

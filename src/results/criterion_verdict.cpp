@@ -1,3 +1,5 @@
+#include "results/criterion_verdict.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

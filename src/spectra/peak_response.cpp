@@ -1,4 +1,4 @@
-#include "generators/detail/peak_response.hpp"
+#include "spectra/peak_response.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace overturn {
 namespace {
 
-constexpr double rounding = 1e-9;           // by which a bound may err
+constexpr double bound_error = 1e-9;        // by which a bound may err
 constexpr double least_oscillating = 0.95;  // damping from which C says little
 constexpr int looks_per_period = 24;        // at least; between two looks a swing rises by 2 % of its height at most
 
@@ -57,7 +57,7 @@ struct PeakResponse::Close {
 PeakResponse::PeakResponse(std::vector<double> const& periods_s, double damping, double time_step_s)
     : damping_(damping), time_step_s_(time_step_s) {
     [[maybe_unused]] constexpr double heaviest = 5;
-    [[maybe_unused]] constexpr double least_steps = 2 * (1 - rounding);
+    [[maybe_unused]] constexpr double least_steps = 2 * (1 - bound_error);
     OVERTURN_EXPECT(damping >= 0 && damping <= heaviest);
     OVERTURN_EXPECT(periods_s.empty() || periods_s.front() >= least_steps * time_step_s);
     for (std::size_t i = 0; i < periods_s.size(); ++i) {
@@ -109,15 +109,15 @@ void PeakResponse::bound_blocks(Group const& group, Ground const& ground, SweepB
     LaneValues per_most{}, per_steepest{};
     for (std::size_t lane = 0; lane < simd::sweep_lanes; ++lane) {
         double const w = oscillators_[group.first + std::min(lane, group.count - 1)].w;
-        per_most[lane] = (1 + rounding) / (w * w);
-        per_steepest[lane] = (1 + rounding) * 2 * damping_ / (w * w * w * time_step_s_);
+        per_most[lane] = (1 + bound_error) / (w * w);
+        per_steepest[lane] = (1 + bound_error) * 2 * damping_ / (w * w * w * time_step_s_);
     }
     blocks.highest.fill(0);
     for (std::size_t b = 0; b < blocks.count(); ++b) {
         double* const block = blocks.at(b);
         for (std::size_t lane = 0; lane < simd::sweep_lanes; ++lane) {
             double const line = per_most[lane] * ground.most[b] + per_steepest[lane] * ground.steepest[b];
-            block[lane] = line + (1 + rounding) * group.swept.unit[lane] * std::sqrt(block[lane]);
+            block[lane] = line + (1 + bound_error) * group.swept.unit[lane] * std::sqrt(block[lane]);
             blocks.highest[lane] = std::max(blocks.highest[lane], block[lane]);
         }
     }
@@ -137,7 +137,7 @@ PeakResponse::LaneValues PeakResponse::limits(Group const& group, SweepBlocks co
         double const y = std::abs(group.swept.unit[lane]) * std::sqrt(blocks.highest[lane]);
         double const given = 1 - damping_ * o.w * h - o.w * o.w * h * h / 8;
         double const bent = (peak_mps2 + y * (o.w * o.w + 4 * damping_ * o.w / h)) / given;
-        double const least = given > 0 ? std::max(0.0, y * (1 - rounding) - h * h / 8 * bent) : 0.0;
+        double const least = given > 0 ? std::max(0.0, y * (1 - bound_error) - h * h / 8 * bent) : 0.0;
         double const x = least / group.swept.unit[lane];
         limit[lane] = x * x;
     }
@@ -178,7 +178,7 @@ void PeakResponse::look_between(Close const& close, std::size_t lane, std::size_
         double const a1 = series[n];
         double const y1 = o.sample.yy * y + o.sample.yv * v + (o.sample.ya0 * a0 + o.sample.ya1 * a1);
         double const v1 = o.sample.vy * y + o.sample.vv * v + (o.sample.va0 * a0 + o.sample.va1 * a1);
-        double const height = std::max(std::abs(y), std::abs(y1)) * (1 + rounding);
+        double const height = std::max(std::abs(y), std::abs(y1)) * (1 + bound_error);
         if (o.steps > 1 && (!bends || height + o.bend(y, v, a0, a1) > std::abs(found.displacement_m))) {
             double const rise = (a1 - a0) / o.steps;
             for (int s = 0; s + 1 < o.steps; ++s) {

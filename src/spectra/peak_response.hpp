@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "generators/detail/oscillator_sweep.hpp"
+#include "spectra/detail/oscillator_sweep.hpp"
 #include "spectra/oscillator.hpp"
 
 namespace overturn {

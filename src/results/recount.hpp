@@ -1,0 +1,29 @@
+/// What a finished file holds: its campaign, its trials, and its statistics counted again.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "campaign/campaign_input.hpp"
+#include "campaign/campaign_spec.hpp"
+#include "campaign/trial.hpp"
+#include "results/statistics.hpp"
+#include "store/results_file.hpp"
+
+namespace overturn {
+
+/// The campaign a results file was made from.
+[[nodiscard]] CampaignInput input_of(store::ResultsReader const& file);
+
+/// One trial as stored.
+[[nodiscard]] TrialRows read_trial(store::ResultsReader const& file, CampaignSpec const& spec, std::int64_t number);
+
+/// All statistics recomputed from the stored trials.
+[[nodiscard]] Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec);
+
+/// The columns in which two trials differ in any bit; those of a model with its name: "contact/peak_crush".
+[[nodiscard]] std::vector<std::string> differing_columns(CampaignSpec const& spec, TrialRows const& a,
+                                                         TrialRows const& b);
+
+}  // namespace overturn

@@ -1,0 +1,18 @@
+/// Stripes and costs for the terminal.
+#pragma once
+
+#include <string>
+
+#include "campaign/campaign_spec.hpp"
+#include "campaign/trial.hpp"
+#include "results/statistics.hpp"
+
+namespace overturn {
+
+/// The stripe table for the terminal.
+[[nodiscard]] std::string stripe_table(CampaignSpec const& spec, Statistics const& statistics);
+
+/// "at-rest 512 trials, 0.1 us each; ..." of what was measured.
+[[nodiscard]] std::string rung_costs(PhaseSeconds const& seconds);
+
+}  // namespace overturn
