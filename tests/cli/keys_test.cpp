@@ -1,6 +1,8 @@
 // Requirement R-909: the program tells every key that a campaign may state, as text, as a page and as a schema for
 // editors.
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -45,6 +47,34 @@ TEST_F(ListKeys, FitsATerminalAndNamesUnitRangeDefaultAndMeaning) {
     EXPECT_NE(all.find("\n[[bodies]]\n"), std::string::npos);
     EXPECT_NE(all.find("\n  ramp                    time [s] at least 0; default 0 s\n"), std::string::npos);
     EXPECT_NE(all.find("\n[waves], where waves.source = pulse\n"), std::string::npos);
+}
+
+// beside every key of [accuracy] stands its default, as it is, and a measured error of it.
+TEST_F(ListKeys, OfAccuracyAreDocumentedWithTheErrorOfTheirDefaults) {
+    std::ifstream file(OVERTURN_CAMPAIGNS "/README.md");
+    std::string const page{std::istreambuf_iterator<char>(file), {}};
+    auto const tables = json::parse(told({"accuracy", "--json"}));
+    ASSERT_EQ(tables.size(), 1U);
+    ASSERT_GT(tables[0].at("keys").size(), 4U);
+    for (auto const& key : tables[0].at("keys")) {
+        auto const name = key.at("key").get<std::string>();
+        auto const row = page.find("| `" + name + "` | ");
+        ASSERT_NE(row, std::string::npos) << name;
+        std::istringstream cells(page.substr(row, page.find('\n', row) - row));
+        std::string cell, otherwise, error;
+        std::getline(cells, cell, '|');
+        std::getline(cells, cell, '|');
+        std::getline(cells, otherwise, '|');
+        std::getline(cells, error, '|');
+        auto const stated = key.at("default").get<std::string>();
+        auto const value = otherwise.substr(1, otherwise.size() - 2);
+        if (name == "restoring") {
+            EXPECT_EQ(value, stated);
+        } else {
+            EXPECT_EQ(std::stod(value), std::stod(stated)) << name;
+        }
+        EXPECT_NE(error.find_first_of("0123456789"), std::string::npos) << name;
+    }
 }
 
 // Requirement: one table and those in it can be asked for; one that is not there is refused with the nearest.
