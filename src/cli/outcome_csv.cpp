@@ -1,6 +1,7 @@
 #include "cli/outcome_csv.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <utility>
 
@@ -151,6 +152,12 @@ class Reader {
         auto const named = std::ranges::find(names_, cell.text);
         if (named != names_.end() && !cell.text.empty()) {
             return static_cast<std::size_t>(named - names_.begin());
+        }
+        auto const is_file = [&](std::string const& name) {
+            return !name.empty() && std::filesystem::path(name).filename() == cell.text;
+        };
+        if (std::ranges::count_if(names_, is_file) == 1) {
+            return static_cast<std::size_t>(std::ranges::find_if(names_, is_file) - names_.begin());
         }
         double number = -1;
         if (!parse_number(cell.text, number) || number != static_cast<double>(static_cast<std::int64_t>(number))

@@ -29,9 +29,9 @@ struct Outcomes {
 
 /// Reads a table parted by commas, semicolons or tabs: a header with `wave`, `motion` (optional: every wave is a motion
 /// of its own) and a column for each specimen, named as its body, or with a * that stands for any letters as several
-/// (`scan-*`); a row for each wave tested, by its number or its record's file name, with 1 (fell), 0 (stood) or
-/// nothing (not tested). Waves without a row were not tested.
-/// \param file for messages \throws InputError naming line and column; if the campaign has no level with factor 1
+/// (`scan-*`); a row for each wave tested, by its number or its record (as the campaign names it, or the file's name
+/// alone), with 1 (fell), 0 (stood) or nothing (not tested). Waves without a row were not tested. \param file for
+/// messages \throws InputError naming line and column; if the campaign has no level with factor 1
 [[nodiscard]] Outcomes parse_outcomes(std::string const& text, std::string const& file, CampaignSpec const& spec,
                                       Plan const& plan);
 

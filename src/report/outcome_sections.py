@@ -82,8 +82,9 @@ def summary(specimen):
                  f"{value_of(said['brier']['always_the_share'], 3)}.")
     if len(specimen.bodies) > 1:
         voters = sorted(said["votes"].items(), key=lambda item: -item[1])
-        lines.append(f"{len(specimen.bodies)} bodies stand for it. Of every motion those vote that agree with the others' outcomes "
-                     "within a standard error of the best: " + ", ".join(
+        lines.append(f"{len(specimen.bodies)} bodies stand for it. " + (
+            "Of every motion those vote that agree with the others' outcomes within a standard error of the best" if said["motions"] > 1
+            else "All vote, as there is no other motion to choose by") + " (half of the votes call a test safe): " + ", ".join(
                          f"{specimen.bodies[b].name} ({count} of {said['motions']})" for b, count in voters[:8])
                      + (f" and {len(voters) - 8} more" if len(voters) > 8 else "") + ".")
     else:
@@ -97,12 +98,11 @@ def summary(specimen):
 def wrong_tests(specimen):
     """Tests that fell although the time history or a criterion called them safe, one by one, least rotation first: what is
     known of each, SI; and the measures that close its row."""
-    by_history = specimen.said["chance"] <= 0.5
     over = {measure: specimen.over_limit(measure) for measure in specimen.tests["measured"] if not measure.endswith(OTHER_UNIT)}
-    below = np.any([ratio < 1 for ratio in over.values()], axis=0) if over else np.zeros(len(specimen.fell), bool)
+    safe = np.any([specimen.said["chance"] <= 0.5, *(~specimen.said["unsafe"][measure] for measure in over)], axis=0)
     rows = [[int(specimen.waves[i]), specimen.names[i], specimen.motions[i], float(specimen.tests["pga"][i]),
              float(specimen.tests["pgv"][i]), float(specimen.rotation[i].mean()), float(specimen.said["chance"][i]),
-             *(float(ratio[i]) for ratio in over.values())] for i in np.flatnonzero(specimen.fell & (by_history | below))]
+             *(float(ratio[i]) for ratio in over.values())] for i in np.flatnonzero(specimen.fell & safe)]
     return sorted(rows, key=lambda row: row[5]), list(over)
 
 
@@ -114,7 +114,7 @@ def shown_test(row):
 def part_of(report, specimen, unit):
     parts = [f"<h3>{escape(specimen.name)}</h3>\n"]
     if specimen.said is None:
-        return [*parts, paragraphs(["None of its tests has a trial with a verdict."])]
+        return [*parts, paragraphs(["None of its tests has a trial with a verdict." if specimen.tested else "It was not tested."])]
     said = specimen.said
     parts.append(paragraphs(summary(specimen)))
     head = ["told by", "false safe", "false alarm", "safe, stood", "unsafe, fell", "agreement", "called safe, yet fell", "exact interval",
@@ -126,16 +126,18 @@ def part_of(report, specimen, unit):
         parts.append(table(["orders tests by", "area under the curve", "95 %, motions resampled"],
                            [[name_of(measure, unit), value_of(value, 3), interval([low, high], 3)]
                             for measure, (value, low, high) in said["areas"].items()],
-                           "Chance that a test which fell has more of it than one which stood: 0.5 is chance, 1 a perfect order."))
-    plain = specimen.name.replace("*", "")  # for names of files
+                           "Chance that a test which fell has more of it than one which stood: 0.5 is chance, 1 a perfect order."
+                           + (" Ratios are geometric means over the bodies that agree best with all tests." if len(specimen.bodies) > 1 else "")))
+    plain = specimen.name.replace("*", "any")  # for names of files
     parts.append(report.figure(f"outcomes-{plain}",
                                lambda path: outcome_figure.draw(specimen, lambda m: name_of(m, unit), path),
                                f"predicted and real falls of {specimen.name}"))
     rows, measures = wrong_tests(specimen)
     report.csv(f"false_safe-{plain}", ["wave", "record", "motion", "pga_mps2", "pgv_mps", "peak_rotation_ratio", "predicted_chance",
                                        *(f"{measure}_ratio" for measure in measures)], rows)
-    head = ["wave", "record", "motion", "PGA [gal]", f"PGV [{style.speed_unit()}]", "peak rotation / α", "predicted chance",
-            *(f"{name_of(measure, unit)} / V_Ereq" for measure in measures)]
+    mean = ", mean" if len(specimen.bodies) > 1 else ""
+    head = ["wave", "record", "motion", "PGA [gal]", f"PGV [{style.speed_unit()}]", f"peak rotation / α{mean}", "predicted chance",
+            *(f"{name_of(measure, unit)} / V_Ereq{mean}" for measure in measures)]
     parts.append(fold("fell, though the time history or a criterion called it safe; least rotation first",
                       table(head, map(shown_test, rows))) if rows
                  else paragraphs(["No test fell that the time history or a criterion called safe."]))

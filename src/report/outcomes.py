@@ -70,14 +70,16 @@ def as_good_as_the_best(agreement):
 
 
 def best_threshold(x, fell):
-    """Above which value of x falls are to be expected, to be right most often."""
-    at = np.sort(x)
+    """Above which value of x falls are to be expected, to be right most often; minus infinity: always."""
+    at = np.concatenate([[-math.inf], np.sort(x)])
     return at[int(np.argmax([((x > t) == fell).mean() for t in at]))]
 
 
 def interval(motions, value, random):
-    """95 %, motions resampled with all their tests; open where no resample has an answer."""
+    """95 %, motions resampled with all their tests; None where one motion is all there is, or no resample has an answer."""
     groups = [np.flatnonzero(motions == motion) for motion in sorted(set(motions))]
+    if len(groups) < 2:
+        return None
     found = np.array([value(np.concatenate([groups[g] for g in random.integers(0, len(groups), len(groups))]))
                       for _ in range(RESAMPLES)], float)
     found = found[np.isfinite(found)]
@@ -115,7 +117,8 @@ def judge(tests, motions, fell, random):
     areas = {name: Area(x, fell) for name, x in ordering.items()} if fell.any() and not fell.all() else {}
     said["areas"] = {name: [float(area(everyone)), *(interval(motions, area, random) or [None, None])]
                      for name, area in areas.items()}
-    said["criteria"] = {name: counted(vote(x >= tests["limit"])[0] > 0.5, fell) for name, x in tests["measured"].items()}
+    said["unsafe"] = {name: vote(x >= tests["limit"])[0] > 0.5 for name, x in tests["measured"].items()}
+    said["criteria"] = {name: counted(unsafe, fell) for name, unsafe in said["unsafe"].items()}
     said["bins"] = bins(tests["pgv"], chance, fell)
     share = fell.mean()
     said["brier"] = {"time_history": float(((chance - fell) ** 2).mean()), "always_the_share": float(share * (1 - share))}

@@ -45,7 +45,7 @@ TEST_F(ListKeys, FitsATerminalAndNamesUnitRangeDefaultAndMeaning) {
         EXPECT_FALSE(line.ends_with(' ')) << "'" << line << "'";
     }
     EXPECT_NE(all.find("\n[[bodies]]\n"), std::string::npos);
-    EXPECT_NE(all.find("\n  ramp                    time [s] at least 0; default 0 s\n"), std::string::npos);
+    EXPECT_NE(all.find("\n  ramp                     time [s] at least 0; default 0 s\n"), std::string::npos);
     EXPECT_NE(all.find("\n[waves], where waves.source = pulse\n"), std::string::npos);
 }
 

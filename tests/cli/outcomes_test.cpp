@@ -2,6 +2,7 @@
 // motions left out, each test that fell though it was called safe by name.
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -162,6 +163,29 @@ TEST_F(Outcomes, EachWrongTableIsOneLineThatSaysWhatToDo) {
     EXPECT_EQ(overturn(*folder, {"report", "c.h5", "-o", "w.html", "--outcomes", "nowhere.csv"}).code, 2);
 }
 
+// A record goes by the name that the campaign gives it, by its file's alone, or by its number.
+TEST_F(Outcomes, RecordsGoByTheirNames) {
+    std::filesystem::create_directories(*folder / "far/away");
+    for (auto const* name : {"far/away/a.csv", "far/away/b.csv", "far/away/c.csv"}) {
+        ASSERT_EQ(overturn(*folder, {"wave", "c.toml", "--wave", "0", "-o", name}).code, 0);
+    }
+    auto campaign = noisy_campaign("measure='factor'\nvalues=[1]\n");
+    auto const waves = campaign.find("[waves]");
+    campaign.replace(waves, campaign.find("[[bodies]]") - waves,
+                     "[waves]\nsource='records'\nfolder='far'\nfiles=['away/a.csv','away/b.csv','away/c.csv']\n");
+    folder->write("r.toml", campaign);
+    auto const ran = overturn(*folder, {"run", "r.toml", "-o", "r.h5"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    folder->write("outcomes.csv", "wave,block-1\naway/a.csv,1\nb.csv,1\n2,1\n");
+    auto const ended =
+        overturn(*folder, {"report", "r.h5", "-o", "r.html", "--figures", "r", "--outcomes", "outcomes.csv"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    auto const told = folder->read("r/outcomes.csv");
+    for (auto const* row : {"\nblock-1,0,away/a.csv,", "\nblock-1,1,away/b.csv,", "\nblock-1,2,away/c.csv,"}) {
+        EXPECT_NE(told.find(row), std::string::npos) << told;
+    }
+}
+
 // Scaled waves are not the ones that were shaken.
 TEST_F(Outcomes, NeedALevelWithTheMotionsAsMeasured) {
     folder->write("scaled.toml", noisy_campaign("measure='pga'\nvalues=['3 m/s2']\n"));
@@ -224,6 +248,21 @@ told = o.judge(tests, motions, fell, np.random.default_rng(1))
 assert told['by_time_history']['agreement'] == 0, told['by_time_history']
 assert told['votes'] == {0: 1, 1: 1}, told['votes']
 assert told['brier']['time_history'] == 1 and told['brier']['always_the_share'] == 0.25, told['brier']
+)");
+}
+
+// Where every test fell the best threshold is none at all; of one motion nobody knows how others would scatter.
+TEST_F(OutcomeStatistics, ExtremesGetNoFalseAnswer) {
+    holds(R"(
+x = np.array([1.0, 2, 3])
+assert (x > o.best_threshold(x, np.array([True] * 3))).all()
+assert not (x > o.best_threshold(x, np.array([False] * 3))).any()
+assert o.interval(np.array(['a', 'a', 'a']), lambda i: 0.5, np.random.default_rng(1)) is None
+fell = np.array([True, True, False])
+tests = {'fell': fell[:, None], 'energy': None, 'pga': x, 'pgv': x, 'limit': np.ones(1), 'measured': {'v_wes': x[:, None] / 2}}
+told = o.judge(tests, np.array(['a'] * 3), fell, np.random.default_rng(1))
+assert told['agreement_interval'] is None and told['areas']['pgv'][1] is None
+assert list(told['unsafe']['v_wes']) == [False, True, True] and told['criteria']['v_wes']['false_safe'] == 1
 )");
 }
 

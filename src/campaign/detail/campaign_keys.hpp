@@ -55,7 +55,7 @@ inline constexpr config::KeyTable effects_table{.meaning = "what is simulated", 
 inline constexpr std::array restoring_words{config::Word{"nonlinear", "the block as it is"},
                                             config::Word{"linear", "for the closed forms of the literature"}};
 inline constexpr config::Keys accuracy_keys{
-    config::integer_key("taylor_order", 1, 99, "terms of the series of theta per step: 8, 10, 12, ...")
+    config::integer_key("taylor_order", 1, 99, "terms of the series of theta per step: 4, 6, 8, 10 or 12")
         .otherwise(RockingAccuracy{}.taylor_order),
     config::integer_key("substeps", 1, 1000, "steps per wave sample").otherwise(RockingAccuracy{}.substeps),
     config::number_key("step_tolerance", Dimension::none, {.low = 1e-16, .high = 1e-3},

@@ -129,7 +129,7 @@ def sensitivity(tests, grid, fell):
 
 def judge(tests, grid, voters, motions, fell, others, random):
     said = outcomes.judge(some_bodies(tests, voters), motions, fell, random)
-    del said["chance"]
+    del said["chance"], said["unsafe"]
     said["voters"] = [[*grid[voters[b]][1:], count] for b, count in said.pop("votes").items()]
     said["by_others"] = outcomes.counted(others, fell)
     said["sensitivity"] = sensitivity(tests, grid, fell)
