@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "campaign/campaign_spec.hpp"
 #include "results/rare_rows.hpp"
 #include "store/results_file.hpp"
 

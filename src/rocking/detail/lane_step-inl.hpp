@@ -144,7 +144,7 @@ OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::at_end(Plan const& plan
             get(RockingField::demand),
             min(here.normal, get(RockingField::normal)),
             1,
-            zero > zero};
+            zero > zero};  // NOLINT(misc-redundant-expression): no lane
 }
 
 // Guard: phi falls through zero, and what follows is no settling: the rebound is not slow, or slow but its bouncing

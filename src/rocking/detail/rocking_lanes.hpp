@@ -51,7 +51,7 @@ class RockingLanes {
     void store_lane(Trajectory& trajectory, Fields const& fields, int lane) {
         rocking::store_lane(trajectory.run, fields, lane);
     }
-    std::uint32_t step(Fields& fields, int used) { return step_lanes(fields, used, vertical_); }
+    std::uint32_t step(Fields& fields, int used) const { return step_lanes(fields, used, vertical_); }
     void finish(Trajectory& trajectory) {
         outcomes_[trajectory.number] = rocking::finish(trajectory.run);
         if (!checkpoints_.empty()) {

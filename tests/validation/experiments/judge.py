@@ -115,15 +115,14 @@ def some_bodies(tests, chosen):
 
 
 def sensitivity(tests, grid, fell):
-    """Of every height and slope, with Housner's restitution: what its trials and V_WES said, and how V_WES orders the tests."""
+    """Of every height, slope and restitution (0: Housner's): what its trials and V_WES said, and how V_WES orders the tests."""
     rows = []
     everyone = np.arange(len(fell))
     for b, (height, alpha, e) in enumerate(grid):
-        if e == 0:
-            ratio = tests["measured"]["v_wes"][:, b] / tests["limit"][b]
-            own = outcomes.counted(tests["fell"][:, b], fell)
-            rows.append([height, alpha, own["false_safe"], own["false_alarm"], own["agreement"], int((ratio < 1).sum()),
-                         int(((ratio < 1) & fell).sum()), float(outcomes.Area(ratio, fell)(everyone))])
+        ratio = tests["measured"]["v_wes"][:, b] / tests["limit"][b]
+        own = outcomes.counted(tests["fell"][:, b], fell)
+        rows.append([height, alpha, e, own["false_safe"], own["false_alarm"], own["agreement"], int((ratio < 1).sum()),
+                     int(((ratio < 1) & fell).sum()), float(outcomes.Area(ratio, fell)(everyone))])
     return rows
 
 
@@ -150,9 +149,9 @@ def tell(name, said):
                                                    for v, l, h in [said["areas"][m]]))
     for measure, k in said["criteria"].items():
         print(f"  {measure} < V_Ereq calls {k['false_safe'] + k['safe']} safe, of which {k['false_safe']} fell")
-    print("  height alpha: time history false safe, false alarm, agreement; V_WES < V_Ereq safe, of these fell; area under the curve")
-    for height, alpha, missed, alarms, agreement, safe, wrong, area in said["sensitivity"]:
-        print(f"  {height:6.3f} {alpha:5.2f}: {missed:4} {alarms:4} {agreement:.3f}; {safe:4} {wrong:4}; {area:.3f}")
+    print("  height alpha    e: time history false safe, false alarm, agreement; V_WES < V_Ereq safe, of these fell; area under the curve")
+    for height, alpha, e, missed, alarms, agreement, safe, wrong, area in said["sensitivity"]:
+        print(f"  {height:6.3f} {alpha:5.2f} {e or 'e_H':>4}: {missed:4} {alarms:4} {agreement:.3f}; {safe:4} {wrong:4}; {area:.3f}")
     print("  PGV [m/s]: " + ", ".join(f"{l:.2f}-{h:.2f} {f}/{n} fell [{a:.2f}, {b:.2f}], {p:.0f} predicted"
                                      for l, h, n, f, a, b, p in said["bins"]))
     print("  predicted chance from 0, .2, .4, .6, .8 on: " + ", ".join(f"{f}/{n} fell" for _, n, f in said["reliability"]))
