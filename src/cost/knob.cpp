@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "config/table.hpp"
+#include "generators/spectrum_compatible.hpp"
 #include "response/registry.hpp"
 
 namespace overturn::cost {
@@ -192,17 +193,15 @@ void add_match_knobs(std::vector<Knob>& knobs, CampaignInput const& input) {
     if (!takes(input, "waves.match_tolerance=0.05")) {
         return;  // records, pulses, and waves that are left as drawn
     }
-    constexpr double usual_tolerance = 0.05;
-    constexpr std::int64_t usual_iterations = 40;
     auto const waves = config::Table::parse(input.text, input.name, input.settings).child("waves");
     constexpr char const* misfit = "mean misfit to the target, 300 periods a decade; verdicts against the last setting";
     Knob tolerance{"match_tolerance", "misfit at which matching stops", misfit, "wave", Acts::waves, {}, {}};
-    double const own = waves.number("match_tolerance", Dimension::none, config::Range::any(), usual_tolerance);
+    double const own = waves.number(*spectrum_compatible_table.find("match_tolerance"));
     fill(tolerance, {0.2, 0.1, 0.05, 0.03, 0.02}, own, false,
          [](double value) { return one_key("waves.match_tolerance", value); });
     knobs.push_back(std::move(tolerance));
     Knob iterations{"match_iterations", "iterations of matching at most", misfit, "wave", Acts::waves, {}, {}};
-    auto const most = waves.integer("match_iterations", 1, std::numeric_limits<std::int64_t>::max(), usual_iterations);
+    auto const most = waves.integer(*spectrum_compatible_table.find("match_iterations"));
     fill(iterations, {1.0, 2.0, 4.0, 8.0, 16.0, 100.0}, static_cast<double>(most), true, [](double value) {
         return Setting{fmt::format("{:g}", value), {fmt::format("waves.match_iterations={:.0f}", value)}, value};
     });
