@@ -1,13 +1,14 @@
 #include "cli/outcome_csv.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "cli/csv_cells.hpp"
+#include "cli/csv_rows.hpp"
 #include "config/suggestion.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
@@ -38,37 +39,26 @@ std::vector<std::size_t> bodies_of(std::string_view pattern, CampaignSpec const&
 
 class Reader {
   public:
-    Reader(std::string const& file, CampaignSpec const& spec, Plan const& plan) : file_(file), spec_(spec) {
+    Reader(std::string const& text, std::string const& file, CampaignSpec const& spec, Plan const& plan)
+        : rows_(text, file, "Begin with wave,motion and a body's name"), spec_(spec) {
         auto const waves = static_cast<std::size_t>(plan.waves());
-        names_.reserve(waves);
+        outcomes_.records.reserve(waves);
         for (std::size_t w = 0; w < waves; ++w) {
-            names_.push_back(spec.source->name(plan.wave_id(static_cast<std::int64_t>(w))));
+            outcomes_.records.push_back(spec.source->name(plan.wave_id(static_cast<std::int64_t>(w))));
         }
         told_.resize(waves);
         outcomes_.motions.resize(waves);
     }
 
-    void read(std::string_view line, int number) {
-        line_ = number;
-        if (!header_) {
-            separator_ = separator_of(line);
-        }
-        auto const cells = cells_of(line, separator_);
-        if (is_blank(cells)) {
-            return;
-        }
-        if (!header_) {
-            read_header(cells);
-        } else {
-            read_row(cells);
-        }
-    }
-
     [[nodiscard]] Outcomes outcomes() {
-        if (!header_ || std::ranges::none_of(told_, [](bool told) { return told; })) {
-            throw InputError({file_, line_, 0}, header_
-                                                    ? "no test (a header alone). Add a row for each wave tested"
-                                                    : "empty (no header). Begin with wave,motion and a body's name");
+        read_header(rows_.header());
+        bool any = false;
+        while (auto const cells = rows_.next()) {
+            read_row(*cells);
+            any = true;
+        }
+        if (!any) {
+            rows_.fail("no test (a header alone). Add a row for each wave tested");
         }
         return std::move(outcomes_);
     }
@@ -76,51 +66,44 @@ class Reader {
   private:
     // Where the columns stand.
     struct Header {
-        std::size_t columns = 0;
         std::optional<std::size_t> wave, motion;
         std::vector<std::size_t> specimens;  // as in outcomes_
     };
 
-    [[noreturn]] void fail(CsvCell const& cell, std::string const& message) const {
-        throw InputError({file_, line_, cell.column}, message);
-    }
-
     void read_header(std::vector<CsvCell> const& cells) {
-        Header header;
-        header.columns = cells.size();
         for (std::size_t c = 0; c < cells.size(); ++c) {
             auto const name = cells[c].text;
             if (name == "wave" || name == "motion") {
-                auto& place = name == "wave" ? header.wave : header.motion;
+                auto& place = name == "wave" ? header_.wave : header_.motion;
                 if (place) {
-                    fail(cells[c], fmt::format("column '{}' twice (which one counts?). Remove one", name));
+                    rows_.fail(cells[c], fmt::format("column '{}' twice (which one counts?). Remove one", name));
                 }
                 place = c;
             } else {
                 add_specimen(cells[c]);
-                header.specimens.push_back(c);
+                header_.specimens.push_back(c);
             }
         }
-        if (!header.wave) {
-            fail(cells.front(), "no column 'wave' (which motion was it?). Add the wave's number, or its record's name");
+        if (!header_.wave) {
+            rows_.fail(cells.front(),
+                       "no column 'wave' (which motion was it?). Add the wave's number, or its record's name");
         }
-        if (header.specimens.empty()) {
-            fail(cells.back(),
-                 fmt::format("no column of outcomes (nothing to compare with). Add one named as a body: {}",
-                             config::joined(body_names())));
+        if (header_.specimens.empty()) {
+            rows_.fail(cells.back(),
+                       fmt::format("no column of outcomes (nothing to compare with). Add one named as a body: {}",
+                                   config::joined(body_names())));
         }
-        header_ = header;
     }
 
     void add_specimen(CsvCell const& cell) {
         auto bodies = bodies_of(cell.text, spec_);
         if (bodies.empty()) {
-            fail(cell, fmt::format("column {} (no body is named so). {}", in_quotes(cell.text),
-                                   config::suggestion(cell.text, body_names())));
+            rows_.fail(cell, fmt::format("column {} (no body is named so). {}", in_quotes(cell.text),
+                                         config::suggestion(cell.text, body_names())));
         }
         for (auto const& other : outcomes_.specimens) {
             if (other.name == cell.text) {
-                fail(cell, fmt::format("column {} twice (which one counts?). Remove one", in_quotes(cell.text)));
+                rows_.fail(cell, fmt::format("column {} twice (which one counts?). Remove one", in_quotes(cell.text)));
             }
         }
         outcomes_.specimens.push_back(
@@ -128,42 +111,40 @@ class Reader {
     }
 
     void read_row(std::vector<CsvCell> const& cells) {
-        if (cells.size() != header_->columns) {
-            fail(cells.back(), fmt::format("{} columns (the header has {}). Complete or shorten the row", cells.size(),
-                                           header_->columns));
-        }
-        auto const wave = wave_of(cells[*header_->wave]);
+        auto const wave = wave_of(cells[*header_.wave]);
         if (told_[wave]) {
-            fail(cells[*header_->wave], fmt::format("wave {} twice (a wave is one test). Remove one row",
-                                                    in_quotes(cells[*header_->wave].text)));
+            rows_.fail(cells[*header_.wave], fmt::format("wave {} twice (a wave is one test). Remove one row",
+                                                         in_quotes(cells[*header_.wave].text)));
         }
         told_[wave] = true;
         outcomes_.motions[wave] =
-            header_->motion ? std::string(cells[*header_->motion].text) : fmt::format("wave {}", wave);
+            header_.motion ? std::string(cells[*header_.motion].text) : fmt::format("wave {}", wave);
         if (outcomes_.motions[wave].empty()) {
-            fail(cells[*header_->motion], "no motion (tests of one motion are judged together). Name it");
+            rows_.fail(cells[*header_.motion], "no motion (tests of one motion are judged together). Name it");
         }
-        for (std::size_t s = 0; s < header_->specimens.size(); ++s) {
-            outcomes_.specimens[s].outcomes[wave] = outcome_of(cells[header_->specimens[s]]);
+        for (std::size_t s = 0; s < header_.specimens.size(); ++s) {
+            outcomes_.specimens[s].outcomes[wave] = outcome_of(cells[header_.specimens[s]]);
         }
     }
 
     [[nodiscard]] std::size_t wave_of(CsvCell const& cell) const {
-        auto const named = std::ranges::find(names_, cell.text);
-        if (named != names_.end() && !cell.text.empty()) {
-            return static_cast<std::size_t>(named - names_.begin());
+        auto const& records = outcomes_.records;
+        auto const named = std::ranges::find(records, cell.text);
+        if (named != records.end() && !cell.text.empty()) {
+            return static_cast<std::size_t>(named - records.begin());
         }
         auto const is_file = [&](std::string const& name) {
             return !name.empty() && std::filesystem::path(name).filename() == cell.text;
         };
-        if (std::ranges::count_if(names_, is_file) == 1) {
-            return static_cast<std::size_t>(std::ranges::find_if(names_, is_file) - names_.begin());
+        if (std::ranges::count_if(records, is_file) == 1) {
+            return static_cast<std::size_t>(std::ranges::find_if(records, is_file) - records.begin());
         }
         double number = -1;
-        if (!parse_number(cell.text, number) || number != static_cast<double>(static_cast<std::int64_t>(number))
-            || number < 0 || number >= static_cast<double>(names_.size())) {
-            fail(cell, fmt::format("wave {} (neither a record of the campaign nor a number from 0 to {}). Name one",
-                                   in_quotes(cell.text), names_.size() - 1));
+        if (!parse_number(cell.text, number)
+            || !(number >= 0 && number < static_cast<double>(records.size()) && number == std::floor(number))) {
+            rows_.fail(cell,
+                       fmt::format("wave {} (neither a record of the campaign nor a number from 0 to {}). Name one",
+                                   in_quotes(cell.text), records.size() - 1));
         }
         return static_cast<std::size_t>(number);
     }
@@ -173,8 +154,8 @@ class Reader {
             return Outcome::untested;
         }
         if (cell.text != "0" && cell.text != "1") {
-            fail(cell, fmt::format("{} (not an outcome). Write 1 for fell, 0 for stood, nothing for not tested",
-                                   in_quotes(cell.text)));
+            rows_.fail(cell, fmt::format("{} (not an outcome). Write 1 for fell, 0 for stood, nothing for not tested",
+                                         in_quotes(cell.text)));
         }
         return cell.text == "1" ? Outcome::fell : Outcome::stood;
     }
@@ -187,13 +168,10 @@ class Reader {
         return names;
     }
 
-    std::string const& file_;
+    CsvRows rows_;
     CampaignSpec const& spec_;
-    std::vector<std::string> names_;  // of the campaign's records
-    std::vector<bool> told_;          // by wave
-    int line_ = 0;
-    char separator_ = ',';
-    std::optional<Header> header_;
+    std::vector<bool> told_;  // by wave
+    Header header_;
     Outcomes outcomes_;
 };
 
@@ -215,12 +193,7 @@ std::size_t level_as_measured(std::string const& file, CampaignSpec const& spec)
 
 Outcomes parse_outcomes(std::string const& text, std::string const& file, CampaignSpec const& spec, Plan const& plan) {
     auto const level = level_as_measured(file, spec);
-    Reader reader(file, spec, plan);
-    TextLines lines(text);
-    while (auto const line = lines.next()) {
-        reader.read(*line, lines.number());
-    }
-    auto outcomes = reader.outcomes();
+    auto outcomes = Reader(text, file, spec, plan).outcomes();
     outcomes.level = level;
     return outcomes;
 }

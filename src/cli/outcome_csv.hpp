@@ -22,6 +22,7 @@ struct Specimen {
 };
 
 struct Outcomes {
+    std::vector<std::string> records;  ///< by wave: what the campaign calls it; empty where it was not measured
     std::vector<std::string> motions;  ///< by wave: which motion was shaken; waves of one motion are left out together
     std::vector<Specimen> specimens;
     std::size_t level = 0;  ///< the campaign's level at which waves are as they were measured

@@ -22,40 +22,45 @@ namespace {
 
 constexpr std::size_t most_histories = 12;
 
+// How the file's trials ended, by their numbers.
+struct Ends {
+    std::vector<std::int64_t> verdicts;
+    std::vector<double> peaks;
+};
+
 // Trials of a specimen with a body of its own that stood though it fell, the highest peak rotation first: numbers of
 // rows.
 std::vector<std::int64_t> false_safe_trials(Specimen const& specimen, std::size_t level, Plan const& plan,
-                                            store::ResultsReader const& file) {
+                                            Ends const& ends) {
     std::vector<std::int64_t> wrong;
     if (specimen.bodies.size() != 1) {
         return wrong;  // none of them is the specimen
     }
-    auto const ends = file.integers("trials/verdict");
-    auto const peaks = file.reals("trials/peak_rotation_ratio");
     auto const first =
         static_cast<std::int64_t>(specimen.bodies.front()) * plan.level_count() + static_cast<std::int64_t>(level);
     for (std::size_t w = 0; w < specimen.outcomes.size(); ++w) {
         auto const trial = static_cast<std::int64_t>(w) * plan.trials_per_wave() + first;
-        if (static_cast<std::size_t>(trial) >= ends.size()) {
+        if (static_cast<std::size_t>(trial) >= ends.verdicts.size()) {
             break;  // it ended early
         }
-        auto const& end = entry_of(static_cast<Verdict>(ends[static_cast<std::size_t>(trial)]));
+        auto const& end = entry_of(static_cast<Verdict>(ends.verdicts[static_cast<std::size_t>(trial)]));
         if (specimen.outcomes[w] == Outcome::fell && end.decided && !end.fell) {
             wrong.push_back(trial);
         }
     }
     std::ranges::stable_sort(wrong, std::ranges::greater{},
-                             [&](std::int64_t trial) { return peaks[static_cast<std::size_t>(trial)]; });
+                             [&](std::int64_t trial) { return ends.peaks[static_cast<std::size_t>(trial)]; });
     return wrong;
 }
 
 // Histories of them, shared fairly among the specimens, and in words which.
 void add_histories(Json& json, Outcomes const& outcomes, CampaignSpec const& spec, Plan const& plan,
                    store::ResultsReader const& file) {
+    Ends const ends{file.integers("trials/verdict"), file.reals("trials/peak_rotation_ratio")};
     std::vector<std::vector<std::int64_t>> wrong;
     std::vector<std::size_t> counts;
     for (auto const& specimen : outcomes.specimens) {
-        wrong.push_back(false_safe_trials(specimen, outcomes.level, plan, file));
+        wrong.push_back(false_safe_trials(specimen, outcomes.level, plan, ends));
         counts.push_back(wrong.back().size());
     }
     auto const gets = share_fairly(counts, most_histories);
@@ -77,10 +82,7 @@ Json outcomes_json(Outcomes const& outcomes, CampaignSpec const& spec, Plan cons
     json["level"] = outcomes.level;
     json["levels"] = plan.level_count();
     json["motions"] = outcomes.motions;
-    json["names"] = Json::array();
-    for (std::int64_t w = 0; w < plan.waves(); ++w) {
-        json["names"].push_back(spec.source->name(plan.wave_id(w)));
-    }
+    json["names"] = outcomes.records;
     json["specimens"] = Json::array();
     for (auto const& specimen : outcomes.specimens) {
         auto bodies = Json::array();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "config/suggestion.hpp"
 
@@ -122,11 +123,7 @@ std::string takes_text(Key const& key) {
     if (key.takes(Form::tables)) {
         ways.emplace_back("list of tables");
     }
-    std::string text;
-    for (auto const& way : ways) {
-        text += text.empty() ? way : ", or " + way;
-    }
-    return text;
+    return fmt::format("{}", fmt::join(ways, ", or "));
 }
 
 std::string default_text(Key const& key) {

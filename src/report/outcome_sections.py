@@ -149,7 +149,7 @@ def add(report):
     told = report.data["outcomes"]
     if not told:
         return
-    unit = {"centimetre": "cm", "metre": "m"}.get(told["radius_unit"], told["radius_unit"])
+    unit = told["radius_unit"]
     specimens = [Specimen(report, told, stated) for stated in told["specimens"]]
     report.csv("outcomes", ["specimen", "wave", "record", "motion", "fell", "predicted_chance", "pga_mps2", "pgv_mps"],
                [[s.name, int(w), s.names[i], s.motions[i], int(s.fell[i]), float(s.said["chance"][i]), float(s.tests["pga"][i]),
