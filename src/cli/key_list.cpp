@@ -16,7 +16,7 @@ using config::Key;
 using config::PlacedTable;
 
 constexpr std::size_t columns = 100;
-constexpr std::size_t name_width = 27;  // of the longest key, and two blanks on either side
+constexpr std::size_t name_width = 27;  // of the longest key, with two blanks before it and one behind
 
 // `text` in lines of at most `columns`, those after the first indented; the first begins behind `begun`.
 std::string wrapped(std::string begun, std::string_view text) {

@@ -27,6 +27,12 @@ struct Ending {
             *this = {guard, r};
         }
     }
+    /// \pre the state stands at the ending
+    void apply(RockingRun& run) const {
+        if (reset != nullptr) {
+            reset(run);
+        }
+    }
     [[nodiscard]] bool is_impact() const { return reset == &apply_impact || reset == &land_and_apply_impact; }
 };
 

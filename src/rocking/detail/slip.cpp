@@ -73,9 +73,7 @@ template <class Order> void take_slipping_step(RockingRun& run, Order order) {
     log.raise_slip(state.slip_m);
     log.lower_contact(evaluate(slip.normal, ending.at));
     move(run, series, ending);
-    if (ending.reset != nullptr) {
-        ending.reset(run);
-    }
+    ending.apply(run);
 }
 
 }  // namespace
@@ -139,9 +137,7 @@ void step_sliding(RockingRun& run) {
     log.raise_slip(state.slip_m);
     run.sample.advance(ending.at, ending.reset != nullptr);
     state.slip_velocity_mps = evaluate(velocity, ending.at);
-    if (ending.reset != nullptr) {
-        ending.reset(run);
-    }
+    ending.apply(run);
 }
 
 }  // namespace overturn::rocking

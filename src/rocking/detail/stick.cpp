@@ -32,11 +32,11 @@ bool slips_at_once(RockingRun const& run, ContactForces<double> const& forces) {
            && forces.normal > 0;
 }
 
-// A bound of what F and N may change by within a step, from their derivatives. With |s|, |c| <= 1 and pull <= |A| +
-// |Gv|
-// =: q, r |phi''| = r p^2 pull < q, and by the equation of motion's own derivative r |phi'''| <= |A'| + |Gv'| + |phi'|
-// q: |F'|, |N'| <= r (|phi'''| + 3 |phi' phi''| + |phi'|^3) + |A'| + |Gv'| <= 2 (|A'| + |Gv'|) + |phi'| (4 q + r
-// phi'^2).
+// A bound of what F and N may change by within a step, from their derivatives. With |s|, |c| <= 1 and
+//   pull <= |A| + |Gv| =: q, r |phi''| = r p^2 pull < q,
+// and by the equation of motion's own derivative r |phi'''| <= |A'| + |Gv'| + |phi'| q:
+//   |F'|, |N'| <= r (|phi'''| + 3 |phi' phi''| + |phi'|^3) + |A'| + |Gv'|
+//              <= 2 (|A'| + |Gv'|) + |phi'| (4 q + r phi'^2).
 double force_change_bound(RockingRun const& run, Forcing const& forcing, double h) {
     double const p = run.corner().p_radps;
     double const slopes = std::abs(forcing.horizontal.slope) + std::abs(forcing.vertical.slope);
@@ -134,9 +134,7 @@ template <class Order> void take_stuck_step(RockingRun& run, Order order) {
             * shaking_work(series.velocity(), series.sine, series.cosine, forcing, order, ending.at);
     }
     move(run, series, ending);
-    if (ending.reset != nullptr) {
-        ending.reset(run);
-    }
+    ending.apply(run);
 }
 
 }  // namespace
