@@ -92,7 +92,7 @@ std::string Plan::waves_text(std::vector<std::int64_t> const& blocks) const {
     return text;
 }
 
-Plan::Trial Plan::trial(std::int64_t number) const {
+Plan::TrialPlace Plan::trial(std::int64_t number) const {
     OVERTURN_EXPECT(number >= 0 && number < trials());
     auto const wave = number / trials_per_wave();
     auto const rest = number % trials_per_wave();

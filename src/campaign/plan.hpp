@@ -52,11 +52,11 @@ class Plan {
     /// "0 to 5, 18 to 23": the waves of the blocks, given in rising order.
     [[nodiscard]] std::string waves_text(std::vector<std::int64_t> const& blocks) const;
 
-    struct Trial {
+    struct TrialPlace {
         std::int64_t wave, body, level;
     };
     /// \pre 0 <= number < trials()
-    [[nodiscard]] Trial trial(std::int64_t number) const;
+    [[nodiscard]] TrialPlace trial(std::int64_t number) const;
 
   private:
     bool independent_;

@@ -9,7 +9,7 @@ namespace overturn {
 [[nodiscard]] std::string git_revision();
 /// SHA-256 over all that was compiled, whether git knows it or not.
 [[nodiscard]] std::string sources_sha256();
-/// "0.1.0 (f46588f980a6, sources 1b2c3d4e5f60)": equal for equal sources only.
+/// "1.0.0 (f46588f980a6, sources 1b2c3d4e5f60)": equal for equal sources only.
 [[nodiscard]] std::string program_identity();
 /// What kind of machine decides the last bits: "x86-64", whatever its CPU can do (the test portable/cpus), "aarch64",
 /// ...

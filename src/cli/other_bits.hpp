@@ -10,10 +10,10 @@ namespace overturn::cli {
 /// Compiled from the sources that made the file?
 [[nodiscard]] bool is_of_this_program(store::ResultsReader const& file);
 
-/// "overturn 0.1.0 (f46588f980a6, sources 1b2c3d4e5f60)"
+/// "overturn 1.0.0 (f46588f980a6, sources 1b2c3d4e5f60)"
 [[nodiscard]] std::string maker_of(store::ResultsReader const& file);
 
-/// "(made by overturn 0.1.0, revision abc; this is def). Ask that program": as the end of a message.
+/// "(made by overturn 1.0.0, revision abc; this is def). Ask that program": as the end of a message.
 [[nodiscard]] std::string why_bits_differ(store::ResultsReader const& file);
 
 }  // namespace overturn::cli

@@ -108,8 +108,9 @@ struct Key {
     [[nodiscard]] constexpr Key or_as(Key const& other) const {
         auto made = *this;
         made.forms |= other.forms;
-        made.words = other.words != nullptr ? other.words : words;
-        made.tables = other.tables != nullptr ? other.tables : tables;
+        // By the forms: under GCC's sanitizers an address held against nullptr is no constant expression.
+        made.words = other.takes(Form::word) ? other.words : words;
+        made.tables = other.takes(Form::table) || other.takes(Form::tables) ? other.tables : tables;
         made.first = other.takes(Form::pairs) ? other.first : first;
         if (other.takes(Form::number)) {
             made.dimension = other.dimension;

@@ -41,7 +41,7 @@ void MeasuredTrials::add(TrialRow const& row, LimitOutcomes const& limits) {
         return;
     }
     auto const& verdict = entry_of(row.verdict);
-    Trial trial{};
+    Measured trial{};
     trial.wave = row.wave;
     trial.body = static_cast<std::int32_t>(row.body);
     trial.decided = verdict.decided;
@@ -65,7 +65,7 @@ void MeasuredTrials::add(TrialRow const& row, LimitOutcomes const& limits) {
     trials_.push_back(trial);
 }
 
-double MeasuredTrials::Trial::value(FragilityMeasure measure) const {
+double MeasuredTrials::Measured::value(FragilityMeasure measure) const {
     if (auto const place = sa_place(measure)) {
         return scale * peaks->sa_mps2.at(*place);
     }

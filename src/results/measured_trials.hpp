@@ -122,7 +122,7 @@ class MeasuredTrials {
         std::array<double, most_sa_periods> sa_mps2;
         std::vector<OtherUnit> other_unit;  ///< one per body; empty where not asked for
     };
-    struct Trial {
+    struct Measured {
         std::int64_t wave;
         LimitOutcomes limits;
         std::int32_t body;
@@ -139,7 +139,7 @@ class MeasuredTrials {
     std::int64_t waves_alike_;
     std::map<std::int64_t, Peaks> waves_;
     std::int64_t passed_by_ = 0;
-    std::vector<Trial> trials_;
+    std::vector<Measured> trials_;
 };
 
 }  // namespace overturn

@@ -41,16 +41,16 @@ double PeakResponse::Bend::operator()(double y, double v, double a0, double a1) 
 struct PeakResponse::Close {
     std::span<double const> series;
     Group const* group;
-    SweepBlocks const* blocks;
+    SweepTiles const* tiles;
 
-    [[nodiscard]] double state(std::size_t lane, std::size_t block) const {
-        return blocks->at(block)[simd::sweep_lanes + lane];
+    [[nodiscard]] double state(std::size_t lane, std::size_t tile) const {
+        return tiles->at(tile)[simd::sweep_lanes + lane];
     }
-    [[nodiscard]] double other(std::size_t lane, std::size_t block) const {
-        return blocks->at(block)[2 * simd::sweep_lanes + lane];
+    [[nodiscard]] double other(std::size_t lane, std::size_t tile) const {
+        return tiles->at(tile)[2 * simd::sweep_lanes + lane];
     }
     [[nodiscard]] std::size_t end(std::size_t first) const {
-        return std::min(first + SweepBlocks::samples, series.size());
+        return std::min(first + SweepTiles::samples, series.size());
     }
 };
 
@@ -90,10 +90,10 @@ PeakResponse::PeakResponse(std::vector<double> const& periods_s, double damping,
 
 PeakResponse::Ground PeakResponse::ground_of(std::span<double const> series) {
     Ground ground;
-    for (std::size_t first = 1; first < series.size(); first += SweepBlocks::samples) {
+    for (std::size_t first = 1; first < series.size(); first += SweepTiles::samples) {
         double most = std::abs(series[first - 1]);
         double steepest = 0;
-        for (std::size_t n = first; n < std::min(first + SweepBlocks::samples, series.size()); ++n) {
+        for (std::size_t n = first; n < std::min(first + SweepTiles::samples, series.size()); ++n) {
             most = std::max(most, std::abs(series[n]));
             steepest = std::max(steepest, std::abs(series[n] - series[n - 1]));
         }
@@ -105,36 +105,36 @@ PeakResponse::Ground PeakResponse::ground_of(std::span<double const> series) {
 }
 
 // Puts the largest |y| that there may be in place of |C|^2: the ground's line, and the free vibration about it.
-void PeakResponse::bound_blocks(Group const& group, Ground const& ground, SweepBlocks& blocks) const {
+void PeakResponse::bound_tiles(Group const& group, Ground const& ground, SweepTiles& tiles) const {
     LaneValues per_most{}, per_steepest{};
     for (std::size_t lane = 0; lane < simd::sweep_lanes; ++lane) {
         double const w = oscillators_[group.first + std::min(lane, group.count - 1)].w;
         per_most[lane] = (1 + bound_error) / (w * w);
         per_steepest[lane] = (1 + bound_error) * 2 * damping_ / (w * w * w * time_step_s_);
     }
-    blocks.highest.fill(0);
-    for (std::size_t b = 0; b < blocks.count(); ++b) {
-        double* const block = blocks.at(b);
+    tiles.highest.fill(0);
+    for (std::size_t b = 0; b < tiles.count(); ++b) {
+        double* const tile = tiles.at(b);
         for (std::size_t lane = 0; lane < simd::sweep_lanes; ++lane) {
             double const line = per_most[lane] * ground.most[b] + per_steepest[lane] * ground.steepest[b];
-            block[lane] = line + (1 + bound_error) * group.swept.unit[lane] * std::sqrt(block[lane]);
-            blocks.highest[lane] = std::max(blocks.highest[lane], block[lane]);
+            tile[lane] = line + (1 + bound_error) * group.swept.unit[lane] * std::sqrt(tile[lane]);
+            tiles.highest[lane] = std::max(tiles.highest[lane], tile[lane]);
         }
     }
 }
 
-// x^2 in a block from which the peak may lie in it. Between two looks, h apart, y strays from the line between them by
+// x^2 in a tile from which the peak may lie in it. Between two looks, h apart, y strays from the line between them by
 // h^2/8 max |y''|; |y''| <= |a| + w^2 |y| + 2 zeta w |y'| and |y'| <= 2 |y| / h + h/2 |y''|.
-PeakResponse::LaneValues PeakResponse::limits(Group const& group, SweepBlocks const& blocks, double peak_mps2) const {
+PeakResponse::LaneValues PeakResponse::limits(Group const& group, SweepTiles const& tiles, double peak_mps2) const {
     LaneValues limit{};
     for (std::size_t lane = 0; lane < simd::sweep_lanes; ++lane) {
         auto const& o = oscillators_[group.first + std::min(lane, group.count - 1)];
         if (group.swept.form == SweepForm::samples) {
-            limit[lane] = o.steps == 1 ? blocks.highest[lane] : 0;
+            limit[lane] = o.steps == 1 ? tiles.highest[lane] : 0;
             continue;
         }
         double const h = static_cast<double>(group.swept.stride) * time_step_s_;
-        double const y = std::abs(group.swept.unit[lane]) * std::sqrt(blocks.highest[lane]);
+        double const y = std::abs(group.swept.unit[lane]) * std::sqrt(tiles.highest[lane]);
         double const given = 1 - damping_ * o.w * h - o.w * o.w * h * h / 8;
         double const bent = (peak_mps2 + y * (o.w * o.w + 4 * damping_ * o.w / h)) / given;
         double const least = given > 0 ? std::max(0.0, y * (1 - bound_error) - h * h / 8 * bent) : 0.0;
@@ -144,10 +144,10 @@ PeakResponse::LaneValues PeakResponse::limits(Group const& group, SweepBlocks co
     return limit;
 }
 
-void PeakResponse::look_between(Close const& close, std::size_t lane, std::size_t block, PeakSwing& found) const {
+void PeakResponse::look_between(Close const& close, std::size_t lane, std::size_t tile, PeakSwing& found) const {
     auto const& series = close.series;
     auto const& o = oscillators_[close.group->first + lane];
-    std::size_t const first = 1 + block * SweepBlocks::samples;
+    std::size_t const first = 1 + tile * SweepTiles::samples;
     double const unit = close.group->swept.unit[lane];
     double y = 0;
     double v = 0;
@@ -156,15 +156,15 @@ void PeakResponse::look_between(Close const& close, std::size_t lane, std::size_
         double const slope = (series[first] - series[first - 1]) / time_step_s_;
         double const turned = close.group->swept.now[lane];
         double const aside = close.group->swept.last[lane];
-        double const f = unit * (turned * close.state(lane, block) - aside * close.other(lane, block));
-        double const q = unit * (aside * close.state(lane, block) + turned * close.other(lane, block));
+        double const f = unit * (turned * close.state(lane, tile) - aside * close.other(lane, tile));
+        double const q = unit * (aside * close.state(lane, tile) + turned * close.other(lane, tile));
         y = f + (2 * damping_ * slope / o.w - series[first - 1]) / (o.w * o.w);
         v = o.w * (std::sqrt(1 - damping_ * damping_) * q - damping_ * f) - slope / (o.w * o.w);
     } else if (first > 1) {
         double const a0 = series[first - 2];
         double const a1 = series[first - 1];
-        double const y0 = unit * close.other(lane, block);
-        y = unit * close.state(lane, block);
+        double const y0 = unit * close.other(lane, tile);
+        y = unit * close.state(lane, tile);
         double const v0 = (y - o.sample.yy * y0 - o.sample.ya0 * a0 - o.sample.ya1 * a1) / o.sample.yv;
         v = o.sample.vy * y0 + o.sample.vv * v0 + o.sample.va0 * a0 + o.sample.va1 * a1;
     }
@@ -196,11 +196,11 @@ void PeakResponse::look_between(Close const& close, std::size_t lane, std::size_
     }
 }
 
-void PeakResponse::look_at_samples(Close const& close, std::size_t lane, std::size_t block, PeakSwing& found) const {
+void PeakResponse::look_at_samples(Close const& close, std::size_t lane, std::size_t tile, PeakSwing& found) const {
     auto const& swept = close.group->swept;
-    double w = close.state(lane, block);
-    double d = close.other(lane, block);
-    std::size_t const first = 1 + block * SweepBlocks::samples;
+    double w = close.state(lane, tile);
+    double d = close.other(lane, tile);
+    std::size_t const first = 1 + tile * SweepTiles::samples;
     for (std::size_t n = first; n < close.end(first); ++n) {
         double const next = swept.ahead[lane] * d + (swept.behind[lane] * w + close.series[n]);
         double const before = w;
@@ -213,20 +213,20 @@ void PeakResponse::look_at_samples(Close const& close, std::size_t lane, std::si
     }
 }
 
-// Into the blocks that reach a limit; where only some samples were looked at, a peak may also lie before the first.
-// What is found raises the limit of a form whose blocks hold heights.
+// Into the tiles that reach a limit; where only some samples were looked at, a peak may also lie before the first.
+// What is found raises the limit of a form whose tiles hold heights.
 void PeakResponse::look(Close const& close, LaneValues limit, std::span<PeakSwing> found) const {
     bool const strided = close.group->swept.form == SweepForm::strided;
     bool const heights = close.group->swept.form == SweepForm::amplitude;
-    for (std::size_t b = 0; b < close.blocks->count(); ++b) {
-        double const* const block = close.blocks->at(b);
-        double const* const before = strided && b > 0 ? close.blocks->at(b - 1) : block;
+    for (std::size_t b = 0; b < close.tiles->count(); ++b) {
+        double const* const tile = close.tiles->at(b);
+        double const* const before = strided && b > 0 ? close.tiles->at(b - 1) : tile;
         int some = 0;
         for (std::size_t lane = 0; lane < simd::sweep_lanes; ++lane) {
-            some |= static_cast<int>(std::max(block[lane], before[lane]) >= limit[lane]);
+            some |= static_cast<int>(std::max(tile[lane], before[lane]) >= limit[lane]);
         }
         for (std::size_t lane = 0; some != 0 && lane < close.group->count; ++lane) {
-            if (std::max(block[lane], before[lane]) >= limit[lane]) {
+            if (std::max(tile[lane], before[lane]) >= limit[lane]) {
                 strided ? look_at_samples(close, lane, b, found[lane]) : look_between(close, lane, b, found[lane]);
                 limit[lane] = heights ? std::max(limit[lane], std::abs(found[lane].displacement_m)) : limit[lane];
             }
@@ -240,17 +240,17 @@ std::vector<PeakSwing> PeakResponse::swings(std::span<double const> acceleration
         return swings;
     }
     auto const ground = ground_of(acceleration_mps2);
-    SweepBlocks blocks;
+    SweepTiles tiles;
     for (auto const& group : groups_) {
-        sweep(group.swept, acceleration_mps2, blocks);
+        sweep(group.swept, acceleration_mps2, tiles);
         auto const found = std::span(swings).subspan(group.first, group.count);
-        Close const close{acceleration_mps2, &group, &blocks};
+        Close const close{acceleration_mps2, &group, &tiles};
         if (group.swept.form != SweepForm::amplitude) {
-            look(close, limits(group, blocks, ground.peak), found);
+            look(close, limits(group, tiles, ground.peak), found);
             continue;
         }
-        bound_blocks(group, ground, blocks);
-        look(close, blocks.highest, found);  // the more there is to beat, the less is left to look at
+        bound_tiles(group, ground, tiles);
+        look(close, tiles.highest, found);  // the more there is to beat, the less is left to look at
         LaneValues limit{};
         for (std::size_t lane = 0; lane < group.count; ++lane) {
             limit[lane] = std::abs(found[lane].displacement_m);

@@ -18,7 +18,7 @@ struct PeakSwing {
 };
 
 /// Runs oscillators of rising period over waves, but looks at them closely (at every sample, and between samples as
-/// PeakRule asks) only in blocks of samples that may hold the peak, by bounds that no wave escapes. Agrees with
+/// PeakRule asks) only in tiles of samples that may hold the peak, by bounds that no wave escapes. Agrees with
 /// displacement_spectrum to rounding.
 class PeakResponse {
   public:
@@ -49,7 +49,7 @@ class PeakResponse {
         std::size_t first, count;  // of the oscillators
         OscillatorGroup swept;
     };
-    // The largest |a| and |change of a| of each block.
+    // The largest |a| and |change of a| of each tile.
     struct Ground {
         std::vector<double> most, steepest;
         double peak = 0;
@@ -57,11 +57,11 @@ class PeakResponse {
     struct Close;  // what a closer look works on
 
     [[nodiscard]] static Ground ground_of(std::span<double const> series);
-    void bound_blocks(Group const& group, Ground const& ground, SweepBlocks& blocks) const;
-    [[nodiscard]] LaneValues limits(Group const& group, SweepBlocks const& blocks, double peak_mps2) const;
+    void bound_tiles(Group const& group, Ground const& ground, SweepTiles& tiles) const;
+    [[nodiscard]] LaneValues limits(Group const& group, SweepTiles const& tiles, double peak_mps2) const;
     void look(Close const& close, LaneValues limit, std::span<PeakSwing> found) const;
-    void look_between(Close const& close, std::size_t lane, std::size_t block, PeakSwing& found) const;
-    void look_at_samples(Close const& close, std::size_t lane, std::size_t block, PeakSwing& found) const;
+    void look_between(Close const& close, std::size_t lane, std::size_t tile, PeakSwing& found) const;
+    void look_at_samples(Close const& close, std::size_t lane, std::size_t tile, PeakSwing& found) const;
 
     double damping_, time_step_s_;
     std::vector<Oscillator> oscillators_;

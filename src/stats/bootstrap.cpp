@@ -32,20 +32,20 @@ Replicate refit(std::span<FragilityPoint const> points, ProbitSolver& solver) {
 }
 
 template <class Value>
-Interval middle(std::vector<Replicate> const& replicates, double confidence, Interval const& widest,
-                Value const& value) {
+Interval middle(Replicate const& estimate, std::vector<Replicate> const& replicates, double confidence,
+                Interval const& widest, Value const& value) {
     std::vector<double> values;
     values.reserve(replicates.size());
     for (auto const& replicate : replicates) {
         values.push_back(value(replicate));
     }
-    return middle_of(values, confidence, widest);
+    return middle_about(value(estimate), values, confidence, widest);
 }
 
 }  // namespace
 
 Bootstrap::Bootstrap(std::vector<Replicate> replicates, ProbitLine const& line, ProbitLine const& centre)
-    : replicates_(std::move(replicates)) {
+    : replicates_(std::move(replicates)), estimate_{line.log_median(), line.beta()} {
     for (auto& replicate : replicates_) {
         without_curve_ += replicate.beta > 0 && std::isfinite(replicate.log_median) ? 0 : 1;
         replicate.log_median += line.log_median() - centre.log_median();
@@ -61,12 +61,12 @@ void Bootstrap::lower_medians(std::span<double const> by) {
 }
 
 Interval Bootstrap::beta(double confidence) const {
-    return middle(replicates_, confidence, {0, infinite}, [](Replicate const& r) { return r.beta; });
+    return middle(estimate_, replicates_, confidence, {0, infinite}, [](Replicate const& r) { return r.beta; });
 }
 
 Interval Bootstrap::intensity(double probability, double confidence) const {
     double const q = gsl_cdf_ugaussian_Pinv(probability);
-    auto const ends = middle(replicates_, confidence, {-infinite, infinite}, [q](Replicate const& r) {
+    auto const ends = middle(estimate_, replicates_, confidence, {-infinite, infinite}, [q](Replicate const& r) {
         return std::isinf(r.log_median) ? r.log_median : r.log_median + q * r.beta;
     });
     return {std::exp(ends.lower), std::exp(ends.upper)};
@@ -74,7 +74,7 @@ Interval Bootstrap::intensity(double probability, double confidence) const {
 
 Interval Bootstrap::probability(double intensity, double confidence) const {
     double const at = std::log(intensity);
-    return middle(replicates_, confidence, {0, 1}, [at](Replicate const& r) {
+    return middle(estimate_, replicates_, confidence, {0, 1}, [at](Replicate const& r) {
         if (std::isinf(r.log_median)) {
             return r.log_median > 0 ? 0.0 : 1.0;
         }

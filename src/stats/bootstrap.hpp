@@ -15,7 +15,7 @@ struct Replicate {
     double beta = 0;        ///< NaN: unknown
 };
 
-/// Refits to resampled data, and intervals from them.
+/// Refits to resampled data, and bias-corrected percentile intervals from them (`middle_about`).
 class Bootstrap {
   public:
     /// \param line of the data themselves; \param centre the same fit as the replicates were made (cells may shift it)
@@ -35,6 +35,7 @@ class Bootstrap {
 
   private:
     std::vector<Replicate> replicates_;
+    Replicate estimate_;  ///< of the data themselves
     std::size_t without_curve_ = 0;
 };
 

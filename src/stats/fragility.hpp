@@ -154,7 +154,7 @@ struct FragilityFit {
 
     std::optional<GoodnessOfFit> goodness;
     MonotoneTest monotone;
-    std::vector<IsotonicBlock> isotonic;
+    std::vector<PooledPoints> isotonic;
     Interval isotonic_median;
     std::optional<ProbitLine> penalised;  ///< Firth's fit of separated data
     std::optional<TailBound> bound;       ///< nothing, or everything, overturned; or all that did lies at one end

@@ -16,33 +16,33 @@ double free_likelihood(double overturned, double trials) {
 
 }  // namespace
 
-std::vector<IsotonicBlock> isotonic_estimate(std::span<FragilityPoint const> points) {
-    std::vector<IsotonicBlock> blocks;
-    blocks.reserve(points.size());
+std::vector<PooledPoints> isotonic_estimate(std::span<FragilityPoint const> points) {
+    std::vector<PooledPoints> pools;
+    pools.reserve(points.size());
     for (auto const& point : points) {
         double const at = std::exp(point.log_intensity);
-        blocks.push_back({at, at, point.trials, point.overturned, 1});
-        while (blocks.size() > 1 && blocks[blocks.size() - 2].probability() >= blocks.back().probability()) {
-            auto const last = blocks.back();
-            blocks.pop_back();
-            blocks.back().to = last.to;
-            blocks.back().trials += last.trials;
-            blocks.back().overturned += last.overturned;
-            blocks.back().points += last.points;
+        pools.push_back({at, at, point.trials, point.overturned, 1});
+        while (pools.size() > 1 && pools[pools.size() - 2].probability() >= pools.back().probability()) {
+            auto const last = pools.back();
+            pools.pop_back();
+            pools.back().to = last.to;
+            pools.back().trials += last.trials;
+            pools.back().overturned += last.overturned;
+            pools.back().points += last.points;
         }
     }
-    return blocks;
+    return pools;
 }
 
-Interval isotonic_median(std::span<IsotonicBlock const> blocks) {
+Interval isotonic_median(std::span<PooledPoints const> pools) {
     constexpr double half = 0.5;
     Interval bracket{0, std::numeric_limits<double>::infinity()};
-    for (auto const& block : blocks) {
-        if (block.probability() >= half) {
-            bracket.upper = block.from;
+    for (auto const& pool : pools) {
+        if (pool.probability() >= half) {
+            bracket.upper = pool.from;
             break;
         }
-        bracket.lower = block.to;
+        bracket.lower = pool.to;
     }
     return bracket;
 }
@@ -52,16 +52,16 @@ MonotoneTest test_monotone(std::span<FragilityPoint const> points) {
     for (auto const& point : points) {
         test.deviance += 2 * free_likelihood(point.overturned, point.trials);
     }
-    auto const blocks = isotonic_estimate(points);
-    for (auto const& block : blocks) {
-        test.deviance -= 2 * free_likelihood(block.overturned, block.trials);
+    auto const pools = isotonic_estimate(points);
+    for (auto const& pool : pools) {
+        test.deviance -= 2 * free_likelihood(pool.overturned, pool.trials);
     }
     // Equal neighbours are pooled without any cost and violate nothing.
     std::size_t distinct = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
         distinct += i == 0 || points[i].probability() != points[i - 1].probability() ? 1 : 0;
     }
-    test.degrees_of_freedom = static_cast<int>(distinct) - static_cast<int>(blocks.size());
+    test.degrees_of_freedom = static_cast<int>(distinct) - static_cast<int>(pools.size());
     if (test.degrees_of_freedom > 0) {
         test.p_value = gsl_cdf_chisq_Q(std::max(test.deviance, 0.0), test.degrees_of_freedom);
     }

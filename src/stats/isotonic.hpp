@@ -9,7 +9,7 @@
 namespace overturn {
 
 /// Neighbouring intensities that share one estimate.
-struct IsotonicBlock {
+struct PooledPoints {
     double from = 0, to = 0;  ///< intensities, SI
     double trials = 0, overturned = 0;
     std::size_t points = 0;  ///< how many were pooled
@@ -19,17 +19,17 @@ struct IsotonicBlock {
 
 /// Pool adjacent violators (Ayer, Brunk, Ewing, Reid & Silverman 1955): the maximum likelihood among all rising
 /// estimates. \param points rising
-[[nodiscard]] std::vector<IsotonicBlock> isotonic_estimate(std::span<FragilityPoint const> points);
+[[nodiscard]] std::vector<PooledPoints> isotonic_estimate(std::span<FragilityPoint const> points);
 
 /// Where the isotonic estimate passes 1/2: [highest intensity with P < 1/2, lowest with P >= 1/2], open ends 0 and
 /// infinity.
-[[nodiscard]] Interval isotonic_median(std::span<IsotonicBlock const> blocks);
+[[nodiscard]] Interval isotonic_median(std::span<PooledPoints const> pools);
 
 /// How the points fall short of rising.
 struct MonotoneTest {
     double deviance = 0;         ///< of the isotonic estimate against a free one for every point
-    int degrees_of_freedom = 0;  ///< points less blocks; 0: the proportions rise throughout
-    double p_value = 1;          ///< of so much by chance, given the blocks (Wollan & Dykstra 1986); trials independent
+    int degrees_of_freedom = 0;  ///< points less pools; 0: the proportions rise throughout
+    double p_value = 1;          ///< of so much by chance, given the pools (Wollan & Dykstra 1986); trials independent
 };
 [[nodiscard]] MonotoneTest test_monotone(std::span<FragilityPoint const> points);
 

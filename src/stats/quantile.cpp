@@ -11,7 +11,10 @@
 
 namespace overturn {
 
-Interval middle_of(std::span<double const> values, double confidence, Interval const& widest) {
+namespace {
+
+// Between the values that a share `below` and a share `above` of all lie outside of.
+Interval between_shares(std::span<double const> values, double below, double above, Interval const& widest) {
     if (values.empty()) {
         return widest;
     }
@@ -24,14 +27,43 @@ Interval middle_of(std::span<double const> values, double confidence, Interval c
     std::sort(lows.begin(), lows.end());
     std::sort(highs.begin(), highs.end());
     // Outwards to a whole replicate.
-    constexpr double slack = 1e-9;  // (1 - 0.9) / 2 * 100 is a little less than 5
-    auto const outside =
-        static_cast<std::size_t>(std::floor((1 - confidence) / 2 * static_cast<double>(values.size() + 1) + slack));
-    if (outside == 0) {
-        return widest;  // so few values say nothing of so high a confidence
+    auto const outside = [&](double share) {
+        constexpr double slack = 1e-9;  // (1 - 0.9) / 2 * 100 is a little less than 5
+        return std::min(values.size(),
+                        static_cast<std::size_t>(std::floor(share * static_cast<double>(values.size() + 1) + slack)));
+    };
+    // So few values say nothing of so high a confidence: the widest.
+    auto const under = outside(below);
+    auto const over = outside(above);
+    return {under == 0 ? widest.lower : lows[under - 1], over == 0 ? widest.upper : highs[highs.size() - over]};
+}
+
+// The normal score at which the estimate stands among the values that are known; 0: it halves them.
+double score_among(double estimate, std::span<double const> values) {
+    double below = 0;
+    double known = 0;
+    for (double const x : values) {
+        known += std::isnan(x) ? 0 : 1;
+        below += x < estimate ? 1 : x == estimate ? 0.5 : 0;
     }
-    auto const rank = outside - 1;
-    return {lows[rank], highs[highs.size() - 1 - rank]};
+    if (known == 0) {
+        return 0;
+    }
+    double const least = 0.5 / known;  // all on one side: as far as so many can tell
+    return gsl_cdf_ugaussian_Pinv(std::clamp(below / known, least, 1 - least));
+}
+
+}  // namespace
+
+Interval middle_of(std::span<double const> values, double confidence, Interval const& widest) {
+    double const tail = (1 - confidence) / 2;
+    return between_shares(values, tail, tail, widest);
+}
+
+Interval middle_about(double estimate, std::span<double const> values, double confidence, Interval const& widest) {
+    double const half = gsl_cdf_ugaussian_Qinv((1 - confidence) / 2);
+    double const moved = 2 * score_among(estimate, values);
+    return between_shares(values, gsl_cdf_ugaussian_P(moved - half), gsl_cdf_ugaussian_Q(moved + half), widest);
 }
 
 double quantile(std::span<double const> sorted, double q) {

@@ -13,6 +13,12 @@ namespace overturn {
 /// middle would have to reach beyond the outermost values.
 [[nodiscard]] Interval middle_of(std::span<double const> values, double confidence, Interval const& widest);
 
+/// The same about an estimate that its replicates do not halve: the middle in normal scores, moved by twice the score
+/// at which the estimate stands among them (bias-corrected percentiles: Efron 1981; Efron & Tibshirani 1993, 14.3 with
+/// a = 0). Misses come as often on either side then, where those of the plain middle gather on one.
+[[nodiscard]] Interval middle_about(double estimate, std::span<double const> values, double confidence,
+                                    Interval const& widest);
+
 /// The value that a share `q` of the sorted values does not exceed, linear between them (Hyndman & Fan 1996, type 7).
 /// \pre sorted, not empty
 [[nodiscard]] double quantile(std::span<double const> sorted, double q);

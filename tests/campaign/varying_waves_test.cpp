@@ -88,7 +88,8 @@ TEST(VaryingWaves, SaIsMeasuredAtTheCampaignsPeriodsAndLevelsScaleByIt) {
     Statistics statistics(spec);
     statistics.add(block);
     std::vector<std::string> labels;
-    for (auto const& fit : analyse(spec, statistics, {.confidence = 0.95, .replicates = 20}).front().fragility) {
+    auto const analysis = analyse(spec, statistics, {.confidence = 0.95, .replicates = 20});
+    for (auto const& fit : analysis.front().fragility) {
         labels.push_back(fit.label);
     }
     EXPECT_EQ(labels, (std::vector<std::string>{"sa(1.5 s)", "pga", "pgv", "sa_average", "sa(0.5 s)", "sa(3 s)",

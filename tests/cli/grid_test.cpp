@@ -150,7 +150,8 @@ TEST_F(Grid, SaysWhereNothingOverturned) {
     folder.write("c.toml", campaign());
     auto const levels = fmt::format("levels.values=[{}, {}]", 0.5 * alpha * gravity, 1.1 * alpha * gravity);
     auto const text = overturn(folder, {"run", "c.toml", "-o", "c.h5", "--set", levels}).out;
-    for (auto const& line : fitted().at("grid")) {
+    auto const fit = fitted();
+    for (auto const& line : fit.at("grid")) {
         EXPECT_TRUE(line.at("overturning").is_null());
         EXPECT_NEAR(line.at("uplift").get<double>(), 1.1 * alpha * gravity, 1e-12);
     }

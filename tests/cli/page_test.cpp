@@ -82,7 +82,8 @@ TEST_F(Page, SaysWhatRanOfACampaignThatEndedEarly) {
 
     std::filesystem::remove(folder / "c.h5");
     run(quick_campaign(), {"--set", "waves.count=4"});
-    for (auto const& fact : data_of({"report", "c.h5", "-o"}, "c.html").at("facts")) {
+    auto const data = data_of({"report", "c.h5", "-o"}, "c.html");
+    for (auto const& fact : data.at("facts")) {
         EXPECT_EQ(fact[1].get<std::string>().find("planned"), std::string::npos) << fact;
         EXPECT_TRUE(fact[0] != "trials" || fact[1] == "24") << fact;
     }

@@ -295,7 +295,8 @@ TEST(HardCases, FrictionJustBelowThePainleveBoundBehaves) {
     int slipped = 0;
     for (int number = 0; number < 10; ++number) {
         for (double const level : {8.0, 12.0, 20.0, 80.0}) {
-            auto const shaking = shaking_of(short_wave(number), 0.02, level);
+            auto const wave = short_wave(number);
+            auto const shaking = shaking_of(wave, 0.02, level);
             auto const out = simulate_slipping(type_a(mu, 0.9 * mu), shaking);
             auto const finer = simulate_rocking(type_a(mu, 0.9 * mu), shaking, {.taylor_order = 12, .substeps = 16}, {},
                                                 nullptr, Slip::simulated);

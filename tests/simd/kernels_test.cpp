@@ -52,7 +52,7 @@ std::vector<double> swept(SweepForm form, std::size_t stride) {
         double const w = 2 * pi / (0.2 + 0.03 * static_cast<double>(lane));
         group.set(lane, w, 0.05, OscillatorStep(w, 0.05, step_s), step_s);
     }
-    SweepBlocks blocks;
+    SweepTiles blocks;
     sweep(group, wave(777), blocks);
     return appended(blocks.value, {blocks.highest.begin(), blocks.highest.end()});
 }

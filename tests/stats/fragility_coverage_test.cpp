@@ -43,9 +43,14 @@ std::vector<SingleTrial> campaign(int waves, double shared, int repetition) {
 
 struct Hits {
     int median = 0, beta = 0, hclpf = 0, of = 0;
+    int beta_below = 0, beta_above = 0, hclpf_below = 0, hclpf_above = 0;  ///< where an interval lies that misses
 
     void add(Interval const& of_median, Interval const& of_beta, Interval const& of_hclpf) {
         double const low = median_of(-1.645);
+        beta_below += of_beta.upper < overturn::beta ? 1 : 0;
+        beta_above += of_beta.lower > overturn::beta ? 1 : 0;
+        hclpf_below += of_hclpf.upper < low ? 1 : 0;
+        hclpf_above += of_hclpf.lower > low ? 1 : 0;
         median += of_median.lower <= median_of(0) && median_of(0) <= of_median.upper ? 1 : 0;
         beta += of_beta.lower <= overturn::beta && overturn::beta <= of_beta.upper ? 1 : 0;
         hclpf += of_hclpf.lower <= low && low <= of_hclpf.upper ? 1 : 0;
@@ -105,8 +110,22 @@ TEST(Coverage, NeedsWavesWhereLevelsShareThem) {
     EXPECT_EQ(methods.by_waves.of, repetitions);
     expect_nominal(methods.by_waves.share(methods.by_waves.median));
     expect_nominal(methods.by_waves.share(methods.by_waves.beta));
+    expect_nominal(methods.by_waves.share(methods.by_waves.hclpf));
     EXPECT_LT(methods.by_trials.share(methods.by_trials.median), 0.85);
     EXPECT_LT(methods.profile.share(methods.profile.median), 0.85);
+}
+
+/// The likeliest beta is a little too small, and resampling repeats that: the plain middle of the replicates lies below
+/// beta in 4.3 %, and above the 5 % point (the unsafe side) in 4.6 % of campaigns. Bias-corrected it is at most 3.2 %
+/// on any side; the limits are 2.5 % and two standard errors of 1000 campaigns.
+TEST(Coverage, MissesComeAlikeOnBothSides) {
+    auto const methods = covered(100, 0.8);
+
+    auto const& hits = methods.by_waves;
+    for (int const misses : {hits.beta_below, hits.beta_above, hits.hclpf_below, hits.hclpf_above}) {
+        EXPECT_GE(hits.share(misses), 0.008);
+        EXPECT_LE(hits.share(misses), 0.036);
+    }
 }
 
 // The sizes at which a campaign of 1000 waves may end, and its end.

@@ -1,8 +1,14 @@
 // Requirement R-708: measures are compared by rank, ties and shared waves included, as pairs counted one by one would.
 #include "stats/rank.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <vector>
+
+#include <gsl/gsl_cdf.h>
+#include <gtest/gtest.h>
 
 #include "stats/quantile.hpp"
 #include "support/tolerance.hpp"
@@ -86,6 +92,77 @@ TEST(MiddleOf, IsOpenWhereTheValuesAreTooFew) {
     EXPECT_EQ(middle_of(values, 0.998, {-1, 2000}).lower, 1);
     EXPECT_EQ(middle_of(values, 0.9999, {-1, 2000}).lower, -1);
     EXPECT_EQ(middle_of(values, 0.9999, {-1, 2000}).upper, 2000);
+}
+
+// Replicates normal about 0.3 where the estimate is 0, which has a bias of 0.3 then: what they resample has it too.
+class MiddleAbout : public ::testing::Test {
+  protected:
+    MiddleAbout() {
+        for (int i = 1; i < count; ++i) {
+            values.push_back(bias + gsl_cdf_ugaussian_Pinv(static_cast<double>(i) / count));
+        }
+    }
+    static constexpr int count = 100'000;
+    static constexpr double bias = 0.3;
+    static constexpr double most = std::numeric_limits<double>::infinity();
+    std::vector<double> values;
+};
+
+/// Closed form: normal replicates' middle moves to the other side of the estimate, and is as wide as before.
+TEST_F(MiddleAbout, TakesTheBiasOff) {
+    auto const ends = middle_about(0, values, 0.95, {-most, most});
+
+    EXPECT_NEAR(ends.lower, -bias - 1.959964, 1e-3);
+    EXPECT_NEAR(ends.upper, -bias + 1.959964, 1e-3);
+}
+
+TEST_F(MiddleAbout, IsThePlainMiddleWhereTheEstimateHalvesThem) {
+    auto const plain = middle_of(values, 0.9, {-most, most});
+    auto const about = middle_about(bias, values, 0.9, {-most, most});
+
+    EXPECT_NEAR(about.lower, plain.lower, 1e-4);
+    EXPECT_NEAR(about.upper, plain.upper, 1e-4);
+}
+
+/// An interval of ln x is the logarithm of that of x: nothing hangs on the scale that the estimate is told in.
+TEST_F(MiddleAbout, IsTheSameOnAnyRisingScale) {
+    auto const ends = middle_about(0, values, 0.95, {-most, most});
+    std::transform(values.begin(), values.end(), values.begin(), [](double x) { return std::exp(x); });
+    auto const grown = middle_about(1, values, 0.95, {0, most});
+
+    EXPECT_EQ(grown.lower, std::exp(ends.lower));
+    EXPECT_EQ(grown.upper, std::exp(ends.upper));
+}
+
+/// Replicates that all lie below their estimate do not say how far above it the truth may be.
+TEST(MiddleAboutFew, IsOpenBeyondReplicatesOfOneSide) {
+    std::vector<double> values(1000);
+    std::iota(values.begin(), values.end(), 1.0);
+    auto const ends = middle_about(5000, values, 0.95, {-1, 1e6});
+
+    EXPECT_EQ(ends.upper, 1e6);
+    EXPECT_EQ(ends.lower, 1000);
+    EXPECT_EQ(middle_about(-5000, values, 0.95, {-1, 1e6}).lower, -1);
+    EXPECT_EQ(middle_about(3, {}, 0.95, {-1, 1e6}).upper, 1e6);
+}
+
+/// Replicates that all are the estimate halve at it: separated data put every beta at 0, for example.
+TEST(MiddleAboutFew, TiesCountHalf) {
+    auto const ends = middle_about(2, std::vector<double>(1000, 2.0), 0.95, {-1, 1e6});
+
+    EXPECT_EQ(ends.lower, 2);
+    EXPECT_EQ(ends.upper, 2);
+}
+
+/// What is unknown widens, and does not shift.
+TEST(MiddleAboutFew, UnknownValuesWidenTheInterval) {
+    std::vector<double> values(1000);
+    std::iota(values.begin(), values.end(), 1.0);
+    values[400] = values[599] = std::nan("");
+    auto const ends = middle_about(500.5, values, 0.95, {-1, 2000});
+
+    EXPECT_EQ(ends.lower, 23);  // the 25th of all, two of them unknown
+    EXPECT_EQ(ends.upper, 978);
 }
 
 }  // namespace

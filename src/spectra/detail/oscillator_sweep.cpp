@@ -21,8 +21,8 @@ using ManyLanes = simd::HWY_NAMESPACE::SweepDoubles<4>;
 // Some lanes of a group over the wave, from `lane` on.
 template <class V> class Sweep {
   public:
-    Sweep(OscillatorGroup const& group, std::span<double const> acceleration, SweepBlocks& blocks, std::size_t lane)
-        : acceleration_(acceleration), lane_(lane), to_(blocks.value.data() + lane) {
+    Sweep(OscillatorGroup const& group, std::span<double const> acceleration, SweepTiles& tiles, std::size_t lane)
+        : acceleration_(acceleration), lane_(lane), to_(tiles.value.data() + lane) {
         ahead_ = from(group.ahead);
         behind_ = from(group.behind);
         now_ = from(group.now);
@@ -115,7 +115,7 @@ template <class V> class Sweep {
         return V::load(values.data() + lane_);
     }
     [[nodiscard]] OVERTURN_LANES_INLINE std::size_t end_of(std::size_t n) const {
-        return std::min(n + SweepBlocks::samples, acceleration_.size());
+        return std::min(n + SweepTiles::samples, acceleration_.size());
     }
     OVERTURN_LANES_INLINE void open(V state, V other) {
         state.store(to_ + simd::sweep_lanes);
@@ -123,7 +123,7 @@ template <class V> class Sweep {
     }
     [[nodiscard]] OVERTURN_LANES_INLINE V close(V square, V most) {
         square.store(to_);
-        to_ += SweepBlocks::values;
+        to_ += SweepTiles::values;
         return max(square, most);
     }
     // w is that of the sample before.
@@ -146,28 +146,28 @@ template <class V> class Sweep {
 };
 
 template <class V, class Take>
-void sweep_lanes(OscillatorGroup const& group, std::span<double const> acceleration, SweepBlocks& blocks, Take take) {
+void sweep_lanes(OscillatorGroup const& group, std::span<double const> acceleration, SweepTiles& tiles, Take take) {
     for (std::size_t lane = 0; lane < simd::sweep_lanes; lane += V::count) {
-        take(Sweep<V>(group, acceleration, blocks, lane)).store(blocks.highest.data() + lane);
+        take(Sweep<V>(group, acceleration, tiles, lane)).store(tiles.highest.data() + lane);
     }
 }
 
-void sweep_all(OscillatorGroup const& group, std::span<double const> acceleration, SweepBlocks& blocks) {
+void sweep_all(OscillatorGroup const& group, std::span<double const> acceleration, SweepTiles& tiles) {
     switch (group.form) {
         case SweepForm::amplitude:
-            sweep_lanes<ManyLanes>(group, acceleration, blocks,
+            sweep_lanes<ManyLanes>(group, acceleration, tiles,
                                    [](Sweep<ManyLanes> some) HWY_ATTR { return some.amplitude(); });
             break;
         case SweepForm::samples:
-            sweep_lanes<FewLanes>(group, acceleration, blocks,
+            sweep_lanes<FewLanes>(group, acceleration, tiles,
                                   [](Sweep<FewLanes> some) HWY_ATTR { return some.samples(); });
             break;
         case SweepForm::strided:
             if (group.stride == 2) {
-                sweep_lanes<ManyLanes>(group, acceleration, blocks,
+                sweep_lanes<ManyLanes>(group, acceleration, tiles,
                                        [](Sweep<ManyLanes> some) HWY_ATTR { return some.strided<2>(); });
             } else {
-                sweep_lanes<ManyLanes>(group, acceleration, blocks,
+                sweep_lanes<ManyLanes>(group, acceleration, tiles,
                                        [](Sweep<ManyLanes> some) HWY_ATTR { return some.strided<8>(); });
             }
             break;
@@ -182,10 +182,9 @@ namespace overturn {
 
 HWY_EXPORT(sweep_all);
 
-void sweep(OscillatorGroup const& group, std::span<double const> acceleration_mps2, SweepBlocks& blocks) {
-    blocks.value.resize((acceleration_mps2.size() + SweepBlocks::samples - 2) / SweepBlocks::samples
-                        * SweepBlocks::values);
-    HWY_DYNAMIC_DISPATCH(sweep_all)(group, acceleration_mps2, blocks);
+void sweep(OscillatorGroup const& group, std::span<double const> acceleration_mps2, SweepTiles& tiles) {
+    tiles.value.resize((acceleration_mps2.size() + SweepTiles::samples - 2) / SweepTiles::samples * SweepTiles::values);
+    HWY_DYNAMIC_DISPATCH(sweep_all)(group, acceleration_mps2, tiles);
 }
 
 }  // namespace overturn

@@ -1,4 +1,4 @@
-/// Sixteen oscillators at a time over a whole wave: for each block of samples how high each may have swung in it, and
+/// Sixteen oscillators at a time over a whole wave: for each tile of samples how high each may have swung in it, and
 /// the state from which it can be looked at closely.
 #pragma once
 
@@ -43,9 +43,9 @@ struct OscillatorGroup {
     void set_strided(std::size_t lane, double w, double damping, OscillatorStep const& c, double dt);
 };
 
-/// Per block of samples [1 + b samples, ...) and lane: the largest x^2 or |C|^2 in it, and the state before it: x and
+/// Per tile of samples [1 + b samples, ...) and lane: the largest x^2 or |C|^2 in it, and the state before it: x and
 /// the x before that; w of the sample before and d; or C, its real and its imaginary part, of the step to its first.
-struct SweepBlocks {
+struct SweepTiles {
     static constexpr std::size_t samples = 32;
     static constexpr std::size_t values = 3 * simd::sweep_lanes;
 
@@ -53,11 +53,11 @@ struct SweepBlocks {
     OscillatorGroup::LaneValues highest{};  ///< of the largest
 
     [[nodiscard]] std::size_t count() const { return value.size() / values; }
-    [[nodiscard]] double* at(std::size_t block) { return value.data() + block * values; }
-    [[nodiscard]] double const* at(std::size_t block) const { return value.data() + block * values; }
+    [[nodiscard]] double* at(std::size_t tile) { return value.data() + tile * values; }
+    [[nodiscard]] double const* at(std::size_t tile) const { return value.data() + tile * values; }
 };
 
-/// \param blocks every value is overwritten
-void sweep(OscillatorGroup const& group, std::span<double const> acceleration_mps2, SweepBlocks& blocks);
+/// \param tiles every value is overwritten
+void sweep(OscillatorGroup const& group, std::span<double const> acceleration_mps2, SweepTiles& tiles);
 
 }  // namespace overturn

@@ -19,8 +19,12 @@ using Intervals = FragilityFit::Intervals;
 Interval lowered(Interval const& interval, double by) { return {interval.lower * by, interval.upper * by}; }
 
 // Every replicate with the split of its own waves: what it says of ln HCLPF.
-Interval resampled_hclpf(Bootstrap const& refits, FragilityRequest const& request) {
+Interval resampled_hclpf(Bootstrap const& refits, ProbitLine const& line, FragilityRequest const& request) {
     auto const& splits = request.split->replicates;
+    auto const log_hclpf = [&](Replicate const& curve, double drawn) {
+        double const waves = std::sqrt(std::max(0.0, curve.beta * curve.beta - drawn * drawn));
+        return curve.log_median - hclpf_score * (waves + std::hypot(drawn, request.beta_u));
+    };
     std::vector<double> logs;
     for (std::size_t r = 0; r < refits.size(); ++r) {
         auto const& curve = refits.replicates()[r];
@@ -28,18 +32,17 @@ Interval resampled_hclpf(Bootstrap const& refits, FragilityRequest const& reques
             logs.push_back(curve.log_median);
             continue;
         }
-        double const drawn = splits.at(r).beta_u;
-        double const waves = std::sqrt(std::max(0.0, curve.beta * curve.beta - drawn * drawn));
-        logs.push_back(curve.log_median - hclpf_score * (waves + std::hypot(drawn, request.beta_u)));
+        logs.push_back(log_hclpf(curve, splits.at(r).beta_u));
     }
-    auto const ends = middle_of(logs, request.confidence, {-infinite, infinite});
+    auto const ends = middle_about(log_hclpf({line.log_median(), line.beta()}, request.split->beta_u), logs,
+                                   request.confidence, {-infinite, infinite});
     return {std::exp(ends.lower), std::exp(ends.upper)};
 }
 
 void add_hclpf(CurveFit& fit, FragilityRequest const& request) {
     if (request.split && !request.split->replicates.empty()) {
         // The likelihood of one curve knows nothing of the split.
-        fit.bootstrap.hclpf = fit.profile.hclpf = resampled_hclpf(fit.refits, request);
+        fit.bootstrap.hclpf = fit.profile.hclpf = resampled_hclpf(fit.refits, fit.line, request);
     } else if (!request.drawn && request.beta_u > 0) {
         double const margin = std::exp(-hclpf_score * request.beta_u);
         fit.profile.hclpf = lowered(fit.profile.five_percent_point, margin);
