@@ -1,10 +1,12 @@
 // Requirement: uplift, impact and rest are decided exactly: thresholds, symmetry, no event missed or found
 // twice.
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "rocking/detail/block_dynamics.hpp"
 #include "rocking/planar_rocking.hpp"
 #include "support/long_period_wave.hpp"
 
@@ -150,6 +152,64 @@ TEST(EnergyVerdict, ExactBalanceIsNotOverturning) {
     std::vector<double> const calm{0.0, 0.0};
     auto const out = simulate_rocking(block, shaking(calm, 0.01), {}, {.rotation_rad = block.alpha_rad});
     EXPECT_EQ(out.verdict, Verdict::rocked);
+}
+
+// whatever restitution is stated, no impact of a body that slips adds energy; where the stated one would, the
+// body rebounds with what conserves it.
+TEST(Impact, NeverAddsEnergy) {
+    int lowered = 0;
+    int kept = 0;
+    for (double const alpha : {0.1, 0.25, 0.5, 0.8}) {
+        for (double const restitution : {0.3, 0.7, 0.95, 1.0}) {
+            for (double const friction : {0.05, 0.3, 0.9}) {
+                rocking::ImpactLaw const law{.sine_alpha = std::sin(alpha),
+                                             .cosine_alpha = std::cos(alpha),
+                                             .kappa = 1.0 / 3,
+                                             .restitution = restitution,
+                                             .friction_static = 1.2 * friction,
+                                             .friction_kinetic = friction,
+                                             .sine_next = std::sin(alpha)};
+                for (double const slip : {-2.0, -0.5, -0.1, 0.1, 0.5, 2.0}) {
+                    auto const after = rocking::after_impact(law, 1.0, slip);
+                    double const before = law.energy(1.0, slip);
+                    double const left = law.energy_after(after.rotation_rate, after.slip_rate);
+                    EXPECT_LE(left, before) << alpha << ' ' << restitution << ' ' << friction << ' ' << slip;
+                    if (after.rotation_rate == restitution) {
+                        ++kept;
+                    } else {
+                        EXPECT_NEAR(left, before, 1e-12) << alpha << ' ' << restitution << ' ' << friction;
+                        ++lowered;
+                    }
+                }
+            }
+        }
+    }
+    EXPECT_GT(lowered, 10);
+    EXPECT_GT(kept, 10);
+}
+
+// beyond alpha and on its way out a block that the ground has left falls free of torque, at the rate it had.
+TEST(ContactLoss, BeyondAlphaTheFallKeepsItsRate) {
+    struct Last : RockingObserver {
+        void at(RockingInstant const& i) override { last = i; }
+        RockingInstant last{};
+    };
+    double const dt = 1e-3;
+    std::vector<double> const calm(40, 0.0);
+    std::vector<double> drop(40, 0.0);
+    std::fill(drop.begin() + 20, drop.end(), -50.0 * g0);
+    for (double const sign : {1.0, -1.0}) {
+        Last seen;
+        auto const out =
+            simulate_rocking(block, {.horizontal_mps2 = calm, .vertical_mps2 = drop, .time_step_s = dt}, {},
+                             {.rotation_rad = sign * 1.3 * block.alpha_rad, .velocity_radps = sign * 0.8}, &seen);
+        ASSERT_EQ(out.verdict, Verdict::overturned);
+        EXPECT_NEAR(out.contact_lost_s, 19 * dt, dt);
+        double const spin = std::abs(seen.last.velocity_radps);
+        double const rotation = std::abs(seen.last.rotation_rad) + spin * (out.contact_lost_s - seen.last.time_s);
+        EXPECT_NEAR(out.overturn_time_s, out.contact_lost_s + (pi / 2 - rotation) / spin, 2e-3);
+        EXPECT_GT(out.overturn_time_s, 1.0);
+    }
 }
 
 }  // namespace

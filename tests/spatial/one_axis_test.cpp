@@ -103,6 +103,22 @@ TEST(SpatialOneAxis, OutcomesAreThePlanarOnes) {
     }
 }
 
+// where corners have been crushed too, a body's height is that of its base as it was made.
+TEST(SpatialOneAxis, EnergiesOnACrushedPadAreThePlanarOnes) {
+    auto const wave = testing::sine(1, 1, 1, 2, 1e-3);
+    auto weak = square_base(0.3);
+    weak.pad.strength_pa = 3e6;
+    for (double const level : {8.0, 10.0, 12.0}) {
+        Excitation const by{.horizontal_mps2 = wave, .time_step_s = 1e-3, .scale = level};
+        auto const space = simulate_spatial(standing(body_a(), weak, 0.8), by, {.rest_gate = false});
+        auto const plane = simulate_contact(
+            contact_block(body_a(), weak.base, {.strength_pa = 3e6}, Friction{0.8, 0.8}), by, {.rest_gate = false});
+        EXPECT_GT(space.own.peak_crush_m, 1e-6) << level;
+        EXPECT_NEAR(space.own.peak_crush_m, plane.own.peak_crush_m, 1e-11) << level;
+        EXPECT_NEAR(space.peak_energy_ratio, plane.peak_energy_ratio, 1e-9) << level;
+    }
+}
+
 // Whatever the bed and whichever of the two axes: exact zeros, and the same bits along both.
 TEST(SpatialOneAxis, NothingLeavesThePlane) {
     testing::TwoWaves waves;
