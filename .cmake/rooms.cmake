@@ -22,19 +22,19 @@ endif()
 
 set(CMAKE_VERIFY_INTERFACE_HEADER_SETS ON)
 
-# Other people's headers, parsed once instead of in every file: `base` by all rooms; `text`, with JSON, by those that
-# write for people and scripts, whose time goes into compiling: they are optimised less. Every file still includes what
-# it uses: .ci/run lets clang-tidy and the check of lone headers read them without these.
+# Other people's headers, parsed once instead of in every file: `base` by all rooms; `light`, with JSON, by those that
+# read, keep and write around the work, whose time goes into compiling: they are optimised less. Every file still
+# includes what it uses: .ci/run lets clang-tidy and the check of lone headers read them without these.
 set(OVERTURN_BASE_HEADERS <algorithm> <array> <chrono> <cmath> <cstdint> <cstring> <filesystem> <functional> <map> <memory>
     <numbers> <optional> <span> <string> <string_view> <utility> <vector> <fmt/format.h> <fmt/ranges.h>)
-foreach(kind base text)
+foreach(kind base light)
   set(precompiled overturn_precompiled_${kind})
   add_library(${precompiled} OBJECT "${PROJECT_SOURCE_DIR}/.cmake/precompiled.cpp")
   target_link_libraries(${precompiled} PRIVATE overturn_options fmt::fmt nlohmann_json::nlohmann_json)
   target_precompile_headers(${precompiled} PRIVATE ${OVERTURN_BASE_HEADERS})
 endforeach()
-target_precompile_headers(overturn_precompiled_text PRIVATE <nlohmann/json.hpp>)
-target_compile_options(overturn_precompiled_text PRIVATE -O1)
+target_precompile_headers(overturn_precompiled_light PRIVATE <nlohmann/json.hpp>)
+target_compile_options(overturn_precompiled_light PRIVATE -O1)
 
 # So many files of a room are compiled at a time where CMAKE_UNITY_BUILD is on: what they keep to themselves must bear
 # names of its own in the room (-DCMAKE_UNITY_BUILD_BATCH_SIZE=0 finds all that do not).
@@ -42,12 +42,13 @@ if(NOT DEFINED CMAKE_UNITY_BUILD_BATCH_SIZE)
   set(CMAKE_UNITY_BUILD_BATCH_SIZE 6)
 endif()
 
-# overturn_room(name [BASE dir] [TEXT] [APART] ROOMS ... EXTERNAL ...)
+# overturn_room(name [BASE dir] [LIGHT] [APART] ROOMS ... EXTERNAL ...)
 # All files of the folder BASE/name (BASE: default src/) and of its folder `detail`, whose headers are the room's own: no
-# other room may include them. Headers are included as "room/file.hpp". TEXT: the room writes for people and scripts.
+# other room may include them. Headers are included as "room/file.hpp". LIGHT: the room reads, keeps or writes, which no
+# campaign waits for.
 # APART: its files are never compiled several at a time, so that what they keep to themselves may bear the same names.
 function(overturn_room name)
-  cmake_parse_arguments(ARG "TEXT;APART" "BASE" "ROOMS;EXTERNAL" ${ARGN})
+  cmake_parse_arguments(ARG "LIGHT;APART" "BASE" "ROOMS;EXTERNAL" ${ARGN})
   if(NOT ARG_BASE)
     set(ARG_BASE "${PROJECT_SOURCE_DIR}/src")
   endif()
@@ -73,9 +74,13 @@ function(overturn_room name)
   target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS "${ARG_BASE}" FILES ${headers})
   set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX)
   target_link_libraries(${target} PUBLIC overturn_options ${ARG_EXTERNAL})
-  if(ARG_TEXT)
+  if(ARG_LIGHT)
     target_compile_options(${target} PRIVATE -O1)
-    target_precompile_headers(${target} REUSE_FROM overturn_precompiled_text)
+    if(CMAKE_UNITY_BUILD_BATCH_SIZE)
+      math(EXPR batch "2 * ${CMAKE_UNITY_BUILD_BATCH_SIZE}")
+      set_target_properties(${target} PROPERTIES UNITY_BUILD_BATCH_SIZE ${batch})
+    endif()
+    target_precompile_headers(${target} REUSE_FROM overturn_precompiled_light)
   else()
     target_precompile_headers(${target} REUSE_FROM overturn_precompiled_base)
   endif()
