@@ -9,6 +9,7 @@
 #include "rocking/detail/block_dynamics.hpp"
 #include "rocking/planar_rocking.hpp"
 #include "support/long_period_wave.hpp"
+#include "support/tolerance.hpp"
 
 namespace overturn {
 namespace {
@@ -186,6 +187,26 @@ TEST(Impact, NeverAddsEnergy) {
     }
     EXPECT_GT(lowered, 10);
     EXPECT_GT(kept, 10);
+}
+
+// the ground's vertical impulse is the centre's momentum after an impact, which rises about the corner landed
+// on, less that before it, which fell about the corner left.
+TEST(Impact, ItsImpulseIsTheCentresChangeOfMomentum) {
+    double const from = 0.5;
+    double const onto = 0.3;
+    rocking::ImpactLaw const law{.sine_alpha = from,
+                                 .cosine_alpha = 0.8,
+                                 .kappa = 0.3,
+                                 .restitution = 0.6,
+                                 .friction_static = 0.5,
+                                 .friction_kinetic = 0.4,
+                                 .sine_next = onto};
+    double const w = 1.7;
+    double const falls = -from * w;
+    double const rises = onto * law.restitution * w;
+    EXPECT_TRUE(testing::near(law.impulse(law.restitution) * w, rises - falls, testing::exact_formula));
+    double const sideways = law.cosine_alpha * w - law.cosine_alpha * law.restitution * w;
+    EXPECT_TRUE(testing::near(law.friction_demand(), sideways / (rises - falls), testing::exact_formula));
 }
 
 // beyond alpha and on its way out a block that the ground has left falls free of torque, at the rate it had.

@@ -9,7 +9,6 @@
 #include <gsl/gsl_sf_ellint.h>
 #include <gtest/gtest.h>
 
-#include "rocking/detail/block_dynamics.hpp"
 #include "rocking/detail/checkpoint.hpp"
 #include "support/bit_equal.hpp"
 #include "support/long_period_wave.hpp"
@@ -280,26 +279,6 @@ TEST(Lopsided, TheVerdictNeedsNoQuietAfterTheWave) {
         }
     }
     EXPECT_GT(rocked, 20);
-}
-
-// The ground's vertical impulse is the centre's momentum after an impact, which rises about the corner landed
-// on, less that before it, which fell about the corner left.
-TEST(Lopsided, AnImpactsImpulseIsTheCentresChangeOfMomentum) {
-    double const from = 0.5;
-    double const onto = 0.3;
-    rocking::ImpactLaw const law{.sine_alpha = from,
-                                 .cosine_alpha = 0.8,
-                                 .kappa = 0.3,
-                                 .restitution = 0.6,
-                                 .friction_static = 0.5,
-                                 .friction_kinetic = 0.4,
-                                 .sine_next = onto};
-    double const w = 1.7;
-    double const falls = -from * w;
-    double const rises = onto * law.restitution * w;
-    EXPECT_TRUE(near(law.impulse(law.restitution) * w, rises - falls, testing::exact_formula));
-    double const sideways = law.cosine_alpha * w - law.cosine_alpha * law.restitution * w;
-    EXPECT_TRUE(near(law.friction_demand(), sideways / (rises - falls), testing::exact_formula));
 }
 
 }  // namespace
