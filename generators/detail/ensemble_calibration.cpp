@@ -67,8 +67,8 @@ class ThinnedDraws {
             return input_energy_velocities(wave, step_s(), periods_s_, target_.damping());
         }
         std::vector<double> values;
-        for (auto const& swing : sweep_.swings(wave)) {
-            values.push_back(std::abs(swing.displacement_m) * 2 * pi / periods_s_[values.size()]);
+        for (auto const& peak : sweep_.peaks(wave)) {
+            values.push_back(std::abs(peak.displacement_m) * 2 * pi / periods_s_[values.size()]);
         }
         return values;
     }

@@ -131,7 +131,7 @@ Ladder::Climb Ladder::begin(SceneTrial const& at) const {
     trial.simulated =
         held_with(0, climb.possible & request_.wanted() & (chooses ? climb.called | request_.include : ~EffectMask{0}));
     if (out_of_range(trial.excitation, trial.simulated)) {
-        climb.outcome = unknown_outcome(FailureReason::absurd_level);
+        climb.outcome = unknown_outcome(FailureReason::out_of_range);
     } else {
         climb.next = cheapest(trial.simulated);
     }
