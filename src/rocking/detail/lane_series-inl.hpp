@@ -132,7 +132,7 @@ OVERTURN_LANES_INLINE auto LaneSeries<V, Stride, Vertical>::expand(V length, V w
     return x;
 }
 
-// psi turns by minus what phi gains; its sine and cosine turn with it.
+// psi turns by minus what phi gains; its sine and cosine turn with it. Exact to rounding up to most_arc.
 template <class V, int Stride, bool Vertical>
 OVERTURN_LANES_INLINE auto LaneSeries<V, Stride, Vertical>::turned(Series const& x, V gain) const -> Turned {
     V const t2 = gain * gain;
@@ -142,9 +142,6 @@ OVERTURN_LANES_INLINE auto LaneSeries<V, Stride, Vertical>::turned(Series const&
     V const drop = cosine_tail * t2;  // cos - 1
     return {x.s[0] + fma(x.s[0], drop, -(x.c[0] * sine)), x.c[0] + fma(x.c[0], drop, x.s[0] * sine)};
 }
-// To which the sums above are exact to rounding [rad]: the first terms left out are gain^8 / 9! of the sine, 2e-18, and
-// gain^10 / 10! of the cosine, 2e-22.
-constexpr double most_arc = 0.03;
 
 template <class V, int Stride, bool Vertical>
 OVERTURN_LANES_INLINE auto LaneSeries<V, Stride, Vertical>::target(Series const& x) const -> Target {

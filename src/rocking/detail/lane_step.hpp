@@ -58,6 +58,15 @@ enum class RockingField : int {
 /// measured.
 inline constexpr double rest_speed_share = 1e-3;
 
+/// Largest turn of a step in lanes [rad]. Up to it the sums for the sine and cosine of a turn are exact to rounding:
+/// the first terms that they leave out are turn^8 / 9! of the sine, 2e-18, and turn^10 / 10! of the cosine, 2e-22.
+inline constexpr double most_arc = 0.03;
+
+/// Largest inertia ratio m R^2 / I_O of a block that is stepped in lanes: up to it the bound of the contact forces'
+/// change holds (derived above contact_holds in lane_bounds-inl.hpp). A block beyond it has next to no inertia about
+/// its own centre, and takes its steps in stick.cpp; a uniform rectangle has 0.75.
+inline constexpr double most_lane_inertia_ratio = 0.98;
+
 /// The waves that a lane reads, in m/s2; the vertical one only if it is stepped with vertical motion.
 enum class RockingWave : int { horizontal, vertical, count };
 

@@ -11,6 +11,11 @@
 
 namespace overturn::rocking {
 
+bool steps_in_lanes(RockingAccuracy const& accuracy) {
+    return accuracy.restoring == Restoring::nonlinear && accuracy.taylor_order == LaneStep::order
+           && accuracy.substeps == 1;
+}
+
 RockingSetup::RockingSetup(RockingBlock const& of, Excitation const& by, RockingAccuracy const& with, Slip friction)
     : block(of),
       shaking(by),
@@ -21,8 +26,9 @@ RockingSetup::RockingSetup(RockingBlock const& of, Excitation const& by, Rocking
       corners(corners_of(of, with.restoring, friction != Slip::ignored)),
       top(Potential(with.restoring, of.alpha_rad).top()),
       hold_friction(of.friction_static * (1 + 1e-13)),
-      uses_lanes(with.restoring == Restoring::nonlinear && with.taylor_order == LaneStep::order && with.substeps == 1) {
-}
+      uses_lanes(steps_in_lanes(with) && std::ranges::all_of(corners, [](Corner const& corner) {
+                     return corner.inertia_ratio <= most_lane_inertia_ratio;
+                 })) {}
 
 double RockingRun::mechanical_energy() const {
     double const psi = corner().base_angle_rad - state.phi;
