@@ -203,7 +203,7 @@ TEST(Lanes, LeaveBlocksWithoutOwnInertiaToScalarSteps) {
 }
 
 // Rest is skipped by chunks of samples; a chunk may hide nothing.
-TEST(Lanes, SkippingPagesChangesNothing) {
+TEST(Lanes, SkippingChunksChangesNothing) {
     auto wave = testing::filtered_wave(testing::set_b);
     std::vector<double> const vertical = testing::filtered_wave(testing::set_a);
     RockingBlock const block{.alpha_rad = 0.25, .p_radps = 1.5, .restitution = 0.9};
