@@ -40,12 +40,13 @@ template <class V, int Stride, int Points> class ContactStepper : private Contac
     OVERTURN_LANES_INLINE void save(Motion const& to, V turn);
 };
 
-// By these displacements, and to the velocities that a pull gives in this time.
+// By these displacements, and to the velocities that a pull gives in this time. The first terms that the sums for the
+// turn leave out are turn^8 / 8! of its cosine and turn^9 / 9! of its sine: below rounding (2^-53) up to 0.038 rad, and
+// far below RK4's own error at any turn that a step can hold. How large that is: README.md, bounds.
 template <class V, int Stride, int Points>
 OVERTURN_LANES_INLINE auto ContactStepper<V, Stride, Points>::moved(Motion const& from, V sway, V rise, V turn,
                                                                     Pull const& by, V time) const -> Motion {
     V const square = turn * turn;
-    // Turns of a step are below 0.05: the next terms are below rounding.
     V const sine = turn * fma(-square, fma(-square, fma(-square, 1.0 / 5040, 1.0 / 120), 1.0 / 6), 1.0);
     V const versine = square * fma(-square, fma(-square, 1.0 / 720, 1.0 / 24), 0.5);
     return {from.sway + sway,
