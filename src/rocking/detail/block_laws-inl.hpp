@@ -1,5 +1,5 @@
 // The laws of the planar block: equation of motion, contact forces, energy. Each stands here once, for any number: a
-// double, a power series in time, or vector lanes. Included inside a namespace: by block_dynamics.hpp for doubles and
+// double, a power series in time, or vector lanes. Included inside a namespace: by block_laws.hpp for doubles and
 // series, by lane_series-inl.hpp once per instruction set; so without a #pragma once, a namespace and includes.
 //
 // Symbols, mirrored to the corner that the block stands on (side s = +1 or -1), so that both corners share one formula:

@@ -3,7 +3,8 @@
 
 #include <array>
 
-#include "rocking/detail/block_dynamics.hpp"
+#include "rocking/detail/impact_law.hpp"
+#include "rocking/detail/potential.hpp"
 #include "rocking/planar_rocking.hpp"
 
 namespace overturn::rocking {

@@ -15,6 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace overturn::rocking::HWY_NAMESPACE {
 
+// The laws for vector lanes: see block_laws.hpp, which includes the same text for doubles.
 #define OVERTURN_LAW [[nodiscard]] OVERTURN_LANES_INLINE
 #include "rocking/detail/block_laws-inl.hpp"
 #undef OVERTURN_LAW

@@ -7,7 +7,7 @@
 #define OVERTURN_LANE_STEP
 #endif
 
-#include "rocking/detail/block_dynamics.hpp"
+#include "rocking/detail/block_laws.hpp"
 #include "rocking/detail/lane_bounds-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include "rocking/rocking_accuracy.hpp"
 #include "simd/lane_fields.hpp"
 
 namespace overturn::rocking {
@@ -75,7 +76,7 @@ template <int Lanes> using RockingFields = simd::LaneFields<RockingField, Rockin
 
 /// The last step taken, as power series in the share of its length.
 struct LaneStep {
-    static constexpr int order = 10;
+    static constexpr int order = campaign_order;
     double length_s = 0;                             ///< as planned
     double share = 1;                                ///< of it, where an impact cut it short
     std::array<double, order> rates{};               ///< phi' length

@@ -6,8 +6,7 @@
 #include <cstddef>
 
 #include "core/polynomial.hpp"
-#include "rocking/detail/block_dynamics.hpp"
-#include "rocking/detail/lane_step.hpp"
+#include "rocking/detail/block_laws.hpp"
 #include "rocking/rocking_accuracy.hpp"
 
 namespace overturn::rocking {
@@ -18,7 +17,7 @@ template <int Terms> struct FixedOrder {
     constexpr operator int() const { return Terms; }  // NOLINT(google-explicit-constructor): it is a number
 };
 /// That of campaigns, and of step_lanes.
-using CampaignOrder = FixedOrder<LaneStep::order>;
+using CampaignOrder = FixedOrder<campaign_order>;
 /// Any of taylor_orders, for studies of accuracy. Terms beyond it are zero, which changes no bit of what evaluation,
 /// roots and bounds give.
 struct AnyOrder {

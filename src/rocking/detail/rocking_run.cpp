@@ -12,7 +12,7 @@
 namespace overturn::rocking {
 
 bool steps_in_lanes(RockingAccuracy const& accuracy) {
-    return accuracy.restoring == Restoring::nonlinear && accuracy.taylor_order == LaneStep::order
+    return accuracy.restoring == Restoring::nonlinear && accuracy.taylor_order == campaign_order
            && accuracy.substeps == 1;
 }
 
