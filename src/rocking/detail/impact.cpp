@@ -8,21 +8,18 @@
 namespace overturn::rocking {
 namespace {
 
-// Time that the bouncing still takes, by the forcing as it is now: impacts accumulate at a finite time. A small half
-// cycle on a corner lasts 2 omega / deceleration, p^2 cos(alpha) (Gv tan(alpha) + A); the ones over both corners each
-// start with e times the rate of the one before, which sums as a geometric series.
+// Time that the bouncing still takes, by the forcing as it is now.
 double bouncing_s(RockingRun const& run, double a, double gv) {
     auto const deceleration = [&](Corner const& at, double side) {
         double const cosine =
             run.setup.nonlinear() ? std::cos(at.alpha_rad) : 1.0;  // the linear block's sin psi is psi
-        return at.p_radps * at.p_radps * cosine * (gv * at.uplift_ratio + side * a);
+        return deceleration_at_ground(at.p_radps, cosine, at.uplift_ratio, gv, side * a);
     };
     double const side = run.state.side;
     auto const& corner = run.corner();
     auto const& other = run.setup.at_side(-side);
-    double const e = corner.restitution;
-    return 2 * run.state.omega * (1 / deceleration(corner, side) + e / deceleration(other, -side))
-           / (1 - e * other.restitution);
+    return bouncing_time(run.state.omega, deceleration(corner, side), deceleration(other, -side), corner.restitution,
+                         other.restitution);
 }
 
 // Whether the small half cycles on both corners need no more friction than there is.
@@ -48,9 +45,8 @@ void settle(RockingRun& run, double a, double gv) {
     auto const& corner = run.corner();
     double const end = sample.tau_s + bouncing_s(run, a, gv);
     double const a_end = sample.horizontal(end);
-    double const gv_here = run.setup.lopsided ? gv : gv * corner.uplift_ratio / corner.uplift_ratio;
     if (end <= sample.length_s && std::abs(a_end) <= sample.vertical(end) * run.setup.tipped_by(a_end).uplift_ratio
-        && bouncing_sticks(run, a, gv_here)) {
+        && bouncing_sticks(run, a, gv)) {
         sample.tau_s = end;
     } else if (run.state.omega > rest_speed_share * run.setup.accuracy.settle * corner.p_radps) {
         return;
@@ -113,6 +109,7 @@ void apply_impact(RockingRun& run) {
     ++out.impacts;
     double const speed = std::max(0.0, -state.omega);
     out.impact_spin_radps = std::max(out.impact_spin_radps, speed);
+    // rocking_energy on the ground, but for its quotient, which is taken last: results' last bits keep it.
     run.log.raise_energy(0.5 * speed * speed / (corner.p_radps * corner.p_radps));
     state.phi = 0;
     run.show(0, 0);

@@ -27,6 +27,7 @@ struct ImpactLaw {
     [[nodiscard]] double friction_demand() const { return cosine_alpha * (1 - restitution) / impulse(restitution); }
 
   private:
+    // kinetic_energy(across, arm w, w, kappa), but for the order of its sum, which results' last bits keep.
     [[nodiscard]] double energy_about(double arm, double w, double v) const {
         double const across = v + cosine_alpha * w;
         return 0.5 * (across * across + (arm * arm + kappa) * w * w);

@@ -20,15 +20,9 @@ namespace overturn::rocking::HWY_NAMESPACE {
 #include "rocking/detail/block_laws-inl.hpp"
 #undef OVERTURN_LAW
 
-// The k-th coefficient of a series and the one before, and a forcing that is linear over the step: the numbers that the
-// equation of motion takes term by term. Of every sum the newest terms come last: they are what the next ones wait for.
-template <class V> struct Term { V now, before; };
-template <class V> struct Linear { V start, change; };
-template <class V> OVERTURN_LANES_INLINE V operator*(Linear<V> f, Term<V> x) {
-    return fma(f.start, x.now, f.change * x.before);
-}
+// Of every sum the newest terms come last: they are what the next ones wait for.
 template <class V> OVERTURN_LANES_INLINE V mul_add(Linear<V> f, Term<V> x, V sum) {
-    return fma(f.start, x.now, fma(f.change, x.before, sum));
+    return fma(f.start, x.now, fma(f.slope, x.before, sum));
 }
 
 template <class V, int Stride, bool Vertical> class LaneSeries {
@@ -108,12 +102,12 @@ OVERTURN_LANES_INLINE auto LaneSeries<V, Stride, Vertical>::expand(V length, V w
     x.c[1] = x.rate[0] * x.s[0];
     Linear<V> const across{w * a.start, w * a.change};
     Linear<V> const down{Vertical ? w * g.start : w, w * g.change};
-    x.rate[1] = -pull(across.start, down.start, x.c[0], x.s[0]);  // which of its products is rounded is as good
+    x.rate[1] = -pull_in_other_order(down.start, across.start, x.s[0], x.c[0]);
 #pragma GCC unroll 16
     for (int k = 1; k < trig; ++k) {
         Term<V> const s{x.s[k], x.s[k - 1]};
         Term<V> const c{x.c[k], x.c[k - 1]};
-        V const back = Vertical ? pull(down, across, s, c) : fma(down.start, s.now, across * c);
+        V const back = Vertical ? pull(down, across, s, c) : pull(down.start, across, s.now, c);
         x.rate[k + 1] = back * (-1.0 / (k + 1));
         if (k + 1 == trig) {
             break;

@@ -168,7 +168,7 @@ OVERTURN_LANES_INLINE void Stepper<V, Stride, Vertical>::apply_impacts(Plan cons
     impacts = impacts & found & ((rebound > settle) | lasts) & (u > zero) & (u < one)
               & (get(RockingField::impact_demand) <= get(RockingField::friction_limit));
     V const rate = approach * get(RockingField::inverse_p);
-    after.energy = choose(impacts, max(after.energy, 0.5 * rate * rate), after.energy);
+    after.energy = choose(impacts, max(after.energy, rocking_energy(rate, zero)), after.energy);
     after.demand = choose(impacts, max(after.demand, get(RockingField::impact_demand)), after.demand);
     auto const before = forces(get(RockingField::sine_alpha), get(RockingField::cosine_alpha), approach, av, gv);
     after.normal = choose(impacts, min(after.normal, before.normal), after.normal);

@@ -45,7 +45,7 @@ enum class RockingField : int {
     incline_sine,    ///< of the ground's slope, towards the corner; level: 0
     incline_cosine,
     settle_speed,  ///< slower rebounds may settle
-    settle_rate,   ///< rebound times this, over (hold - |a|): how long the bouncing lasts at most
+    settle_rate,   ///< longest_bouncing: rebound times this, over hold: how long the bouncing lasts at most
     tolerance,     ///< of the last term of the series
     scale,         ///< of the samples, over g
     time_step,

@@ -37,7 +37,7 @@ double RockingRun::mechanical_energy() const {
     double const up = std::sin(psi) * spin;
     double const g = setup.block.gravity_mps2;
     double const downhill = setup.lopsided ? g * setup.incline.sine * state.slip_m : 0;  // what slip has won of height
-    return 0.5 * (across * across + up * up + corner().law.kappa * spin * spin)
+    return kinetic_energy(across, up, spin, corner().law.kappa)
            + g * corner().radius_m * corner().potential.at(state.phi) - downhill;
 }
 
