@@ -49,8 +49,8 @@ class ContactModel : public Model {
     explicit ContactModel(ContactAccuracy const& accuracy) : accuracy_(accuracy) {}
     [[nodiscard]] ModelTraits const& traits() const override { return contact_traits(); }
 
-    /// Not of a body that is off the middle, on a slope or tilted at first; nor of one so slender that the usual pad,
-    /// of which nobody has spoken, could not hold it upright.
+    /// Not of a body that is off the middle, on a slope or tilted at first; nor, where neither base nor pad is stated,
+    /// of one so slender that the default pad could not hold it upright.
     [[nodiscard]] EffectMask possible(Trial const& trial) const override {
         constexpr double ample = 6;  // a flat bed is a third as stiff against turning as corners are
         auto const& body = *trial.body;
@@ -60,7 +60,7 @@ class ContactModel : public Model {
     }
 
     [[nodiscard]] Call called_for(Trial const& trial, Outcome const* said) const override {
-        // Its points slip one by one, far below where all of a rigid base would.
+        // With friction its points slip one by one, under far less shaking than slides a rigid base.
         auto const contact = mask_of(Effect::contact) | (trial.friction ? mask_of(Effect::sliding) : 0);
         constexpr double wild = 0.3;  // of alpha
         auto const& footing = *trial.footing;

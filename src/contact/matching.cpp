@@ -20,7 +20,8 @@ struct Tried {
     double value, restitution;
 };
 
-// Between one that gives too much and one that gives too little: false position, Illinois' halving.
+// The value between one of too much restitution and one of too little: false position with the Illinois rule, which
+// halves the distance of an end that stays twice.
 template <class Restitution> void seek(Tried generous, Tried greedy, double wanted, Restitution restitution) {
     enum class Kept : std::uint8_t { neither, upper, lower } last = Kept::neither;
     for (int i = 0; i < 30; ++i) {

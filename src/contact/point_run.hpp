@@ -94,7 +94,7 @@ template <class Derived, class Field, class Spot, class Lane> bool PointRun<Deri
         return run_out(index);
     }
     if (phase_ == Phase::shaken && index < last_ && get(Field::steps) > 0) {
-        phase_ = Phase::resting;  // lanes found it quiet
+        phase_ = Phase::resting;  // lanes stopped before the end: the body is quiet
         self().hold(index);
     }
     if (phase_ == Phase::resting) {
@@ -108,7 +108,7 @@ template <class Derived, class Field, class Spot, class Lane> bool PointRun<Deri
         phase_ = Phase::shaken;
         self().show_sample();
         if (index > 0) {
-            self().wake();  // whatever the first sample holds comes suddenly
+            self().wake();  // at the first sample shaking comes suddenly: none before it has moved the springs
         }
         return true;
     }

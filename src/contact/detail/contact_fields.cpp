@@ -117,7 +117,7 @@ double ContactRun::mechanical_energy() const {
 // Farther than springs that hold give way.
 bool ContactRun::slipped() const { return get(ContactField::most_slip) > elastic_way(); }
 
-// Of the sums that lanes keep, what needs no thought.
+// What can be read off the lane as it is: extremes, counts, and where the body ended.
 void ContactRun::tell_peaks(ContactOutcome& out) const {
     double const g = planar_.gravity_mps2;
     out.crest_rad = get(ContactField::crest);

@@ -1,4 +1,5 @@
-/// One trial of contact: what is rare and what needs thought, between the steps that lanes take.
+/// One trial of contact, all but the steps that lanes take: how it starts, rests and wakes, when it is over, its
+/// outcome.
 #pragma once
 
 #include <array>

@@ -15,7 +15,7 @@ namespace overturn::rocking {
 #include "rocking/detail/block_laws-inl.hpp"
 #undef OVERTURN_LAW
 
-/// A fall is complete here: whatever still turned the block back no longer could.
+/// A block that has turned so far lies on its side: it has overturned, whatever the shaking does next [rad].
 inline constexpr double overturned_rad = 0.5 * pi;
 
 }  // namespace overturn::rocking

@@ -62,9 +62,13 @@ void settle(RockingRun& run, double a, double gv) {
     }
 }
 
-// Bounces that slip accumulate as well, each a fraction of the one before; only the slip may outlast them. Guard: too
-// slow to matter. What they would still have done to the slip follows from momentum: the centre's h theta' goes over
-// into it, and as the base carries b omega less than the weight's impulse, friction brakes it that much less.
+// The bouncing of a base that slips ends in finite time too, but the slip may outlast it.
+// Guard: the rebound is slower than rest_speed_share settle p; and there is none, or the slip is as slow, or friction
+// does not tip a base that slides this way.
+// Reset: all that is left of the bouncing at once, by the momentum of the centre of gravity. Along the ground its
+// v + h theta' becomes the base's slip. Upwards it loses b omega, so that over the bouncing the ground bears m b omega
+// less than the weight's impulse, and friction brakes by mu_k b omega less (`saved`). What is left of the slip decides:
+// none is rest (or a lift, if the shaking does not hold the block), else the base slides or tips towards its slip.
 void settle_slipping(RockingRun& run, double a, double hold) {
     auto& state = run.state;
     auto const& corner = run.corner();

@@ -155,7 +155,8 @@ template <int Lanes> void store_lane(RockingRun& run, RockingFields<Lanes> const
     if (get(RockingField::peak) > log.peak()) {
         log.raise_peak(get(RockingField::peak), get(RockingField::peak_time));
     }
-    if (get(RockingField::energy) > log.energy()) {  // what comes back as it went in may not be raised by rounding
+    // log.energy() is a quotient: an energy that the lane left as it was may not come back raised by its rounding.
+    if (get(RockingField::energy) > log.energy()) {
         log.raise_energy(get(RockingField::energy));
     }
     out.friction_demand = get(RockingField::demand);

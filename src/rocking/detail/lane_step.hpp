@@ -10,8 +10,8 @@
 
 namespace overturn::rocking {
 
-/// What a lane holds. Time in s, angles in rad, mirrored like the integrator's (phi = side * theta >= 0); forces over
-/// m g, energies over m g R.
+/// What a lane holds. Time in s, angles in rad, mirrored to the corner that the block stands on as in State
+/// (phi = side * theta >= 0); forces over m g, energies over m g R.
 enum class RockingField : int {
     // state
     phi,

@@ -94,7 +94,7 @@ bool SpatialRun::sound() const {
     return std::isfinite(sum);
 }
 
-// Of the sums that lanes keep, what needs no thought.
+// What can be read off the lane as it is: extremes, counts, and where the body ended.
 void SpatialRun::tell_peaks(SpatialOutcome& out) const {
     double const g = planar_.gravity_mps2;
     double const radius = std::hypot(planar_.half_width_m, planar_.centre_height_m);

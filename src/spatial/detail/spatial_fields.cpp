@@ -17,7 +17,9 @@ BaseKind kind_of(std::vector<SpatialPoint> const& points) {
 }
 
 void SpatialRun::fill_trial(ContactAccuracy const& accuracy) {
-    constexpr double uniform_solid = 3;  // bodies that shiver quicker than these: their damping grows as the stiffness
+    // Largest rotation_stiffness of uniform solids, for which the step is made. A body above it vibrates faster on its
+    // points, and its damping grows as the stiffness itself: its step is shorter by the whole factor.
+    constexpr double uniform_solid = 3;
     fill_steps(accuracy, std::min(1.0, uniform_solid / block_.rotation_stiffness));
     fill_law();
     fill_waves();

@@ -1,4 +1,4 @@
-/// One trial in space: what is rare and what needs thought, between the steps that lanes take.
+/// One trial in space, all but the steps that lanes take: how it starts, rests and wakes, when it is over, its outcome.
 #pragma once
 
 #include <array>
