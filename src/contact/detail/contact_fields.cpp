@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "contact/detail/contact_run.hpp"
+#include "contact/rest_gate.hpp"
 
 namespace overturn::contact {
 
@@ -23,9 +24,8 @@ void ContactRun::fill_trial(ContactAccuracy const& accuracy) {
     put(ContactField::cosine_alpha, std::cos(alpha));
     put(ContactField::impact_spin, planar_.approach_floor_mps() / b);
     put(ContactField::quiet_energy, accuracy.rest_gate ? quiet_energy() : -1);
-    // Corners part at b / h, a flat bed at a third of it.
-    double const parting = lane_.points == 2 ? 0.9 : 0.25;
-    put(ContactField::rest_ratio, std::min(parting * b / h, 0.5 * planar_.friction));
+    double const parting = lane_.points == 2 ? corner_parting_share : bed_parting_share;
+    put(ContactField::rest_ratio, std::min(parting * b / h, friction_share * planar_.friction));
     put(ContactField::force, planar_.gravity_mps2);
     put(ContactField::least_force, std::numeric_limits<double>::infinity());
     put(ContactField::uplift_time, -1);

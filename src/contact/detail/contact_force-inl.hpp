@@ -9,6 +9,7 @@
 
 #include "contact/detail/contact_step.hpp"
 #include "contact/point_law-inl.hpp"
+#include "contact/rest_gate.hpp"
 #include "simd/lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();

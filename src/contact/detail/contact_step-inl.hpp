@@ -127,7 +127,7 @@ OVERTURN_LANES_INLINE auto ContactStepper<V, Stride, Points>::next_sample(Motion
                      * fma(square(pull.sway, pull.rise, pull.spin, inertia), get(ContactField::flexibility),
                            square(at.sway_speed, at.rise_speed, at.spin, inertia));
     // Upright only: a body that balances near its critical angle is as quiet, and may yet fall.
-    M const upright = abs(at.sine) < 0.1 * get(ContactField::sine_alpha);
+    M const upright = abs(at.sine) < upright_share * get(ContactField::sine_alpha);
     M const quiet =
         upright & (energy < get(ContactField::quiet_energy)) & (strongest <= get(ContactField::rest_ratio) * weight);
     return ended & (quiet | (index >= last));

@@ -11,6 +11,13 @@
 
 namespace overturn::rocking {
 
+namespace {
+
+// Of mu_s. Forces over m g are sums of a few terms of order 1, so their rounding is some 1e-15: a hundred times that.
+constexpr double friction_slack = 1e-13;
+
+}  // namespace
+
 bool steps_in_lanes(RockingAccuracy const& accuracy) {
     return accuracy.restoring == Restoring::nonlinear && accuracy.taylor_order == campaign_order
            && accuracy.substeps == 1;
@@ -25,7 +32,7 @@ RockingSetup::RockingSetup(RockingBlock const& of, Excitation const& by, Rocking
       incline(lopsided ? Incline{std::sin(of.lopsided->slope_rad), std::cos(of.lopsided->slope_rad)} : Incline{}),
       corners(corners_of(of, with.restoring, friction != Slip::ignored)),
       top(Potential(with.restoring, of.alpha_rad).top()),
-      hold_friction(of.friction_static * (1 + 1e-13)),
+      hold_friction(of.friction_static * (1 + friction_slack)),
       uses_lanes(steps_in_lanes(with) && std::ranges::all_of(corners, [](Corner const& corner) {
                      return corner.inertia_ratio <= most_lane_inertia_ratio;
                  })) {}
@@ -105,7 +112,9 @@ void run_out(RockingRun& run, double end_s) {
     auto& sample = run.sample;
     double const wave_step_s = run.setup.shaking.time_step_s;
     double const p = run.corner().p_radps;
-    double const length = wave_step_s > 0 ? wave_step_s : 0.01 / p;
+    // Of 1 / p: how often, without a wave, energy is looked at. The series' tolerance sees to the step's accuracy.
+    constexpr double calm_step = 0.01;
+    double const length = wave_step_s > 0 ? wave_step_s : calm_step / p;
     // A block on its corner leaves it as exp(p t): after 37 / p the last bit has grown to one, so what still stands
     // after this is an exact balance and lasts.
     double const balance_s = 100 / p;
