@@ -101,7 +101,7 @@ class ContactModel : public Model {
             batch.outcomes[i] = outcomes[i];
             batch.outcomes[i].called = mask_of(Effect::contact);
             if (!batch.own.empty()) {
-                tell_match(matched[i].match, outcomes[i].own);
+                fill_match(matched[i].match, outcomes[i].own);
                 constexpr std::size_t row = sizeof(ContactQuantities);
                 std::memcpy(batch.own.subspan(i * row, row).data(), &outcomes[i].own, row);
             }

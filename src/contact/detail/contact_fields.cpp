@@ -118,7 +118,7 @@ double ContactRun::mechanical_energy() const {
 bool ContactRun::slipped() const { return get(ContactField::most_slip) > elastic_way(); }
 
 // What can be read off the lane as it is: extremes, counts, and where the body ended.
-void ContactRun::tell_peaks(ContactOutcome& out) const {
+void ContactRun::fill_peaks(ContactOutcome& out) const {
     double const g = planar_.gravity_mps2;
     out.crest_rad = get(ContactField::crest);
     out.trough_rad = get(ContactField::trough);
@@ -137,7 +137,7 @@ void ContactRun::tell_peaks(ContactOutcome& out) const {
 
 ContactOutcome ContactRun::finish() const {
     ContactOutcome out;
-    tell_peaks(out);
+    fill_peaks(out);
     double const alpha = std::atan2(planar_.half_width_m, planar_.centre_height_m);
     double const radius = std::hypot(planar_.half_width_m, planar_.centre_height_m);
     double const rotation = get(ContactField::rotation);

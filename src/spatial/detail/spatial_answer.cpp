@@ -95,7 +95,7 @@ bool SpatialRun::sound() const {
 }
 
 // What can be read off the lane as it is: extremes, counts, and where the body ended.
-void SpatialRun::tell_peaks(SpatialOutcome& out) const {
+void SpatialRun::fill_peaks(SpatialOutcome& out) const {
     double const g = planar_.gravity_mps2;
     double const radius = std::hypot(planar_.half_width_m, planar_.centre_height_m);
     double const lift = std::max(0.0, get(State::most_lift));
@@ -120,7 +120,7 @@ void SpatialRun::tell_peaks(SpatialOutcome& out) const {
                .slip_path_m = get(State::slip_path)};
 }
 
-void SpatialRun::tell_verdict(SpatialOutcome& out) const {
+void SpatialRun::fill_verdict(SpatialOutcome& out) const {
     bool const fell = half_tilt_sine2() >= 0.5;
     out.peak_rotation_rad = fell ? pi / 2 : 2 * std::asin(std::sqrt(get(State::most_tilt)));
     out.peak_rotation_ratio = out.peak_rotation_rad / std::atan2(planar_.half_width_m, planar_.centre_height_m);
@@ -144,8 +144,8 @@ SpatialOutcome SpatialRun::finish() const {
     auto const since = [](double time) { return time < 0 ? never : time; };
     out.first_uplift_s = since(get(State::uplift_time));
     out.contact_lost_s = since(get(State::loss_time));
-    tell_peaks(out);
-    tell_verdict(out);
+    fill_peaks(out);
+    fill_verdict(out);
     return out;
 }
 
