@@ -22,7 +22,7 @@ void validate_pad(Pad const& pad) {
              "the pad's tangential damping is {} (it must be at least 0). Take 0.3", pad.tangential_damping);
 }
 
-// The rim's points in pairs on either side of the rocking plane, which see each other from the side.
+// A rim as the rocking plane sees it: points on either side of the plane coincide in pairs, as one of twice the share.
 std::vector<ContactPoint> rim(int around, double radius_m) {
     validate(around >= 16 && around <= 64 && around % 4 == 0,
              "a round base of {} points (it takes 16 to 64, a multiple of 4). Take {}", around,

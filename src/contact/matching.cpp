@@ -45,7 +45,7 @@ template <class Restitution> void seek(Tried generous, Tried greedy, double want
     }
 }
 
-// Of base and points that give what is wanted.
+// Searches for the base and the points that give the wanted restitution.
 class Search {
   public:
     Search(RigidBody const& body, BasePlan const& base, Pad const& pad, ContactAccuracy const& accuracy)

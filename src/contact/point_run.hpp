@@ -45,7 +45,7 @@ template <class Derived, class Field, class Spot, class Lane> class PointRun {
     [[nodiscard]] double quiet_energy() const {
         return quiet_energy_share * planar_.gravity_mps2 * planar_.centre_height_m;
     }
-    /// How far springs that hold give way.
+    /// How far springs stretch whose points hold, under the largest normal force so far.
     [[nodiscard]] double elastic_way() const {
         double const most = std::max(get(Field::most_force), planar_.gravity_mps2);
         double const w = planar_.vertical_radps();

@@ -114,7 +114,7 @@ double ContactRun::mechanical_energy() const {
     return 0.5 * moving + springs + planar_.gravity_mps2 * (get(ContactField::rise) + 0.5 * planar_.settlement_m());
 }
 
-// Farther than springs that hold give way.
+// Whether the base has moved farther than springs stretch whose points hold.
 bool ContactRun::slipped() const { return get(ContactField::most_slip) > elastic_way(); }
 
 // What can be read off the lane as it is: extremes, counts, and where the body ended.

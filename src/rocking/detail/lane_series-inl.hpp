@@ -173,7 +173,7 @@ OVERTURN_LANES_INLINE V LaneSeries<V, Stride, Vertical>::falling_root(V c0, V c1
     return (c0 + c0) / (sqrt(max(c1 * c1 - 4.0 * c0 * c2, 0)) - c1);
 }
 
-// sum c[k] u^k in two chains, even and odd, as one would wait for itself.
+// sum c[k] u^k in two chains, of even and of odd powers: in a single one every step would wait for the one before.
 template <class V, int Stride, bool Vertical>
 template <std::size_t N>
 OVERTURN_LANES_INLINE V LaneSeries<V, Stride, Vertical>::at(V u, std::array<V, N> const& c) {

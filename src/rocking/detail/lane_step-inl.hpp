@@ -62,7 +62,7 @@ template <class V, int Stride, bool Vertical> class Stepper : private LaneBounds
     OVERTURN_LANES_INLINE V energy_at(V u, Plan const& plan) const;
 };
 
-// The shaking's power over -phi' cos psi: its share of the pull along the way of the centre of gravity. Almost a line.
+// The shaking's power over -phi' cos psi, (Gv - 1) tan psi + A: almost linear in time.
 template <class V, int Stride, bool Vertical>
 OVERTURN_LANES_INLINE V Stepper<V, Stride, Vertical>::power_over_cosine(V u, Plan const& plan) const {
     V const across = fma(plan.a.change, u, plan.a.start);
@@ -134,7 +134,7 @@ OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::at_end(Plan const& plan
     -> After {
     V const zero = 0;
     return {plan.to.phi,
-            plan.to.speed / plan.length,  // its inverse would err one way in every step
+            plan.to.speed / plan.length,  // times its inverse would round the same way in every step
             plan.to.s,
             plan.to.c,
             get(RockingField::index) + 1.0,

@@ -17,11 +17,12 @@ template <class Order> struct SlipSeries {
 /// Equations of motion with slip, friction being -mu sigma N:
 /// phi'' = -B (Gv - r cos psi phi'^2) / [r (kappa + sin psi B)], B = sin psi - mu sigma cos psi, r = R/g,
 /// kappa = I_G / (m R^2); x''/g = -mu sigma N - A - r (cos psi phi'' + sin psi phi'^2).
-/// Each term of phi'' asks for the terms before it of all the others, so the products are taken term by term, not as
-/// products of whole series (PowerSeries). The normal force and the slip are those of contact_forces, with N = r sin
-/// psi phi'' + (Gv - r cos psi phi'^2) summed in the order in which phi'' needs its parts: results' last bits rest on
-/// it. \param drag mu_k times the sign of the slip, mirrored \param from_rest phi'' >= 0 by the step's own start,
-/// whatever rounding says
+///
+/// Each term of phi'' asks for the terms before it of all the others, so products are taken term by term, not of whole
+/// series (PowerSeries). The forces are those of contact_forces, but N = r sin psi phi'' + (Gv - r cos psi phi'^2) is
+/// summed in the order in which phi'' needs its parts: last bits differ, and results keep these.
+/// \param drag mu_k times the sign of the slip, mirrored
+/// \param from_rest phi'' >= 0 by the step's own start, whatever rounding says
 template <class Order>
 [[nodiscard]] SlipSeries<Order> slip_series(Order order, double alpha, double r, double kappa, double drag, double phi,
                                             double omega, Forcing const& forcing, bool from_rest) {

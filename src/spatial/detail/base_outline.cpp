@@ -17,7 +17,7 @@ double cross(Corner const& a, Corner const& b) { return a[0] * b[1] - a[1] * b[0
 double dot(Corner const& a, Corner const& b) { return a[0] * b[0] + a[1] * b[1]; }
 Corner between(Corner const& a, Corner const& b) { return {b[0] - a[0], b[1] - a[1]}; }
 
-// Both mirror images: the pair through the axis first, then its image.
+// A point mirrored at both axes: a pair that lies opposite each other, then its mirror image.
 void add_quad(std::vector<SpatialPoint>& points, double x, double y, double share) {
     points.insert(points.end(), {{-x, -y, share}, {x, y, share}, {-x, y, share}, {x, -y, share}});
 }

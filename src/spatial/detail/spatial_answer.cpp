@@ -6,7 +6,8 @@
 namespace overturn::spatial {
 namespace {
 
-// Of whole turns and the measure of the rest, z / (|w| + |z|) / 2: it grows with the angle and needs no arc tangent.
+// The angle of a yaw as lanes keep it: whole turns, and z / (|w| + |z|) / 2 for the rest, which grows with the angle
+// and needs no arc tangent.
 double yaw_of(double measure) {
     double const turns = std::round(measure);
     double const rest = 2 * (measure - turns);
@@ -80,7 +81,7 @@ double SpatialRun::mechanical_energy() const {
     return 0.5 * moving + springs + planar_.gravity_mps2 * (get(State::rise) + 0.5 * planar_.settlement_m());
 }
 
-// Farther than springs that hold give way, the base's centre or, by yaw, its farthest point.
+// Whether the base's centre or, by yaw, its farthest point has moved farther than springs stretch whose points hold.
 bool SpatialRun::slipped() const {
     return std::sqrt(get(State::most_slip)) + block_.reach_m * yaw_of(get(State::most_yaw)) > elastic_way();
 }

@@ -105,7 +105,7 @@ template <class V, int Stride> class SpatialForce {
     std::bitset<most_spatial_points> remembered_;  // in this step
 };
 
-// Against the way and its rate.
+// Horizontal force of springs and dampers against a displacement and its rate, over the stiffness.
 template <class V, int Stride>
 OVERTURN_LANES_INLINE auto SpatialForce<V, Stride>::spring(Line const& way, Line const& rate) const -> Line {
     V const ratio = -get(State::tangential_ratio);
