@@ -31,11 +31,6 @@ bool is_physical(std::string_view key) {
 
 }  // namespace
 
-std::string_view name_of(Misjudged direction) {
-    static constexpr std::array names{"safe", "unsafe", "unknown"};
-    return names.at(static_cast<std::size_t>(direction));
-}
-
 std::vector<config::InputValue> physical_inputs(CampaignSpec const& spec) {
     std::vector<config::InputValue> inputs;
     std::ranges::copy_if(spec.inputs, std::back_inserter(inputs),

@@ -1,5 +1,5 @@
-/// What a campaign takes for granted: the values it was given, by where they come from, and what the model itself
-/// assumes.
+/// What a campaign takes for granted of the values that it was given: where they come from. What the model itself
+/// assumes: model_assumptions.hpp.
 #pragma once
 
 #include <cstdint>
@@ -12,26 +12,6 @@
 #include "config/input_value.hpp"
 
 namespace overturn {
-
-/// In which direction overturning is misjudged where an assumption does not hold: unsafe, more falls than is computed.
-enum class Misjudged { safe, unsafe, unknown };
-[[nodiscard]] std::string_view name_of(Misjudged direction);
-
-/// Does an assumption bear on a campaign: on none of its trials, on all, or on those that auto does not find another
-/// effect called for?
-enum class Bears { no, yes, where_not_called_for };
-
-/// One fixed assumption of the model.
-struct ModelAssumption {
-    std::string_view name;     ///< "one-plane"
-    std::string_view assumed;  ///< what is
-    Misjudged direction = Misjudged::unknown;
-    std::string_view key;       ///< of the campaign, that does without it; "none"
-    std::string_view effect;    ///< as measured by a study of this project; "not measured"
-    std::string_view evidence;  ///< author and year, or the study's file
-    Bears (*bears)(CampaignSpec const& spec);
-};
-[[nodiscard]] std::span<ModelAssumption const> model_assumptions();
 
 /// The inputs of [waves], [[bodies]] and [levels] that stand for something: no names, no files, no choices of how much
 /// is computed.

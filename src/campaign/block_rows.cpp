@@ -1,7 +1,8 @@
+#include "campaign/block_rows.hpp"
+
 #include <algorithm>
 #include <cstring>
 
-#include "campaign/trial.hpp"
 #include "core/error.hpp"
 
 namespace overturn {

@@ -7,6 +7,7 @@
 
 #include "campaign/detail/campaign_keys.hpp"
 #include "campaign/detail/placement_spec.hpp"
+#include "campaign/limit_spec.hpp"
 #include "campaign/rows.hpp"
 #include "campaign/wave_check.hpp"
 #include "campaign/withheld_inputs.hpp"

@@ -1,10 +1,11 @@
+#include "campaign/limit_spec.hpp"
+
 #include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "campaign/limit_state.hpp"
 #include "config/suggestion.hpp"
 #include "core/error.hpp"
 #include "response/registry.hpp"

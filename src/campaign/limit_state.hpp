@@ -7,9 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "campaign/body_spec.hpp"
 #include "campaign/rows.hpp"
-#include "config/table.hpp"
 #include "response/ladder.hpp"
 #include "stats/fragility.hpp"
 #include "stats/precision.hpp"
@@ -89,24 +87,5 @@ class LimitJudge {
     std::vector<Field const*> columns_;  ///< of /trials, one a limit; null where it reads none
     std::vector<Own> own_;
 };
-
-/// Which waves the levels have: the same, each its own, or the same points of a grid.
-enum class WavesOfLevels { shared, independent, grid };
-
-extern config::KeyTable const limit_table;      ///< of [[limits]]
-extern config::KeyTable const precision_table;  ///< what a campaign may stop at: in [statistics], and of one limit
-
-/// Reads [[limits]], behind overturning, which is always there. Targets that a limit does not state are those of
-/// [statistics].
-/// \param statistics [statistics], whose targets are read too \param effects gets what limits call for
-/// \throws InputError
-[[nodiscard]] std::vector<LimitState> read_limits(config::Table const& root, config::Table const& statistics,
-                                                  WavesOfLevels waves, EffectRequest& effects);
-
-/// Why a body, as it is stated, cannot pass a limit: slip without friction, crush without a strength. "": it can.
-[[nodiscard]] std::string unreachable(LimitState const& limit, BodySpec const& body);
-
-/// Refuses limits that no body can pass. \throws InputError
-void check_reachable(config::Table const& root, std::span<LimitState const> limits, std::span<BodySpec const> bodies);
 
 }  // namespace overturn

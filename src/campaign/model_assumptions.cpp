@@ -1,10 +1,10 @@
 // The model's own assumptions, as one table. A measured effect is one that a study of this project found; its file says
 // under which waves.
+#include "campaign/model_assumptions.hpp"
+
 #include <algorithm>
 #include <array>
 #include <string_view>
-
-#include "campaign/assumptions.hpp"
 
 namespace overturn {
 namespace {
@@ -163,6 +163,11 @@ constexpr std::array assumptions{
 };
 
 }  // namespace
+
+std::string_view name_of(Misjudged direction) {
+    static constexpr std::array names{"safe", "unsafe", "unknown"};
+    return names.at(static_cast<std::size_t>(direction));
+}
 
 std::span<ModelAssumption const> model_assumptions() { return assumptions; }
 

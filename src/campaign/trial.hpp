@@ -55,25 +55,4 @@ bool append_trials(
 /// How many waves' trials go side by side: enough to fill the vector lanes to the end, few enough waves to hold.
 [[nodiscard]] std::int64_t waves_together(Plan const& plan);
 
-/// Rows of a block of waves: all wave rows, then all measure rows, then all trial rows, then their models' own records,
-/// each in order.
-struct BlockRows {
-    std::vector<WaveRow> waves;
-    std::vector<MeasureRow> measures;
-    TrialRows trials;
-
-    [[nodiscard]] std::vector<std::byte> pack() const;
-    /// How many bytes pack() makes of a block.
-    [[nodiscard]] static std::size_t packed_size(Plan const& plan, std::int64_t block);
-    /// \throws SystemError if the bytes are not those of `waves` waves of this plan
-    [[nodiscard]] static BlockRows unpack(std::span<std::byte const> bytes, Plan const& plan, std::int64_t waves);
-};
-
-/// \param goes_on asked before every wave; nothing comes of the block once it says no
-[[nodiscard]] std::optional<BlockRows> run_block(CampaignSpec const& spec, Plan const& plan, std::int64_t block,
-                                                 PhaseSeconds& seconds, std::function<bool()> const& goes_on);
-/// The whole block, come what may.
-[[nodiscard]] BlockRows run_block(CampaignSpec const& spec, Plan const& plan, std::int64_t block,
-                                  PhaseSeconds& seconds);
-
 }  // namespace overturn

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "campaign/detail/gyration.hpp"
+#include "campaign/limit_spec.hpp"
 #include "campaign/plan.hpp"
 #include "core/units.hpp"
 

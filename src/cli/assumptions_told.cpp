@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "campaign/model_assumptions.hpp"
+
 namespace overturn::cli {
 namespace {
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "campaign/block_rows.hpp"
 #include "campaign/validated_range.hpp"
 #include "campaign/warnings.hpp"
 #include "cli/assumptions_told.hpp"

@@ -15,7 +15,7 @@
 #include "core/print_note.hpp"
 #include "report/figure.hpp"
 #include "response/registry.hpp"
-#include "results/rare_results.hpp"
+#include "results/rare_replay.hpp"
 #include "results/recount.hpp"
 
 namespace overturn::cli {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/block_rows.hpp"
 #include "campaign/plan.hpp"
 #include "cli/failed_trials.hpp"
 #include "cli/verbs.hpp"

@@ -11,21 +11,22 @@ namespace {
 
 void validate_pad(Pad const& pad) {
     validate(pad.vertical_frequency_hz > 0 && std::isfinite(pad.vertical_frequency_hz),
-             "the pad's vertical frequency is {} Hz (it must be above 0) state the measured one",
+             "the pad's vertical frequency is {} Hz (it must be above 0). State the measured one",
              pad.vertical_frequency_hz);
     validate(!pad.strength_pa || *pad.strength_pa > 0,
-             "the pad's strength is {} Pa (a pad without strength bears nothing) leave it out for an elastic pad",
+             "the pad's strength is {} Pa (a pad without strength bears nothing). Leave it out for an elastic pad",
              pad.strength_pa.value_or(0));
     validate(pad.tangential_ratio > 0 && std::isfinite(pad.tangential_ratio),
-             "the pad's tangential ratio is {} (it must be above 0) take 0.8", pad.tangential_ratio);
+             "the pad's tangential ratio is {} (it must be above 0). Take 0.8", pad.tangential_ratio);
     validate(pad.tangential_damping >= 0 && std::isfinite(pad.tangential_damping),
-             "the pad's tangential damping is {} (it must be at least 0) take 0.3", pad.tangential_damping);
+             "the pad's tangential damping is {} (it must be at least 0). Take 0.3", pad.tangential_damping);
 }
 
-// The rim's points in pairs on either side of the rocking plane, which see each other from the side.
+// A rim as the rocking plane sees it: points on either side of the plane coincide in pairs, as one of twice the share.
 std::vector<ContactPoint> rim(int around, double radius_m) {
     validate(around >= 16 && around <= 64 && around % 4 == 0,
-             "a round base of {} points (it takes 16 to 64, a multiple of 4) take {}", around, BasePlan::points_around);
+             "a round base of {} points (it takes 16 to 64, a multiple of 4). Take {}", around,
+             BasePlan::points_around);
     std::vector<ContactPoint> points;
     for (int i = around / 2; i >= 0; --i) {
         bool const edge = i == 0 || i == around / 2;
@@ -42,19 +43,20 @@ double area(BasePlan const& base, double half_width_m) {
 }
 
 std::vector<ContactPoint> layout(BasePlan const& base, double half_width_m) {
-    validate(base.shape != BaseShape::polygon, "a polygon has no bed in a plane. Simulate it in space");
+    validate(base.shape != BaseShape::polygon, "a polygonal base (it has no bed in a plane). Simulate it in space");
     if (base.shape == BaseShape::round) {
         return rim(base.points, half_width_m);
     }
     validate(base.points >= 2 && base.points <= contact::most_points,
-             "a base of {} points (it takes 2 to {}) take 2 for corners, 11 for a flat bed", base.points,
+             "a base of {} points (it takes 2 to {}). Take 2 for corners, 11 for a flat bed", base.points,
              contact::most_points);
     double const flat = flat_share(base.points);
     double const share = base.corner_share.value_or(flat);
     constexpr double slack = 1e-12;
     validate(share >= flat * (1 - slack) && share <= 1,
-             "the corners' share of the stiffness is {} (a base of {} points takes {} to 1) 1 is corners alone", share,
-             base.points, flat);
+             "the corners' share of the stiffness is {} (a base of {} points takes {} to 1; 1 is corners alone). State "
+             "one of these",
+             share, base.points, flat);
     int const count = share == 1 ? 2 : base.points;
     std::vector<ContactPoint> points;
     for (int i = 0; i < count; ++i) {
@@ -90,13 +92,16 @@ ContactBlock contact_block(RigidBody const& body, BasePlan const& base, Pad cons
         bed += point.stiffness_share * point.offset_m * point.offset_m;
     }
     double const w = block.vertical_radps();
+    // At 1 the springs no longer hold the body upright against its own weight. Empirical: how near to that the model
+    // still means something was not measured.
+    constexpr double upright_margin = 1.2;
     validate(
-        w * w * bed > 1.2 * block.gravity_mps2 * block.centre_height_m,
-        "the pad's vertical frequency is {} Hz (so soft a bed hardly holds the body upright) state the measured one",
+        w * w * bed > upright_margin * block.gravity_mps2 * block.centre_height_m,
+        "the pad's vertical frequency is {} Hz (so soft a bed hardly holds the body upright). State the measured one",
         pad.vertical_frequency_hz);
     double const weight = body.mass_kg() * block.gravity_mps2;
     validate(!pad.strength_pa || *pad.strength_pa * area(base, body.half_width_m()) > 2 * weight,
-             "the pad's strength is {} Pa (a corner could not bear the body's weight) state it with its unit: 30 MPa",
+             "the pad's strength is {} Pa (a corner could not bear the body's weight). State it with its unit: 30 MPa",
              pad.strength_pa.value_or(0));
     if (pad.strength_pa) {
         block.yield_depth_m = *pad.strength_pa * area(base, body.half_width_m())
@@ -107,7 +112,7 @@ ContactBlock contact_block(RigidBody const& body, BasePlan const& base, Pad cons
 
 double normal_damping(double normal_restitution) {
     double const e = normal_restitution;
-    validate(e > 0 && e <= 1, "a point's restitution of {} (it must lie above 0 and be at most 1) take 0.25", e);
+    validate(e > 0 && e <= 1, "a point's restitution of {} (it must lie above 0 and be at most 1). Take 0.25", e);
     if (e == 1) {
         return 0;
     }

@@ -9,18 +9,22 @@
 namespace overturn {
 namespace {
 
-constexpr double start_share = 0.3;  // of alpha
+// Tilt from which the body is let go, of alpha: where the model is called for (wild, in contact_model.cpp). Other
+// amplitudes change the restitution by less than 0.02.
+constexpr double start_share = 0.3;
 // Points give back so much at least and at most: what is below costs ever smaller steps, above it nothing settles.
 constexpr double softest = 0.05;
 constexpr double hardest = 0.95;
-constexpr double close_enough = 1e-4;
+constexpr double close_enough = 1e-4;  // of the restitution: a two-hundredth of what the amplitude changes it by
 
 /// A value tried, and the restitution that came of it.
 struct Tried {
     double value, restitution;
 };
 
-// Between one that gives too much and one that gives too little: false position, Illinois' halving.
+// The value between one of too much restitution and one of too little: false position with the Illinois rule, which
+// halves the distance of an end that stays twice.
+// 30 steps are far more than it takes: the match is then as near as they came.
 template <class Restitution> void seek(Tried generous, Tried greedy, double wanted, Restitution restitution) {
     enum class Kept : std::uint8_t { neither, upper, lower } last = Kept::neither;
     for (int i = 0; i < 30; ++i) {
@@ -41,7 +45,7 @@ template <class Restitution> void seek(Tried generous, Tried greedy, double want
     }
 }
 
-// Of base and points that give what is wanted.
+// Searches for the base and the points that give the wanted restitution.
 class Search {
   public:
     Search(RigidBody const& body, BasePlan const& base, Pad const& pad, ContactAccuracy const& accuracy)
@@ -113,7 +117,9 @@ double emergent_restitution(RigidBody const& body, BasePlan const& base, Pad con
     elastic.strength_pa.reset();
     auto const block = contact_block(body, base, elastic, {});
     double const alpha = body.alpha_rad();
-    // Housner's quarter period, of the linearised body; the first swing back ends before the second one.
+    // In quarter periods of the linearised body (Housner 1963, eq. 5): it falls for one, and then rises for less than
+    // one, as it has lost energy. The margin is for what compliance and sin psi add (empirical); what comes later
+    // swings less far.
     constexpr double quarters = 2.3;
     double const quarter_s = std::acosh(1 / (1 - start_share)) / body.p_radps();
     std::array<double, 2> const calm{};

@@ -24,7 +24,7 @@ namespace overturn {
 [[nodiscard]] MatchedFooting matched_footing(RigidBody const& body, Footing const& footing);
 
 /// What a trial says of the base that it stood on.
-template <class Quantities> void tell_match(MatchedFooting const& match, Quantities& own) {
+template <class Quantities> void fill_match(MatchedFooting const& match, Quantities& own) {
     own.restitution = match.restitution;
     own.normal_restitution = match.pad.normal_restitution;
     if (match.base.shape == BaseShape::square) {

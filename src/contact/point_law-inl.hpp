@@ -20,7 +20,8 @@ template <class V> OVERTURN_LANES_INLINE V normal_depth(V depth, V approach, V y
     return max(fma(damping, approach, elastic), V(0));
 }
 
-/// The gain of a point that is away: it remembers the speed at which it comes. \param damping y
+/// The gain of a point that is away from the ground: it goes by the speed at which the point comes down.
+/// \param damping y
 template <class V> OVERTURN_LANES_INLINE V gain_of_approach(V approach, V damping, V least_approach) {
     return damping / max(approach, least_approach);
 }

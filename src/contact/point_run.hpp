@@ -9,6 +9,7 @@
 
 #include "contact/base_layout.hpp"
 #include "contact/contact_accuracy.hpp"
+#include "contact/rest_gate.hpp"
 #include "model/excitation.hpp"
 
 namespace overturn::contact {
@@ -42,10 +43,9 @@ template <class Derived, class Field, class Spot, class Lane> class PointRun {
     }
     /// Of motion and unbalance, over the mass: below it a body may be held at rest.
     [[nodiscard]] double quiet_energy() const {
-        constexpr double share = 1e-9;
-        return share * planar_.gravity_mps2 * planar_.centre_height_m;
+        return quiet_energy_share * planar_.gravity_mps2 * planar_.centre_height_m;
     }
-    /// How far springs that hold give way.
+    /// How far springs stretch whose points hold, under the largest normal force so far.
     [[nodiscard]] double elastic_way() const {
         double const most = std::max(get(Field::most_force), planar_.gravity_mps2);
         double const w = planar_.vertical_radps();
@@ -94,7 +94,7 @@ template <class Derived, class Field, class Spot, class Lane> bool PointRun<Deri
         return run_out(index);
     }
     if (phase_ == Phase::shaken && index < last_ && get(Field::steps) > 0) {
-        phase_ = Phase::resting;  // lanes found it quiet
+        phase_ = Phase::resting;  // lanes stopped before the end: the body is quiet
         self().hold(index);
     }
     if (phase_ == Phase::resting) {
@@ -108,7 +108,7 @@ template <class Derived, class Field, class Spot, class Lane> bool PointRun<Deri
         phase_ = Phase::shaken;
         self().show_sample();
         if (index > 0) {
-            self().wake();  // whatever the first sample holds comes suddenly
+            self().wake();  // at the first sample shaking comes suddenly: none before it has moved the springs
         }
         return true;
     }
@@ -135,11 +135,11 @@ bool PointRun<Derived, Field, Spot, Lane>::run_out(std::size_t index) {
 template <class Derived, class Field, class Spot, class Lane>
 void PointRun<Derived, Field, Spot, Lane>::begin_run_out() {
     phase_ = Phase::running_out;
-    if (last_ == 0) {  // no wave: free motion
-        double const length = 0.01;
-        double const substeps = std::ceil(length / longest_step_s_);
-        put(Field::time_step, length);
-        put(Field::step, length / substeps);
+    if (last_ == 0) {                      // no wave: free motion
+        constexpr double length_s = 0.01;  // in place of a sample: how often, over still_samples, energy is looked at
+        double const substeps = std::ceil(length_s / longest_step_s_);
+        put(Field::time_step, length_s);
+        put(Field::step, length_s / substeps);
         put(Field::substeps, substeps);
         put(Field::inverse_substeps, 1 / substeps);
     }
@@ -171,7 +171,9 @@ void PointRun<Derived, Field, Spot, Lane>::fill_steps(ContactAccuracy const& acc
     longest_step_s_ *= shorter;
     run_out_s_ = accuracy.longest_after_s;
     double const dt = shaking_.time_step_s > 0 ? shaking_.time_step_s : longest_step_s_;
-    constexpr double slack = 1e-9;  // a step that divides the sample is taken as it is
+    // A longest step that divides the sample but for rounding (some 1e-16 of the quotient, which is below 1e6) is not
+    // cut once more.
+    constexpr double slack = 1e-9;
     double const substeps = std::max(1.0, std::ceil(dt / longest_step_s_ - slack));
     put(Field::step, dt / substeps);
     put(Field::substeps, substeps);
@@ -202,7 +204,10 @@ bool PointRun<Derived, Field, Spot, Lane>::stays(double energy, double edge_m, d
     double const h = planar_.centre_height_m;
     double const radius = std::hypot(edge_m, h);
     double const alpha = std::atan2(edge_m, h);
-    constexpr double safe = 0.99;  // soft corners lower the top by a few settlements; crushed ones by what is gone
+    // A body that balances over one of two soft corners stands 2 settlements deep, g / w_v^2 each, and its top is lower
+    // by that: within 1 % of R (1 - cos alpha) where w_v^2 > 200 g / (R (1 - cos alpha)), 16 Hz if that height is 0.2
+    // m. Softer pads were not looked at. A crushed corner lowers the top by what is gone of it.
+    constexpr double safe = 0.99;
     double const lifted = energy / (planar_.gravity_mps2 * radius) + deepest_crush() / radius;
     if (lifted > safe * (1 - std::cos(alpha)) || tilt_rad >= alpha) {
         return false;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstring>
 #include <map>
-#include <set>
 
 #include "core/error.hpp"
 
@@ -63,18 +62,6 @@ std::vector<std::string> differing(Fields const& fields, std::span<std::byte con
         }
     }
     return names;
-}
-
-bool describe_all(Fields const& fields, std::size_t bytes) {
-    std::set<std::size_t> offsets;
-    std::set<std::string> names;
-    for (auto const& field : fields) {
-        offsets.insert(field.offset);
-        names.insert(field.name);
-    }
-    bool const each_once = offsets.size() == fields.size() && names.size() == fields.size();
-    bool const aligned = std::ranges::all_of(offsets, [&](auto at) { return at % sizeof(double) == 0 && at < bytes; });
-    return each_once && aligned && fields.size() * sizeof(double) == bytes;
 }
 
 Field const& field_named(Fields const& fields, std::string_view name) {

@@ -109,9 +109,6 @@ template <class Row> [[nodiscard]] std::vector<std::string> differing(Row const&
 }
 template <class Row> [[nodiscard]] bool same_bits(Row const& a, Row const& b) { return differing(a, b).empty(); }
 
-/// Does every 8-byte word of a row of `bytes` bytes belong to exactly one field, and every name to one?
-[[nodiscard]] bool describe_all(Fields const& fields, std::size_t bytes);
-
 /// The field of that name. \pre there is one
 [[nodiscard]] Field const& field_named(Fields const& fields, std::string_view name);
 

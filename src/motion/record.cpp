@@ -111,10 +111,6 @@ PlacedRecord read_placed(std::string_view content, RecordRequest const& request)
     return placed;
 }
 
-GroundMotion read_record(std::string_view content, RecordRequest const& request) {
-    return read_placed(content, request).motion;
-}
-
 std::string station_of_record(std::string_view head) {
     for (auto const& format : formats) {
         if (format.value.station == nullptr || !format.value.recognises(head)) {

@@ -33,9 +33,6 @@ struct RecordRequest {
 /// \throws InputError as read_recording and place
 [[nodiscard]] PlacedRecord read_placed(std::string_view content, RecordRequest const& request);
 
-/// Only the motion of read_placed.
-[[nodiscard]] GroundMotion read_record(std::string_view content, RecordRequest const& request);
-
 /// What files of one station, event and time have in common, from their headers alone; empty if `head`, the beginning
 /// of a file, does not say it or its format has several components to a file anyway.
 [[nodiscard]] std::string station_of_record(std::string_view head);

@@ -33,8 +33,8 @@ BodyInput rectangle(double half_width_m, double half_height_m) {
             .inertia_kgm2 = mass * (half_width_m * half_width_m + half_height_m * half_height_m) / 3};
 }
 
-// Instants at which a block that is let go strikes the ground.
-struct Strikes : RockingObserver {
+// Instants of the impacts of a block that is let go.
+struct ImpactTimes : RockingObserver {
     void at(RockingInstant const& instant) override {
         if (instant.rotation_rad == 0 && (times.empty() || instant.time_s > times.back())) {
             times.push_back(instant.time_s);
@@ -43,12 +43,12 @@ struct Strikes : RockingObserver {
     std::vector<double> times;
 };
 
-std::vector<double> strikes_of(RockingBlock const& block, double phi0, Restoring restoring) {
+std::vector<double> impact_times(RockingBlock const& block, double phi0, Restoring restoring) {
     std::vector<double> const calm(3000, 0.0);
-    Strikes strikes;
+    ImpactTimes impacts;
     (void)simulate_rocking(block, {.horizontal_mps2 = calm, .time_step_s = 0.01}, {.restoring = restoring},
-                           {.rotation_rad = phi0 * block.alpha_rad}, &strikes);
-    return strikes.times;
+                           {.rotation_rad = phi0 * block.alpha_rad}, &impacts);
+    return impacts.times;
 }
 
 // Where `beyond` turns true between two values.
@@ -83,8 +83,8 @@ Checks of_the_body() {
 Checks of_free_rocking() {
     RockingBlock const block{.alpha_rad = 0.25, .p_radps = 1.5, .restitution = 0.9};
     constexpr double phi0 = 0.5;
-    auto const linear = strikes_of(block, phi0, Restoring::linear);
-    auto const nonlinear = strikes_of(block, phi0, Restoring::nonlinear);
+    auto const linear = impact_times(block, phi0, Restoring::linear);
+    auto const nonlinear = impact_times(block, phi0, Restoring::nonlinear);
     constexpr int impacts = 5;
     double const half_period = free_rocking_period(free_rocking_amplitude(phi0, block.restitution, impacts)) / 2;
     return {relative("M-06", "period of free rocking, times p", "Housner (1963), eq. 5", "1",

@@ -42,8 +42,8 @@ bool out_of_range(Excitation const& shaking, EffectMask simulated) {
 
 }  // namespace
 
-// A trial on its way up.
-struct Ladder::Climb {
+// Where a trial stands between the models: what it may need, what has been called for, and which model takes it next.
+struct Ladder::TrialState {
     Trial trial;
     EffectMask possible = 0, called = 0;
     Outcome outcome;
@@ -106,9 +106,9 @@ EffectMask Ladder::held_with(EffectMask simulated, EffectMask more) const {
     return simulated;
 }
 
-Ladder::Climb Ladder::begin(SceneTrial const& at) const {
-    Climb climb;
-    auto& trial = climb.trial;
+Ladder::TrialState Ladder::begin(SceneTrial const& at) const {
+    TrialState state;
+    auto& trial = state.trial;
     trial.body = &at.scene.body;
     trial.footing = &at.scene.footing;
     trial.friction = at.scene.friction;
@@ -124,40 +124,40 @@ Ladder::Climb Ladder::begin(SceneTrial const& at) const {
         trial.excitation.vertical_mps2 = at.motion.vertical_mps2;
     }
     for (std::size_t model = 0; model < models_.size(); ++model) {
-        climb.possible |= models_[model]->possible(trial);
-        climb.call(model, models_[model]->called_for(trial, nullptr));
+        state.possible |= models_[model]->possible(trial);
+        state.call(model, models_[model]->called_for(trial, nullptr));
     }
     bool const chooses = request_.mode == EffectMode::automatic;
     trial.simulated =
-        held_with(0, climb.possible & request_.wanted() & (chooses ? climb.called | request_.include : ~EffectMask{0}));
+        held_with(0, state.possible & request_.wanted() & (chooses ? state.called | request_.include : ~EffectMask{0}));
     if (out_of_range(trial.excitation, trial.simulated)) {
-        climb.outcome = unknown_outcome(FailureReason::out_of_range);
+        state.outcome = unknown_outcome(FailureReason::out_of_range);
     } else {
-        climb.next = cheapest(trial.simulated);
+        state.next = cheapest(trial.simulated);
     }
-    return climb;
+    return state;
 }
 
 // What the model's answer calls for, and who takes the trial over.
-void Ladder::go_on(std::size_t model, Climb& climb) const {
-    climb.last = model;
-    climb.next = none;
-    climb.ran |= climb.followed() ? std::uint64_t{1} << model : 0;
-    climb.called |= static_cast<EffectMask>(climb.outcome.called);
+void Ladder::go_on(std::size_t model, TrialState& state) const {
+    state.last = model;
+    state.next = none;
+    state.ran |= state.followed() ? std::uint64_t{1} << model : 0;
+    state.called |= static_cast<EffectMask>(state.outcome.called);
     for (auto dearer = model + 1; dearer < models_.size(); ++dearer) {
-        climb.call(dearer, models_[dearer]->called_for(climb.trial, &climb.outcome));
+        state.call(dearer, models_[dearer]->called_for(state.trial, &state.outcome));
     }
     if (request_.mode != EffectMode::automatic) {
         return;
     }
-    climb.trial.simulated = held_with(climb.trial.simulated, climb.called & climb.possible);
-    if (!holds_all(models_[model]->traits().holds, climb.trial.simulated)) {
-        climb.next = cheapest(climb.trial.simulated);
+    state.trial.simulated = held_with(state.trial.simulated, state.called & state.possible);
+    if (!holds_all(models_[model]->traits().holds, state.trial.simulated)) {
+        state.next = cheapest(state.trial.simulated);
     }
 }
 
 // All trials that the model gets from one batch of another (or from none), at once.
-void Ladder::run(std::size_t model, std::size_t from, std::vector<Climb>& climbs, std::span<std::byte> own,
+void Ladder::run(std::size_t model, std::size_t from, std::vector<TrialState>& states, std::span<std::byte> own,
                  Ended& ended) const {
     auto const& traits = models_[model]->traits();
     bool const chooses = request_.mode == EffectMode::automatic;
@@ -165,15 +165,15 @@ void Ladder::run(std::size_t model, std::size_t from, std::vector<Climb>& climbs
     std::vector<std::size_t> places;
     std::vector<Trial> trials;
     std::vector<Outcome> outcomes;
-    for (std::size_t i = 0; i < climbs.size(); ++i) {
-        auto& climb = climbs[i];
-        if (climb.next == model && climb.batch == from) {
-            auto const simulated = climb.trial.simulated;
-            climb.trial.taken_over = chooses ? held_with(simulated, climb.possible) & ~traits.holds : 0;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        auto& state = states[i];
+        if (state.next == model && state.batch == from) {
+            auto const simulated = state.trial.simulated;
+            state.trial.taken_over = chooses ? held_with(simulated, state.possible) & ~traits.holds : 0;
             which.push_back(i);
-            places.push_back(climb.place);
-            trials.push_back(climb.trial);
-            outcomes.push_back(climb.outcome);
+            places.push_back(state.place);
+            trials.push_back(state.trial);
+            outcomes.push_back(state.outcome);
         }
     }
     if (trials.empty()) {
@@ -186,11 +186,11 @@ void Ladder::run(std::size_t model, std::size_t from, std::vector<Climb>& climbs
     ended.batches.push_back(
         models_[model]->run({.trials = trials, .outcomes = outcomes, .own = rows, .before = before, .places = places}));
     for (std::size_t i = 0; i < which.size(); ++i) {
-        auto& climb = climbs[which[i]];
-        climb.outcome = outcomes[i];
-        climb.batch = ended.batches.size() - 1;
-        climb.place = i;
-        go_on(model, climb);
+        auto& state = states[which[i]];
+        state.outcome = outcomes[i];
+        state.batch = ended.batches.size() - 1;
+        state.place = i;
+        go_on(model, state);
         if (row_bytes > 0) {
             std::memcpy(own.data() + which[i] * own_bytes_ + part->offset, rows.data() + i * row_bytes, row_bytes);
         }
@@ -198,27 +198,27 @@ void Ladder::run(std::size_t model, std::size_t from, std::vector<Climb>& climbs
 }
 
 // Why the trial ended on its model.
-std::int64_t Ladder::reason_of(Climb const& climb) const {
+std::int64_t Ladder::reason_of(TrialState const& state) const {
     if (request_.mode != EffectMode::automatic) {
         return stated_reason;
     }
-    auto const& reasons = models_[climb.last]->traits().reasons;
-    auto const own = climb.reasons[climb.last];
-    if (own == no_reason && (models_[climb.last]->traits().brings() & request_.include) != 0) {
+    auto const& reasons = models_[state.last]->traits().reasons;
+    auto const own = state.reasons[state.last];
+    if (own == no_reason && (models_[state.last]->traits().brings() & request_.include) != 0) {
         return stated_reason;
     }
-    return climb.last == 0 ? no_reason : own == no_reason && !reasons.empty() ? reasons.front().number : own;
+    return state.last == 0 ? no_reason : own == no_reason && !reasons.empty() ? reasons.front().number : own;
 }
 
-Response Ladder::conclude(Climb const& climb) const {
+Response Ladder::conclude(TrialState const& state) const {
     Response response;
-    static_cast<Outcome&>(response) = climb.outcome;
-    response.called = climb.called;
-    if (climb.last != none) {
-        auto const& traits = models_[climb.last]->traits();
-        response.effects = climb.trial.simulated | traits.always;
-        response.rung = climb.followed() ? traits.number : 0;
-        response.reason = reason_of(climb);
+    static_cast<Outcome&>(response) = state.outcome;
+    response.called = state.called;
+    if (state.last != none) {
+        auto const& traits = models_[state.last]->traits();
+        response.effects = state.trial.simulated | traits.always;
+        response.rung = state.followed() ? traits.number : 0;
+        response.reason = reason_of(state);
     }
     return response;
 }
@@ -237,34 +237,34 @@ std::vector<RungCost> Ladder::respond(std::span<SceneTrial const> trials, std::s
     OVERTURN_EXPECT(own.empty() || own.size() == trials.size() * own_bytes_);
     put_nothing(own);
     Stopwatch watch;
-    std::vector<Climb> climbs;
-    climbs.reserve(trials.size());
+    std::vector<TrialState> states;
+    states.reserve(trials.size());
     for (auto const& trial : trials) {
-        climbs.push_back(begin(trial));
+        states.push_back(begin(trial));
     }
     std::vector<double> seconds{watch.lap()};  // of beginning, then of each model
     Ended ended;
     for (std::size_t model = 0; model < models_.size(); ++model) {
-        run(model, none, climbs, own, ended);
+        run(model, none, states, own, ended);
         for (std::size_t from = 0, before = ended.batches.size(); from < before; ++from) {
-            run(model, from, climbs, own, ended);
+            run(model, from, states, own, ended);
         }
         seconds.push_back(watch.lap());
     }
     std::vector<std::int64_t> on(models_.size());  // trials that each model followed
     for (std::size_t i = 0; i < trials.size(); ++i) {
-        responses[i] = conclude(climbs[i]);
+        responses[i] = conclude(states[i]);
         for (std::size_t model = 0; model < models_.size(); ++model) {
-            on[model] += static_cast<std::int64_t>(climbs[i].ran >> model & 1U);
+            on[model] += static_cast<std::int64_t>(states[i].ran >> model & 1U);
         }
     }
     std::vector<RungCost> costs(models_.size() + 1);
-    for (auto const& climb : climbs) {
-        auto& cost = costs[climb.followed() ? climb.last + 1 : 0];
+    for (auto const& state : states) {
+        auto& cost = costs[state.followed() ? state.last + 1 : 0];
         ++cost.trials;
         cost.seconds += seconds[0] / static_cast<double>(trials.size());
         for (std::size_t model = 0; model < models_.size(); ++model) {
-            if ((climb.ran >> model & 1U) != 0) {
+            if ((state.ran >> model & 1U) != 0) {
                 cost.seconds += seconds[model + 1] / static_cast<double>(on[model]);
             }
         }
@@ -279,17 +279,17 @@ Response Ladder::respond(SceneTrial const& trial, std::span<std::byte> own) cons
 }
 
 void Ladder::show(SceneTrial const& trial, Response const& response, Observer& observer) const {
-    auto climb = begin(trial);
+    auto state = begin(trial);
     auto const is_its = [&](auto const& model) { return model->traits().number == response.rung; };
     auto const answered = std::ranges::find_if(models_, is_its);
     auto const& model = answered != models_.end() ? *answered : models_.front();
     observer.begin(model->traits().channels);
-    if (climb.next == none) {
+    if (state.next == none) {
         return;
     }
-    climb.trial.simulated = static_cast<EffectMask>(response.effects);
+    state.trial.simulated = static_cast<EffectMask>(response.effects);
     (void)model->run(
-        {.trials = std::span(&climb.trial, 1), .outcomes = std::span(&climb.outcome, 1), .observer = &observer});
+        {.trials = std::span(&state.trial, 1), .outcomes = std::span(&state.outcome, 1), .observer = &observer});
 }
 
 }  // namespace overturn

@@ -77,16 +77,16 @@ class Ladder {
     void put_nothing(std::span<std::byte> own) const;
 
   private:
-    struct Climb;
-    [[nodiscard]] Climb begin(SceneTrial const& at) const;
+    struct TrialState;
+    [[nodiscard]] TrialState begin(SceneTrial const& at) const;
     [[nodiscard]] std::size_t cheapest(EffectMask needed) const;
     [[nodiscard]] EffectMask held_with(EffectMask simulated, EffectMask more) const;
     struct Ended;
-    void run(std::size_t model, std::size_t from, std::vector<Climb>& climbs, std::span<std::byte> own,
+    void run(std::size_t model, std::size_t from, std::vector<TrialState>& states, std::span<std::byte> own,
              Ended& ended) const;
-    void go_on(std::size_t model, Climb& climb) const;
-    [[nodiscard]] std::int64_t reason_of(Climb const& climb) const;
-    [[nodiscard]] Response conclude(Climb const& climb) const;
+    void go_on(std::size_t model, TrialState& state) const;
+    [[nodiscard]] std::int64_t reason_of(TrialState const& state) const;
+    [[nodiscard]] Response conclude(TrialState const& state) const;
 
     EffectRequest request_;
     std::vector<std::unique_ptr<Model>> models_;

@@ -1,3 +1,5 @@
+#include "results/rare_replay.hpp"
+
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -5,7 +7,6 @@
 
 #include "core/error.hpp"
 #include "results/rare_replayer.hpp"
-#include "results/rare_results.hpp"
 
 namespace overturn {
 

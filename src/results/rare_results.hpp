@@ -24,13 +24,4 @@ void write_rare(store::ResultsWriter& file, CampaignSpec const& spec, std::span<
 /// For the terminal; empty of no bodies.
 [[nodiscard]] std::string rare_table(CampaignSpec const& spec, std::span<RareBody const> bodies);
 
-/// A stored trial computed again from the file alone.
-struct RareReplay {
-    std::string text;                    ///< what it is, and what becomes of it
-    std::vector<std::string> different;  ///< columns that are not bit-equal
-};
-/// \param limit name of the limit state \throws InputError if there is no such body, limit or row
-[[nodiscard]] RareReplay replay_rare(store::ResultsReader const& file, CampaignSpec const& spec,
-                                     std::string const& body, std::string const& limit, std::int64_t row);
-
 }  // namespace overturn

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "campaign/block_rows.hpp"
 #include "campaign/campaign_spec.hpp"
-#include "campaign/trial.hpp"
 #include "results/grid_map.hpp"
 #include "results/measured_trials.hpp"
 #include "stats/stripe.hpp"

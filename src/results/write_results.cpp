@@ -5,11 +5,13 @@
 
 #include <fmt/ranges.h>
 
+#include "campaign/block_rows.hpp"
 #include "campaign/version.hpp"
 #include "campaign/withheld_inputs.hpp"
 #include "response/registry.hpp"
 #include "results/analysis.hpp"
 #include "results/detail/column_values.hpp"
+#include "results/detail/grid_results.hpp"
 #include "results/detail/limit_results.hpp"
 #include "results/fragility_schema.hpp"
 #include "results/rare_results.hpp"

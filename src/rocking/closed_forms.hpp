@@ -1,4 +1,5 @@
-/// Closed forms of the linearised rocking block: the references the integrator answers to, and the paper's Eq. 1.
+/// Closed forms of the linearised rocking block, with which the tests and `overturn qualify` compare the integration;
+/// steady_harmonic_rotation is also the paper's Eq. 1.
 #pragma once
 
 namespace overturn {

@@ -67,8 +67,7 @@ namespace {
 void side_by_side(std::span<RockingTrial const> trials, RockingAccuracy const& accuracy, Slip slip,
                   std::span<RockingOutcome> outcomes, std::span<rocking::Checkpoint> checkpoints) {
     OVERTURN_EXPECT(outcomes.size() == trials.size());
-    bool const in_lanes = accuracy.taylor_order == rocking::LaneStep::order && accuracy.substeps == 1
-                          && accuracy.restoring == Restoring::nonlinear && slip != Slip::simulated;
+    bool const in_lanes = rocking::steps_in_lanes(accuracy) && slip != Slip::simulated;
     std::vector<std::size_t> plain;
     std::vector<std::size_t> vertical;
     for (std::size_t i = 0; i < trials.size(); ++i) {

@@ -41,13 +41,13 @@ struct RockingBlock {
     double friction_static = std::numeric_limits<double>::infinity();   ///< mu_s; read unless slip is ignored
     double friction_kinetic = std::numeric_limits<double>::infinity();  ///< mu_k <= mu_s
     /// Of a block whose corners differ; its alpha, p, restitution and inertia ratio are then those of the weaker one,
-    /// which lesser energy tips it over, and energies are told over what that takes.
+    /// over which less energy tips it, and energies are stated over that energy.
     std::optional<Lopsided> lopsided = {};
 
     [[nodiscard]] double radius_m() const { return inertia_ratio * gravity_mps2 / (p_radps * p_radps); }
 };
 
-/// What becomes of friction that is not enough.
+/// What happens where friction is not enough.
 enum class Slip {
     ignored,    ///< the corner never slips; friction demand is monitored
     detected,   ///< the same motion, ended at the instant the block would slip: RockingOutcome::slip_onset

@@ -11,7 +11,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "campaign/trial.hpp"
+#include "campaign/block_rows.hpp"
 #include "campaign/withheld_inputs.hpp"
 #include "core/print_note.hpp"
 #include "runner/root_broadcast.hpp"

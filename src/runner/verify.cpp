@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "campaign/block_rows.hpp"
 #include "campaign/plan.hpp"
 #include "results/rare_replayer.hpp"
 #include "results/rare_results.hpp"

@@ -39,7 +39,7 @@ spatial::BaseOutline outline_of(BasePlan const& base, ContactBlock const& planar
 
 double inertia_over_mass(std::optional<double> const& stated_kgm2, char const* axis, double otherwise, double mass_kg) {
     validate(!stated_kgm2 || (*stated_kgm2 > 0 && std::isfinite(*stated_kgm2)),
-             "the moment of inertia about the {} axis is {} kg m2 (it must be positive) state it about the centre of "
+             "the moment of inertia about the {} axis is {} kg m2 (it must be positive). State it about the centre of "
              "gravity, or leave it out",
              axis, stated_kgm2.value_or(0));
     return stated_kgm2 ? *stated_kgm2 / mass_kg : otherwise;
@@ -82,7 +82,7 @@ SpatialBlock spatial_block(RigidBody const& body, Footing const& footing, std::o
     constexpr double most = 300;
     validate(block.rotation_stiffness < most,
              "the moments of inertia over the mass are {}, {} and {} m2 (so small that steps would have to be {:.0f} "
-             "times shorter) state them about the centre of gravity in kg m2",
+             "times shorter). State them about the centre of gravity in kg m2",
              block.inertia_over_mass_m2[0], block.inertia_over_mass_m2[1], block.inertia_over_mass_m2[2],
              block.rotation_stiffness / 3);
     return block;

@@ -137,7 +137,7 @@ class SpatialModel : public Model {
             batch.outcomes[i] = outcomes[i];
             batch.outcomes[i].called = mask_of(Effect::spatial);
             if (!batch.own.empty()) {
-                tell_match(blocks[i].match, outcomes[i].own);
+                fill_match(blocks[i].match, outcomes[i].own);
                 constexpr std::size_t row = sizeof(SpatialQuantities);
                 std::memcpy(batch.own.subspan(i * row, row).data(), &outcomes[i].own, row);
             }

@@ -63,9 +63,4 @@ std::vector<std::complex<double>> fourier_amplitudes(std::span<double const> acc
     return FourierIntegrals(acceleration_mps2.size(), time_step_s, frequencies_radps).of(acceleration_mps2);
 }
 
-std::complex<double> fourier_amplitude(std::span<double const> acceleration_mps2, double time_step_s,
-                                       double frequency_radps) {
-    return fourier_amplitudes(acceleration_mps2, time_step_s, std::span(&frequency_radps, 1)).front();
-}
-
 }  // namespace overturn

@@ -49,8 +49,4 @@ class FourierIntegrals {
                                                                    double time_step_s,
                                                                    std::span<double const> frequencies_radps);
 
-/// One frequency of fourier_amplitudes.
-[[nodiscard]] std::complex<double> fourier_amplitude(std::span<double const> acceleration_mps2, double time_step_s,
-                                                     double frequency_radps);
-
 }  // namespace overturn

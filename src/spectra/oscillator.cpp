@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "core/units.hpp"
 
 namespace overturn {
 namespace {
@@ -118,28 +117,6 @@ OscillatorStep::OscillatorStep(double angular_frequency_radps, double damping, d
     mv = step_s * i.h1;
     ma0 = -dt2 * (i.h2 - i.h3);
     ma1 = -dt2 * i.h3;
-}
-
-OscillatorHistory oscillator_history(std::span<double const> acceleration_mps2, double time_step_s, double period_s,
-                                     double damping) {
-    validate(period_s > 0, "period {} s (must be positive). Mend it", period_s);
-    double const w = 2 * pi / period_s;
-    OscillatorStep const step(w, damping, time_step_s);
-    auto const n = acceleration_mps2.size();
-    OscillatorHistory history{std::vector<double>(n, 0.0), std::vector<double>(n, 0.0), std::vector<double>(n, 0.0)};
-    double y = 0;
-    double v = 0;
-    for (std::size_t i = 1; i < n; ++i) {
-        double const a0 = acceleration_mps2[i - 1];
-        double const a1 = acceleration_mps2[i];
-        double const y1 = step.yy * y + step.yv * v + step.ya0 * a0 + step.ya1 * a1;
-        v = step.vy * y + step.vv * v + step.va0 * a0 + step.va1 * a1;
-        y = y1;
-        history.displacement_m[i] = y;
-        history.velocity_mps[i] = v;
-        history.acceleration_mps2[i] = -(2 * damping * w * v + w * w * y);
-    }
-    return history;
 }
 
 }  // namespace overturn

@@ -1,9 +1,6 @@
 /// The damped oscillator under acceleration that is linear between samples: an exact recursion, any damping, any step.
 #pragma once
 
-#include <span>
-#include <vector>
-
 namespace overturn {
 
 /// One step of y'' + 2 zeta w y' + w^2 y = -a (Nigam and Jennings 1969), from (y0, v0) over `step_s` with a going
@@ -22,16 +19,5 @@ struct OscillatorStep {
     /// \throws InputError if an argument is negative or not finite, or the step not positive.
     OscillatorStep(double angular_frequency_radps, double damping, double step_s);
 };
-
-/// Relative motion at the samples, starting at rest.
-struct OscillatorHistory {
-    std::vector<double> displacement_m;     ///< y [m]
-    std::vector<double> velocity_mps;       ///< y' [m/s]
-    std::vector<double> acceleration_mps2;  ///< absolute: y'' + a = -(2 zeta w y' + w^2 y) [m/s2]
-};
-
-/// \throws InputError as OscillatorStep, or if the period is not positive.
-[[nodiscard]] OscillatorHistory oscillator_history(std::span<double const> acceleration_mps2, double time_step_s,
-                                                   double period_s, double damping);
 
 }  // namespace overturn

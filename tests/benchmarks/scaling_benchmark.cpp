@@ -5,6 +5,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "campaign/block_rows.hpp"
 #include "campaign/trial.hpp"
 #include "spectra/oscillator.hpp"
 #include "spectra/response_spectrum.hpp"

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "campaign/block_rows.hpp"
+#include "campaign/model_assumptions.hpp"
 #include "campaign/trial.hpp"
 #include "support/campaigns.hpp"
 

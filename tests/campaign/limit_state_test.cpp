@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "campaign/block_rows.hpp"
 #include "campaign/trial.hpp"
 #include "campaign/warnings.hpp"
 #include "response/registry.hpp"

@@ -8,6 +8,7 @@
 #include <map>
 #include <vector>
 
+#include "campaign/block_rows.hpp"
 #include "campaign/body_spec.hpp"
 #include "campaign/plan.hpp"
 #include "campaign/trial.hpp"

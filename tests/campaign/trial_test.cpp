@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "campaign/block_rows.hpp"
 #include "spatial/spatial_model.hpp"
 #include "support/bit_equal.hpp"
 #include "support/campaigns.hpp"

@@ -9,6 +9,7 @@
 #include "motion/record.hpp"
 #include "store/results_file.hpp"
 #include "support/command.hpp"
+#include "support/read_record.hpp"
 
 namespace overturn::testing {
 namespace {
@@ -233,9 +234,9 @@ TEST_F(Figures, At2FilesHoldTheWavesComponents) {
     done({"wave", "c.toml", "--wave", "1", "-o", "w.AT2"});
     done({"wave", "c.toml", "--wave", "1", "-o", "w.csv"});
 
-    auto const csv = read_record(folder.read("w.csv"), {.unit_mps2 = 1});
-    auto const horizontal = read_record(folder.read("w-H1.AT2"), {});
-    auto const vertical = read_record(folder.read("w-UP.AT2"), {});
+    auto const csv = testing::read_record(folder.read("w.csv"), {.unit_mps2 = 1});
+    auto const horizontal = testing::read_record(folder.read("w-H1.AT2"), {});
+    auto const vertical = testing::read_record(folder.read("w-UP.AT2"), {});
 
     EXPECT_FALSE(folder.has("w-H2.AT2"));
     ASSERT_EQ(horizontal.samples(), csv.samples());

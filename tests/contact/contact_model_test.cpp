@@ -9,6 +9,7 @@
 
 #include "contact/cases.hpp"
 #include "support/bit_equal.hpp"
+#include "support/describe_all.hpp"
 #include "support/expect_input_error.hpp"
 
 namespace overturn {
@@ -27,7 +28,7 @@ TEST(ContactModel, SaysWhatItIs) {
     EXPECT_EQ(traits.number, 3);
     EXPECT_EQ(traits.holds, all);
     EXPECT_EQ(traits.brings(), contact);
-    EXPECT_TRUE(describe_all(traits.fields, traits.nothing.size()));
+    EXPECT_TRUE(testing::describe_all(traits.fields, traits.nothing.size()));
     EXPECT_TRUE(std::isnan(real_at(traits.nothing, field_named(traits.fields, "peak_crush"))));
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 void read(std::string_view content, overturn::RecordRequest const& request) {
     try {
-        auto const motion = overturn::read_record(content, request);
+        auto const motion = overturn::read_placed(content, request).motion;
         for (double const a : motion.horizontal_mps2) {
             if (!std::isfinite(a)) {
                 std::abort();  // a number that is none must not come through

@@ -10,6 +10,7 @@
 #include "spectra/oscillator.hpp"
 #include "spectra/peak_response.hpp"
 #include "spectra/response_spectrum.hpp"
+#include "support/oscillator_history.hpp"
 #include "support/waves.hpp"
 
 namespace overturn {
@@ -45,7 +46,7 @@ TEST(LineGains, ResponsesAtThePeaksMoveAsAsked) {
     double left = 0, asked = 0;
     for (std::size_t i = 0; i < periods.size(); ++i) {
         auto const at = static_cast<std::size_t>(std::lround(before[i].time_s / 0.01));
-        double const now = oscillator_history(after, 0.01, periods[i], 0.05).displacement_m.at(at);
+        double const now = testing::oscillator_history(after, 0.01, periods[i], 0.05).displacement_m.at(at);
         double const missed = now / before[i].displacement_m - wanted[i];
         left += missed * missed;
         asked += (wanted[i] - 1) * (wanted[i] - 1);

@@ -30,8 +30,8 @@ RockingOutcome release(RockingBlock const& body, double rotation_rad, RockingObs
     return simulate_rocking(body, shaking_of(calm, dt), accuracy, {.rotation_rad = rotation_rad}, observer);
 }
 
-/// The speed of every impact.
-struct Strikes : RockingObserver {
+/// Time and speed of every impact.
+struct ImpactTimes : RockingObserver {
     void at(RockingInstant const& i) override {
         if (i.rotation_rad == 0 && i.time_s > last) {
             speeds.push_back(std::abs(i.velocity_radps));
@@ -72,10 +72,10 @@ double imbalance(EnergyBalance const& e) {
 TEST(HardCases, TenThousandElasticImpactsKeepTheEnergy) {
     auto elastic = block;
     elastic.restitution = 1;
-    Strikes strikes;
-    (void)release(elastic, 0.5 * block.alpha_rad, &strikes, 900000, 0.02);
-    EXPECT_GT(strikes.speeds.size(), 10000U);
-    double const ratio = strikes.speeds.back() / strikes.speeds.front();
+    ImpactTimes impacts;
+    (void)release(elastic, 0.5 * block.alpha_rad, &impacts, 900000, 0.02);
+    EXPECT_GT(impacts.speeds.size(), 10000U);
+    double const ratio = impacts.speeds.back() / impacts.speeds.front();
     EXPECT_NEAR(ratio * ratio, 1, 1e-10);
 }
 
@@ -90,11 +90,11 @@ TEST(HardCases, NoRestitutionEndsInTheFirstImpact) {
 TEST(HardCases, LittleRestitutionLeavesATenthAtEveryImpact) {
     auto dull = block;
     dull.restitution = 0.1;
-    Strikes strikes;
-    auto const out = release(dull, 0.5 * block.alpha_rad, &strikes);
-    ASSERT_GE(strikes.speeds.size(), 4U);
+    ImpactTimes impacts;
+    auto const out = release(dull, 0.5 * block.alpha_rad, &impacts);
+    ASSERT_GE(impacts.speeds.size(), 4U);
     for (std::size_t i = 1; i < 4; ++i) {
-        EXPECT_TRUE(near(strikes.speeds[i], 0.1 * strikes.speeds[i - 1], testing::integrated));
+        EXPECT_TRUE(near(impacts.speeds[i], 0.1 * impacts.speeds[i - 1], testing::integrated));
     }
     EXPECT_LT(out.impacts, 10);
     EXPECT_GE(out.impacts, 4);
@@ -157,10 +157,10 @@ TEST(HardCases, ThresholdTouchedAtOneSampleIsRest) {
 TEST(HardCases, ReleaseJustBelowTheCriticalAngleTakesItsTime) {
     // Linear block: back at zero after acosh(alpha / (alpha - theta)) / p. The gap holds 1e-4 of itself.
     double const theta = block.alpha_rad * (1 - 1e-12);
-    Strikes strikes;
-    (void)release(block, theta, &strikes, 4000, 0.01, {.restoring = Restoring::linear});
-    ASSERT_FALSE(strikes.times.empty());
-    double const first = strikes.times[0];
+    ImpactTimes impacts;
+    (void)release(block, theta, &impacts, 4000, 0.01, {.restoring = Restoring::linear});
+    ASSERT_FALSE(impacts.times.empty());
+    double const first = impacts.times[0];
     EXPECT_NEAR(first * block.p_radps, std::acosh(block.alpha_rad / (block.alpha_rad - theta)), 1e-3);
     EXPECT_EQ(release(block, theta).verdict, Verdict::rocked);
 }
@@ -253,10 +253,10 @@ TEST(HardCases, SlenderAndSquatBodiesStrikeWithTheirPotential) {
         auto body = block;
         body.alpha_rad = alpha;
         for (double const share : {1e-6, 0.5, 0.99}) {
-            Strikes strikes;
-            (void)release(body, share * alpha, &strikes);
+            ImpactTimes impacts;
+            (void)release(body, share * alpha, &impacts);
             double const drop = 2 * std::sin(alpha * (1 - 0.5 * share)) * std::sin(0.5 * share * alpha);
-            EXPECT_TRUE(near(strikes.speeds.at(0), body.p_radps * std::sqrt(2 * drop), testing::integrated)) << share;
+            EXPECT_TRUE(near(impacts.speeds.at(0), body.p_radps * std::sqrt(2 * drop), testing::integrated)) << share;
         }
     }
 }
@@ -349,12 +349,12 @@ TEST(HardCases, ImpactOnASampleCountsOnce) {
     double const quarter = std::acosh(2.0) / block.p_radps;  // release at half the critical angle, linear block
     for (int parts = 1; parts <= 64; ++parts) {
         for (double const nudge : {1 - 1e-15, 1.0, 1 + 1e-15}) {
-            Strikes strikes;
-            auto const out = release(block, 0.5 * block.alpha_rad, &strikes, parts + 2, quarter / parts * nudge,
+            ImpactTimes impacts;
+            auto const out = release(block, 0.5 * block.alpha_rad, &impacts, parts + 2, quarter / parts * nudge,
                                      {.restoring = Restoring::linear});
             EXPECT_LE(out.impacts, 1 + (parts == 1));
             EXPECT_GE(out.impacts, 1);
-            EXPECT_NEAR(strikes.speeds.at(0), block.p_radps * block.alpha_rad * std::sqrt(0.75), 1e-11);
+            EXPECT_NEAR(impacts.speeds.at(0), block.p_radps * block.alpha_rad * std::sqrt(0.75), 1e-11);
         }
     }
 }
@@ -363,11 +363,11 @@ TEST(HardCases, StartOnTheBaseIsNoImpact) {
     std::vector<double> const calm(200, 0.0);
     for (double const v : {1e-3, 0.1, 0.3}) {
         for (double const sign : {1.0, -1.0}) {
-            Strikes strikes;
+            ImpactTimes impacts;
             auto const out = simulate_rocking(block, shaking_of(calm, 0.01), {.restoring = Restoring::linear},
-                                              {.velocity_radps = sign * v}, &strikes);
+                                              {.velocity_radps = sign * v}, &impacts);
             ASSERT_GT(out.impacts, 0);
-            double const first = strikes.times.at(0);
+            double const first = impacts.times.at(0);
             // phi = alpha - alpha cosh(pt) + (v/p) sinh(pt) = 0: tanh(pt/2) = v/(p alpha)
             double const expected = 2 * std::atanh(v / (block.p_radps * block.alpha_rad)) / block.p_radps;
             EXPECT_TRUE(near(first, expected, testing::integrated)) << v;

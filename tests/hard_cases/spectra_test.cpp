@@ -13,6 +13,8 @@
 #include "spectra/oscillator.hpp"
 #include "spectra/response_spectrum.hpp"
 #include "spectra/window_energy.hpp"
+#include "support/fourier_amplitude.hpp"
+#include "support/oscillator_history.hpp"
 #include "support/tolerance.hpp"
 #include "support/waves.hpp"
 
@@ -33,7 +35,7 @@ TEST(HardCases, PeriodFarAboveTheWaveFollowsTheGround) {
     auto const wave = testing::broad_wave(2000, 0.01);
     auto const ground = displacement_of(wave, 0.01);
     for (double const period : {1e6, 1e9, 1e12}) {
-        auto const history = oscillator_history(wave, 0.01, period, 0.05);
+        auto const history = testing::oscillator_history(wave, 0.01, period, 0.05);
         for (std::size_t i = 0; i < ground.size(); ++i) {
             EXPECT_NEAR(history.displacement_m[i], -ground[i], (1e-12 + 100 / period) * peak_of(ground)) << period;
         }
@@ -48,7 +50,7 @@ TEST(HardCases, DampingOfNoneCriticalAndAbove) {
     for (double const period : {0.003, 0.05, 1.0, 30.0}) {
         double const w = 2 * pi / period;
         for (double const z : {0.0, 1 - 1e-9, 1.0, 1 + 1e-9, 1.5, 20.0, 1000.0}) {
-            auto const history = oscillator_history(constant, dt, period, z);
+            auto const history = testing::oscillator_history(constant, dt, period, z);
             for (std::size_t const i : {1U, 10U, 1000U}) {
                 double const t = dt * static_cast<double>(i);
                 double rest = std::cos(w * t);
@@ -79,7 +81,7 @@ TEST(HardCases, UndampedResonanceOverAMillionSteps) {
     for (std::size_t i = 0; i <= steps; ++i) {
         wave[i] = std::sin(2 * pi * static_cast<double>(i % per_period) / per_period);
     }
-    auto const history = oscillator_history(wave, dt, period, 0);
+    auto const history = testing::oscillator_history(wave, dt, period, 0);
     double const x = w * dt;
     double const factor = std::pow(std::sin(0.5 * x) / (0.5 * x), 2);
     double const t = dt * steps;
@@ -134,7 +136,7 @@ TEST(HardCases, FourierSumOverAMillionSamplesIsTheSeriesSum) {
     std::vector<double> const ones(1000001, 1.0);
     double const dt = 0.001;
     for (double const w : {0.0, 1e-6, 0.1, 10.0, 3000.0}) {
-        auto const sum = fourier_amplitude(ones, dt, w);
+        auto const sum = testing::fourier_amplitude(ones, dt, w);
         double const t = dt * 1000000;
         double const re = w == 0 ? t : std::sin(w * t) / w;
         double const im = w == 0 ? 0 : -2 * std::pow(std::sin(0.5 * w * t), 2) / w;

@@ -8,6 +8,7 @@
 #include "core/units.hpp"
 #include "motion/record.hpp"
 #include "support/expect_input_error.hpp"
+#include "support/read_record.hpp"
 #include "support/tolerance.hpp"
 
 namespace overturn {
@@ -21,7 +22,7 @@ constexpr double gal = 0.01;
 
 GroundMotion read(std::string const& content, RecordRequest request = {.unit_mps2 = gal}) {
     request.name = "a.csv";
-    return read_record(content, request);
+    return testing::read_record(content, request);
 }
 
 std::vector<double> const three{100 * gal, -200 * gal, 300 * gal};

@@ -6,6 +6,7 @@
 #include "core/units.hpp"
 #include "motion/record.hpp"
 #include "support/expect_input_error.hpp"
+#include "support/read_record.hpp"
 
 namespace overturn {
 namespace {
@@ -53,7 +54,7 @@ std::string channel(Parts const& parts = {}) {
 
 GroundMotion read(std::string const& content, RecordRequest request = {}) {
     request.name = "a.V2c";
-    return read_record(content, request);
+    return testing::read_record(content, request);
 }
 
 std::vector<double> const six{10 * 0.01, -20 * 0.01, 30 * 0.01, 0.0, -50 * 0.01, 40 * 0.01};

@@ -4,6 +4,7 @@
 
 #include "motion/record.hpp"
 #include "support/expect_input_error.hpp"
+#include "support/read_record.hpp"
 
 namespace overturn {
 namespace {
@@ -44,7 +45,7 @@ std::string channel(Parts const& parts = {}) {
 
 GroundMotion read(std::string const& content, RecordRequest request = {}) {
     request.name = "a.V2";
-    return read_record(content, request);
+    return testing::read_record(content, request);
 }
 
 TEST(CsmipV2, OneChannel) {

@@ -4,6 +4,7 @@
 
 #include "motion/record.hpp"
 #include "support/expect_input_error.hpp"
+#include "support/read_record.hpp"
 
 namespace overturn {
 namespace {
@@ -27,7 +28,7 @@ std::vector<double> const six{10 * 0.01, -20 * 0.01, 30 * 0.01, 0.0, -50 * 0.01,
 
 GroundMotion read(std::string const& content, RecordRequest request = {}) {
     request.name = "a.ASC";
-    return read_record(content, request);
+    return testing::read_record(content, request);
 }
 
 TEST(EsmDyna, KeysThenValues) {

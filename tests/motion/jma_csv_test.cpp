@@ -4,6 +4,7 @@
 
 #include "motion/record.hpp"
 #include "support/expect_input_error.hpp"
+#include "support/read_record.hpp"
 
 namespace overturn {
 namespace {
@@ -23,7 +24,7 @@ std::string const rows = "-0.012,0.064,-0.010\n0.005,0.028,-0.011\n0.003,-0.007,
 
 GroundMotion read(std::string const& content, RecordRequest request = {}) {
     request.name = "a.csv";
-    return read_record(content, request);
+    return testing::read_record(content, request);
 }
 
 void expect_the_rows(GroundMotion const& motion) {

@@ -6,6 +6,7 @@
 #include "core/units.hpp"
 #include "motion/record.hpp"
 #include "support/expect_input_error.hpp"
+#include "support/read_record.hpp"
 #include "support/tolerance.hpp"
 
 namespace overturn {
@@ -39,7 +40,7 @@ std::string knet(Parts const& parts = {}, int values = 100) {
 
 GroundMotion read(std::string const& content, RecordRequest request = {}) {
     request.name = "a.NS";
-    return read_record(content, request);
+    return testing::read_record(content, request);
 }
 
 TEST(Knet, CountsTimesScaleWithoutTheirMean) {

@@ -3,6 +3,7 @@
 
 #include "motion/record.hpp"
 #include "support/expect_input_error.hpp"
+#include "support/read_record.hpp"
 
 namespace overturn {
 namespace {
@@ -25,42 +26,44 @@ std::string list_of(int per_line) {
 
 TEST(List, AnyNumberToALine) {
     for (int const per_line : {5, 6, 8, 12}) {
-        auto const motion = read_record(list_of(per_line), stated);
+        auto const motion = testing::read_record(list_of(per_line), stated);
         EXPECT_EQ(motion.time_step_s, 0.02);
         ASSERT_EQ(motion.samples(), 12U) << per_line;
         for (std::size_t i = 0; i < 12; ++i) {
             EXPECT_DOUBLE_EQ(motion.horizontal_mps2[i], twelve[i]) << per_line;
         }
     }
-    EXPECT_EQ(read_record(list_of(1), stated).horizontal_mps2, read_record(list_of(5), stated).horizontal_mps2);
+    EXPECT_EQ(testing::read_record(list_of(1), stated).horizontal_mps2,
+              testing::read_record(list_of(5), stated).horizontal_mps2);
     auto explicit_list = stated;
     explicit_list.format = "list";
-    EXPECT_EQ(read_record(list_of(3), explicit_list).samples(), 12U);
+    EXPECT_EQ(testing::read_record(list_of(3), explicit_list).samples(), 12U);
 }
 
 TEST(List, ProseTrailerAndGluedNumbers) {
-    auto const plain = read_record(list_of(6), stated).horizontal_mps2;
-    EXPECT_EQ(read_record("Data of 1940 (1559 points at 0.02 sec)\na row of 6\n*** Begin data ***\n" + list_of(6)
-                              + "*** End Data ***\n\n",
-                          stated)
+    auto const plain = testing::read_record(list_of(6), stated).horizontal_mps2;
+    EXPECT_EQ(testing::read_record("Data of 1940 (1559 points at 0.02 sec)\na row of 6\n*** Begin data ***\n"
+                                       + list_of(6) + "*** End Data ***\n\n",
+                                   stated)
                   .horizontal_mps2,
               plain);
-    EXPECT_EQ(read_record("1.0E-01-2.0E-01+3.0D-01-.4-5-6\n", stated).horizontal_mps2,
+    EXPECT_EQ(testing::read_record("1.0E-01-2.0E-01+3.0D-01-.4-5-6\n", stated).horizontal_mps2,
               (std::vector{0.1 * 0.01, -0.2 * 0.01, 0.3 * 0.01, -0.4 * 0.01, -5 * 0.01, -6 * 0.01}));
 }
 
 TEST(List, UnitAndStepAreNeverGuessed) {
-    expect_input_error([] { (void)read_record(list_of(6), {.name = "a.txt", .time_step_s = 0.02}); },
+    expect_input_error([] { (void)testing::read_record(list_of(6), {.name = "a.txt", .time_step_s = 0.02}); },
                        "a.txt:1: ", "unit missing");
-    expect_input_error([] { (void)read_record(list_of(6), {.name = "a.txt", .unit_mps2 = 0.01}); },
+    expect_input_error([] { (void)testing::read_record(list_of(6), {.name = "a.txt", .unit_mps2 = 0.01}); },
                        "a.txt:1: ", "time step missing");
 }
 
 TEST(List, LostValuesAndTimeColumnsAreRefused) {
-    expect_input_error([] { (void)read_record("1 2 3 4 5\n1 2 3 4\n1 2 3 4 5\n", stated); }, "a.txt:2: ", "4 values");
-    expect_input_error([] { (void)read_record("1 2 3 4 5\n1 2 3 4 5 6\n", stated); }, "a.txt:2: ", "6 values");
-    expect_input_error([] { (void)read_record("1 2 3 4 5\n1 2 nan 4 5\n", stated); }, "a.txt:2: ", "'nan'");
-    expect_input_error([] { (void)read_record("0 2 3 4 5\n.1 2 3 1 5\n.2 2 3 4 5\n.3 1 1 1 1\n", stated); },
+    expect_input_error([] { (void)testing::read_record("1 2 3 4 5\n1 2 3 4\n1 2 3 4 5\n", stated); },
+                       "a.txt:2: ", "4 values");
+    expect_input_error([] { (void)testing::read_record("1 2 3 4 5\n1 2 3 4 5 6\n", stated); }, "a.txt:2: ", "6 values");
+    expect_input_error([] { (void)testing::read_record("1 2 3 4 5\n1 2 nan 4 5\n", stated); }, "a.txt:2: ", "'nan'");
+    expect_input_error([] { (void)testing::read_record("0 2 3 4 5\n.1 2 3 1 5\n.2 2 3 4 5\n.3 1 1 1 1\n", stated); },
                        "a.txt:1: ", "time column");
 }
 

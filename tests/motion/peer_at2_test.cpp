@@ -5,6 +5,7 @@
 #include "core/units.hpp"
 #include "motion/record.hpp"
 #include "support/expect_input_error.hpp"
+#include "support/read_record.hpp"
 
 namespace overturn {
 namespace {
@@ -21,7 +22,7 @@ std::string const six = "  .1000000E-01  -.2000000E-01   .3000000E-01   .0000000
 
 GroundMotion read(std::string const& content, RecordRequest request = {}) {
     request.name = "a.AT2";
-    return read_record(content, request);
+    return testing::read_record(content, request);
 }
 
 void expect_six(GroundMotion const& motion, double step = 0.02) {

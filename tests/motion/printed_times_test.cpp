@@ -5,6 +5,7 @@
 
 #include "motion/record.hpp"
 #include "support/expect_input_error.hpp"
+#include "support/read_record.hpp"
 
 namespace overturn {
 namespace {
@@ -22,7 +23,7 @@ template <class Print> std::string times(double step, int count, Print&& print, 
 }
 
 double step_of(std::string const& text, std::optional<double> stated = {}) {
-    return read_record(text, {.name = "a.csv", .unit_mps2 = gal, .time_step_s = stated}).time_step_s;
+    return testing::read_record(text, {.name = "a.csv", .unit_mps2 = gal, .time_step_s = stated}).time_step_s;
 }
 
 auto const three_decimals = [](double t) { return fmt::format("{:.3f}", t); };
@@ -72,21 +73,23 @@ TEST(PrintedTimes, StatedStepWinsWithinTheDigits) {
 TEST(Components, AreReadWithoutATime) {
     std::string const two = "0.1 0.2\n-0.3 0.4\n0.5 -0.6\n";
     RecordRequest const stated{.name = "a.txt", .format = "components", .unit_mps2 = 1, .time_step_s = 0.01};
-    auto const motion = read_record(two, stated);
+    auto const motion = testing::read_record(two, stated);
     EXPECT_EQ(motion.horizontal_mps2, (std::vector{0.1, -0.3, 0.5}));
     EXPECT_EQ(motion.transverse_mps2, (std::vector{0.2, 0.4, -0.6}));
     EXPECT_TRUE(motion.vertical_mps2.empty());
     EXPECT_EQ(motion.time_step_s, 0.01);
     auto by_content = stated;
     by_content.format = "auto";
-    expect_input_error([&] { (void)read_record(two, by_content); }, "a.txt:", "--format components");
+    expect_input_error([&] { (void)testing::read_record(two, by_content); }, "a.txt:", "--format components");
     EXPECT_EQ(read_placed("NS,UD\n0.1,0.2\n-0.3,0.4\n", by_content).says, "NS, vertical UD");
     EXPECT_EQ(read_placed("NS,EW,UD\n1,2,3\n4,5,6\n", by_content).says, "NS, transverse EW, vertical UD");
     by_content.time_step_s.reset();
-    expect_input_error([&] { (void)read_record("NS,UD\n0.1,0.2\n-0.3,0.4\n", by_content); }, "time step missing");
+    expect_input_error([&] { (void)testing::read_record("NS,UD\n0.1,0.2\n-0.3,0.4\n", by_content); },
+                       "time step missing");
     // A digitiser's "x,y" is a time and a value.
-    EXPECT_EQ(read_record("x,y\n0,1\n0.1,2\n0.2,3\n0.3,4\n", {.unit_mps2 = 1}).time_step_s, 0.3 / 3);
-    expect_input_error([&] { (void)read_record("0 1 2 3\n1 1 2 3\n", stated); }, "components are three at most");
+    EXPECT_EQ(testing::read_record("x,y\n0,1\n0.1,2\n0.2,3\n0.3,4\n", {.unit_mps2 = 1}).time_step_s, 0.3 / 3);
+    expect_input_error([&] { (void)testing::read_record("0 1 2 3\n1 1 2 3\n", stated); },
+                       "components are three at most");
 }
 
 }  // namespace

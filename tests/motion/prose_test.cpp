@@ -7,6 +7,7 @@
 #include "core/units.hpp"
 #include "motion/column_unit.hpp"
 #include "support/expect_input_error.hpp"
+#include "support/read_record.hpp"
 
 namespace overturn {
 namespace {
@@ -111,31 +112,32 @@ std::string const prose_list =
 
 TEST(Contradictions, ListAgainstItsProse) {
     auto const read = [](double unit, double step, bool campaign = false) {
-        return read_record(prose_list,
-                           {.name = "a.acc", .unit_mps2 = unit, .time_step_s = step, .may_be_resampled = campaign});
+        return testing::read_record(
+            prose_list, {.name = "a.acc", .unit_mps2 = unit, .time_step_s = step, .may_be_resampled = campaign});
     };
     EXPECT_EQ(read(1, 0.005).horizontal_mps2[3], -5);
     expect_input_error([&] { (void)read(gal, 0.005); }, "a.acc:3: ", "unit m/s2 in the file, gal stated");
     expect_input_error([&] { (void)read(1, 0.02); }, "a.acc:2: ", "time step of 0.005 s in the file, 0.02 s stated");
     expect_input_error([&] { (void)read(1, 0.02, true); }, "a.acc:2: ", "0.02 s stated");
-    expect_input_error([&] { (void)read_record(prose_list, {.name = "a.acc", .time_step_s = 0.005}); },
+    expect_input_error([&] { (void)testing::read_record(prose_list, {.name = "a.acc", .time_step_s = 0.005}); },
                        "line 3 says m/s2");
-    expect_input_error([&] { (void)read_record(prose_list, {.name = "a.acc", .unit_mps2 = 1.0}); },
+    expect_input_error([&] { (void)testing::read_record(prose_list, {.name = "a.acc", .unit_mps2 = 1.0}); },
                        "line 2 says 0.005 s");
 }
 
 TEST(Contradictions, ColumnsAgainstTheirComments) {
     std::string const text = "# Time (s),Acceleration (g's)\n0,0.1\n0.5,-0.2\n";
-    EXPECT_EQ(read_record(text, {.unit_mps2 = g0}).horizontal_mps2[1], -0.2 * g0);
-    expect_input_error([&] { (void)read_record(text, {.name = "a.csv", .unit_mps2 = gal}); },
+    EXPECT_EQ(testing::read_record(text, {.unit_mps2 = g0}).horizontal_mps2[1], -0.2 * g0);
+    expect_input_error([&] { (void)testing::read_record(text, {.name = "a.csv", .unit_mps2 = gal}); },
                        "a.csv:1: ", "unit g in the file, gal stated");
-    expect_input_error([&] { (void)read_record(text, {.name = "a.csv"}); }, "line 1 says g");
+    expect_input_error([&] { (void)testing::read_record(text, {.name = "a.csv"}); }, "line 1 says g");
 }
 
 TEST(Contradictions, CampaignsArePointedToTablesOfTheirOwn) {
     expect_input_error(
         [] {
-            (void)read_record("t,a (g)\n0,0.1\n0.5,-0.2\n", {.name = "a.csv", .unit_mps2 = gal, .unit_conflict = "Go"});
+            (void)testing::read_record("t,a (g)\n0,0.1\n0.5,-0.2\n",
+                                       {.name = "a.csv", .unit_mps2 = gal, .unit_conflict = "Go"});
         },
         "a.csv:1: unit g in the file, gal stated (they contradict each other). Go");
 }
@@ -157,7 +159,7 @@ TEST(Contradictions, NamesOfColumnsInTheWild) {
 TEST(PackedFiles, AreNamed) {
     auto const refuse = [](std::string content, char const* name, char const* advice) {
         content.resize(std::max<std::size_t>(content.size(), 700));
-        expect_input_error([&] { (void)read_record(content, {.name = "a"}); }, "a: ", name, advice);
+        expect_input_error([&] { (void)testing::read_record(content, {.name = "a"}); }, "a: ", name, advice);
     };
     refuse("\x1f\x8b\x08", "gzip", "Unpack it");
     refuse("PK\x03\x04", "zip archive", "Unpack it");

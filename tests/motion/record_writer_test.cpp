@@ -6,6 +6,7 @@
 #include "core/units.hpp"
 #include "motion/station.hpp"
 #include "support/expect_input_error.hpp"
+#include "support/read_record.hpp"
 #include "support/waves.hpp"
 
 namespace overturn {
@@ -17,7 +18,7 @@ TEST(At2Text, IsReadBackToItsEightDigits) {
     auto values = testing::broad_wave(1003, 0.005);
     values[7] = -1.2345678e-104;  // fields of fifteen characters touch
     values[8] = -9.87654321e-103;
-    auto const read = read_record(at2_text(values, 1.0 / 60, "c.toml, seed 1, wave 2", "H1"), {});
+    auto const read = testing::read_record(at2_text(values, 1.0 / 60, "c.toml, seed 1, wave 2", "H1"), {});
 
     EXPECT_EQ(read.time_step_s, 1.0 / 60);
     ASSERT_EQ(read.samples(), values.size());
@@ -50,7 +51,7 @@ TEST(CsvText, IsReadBackBitForBit) {
     for (int components = 1; components <= 4; ++components) {
         motion.transverse_mps2 = components == 2 || components == 4 ? motion.horizontal_mps2 : std::vector<double>{};
         motion.vertical_mps2 = components >= 3 ? motion.horizontal_mps2 : std::vector<double>{};
-        auto const read = read_record(csv_text(motion), {.unit_mps2 = 1});
+        auto const read = testing::read_record(csv_text(motion), {.unit_mps2 = 1});
         EXPECT_EQ(read.horizontal_mps2, motion.horizontal_mps2);
         EXPECT_EQ(read.transverse_mps2, motion.transverse_mps2);
         EXPECT_EQ(read.vertical_mps2, motion.vertical_mps2);

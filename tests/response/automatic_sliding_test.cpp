@@ -26,7 +26,7 @@ TEST(AutomaticSliding, GivesTheVerdictsAndNumbersOfSlidingForcedOn) {
     Ladder const automatic({EffectMode::automatic, 0});
     Ladder const forced({EffectMode::forced, mask_of(Effect::sliding) | mask_of(Effect::vertical)});
     std::map<Verdict, int> verdicts;
-    int climbed = 0;
+    int slid = 0;
     for (int number = 0; number < 25; ++number) {
         GroundMotion motion{.time_step_s = 0.02,
                             .horizontal_mps2 = testing::short_wave(number),
@@ -48,7 +48,7 @@ TEST(AutomaticSliding, GivesTheVerdictsAndNumbersOfSlidingForcedOn) {
                 auto const full = forced.respond({scene, motion, scale});
                 EXPECT_TRUE(testing::bit_equal<Outcome>(chosen, full));
                 EXPECT_EQ(has(static_cast<EffectMask>(chosen.effects), Effect::sliding), full.peak_slip_m > 0);
-                climbed += chosen.rung == sliding_traits().number ? 1 : 0;
+                slid += chosen.rung == sliding_traits().number ? 1 : 0;
                 ++verdicts[chosen.verdict];
             }
         }
@@ -58,7 +58,7 @@ TEST(AutomaticSliding, GivesTheVerdictsAndNumbersOfSlidingForcedOn) {
     EXPECT_GT(verdicts[Verdict::rocked], 100);
     EXPECT_GT(verdicts[Verdict::overturned], 100);
     EXPECT_EQ(verdicts[Verdict::failed], 0);
-    EXPECT_GT(climbed, 500);
+    EXPECT_GT(slid, 500);
     for (auto const& [verdict, count] : verdicts) {
         RecordProperty("verdict_" + std::to_string(static_cast<int>(verdict)), count);
     }

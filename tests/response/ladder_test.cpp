@@ -8,6 +8,7 @@
 
 #include "rocking/rocking_models.hpp"
 #include "support/bit_equal.hpp"
+#include "support/describe_all.hpp"
 #include "support/expect_input_error.hpp"
 #include "support/long_period_wave.hpp"
 #include "support/sliding_blocks.hpp"
@@ -313,7 +314,8 @@ TEST(Registry, NumbersBitsAndNamesAreEachTheirOwn) {
         bits |= traits.brings();
         effects_seen += traits.effects.size();
         EXPECT_EQ(traits.fields.empty(), traits.nothing.empty());
-        EXPECT_TRUE(traits.fields.empty() || describe_all(traits.fields, traits.nothing.size())) << traits.name;
+        EXPECT_TRUE(traits.fields.empty() || testing::describe_all(traits.fields, traits.nothing.size()))
+            << traits.name;
     }
     EXPECT_EQ(effects().size(), effects_seen);
     for (auto const& field : fields_of<Response>()) {

@@ -9,13 +9,14 @@
 #include "results/statistics.hpp"
 #include "results/stripe_table.hpp"
 #include "support/campaigns.hpp"
+#include "support/describe_all.hpp"
 
 namespace overturn {
 namespace {
 
 template <class Row> void expect_each_field_once(Fields const& fields = fields_of<Row>()) {
     static_assert(std::is_trivially_copyable_v<Row> && alignof(Row) == 8);
-    EXPECT_TRUE(describe_all(fields, sizeof(Row)));
+    EXPECT_TRUE(testing::describe_all(fields, sizeof(Row)));
     for (auto const& field : fields) {
         EXPECT_FALSE(field.units.empty()) << field.name;
         EXPECT_FALSE(field.description.empty()) << field.name;

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/detail/block_dynamics.hpp"
+#include "rocking/detail/impact_law.hpp"
 #include "rocking/planar_rocking.hpp"
 #include "support/long_period_wave.hpp"
 #include "support/tolerance.hpp"

@@ -35,11 +35,11 @@ struct Settling : RockingObserver {
     double time_s = -1;
 };
 
-struct Strikes {
+struct ImpactTimes {
     std::vector<double> times, speeds;
 };
 
-Strikes release(double ratio, RockingAccuracy const& accuracy, double restitution = 0.9) {
+ImpactTimes release(double ratio, RockingAccuracy const& accuracy, double restitution = 0.9) {
     std::vector<double> const calm(3000, 0.0);
     auto b = block;
     b.restitution = restitution;

@@ -9,6 +9,7 @@
 
 #include "model/chunk_extremes.hpp"
 #include "rocking/detail/lane_step.hpp"
+#include "rocking/detail/rocking_run.hpp"
 #include "rocking/planar_rocking.hpp"
 #include "simd/instruction_sets.hpp"
 #include "support/bit_equal.hpp"
@@ -153,8 +154,56 @@ TEST(Lanes, ShortestWaves) {
     EXPECT_EQ(together.back().verdict, Verdict::overturned);
 }
 
+bool uses_lanes(RockingBlock const& block) { return rocking::RockingSetup(block, {}, {}, Slip::detected).uses_lanes; }
+
+// The bound by which lanes tell that friction and contact hold ends at an inertia ratio of 0.98: blocks with less
+// inertia about their own centre take scalar steps, and answer as a converged reference does.
+TEST(Lanes, LeaveBlocksWithoutOwnInertiaToScalarSteps) {
+    auto const block_of_ratio = [](double ratio) {
+        return RockingBlock{.alpha_rad = 0.25,
+                            .p_radps = 1.5,
+                            .restitution = 0.9,
+                            .inertia_ratio = ratio,
+                            .friction_static = 0.6,
+                            .friction_kinetic = 0.6};
+    };
+    EXPECT_TRUE(uses_lanes(block_of_ratio(0.75)));
+    EXPECT_TRUE(uses_lanes(block_of_ratio(rocking::most_lane_inertia_ratio)));
+    EXPECT_FALSE(uses_lanes(block_of_ratio(std::nextafter(rocking::most_lane_inertia_ratio, 1))));
+    auto lopsided = testing::lopsided_a(0.05, 0, 0.7);
+    EXPECT_TRUE(uses_lanes(lopsided));
+    lopsided.lopsided->corners[1].inertia_ratio = 0.996;
+    EXPECT_FALSE(uses_lanes(lopsided)) << "one corner is enough";
+
+    auto const wave = testing::filtered_wave(testing::set_a);
+    auto const block = block_of_ratio(0.996);  // radius of gyration 0.063 R
+    std::vector<RockingTrial> trials;
+    for (double const level : testing::levels_a()) {
+        trials.push_back({block, testing::shaking_of(wave, 0.01, level)});
+    }
+    int rocked = 0;
+    for (Slip const slip : {Slip::ignored, Slip::detected}) {
+        auto const together = side_by_side(trials, slip);
+        for (std::size_t i = 0; i < trials.size(); ++i) {
+            auto const& shaking = trials[i].shaking;
+            expect_same_bits(simulate_rocking(block, shaking, {}, {}, nullptr, slip), together[i], i);
+            auto const reference =
+                simulate_rocking(block, shaking, {.taylor_order = 12, .substeps = 4}, {}, nullptr, slip);
+            EXPECT_EQ(together[i].slip_onset, reference.slip_onset) << i;
+            if (together[i].slip_onset) {
+                continue;
+            }
+            rocked += together[i].verdict == Verdict::rocked ? 1 : 0;
+            EXPECT_EQ(together[i].verdict, reference.verdict) << i;
+            EXPECT_NEAR(together[i].peak_rotation_rad, reference.peak_rotation_rad, 1e-9 * reference.peak_rotation_rad)
+                << i;
+        }
+    }
+    EXPECT_GT(rocked, 3);
+}
+
 // Rest is skipped by chunks of samples; a chunk may hide nothing.
-TEST(Lanes, SkippingPagesChangesNothing) {
+TEST(Lanes, SkippingChunksChangesNothing) {
     auto wave = testing::filtered_wave(testing::set_b);
     std::vector<double> const vertical = testing::filtered_wave(testing::set_a);
     RockingBlock const block{.alpha_rad = 0.25, .p_radps = 1.5, .restitution = 0.9};

@@ -10,6 +10,7 @@
 #include "contact/matching.hpp"
 #include "spatial/cases.hpp"
 #include "support/bit_equal.hpp"
+#include "support/describe_all.hpp"
 
 namespace overturn {
 namespace {
@@ -34,7 +35,7 @@ TEST(SpatialModel, SaysWhatItIs) {
     EXPECT_EQ(traits.holds, all);
     EXPECT_EQ(traits.always, mask_of(Effect::contact) | spatial);
     EXPECT_EQ(traits.brings(), spatial);
-    EXPECT_TRUE(describe_all(traits.fields, traits.nothing.size()));
+    EXPECT_TRUE(testing::describe_all(traits.fields, traits.nothing.size()));
     EXPECT_TRUE(std::isnan(real_at(traits.nothing, field_named(traits.fields, "peak_yaw"))));
 }
 

@@ -8,6 +8,8 @@
 #include "spectra/fourier.hpp"
 #include "spectra/oscillator.hpp"
 #include "spectra/response_spectrum.hpp"
+#include "support/fourier_amplitude.hpp"
+#include "support/oscillator_history.hpp"
 #include "support/tolerance.hpp"
 #include "support/waves.hpp"
 
@@ -24,7 +26,7 @@ TEST(InputEnergy, UndampedRecursionEqualsTheFourierAmplitude) {
     auto const energy = input_energy_velocities(wave, 0.01, periods, 0.0);
 
     for (std::size_t i = 0; i < periods.size(); ++i) {
-        auto const history = oscillator_history(wave, 0.01, periods[i], 0.0);
+        auto const history = testing::oscillator_history(wave, 0.01, periods[i], 0.0);
         double const final_state =
             std::hypot(history.velocity_mps.back(), 2 * pi / periods[i] * history.displacement_m.back());
         double const scale = std::max(exact[i], 1e-3);
@@ -37,7 +39,7 @@ TEST(InputEnergy, IsKineticPlusElasticPlusDamped) {
     auto const wave = testing::broad_wave(4000, 0.005);
     for (double const damping : {0.1, 1.0, 2.5}) {
         double const w = 2 * pi / 0.7;
-        auto const history = oscillator_history(wave, 0.005, 0.7, damping);
+        auto const history = testing::oscillator_history(wave, 0.005, 0.7, damping);
         double damped = 0;  // Simpson on a spacing much shorter than anything in the response
         auto const& v = history.velocity_mps;
         for (std::size_t n = 2; n < v.size(); n += 2) {
@@ -60,8 +62,8 @@ TEST(InputEnergy, FourierAmplitudeOfATriangleIsExact) {
     for (double const w : {0.0, 1e-7, 1.0, 49.9, 50.1, 300.0}) {
         double const x = 0.5 * w * 2 * dt;
         double const sinc = x == 0 ? 1.0 : std::sin(x) / x;
-        EXPECT_TRUE(
-            near(std::abs(fourier_amplitude(triangle, dt, w)), 3 * 2 * dt * sinc * sinc, testing::exact_formula, 0.12))
+        EXPECT_TRUE(near(std::abs(testing::fourier_amplitude(triangle, dt, w)), 3 * 2 * dt * sinc * sinc,
+                         testing::exact_formula, 0.12))
             << w;
     }
 }
@@ -77,15 +79,15 @@ TEST(InputEnergy, FourierSumMatchesTheTermByTermIntegral) {
                    * (wave[n - 1] * hat.right * std::polar(1.0, -w * t0)
                       + wave[n] * std::conj(hat.right) * std::polar(1.0, -w * (t0 + 0.01)));
         }
-        EXPECT_LT(std::abs(fourier_amplitude(wave, 0.01, w) - sum), 1e-12 * (1 + std::abs(sum))) << w;
+        EXPECT_LT(std::abs(testing::fourier_amplitude(wave, 0.01, w) - sum), 1e-12 * (1 + std::abs(sum))) << w;
     }
 }
 
 TEST(InputEnergy, ZeroFrequencyIsTheFinalVelocity) {
     auto const wave = testing::broad_wave(5000, 0.01);
 
-    EXPECT_TRUE(
-        near(fourier_amplitude(wave, 0.01, 0).real(), velocity_of(wave, 0.01).back(), testing::exact_formula, 1.0));
+    EXPECT_TRUE(near(testing::fourier_amplitude(wave, 0.01, 0).real(), velocity_of(wave, 0.01).back(),
+                     testing::exact_formula, 1.0));
 }
 
 TEST(InputEnergy, EnergyGrowsLinearlyInTimeAtResonance) {

@@ -6,6 +6,7 @@
 
 #include "core/units.hpp"
 #include "support/expect_input_error.hpp"
+#include "support/oscillator_history.hpp"
 #include "support/tolerance.hpp"
 
 namespace overturn {
@@ -52,7 +53,7 @@ TEST_P(Ramp, EqualsTheClosedForm) {
         ramp[n] = dt * static_cast<double>(n);
     }
 
-    auto const history = oscillator_history(ramp, dt, period, damping);
+    auto const history = testing::oscillator_history(ramp, dt, period, damping);
 
     double const scale = std::abs(ramp_response(2 * pi / period, damping, 4.0));
     for (std::size_t const n : {1U, 10U, 100U, 400U}) {
@@ -72,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(DampingAndPeriod, Ramp,
 TEST(Oscillator, VeryLongPeriodMeasuresGroundMotion) {
     std::vector<double> const step(1001, 2.0);
 
-    auto const history = oscillator_history(step, 0.01, 1e7, 0.05);
+    auto const history = testing::oscillator_history(step, 0.01, 1e7, 0.05);
 
     EXPECT_TRUE(near(history.displacement_m.back(), -0.5 * 2.0 * 100, testing::Tolerance{1e-6, "w t"}));
     EXPECT_TRUE(near(history.velocity_mps.back(), -2.0 * 10, testing::Tolerance{1e-5, "w t"}));
@@ -81,7 +82,7 @@ TEST(Oscillator, VeryLongPeriodMeasuresGroundMotion) {
 TEST(Oscillator, StepLoadOvershootsToTwiceTheStaticDisplacement) {
     std::vector<double> const step(101, 3.0);  // half a period of 2 s at 0.01 s is sample 100
 
-    auto const history = oscillator_history(step, 0.01, 2.0, 0.0);
+    auto const history = testing::oscillator_history(step, 0.01, 2.0, 0.0);
 
     EXPECT_TRUE(near(history.displacement_m[100], -2 * 3.0 / (pi * pi), exact_formula));
     EXPECT_TRUE(near(history.acceleration_mps2[100], 6.0, exact_formula));

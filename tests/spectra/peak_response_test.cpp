@@ -9,6 +9,7 @@
 #include "core/units.hpp"
 #include "spectra/oscillator.hpp"
 #include "spectra/response_spectrum.hpp"
+#include "support/oscillator_history.hpp"
 #include "support/waves.hpp"
 
 namespace overturn {
@@ -83,7 +84,7 @@ TEST(PeakResponse, KnowsSignAndInstant) {
     auto const periods = log_periods_per_decade(0.1, 10, 30);
     auto const peaks = PeakResponse(periods, 0.05, 0.01).peaks(wave);
     for (std::size_t i = 0; i < periods.size(); ++i) {
-        auto const history = oscillator_history(wave, 0.01, periods[i], 0.05).displacement_m;
+        auto const history = testing::oscillator_history(wave, 0.01, periods[i], 0.05).displacement_m;
         auto const at = static_cast<std::size_t>(std::lround(peaks[i].time_s / 0.01));
         EXPECT_NEAR(history.at(at) / peaks[i].displacement_m, 1, 1e-9) << periods[i];
     }

@@ -8,6 +8,7 @@
 #include "motion/ground_motion.hpp"
 #include "spectra/oscillator.hpp"
 #include "support/expect_input_error.hpp"
+#include "support/oscillator_history.hpp"
 #include "support/tolerance.hpp"
 #include "support/waves.hpp"
 
@@ -28,7 +29,7 @@ TEST(ResponseSpectrum, SteadyHarmonicAmplification) {
     auto const wave = sine(1.0, 0.0005, 40001);
     for (double const period : {0.5, 0.8, 2.0}) {
         double const steady = 1 / std::hypot(1 - period * period, 2 * 0.6 * period);
-        auto const history = oscillator_history(wave, 0.0005, period, 0.6);
+        auto const history = testing::oscillator_history(wave, 0.0005, period, 0.6);
         double const w = 2 * pi / period;
 
         double const last_cycle = peak_of(std::span(history.displacement_m).last(2000));
@@ -55,7 +56,7 @@ TEST(ResponseSpectrum, EveryLaneEqualsTheSingleOscillator) {
 
     EXPECT_EQ(displacement, spectrum.sd_m);
     for (std::size_t i = 0; i < periods.size(); ++i) {
-        auto const history = oscillator_history(wave, 0.01, periods[i], 0.05);
+        auto const history = testing::oscillator_history(wave, 0.01, periods[i], 0.05);
         EXPECT_TRUE(near(spectrum.sd_m[i], peak_of(history.displacement_m), testing::exact_formula));
         EXPECT_TRUE(near(spectrum.sv_mps[i], peak_of(history.velocity_mps), testing::exact_formula));
         EXPECT_TRUE(near(spectrum.sa_mps2[i], peak_of(history.acceleration_mps2), testing::exact_formula));

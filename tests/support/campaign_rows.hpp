@@ -1,6 +1,7 @@
 /// All rows of a campaign, block after block.
 #pragma once
 
+#include "campaign/block_rows.hpp"
 #include "campaign/trial.hpp"
 
 namespace overturn::testing {

@@ -17,6 +17,7 @@
 #include "motion/record.hpp"
 #include "rocking/planar_rocking.hpp"
 #include "spectra/response_spectrum.hpp"
+#include "support/read_record.hpp"
 
 namespace overturn {
 namespace {
@@ -52,7 +53,7 @@ TEST(Published, SpectralIntensityOfElCentro) {
     std::string const content((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
     RecordRequest request;
     request.unit_mps2 = 0.01;
-    auto const motion = read_record(content, request);
+    auto const motion = testing::read_record(content, request);
     constexpr double foot_m = 0.3048;
     struct Case {
         double damping, feet, tolerance;

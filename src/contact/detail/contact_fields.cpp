@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "contact/detail/contact_run.hpp"
+#include "contact/rest_gate.hpp"
 
 namespace overturn::contact {
 
@@ -23,9 +24,8 @@ void ContactRun::fill_trial(ContactAccuracy const& accuracy) {
     put(ContactField::cosine_alpha, std::cos(alpha));
     put(ContactField::impact_spin, planar_.approach_floor_mps() / b);
     put(ContactField::quiet_energy, accuracy.rest_gate ? quiet_energy() : -1);
-    // Corners part at b / h, a flat bed at a third of it.
-    double const parting = lane_.points == 2 ? 0.9 : 0.25;
-    put(ContactField::rest_ratio, std::min(parting * b / h, 0.5 * planar_.friction));
+    double const parting = lane_.points == 2 ? corner_parting_share : bed_parting_share;
+    put(ContactField::rest_ratio, std::min(parting * b / h, friction_share * planar_.friction));
     put(ContactField::force, planar_.gravity_mps2);
     put(ContactField::least_force, std::numeric_limits<double>::infinity());
     put(ContactField::uplift_time, -1);
@@ -114,11 +114,11 @@ double ContactRun::mechanical_energy() const {
     return 0.5 * moving + springs + planar_.gravity_mps2 * (get(ContactField::rise) + 0.5 * planar_.settlement_m());
 }
 
-// Farther than springs that hold give way.
+// Whether the base has moved farther than springs stretch whose points hold.
 bool ContactRun::slipped() const { return get(ContactField::most_slip) > elastic_way(); }
 
-// Of the sums that lanes keep, what needs no thought.
-void ContactRun::tell_peaks(ContactOutcome& out) const {
+// What can be read off the lane as it is: extremes, counts, and where the body ended.
+void ContactRun::fill_peaks(ContactOutcome& out) const {
     double const g = planar_.gravity_mps2;
     out.crest_rad = get(ContactField::crest);
     out.trough_rad = get(ContactField::trough);
@@ -137,7 +137,7 @@ void ContactRun::tell_peaks(ContactOutcome& out) const {
 
 ContactOutcome ContactRun::finish() const {
     ContactOutcome out;
-    tell_peaks(out);
+    fill_peaks(out);
     double const alpha = std::atan2(planar_.half_width_m, planar_.centre_height_m);
     double const radius = std::hypot(planar_.half_width_m, planar_.centre_height_m);
     double const rotation = get(ContactField::rotation);

@@ -9,6 +9,7 @@
 
 #include "contact/detail/contact_step.hpp"
 #include "contact/point_law-inl.hpp"
+#include "contact/rest_gate.hpp"
 #include "simd/lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -102,7 +103,7 @@ OVERTURN_LANES_INLINE auto ContactForce<V, Stride, Points>::pulled(Motion const&
     V const turning = at.spin * at.sine;
     V const rolling = at.spin * at.cosine;
     V const lift = fma(h, 1.0 - at.cosine, at.rise);  // of the middle of the base
-    V const climb = fma(h, turning, at.rise_speed);   // its velocities
+    V const lift_speed = fma(h, turning, at.rise_speed);
     V const slide = at.sway_speed - h * rolling;
     V const base = at.sway - h * at.sine;
     V const friction = get(ContactField::friction);
@@ -119,7 +120,7 @@ OVERTURN_LANES_INLINE auto ContactForce<V, Stride, Points>::pulled(Motion const&
         V const offset = spot(point, Spot::offset);
         V const yield = spot(point, Spot::yield);
         V const depth = fma(at.sine, offset, -lift) - spot(point, Spot::crush);
-        V const approach = fma(rolling, offset, -climb);
+        V const approach = fma(rolling, offset, -lift_speed);
         if constexpr (Remember) {
             remember_touch(point, depth, approach);
             least_depth = min(depth, least_depth);

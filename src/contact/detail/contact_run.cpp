@@ -47,7 +47,8 @@ void ContactRun::show_sample() {
     put(ContactField::substep, 0);
 }
 
-// The shaking grew while the body was held: it stands where springs that still touch have let it sink, sway and lean.
+// While the body was held the shaking grew. It starts to move from where that shaking has let the springs sink, sway
+// and lean, and as fast as the shaking changes.
 void ContactRun::wake() {
     double stiffness = 0;
     double first = 0;

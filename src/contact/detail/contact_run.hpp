@@ -1,4 +1,5 @@
-/// One trial of contact: what is rare and what needs thought, between the steps that lanes take.
+/// One trial of contact, all but the steps that lanes take: how it starts, rests and wakes, when it is over, its
+/// outcome.
 #pragma once
 
 #include <array>
@@ -44,7 +45,7 @@ class ContactRun : public PointRun<ContactRun, ContactField, Spot, ContactLanes<
     void show_sample();
     void hold(std::size_t sample);
     void wake();
-    void tell_peaks(ContactOutcome& out) const;
+    void fill_peaks(ContactOutcome& out) const;
     [[nodiscard]] bool fallen() const;
     [[nodiscard]] bool calm(std::size_t sample) const;
     [[nodiscard]] bool decided() const;

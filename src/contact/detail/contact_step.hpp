@@ -57,7 +57,7 @@ enum class ContactField : int {
     half_width,          ///< b
     mass_over_inertia,   ///< m / I_G
     friction,            ///< mu
-    hold,                ///< mu k / k_t: elastic shift of an anchor at most, over the depth of a point's force
+    hold,                ///< mu k / k_t: largest elastic shift of a point, over its normal force / stiffness
     tangential_ratio,    ///< k_t / k
     tangential_damping,  ///< c_t / k
     damping,             ///< y: of the normal law
@@ -69,7 +69,7 @@ enum class ContactField : int {
     impact_spin,         ///< slower passages of theta through zero are no impacts
     quiet_energy,        ///< negative: the body is never held at rest
     inertia,             ///< I_G / m
-    flexibility,         ///< 1 / k_t, over the mass: what an unbalanced force is worth in energy
+    flexibility,         ///< m / k_t: turns a squared unbalanced acceleration into energy over the mass
     rest_ratio,          ///< |a| / gv up to which a quiet body is held at rest
     count
 };

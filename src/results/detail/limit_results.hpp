@@ -20,10 +20,6 @@ void write_limits(store::ResultsWriter& file, CampaignSpec const& spec, Statisti
 /// /quantiles/<body>: median, 84 % and 95 % of peak slip and rotation per level, each with its interval.
 void write_quantiles(store::ResultsWriter& file, CampaignSpec const& spec, BodyAnalysis const& body);
 
-/// /grid/<body>: per frequency the least level that lifts it off, overturns it, or passes a limit of the user's own,
-/// the highest at which it stood, and how many tell nothing. \pre waves are a grid
-void write_grid(store::ResultsWriter& file, CampaignSpec const& spec, BodyAnalysis const& body);
-
 /// What the trials say of the limit states is what they said when the file was made. \throws InputError
 void require_stored_limits(store::ResultsReader const& file, CampaignSpec const& spec, BodyStatistics const& counted);
 

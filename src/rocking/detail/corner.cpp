@@ -13,21 +13,24 @@ Corner symmetric_corner(RockingBlock const& block, Restoring restoring, bool lim
     double const e = block.restitution;
     Potential const potential(restoring, alpha);
     double const tips = potential.uplift_ratio();
-    return {.alpha_rad = alpha,
-            .base_angle_rad = alpha,
-            .p_radps = block.p_radps,
-            .restitution = e,
-            .inertia_ratio = block.inertia_ratio,
-            .sine_alpha = sine,
-            .cosine_alpha = cosine,
-            .uplift_ratio = tips,
-            .hold_ratio = limited ? std::min(block.friction_static, tips) : tips,
-            .base_ratio = tips,
-            .r = block.inertia_ratio / (block.p_radps * block.p_radps),
-            .radius_m = block.radius_m(),
-            .law = {sine, cosine, 1 / block.inertia_ratio - 1, e, block.friction_static, block.friction_kinetic, sine},
-            .potential = potential,
-            .impact_demand = (1 - e) / ((1 + e) * tips)};  // the law's own, in which h / b is one number
+    return {
+        .alpha_rad = alpha,
+        .base_angle_rad = alpha,
+        .p_radps = block.p_radps,
+        .restitution = e,
+        .inertia_ratio = block.inertia_ratio,
+        .sine_alpha = sine,
+        .cosine_alpha = cosine,
+        .uplift_ratio = tips,
+        .hold_ratio = limited ? std::min(block.friction_static, tips) : tips,
+        .base_ratio = tips,
+        .r = block.inertia_ratio / (block.p_radps * block.p_radps),
+        .radius_m = block.radius_m(),
+        .law = {sine, cosine, 1 / block.inertia_ratio - 1, e, block.friction_static, block.friction_kinetic, sine},
+        .potential = potential,
+        // ImpactLaw::friction_demand, h (1 - e) / [b (1 + e)], of equal corners: with b / h as one number, tan(alpha)
+        // (alpha itself of the linearised block). Last bits of the two differ, and results keep this one's.
+        .impact_demand = (1 - e) / ((1 + e) * tips)};
 }
 
 Corner differing_corner(RockingBlock const& block, double side, Restoring restoring, bool limited) {

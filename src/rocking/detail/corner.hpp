@@ -1,9 +1,11 @@
-/// What the two base corners lend to the equations.
+/// The two base corners as the equations see them: angles, frequency, what lifts the block or holds it, impact law and
+/// potential.
 #pragma once
 
 #include <array>
 
-#include "rocking/detail/block_dynamics.hpp"
+#include "rocking/detail/impact_law.hpp"
+#include "rocking/detail/potential.hpp"
 #include "rocking/planar_rocking.hpp"
 
 namespace overturn::rocking {
@@ -12,7 +14,7 @@ struct Corner {
     double alpha_rad, base_angle_rad, p_radps, restitution, inertia_ratio;
     double sine_alpha, cosine_alpha;
     double uplift_ratio;  ///< tan(alpha)
-    double hold_ratio;    ///< |a| / gv up to which neither tips towards it nor slides
+    double hold_ratio;    ///< |a| / gv up to which the block neither tips towards it nor slides
     double base_ratio;    ///< b / h: friction below it slides and never tips
     double r, radius_m;   ///< R / g [s2], R
     ImpactLaw law;

@@ -42,7 +42,10 @@ template <class Order> [[nodiscard]] double step_length(RockingRun& run, Rotatio
     auto const& sample = run.sample;
     int const order = series.order;
     double const left = sample.left();
-    double h = accuracy.substeps > 1 ? std::min(left, sample.length_s / accuracy.substeps * (1 + 1e-12)) : left;
+    // So that as many substeps reach the sample's end: a thousand of them, the most that a campaign may ask for, sum up
+    // 1e-13 of rounding.
+    constexpr double slack = 1e-12;
+    double h = accuracy.substeps > 1 ? std::min(left, sample.length_s / accuracy.substeps * (1 + slack)) : left;
     double power = 1;
     for (int k = 0; k < order; ++k) {
         power *= h;

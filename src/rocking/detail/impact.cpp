@@ -8,21 +8,18 @@
 namespace overturn::rocking {
 namespace {
 
-// Time that the bouncing still takes, by the forcing as it is now: impacts accumulate at a finite time. A small half
-// cycle on a corner lasts 2 omega / deceleration, p^2 cos(alpha) (Gv tan(alpha) + A); the ones over both corners each
-// start with e times the rate of the one before, which sums as a geometric series.
+// Time that the bouncing still takes, by the forcing as it is now.
 double bouncing_s(RockingRun const& run, double a, double gv) {
     auto const deceleration = [&](Corner const& at, double side) {
         double const cosine =
             run.setup.nonlinear() ? std::cos(at.alpha_rad) : 1.0;  // the linear block's sin psi is psi
-        return at.p_radps * at.p_radps * cosine * (gv * at.uplift_ratio + side * a);
+        return deceleration_at_ground(at.p_radps, cosine, at.uplift_ratio, gv, side * a);
     };
     double const side = run.state.side;
     auto const& corner = run.corner();
     auto const& other = run.setup.at_side(-side);
-    double const e = corner.restitution;
-    return 2 * run.state.omega * (1 / deceleration(corner, side) + e / deceleration(other, -side))
-           / (1 - e * other.restitution);
+    return bouncing_time(run.state.omega, deceleration(corner, side), deceleration(other, -side), corner.restitution,
+                         other.restitution);
 }
 
 // Whether the small half cycles on both corners need no more friction than there is.
@@ -48,9 +45,8 @@ void settle(RockingRun& run, double a, double gv) {
     auto const& corner = run.corner();
     double const end = sample.tau_s + bouncing_s(run, a, gv);
     double const a_end = sample.horizontal(end);
-    double const gv_here = run.setup.lopsided ? gv : gv * corner.uplift_ratio / corner.uplift_ratio;
     if (end <= sample.length_s && std::abs(a_end) <= sample.vertical(end) * run.setup.tipped_by(a_end).uplift_ratio
-        && bouncing_sticks(run, a, gv_here)) {
+        && bouncing_sticks(run, a, gv)) {
         sample.tau_s = end;
     } else if (run.state.omega > rest_speed_share * run.setup.accuracy.settle * corner.p_radps) {
         return;
@@ -66,9 +62,13 @@ void settle(RockingRun& run, double a, double gv) {
     }
 }
 
-// Bounces that slip accumulate as well, each a fraction of the one before; only the slip may outlast them. Guard: too
-// slow to matter. What they would still have done to the slip follows from momentum: the centre's h theta' goes over
-// into it, and as the base carries b omega less than the weight's impulse, friction brakes it that much less.
+// The bouncing of a base that slips ends in finite time too, but the slip may outlast it.
+// Guard: the rebound is slower than rest_speed_share settle p; and there is none, or the slip is as slow, or friction
+// does not tip a base that slides this way.
+// Reset: all that is left of the bouncing at once, by the momentum of the centre of gravity. Along the ground its
+// v + h theta' becomes the base's slip. Upwards it loses b omega, so that over the bouncing the ground bears m b omega
+// less than the weight's impulse, and friction brakes by mu_k b omega less (`saved`). What is left of the slip decides:
+// none is rest (or a lift, if the shaking does not hold the block), else the base slides or tips towards its slip.
 void settle_slipping(RockingRun& run, double a, double hold) {
     auto& state = run.state;
     auto const& corner = run.corner();
@@ -113,6 +113,7 @@ void apply_impact(RockingRun& run) {
     ++out.impacts;
     double const speed = std::max(0.0, -state.omega);
     out.impact_spin_radps = std::max(out.impact_spin_radps, speed);
+    // rocking_energy on the ground, but for its quotient, which is taken last: results' last bits keep it.
     run.log.raise_energy(0.5 * speed * speed / (corner.p_radps * corner.p_radps));
     state.phi = 0;
     run.show(0, 0);

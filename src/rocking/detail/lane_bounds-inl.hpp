@@ -127,15 +127,23 @@ OVERTURN_LANES_INLINE auto LaneBounds<V, Stride, Vertical>::landing_of(Plan cons
     return {started, lands, clear};
 }
 
-// How far the contact forces can move within a step. With lambda = r p^2 < 1, spin = r phi'^2 by time, and
-// D = Gv' sin psi + A' cos psi, F = A - lambda cos psi pull + sin psi spin has the derivative
+// How far the contact forces can move within a step. Let lambda = r p^2 < 1 (the inertia ratio), spin = r phi'^2 by
+// time, D = Gv' sin psi + A' cos psi and E = A' sin psi - Gv' cos psi, so that D' = phi' E, m' = E - phi' pull and
+// spin' = -2 lambda phi' pull; |D|, |E| <= change. From its start spin grows by 2 lambda arc force at most.
+// First derivatives, of F = A - lambda cos psi pull + sin psi spin and N = Gv - lambda sin psi pull - cos psi spin:
 //     F' = A' - lambda cos psi D - lambda phi' (3 sin psi pull + cos psi m) - phi' cos psi spin,
-// where |3 sin psi pull + cos psi m| = |2 A sin 2psi + Gv (1 - 2 cos 2psi)| <= 3 force, and spin grows by at most
-// 2 lambda arc force <= 2 most_arc force. So |F'| <= 2 change + 3 arc (force + spin) for lambda <= 0.98, beyond which a
-// body would have next to no inertia about its own centre. N = Gv - lambda sin psi pull - cos psi spin likewise.
-// Once more: |F''|, |N''| <= (arc^2 + w force) (spin + 10 force + growth of spin) + 6 arc change, from
-//     phi'^2 lambda (6 cos psi pull - 4 sin psi m) + w lambda pull (3 sin psi pull + cos psi m) + ...
-// and a curve strays from the line between its ends by an eighth of it.
+//     N' = Gv' - lambda sin psi D + lambda phi' (3 cos psi pull - sin psi m) - phi' sin psi spin,
+// whose brackets are 2 A sin 2psi + Gv (1 - 2 cos 2psi) and 2 Gv sin 2psi + A (1 + 2 cos 2psi): 3 force at most. So
+//     |F'|, |N'| <= 2 change + arc (lambda (3 + 2 arc) force + spin at the start) <= 2 change + 3 arc (force + spin)
+// while lambda (3 + 2 most_arc) <= 3, which most_lane_inertia_ratio sees to.
+// Second derivatives, for any lambda:
+//     F'' = lambda (w pull (3 sin psi pull + cos psi m) + phi'^2 (6 cos psi pull - 4 sin psi m)
+//           - phi' (4 sin psi D + 2 cos psi E)) + spin (w pull cos psi - phi'^2 sin psi),
+//     N'' = lambda (-w pull (3 cos psi pull - sin psi m) + phi'^2 (6 sin psi pull + 4 cos psi m)
+//           + phi' (4 cos psi D - 2 sin psi E)) + spin (w pull sin psi + phi'^2 cos psi),
+// in which the brackets with w, phi'^2 and phi' are at most 3 force, 6 force and 4 change. So both are at most
+// (w force + arc^2) (spin at the start + (6 + 2 arc) force) + 4 arc change; the code has 10 for 6 and 6 for 4. A curve
+// strays from the line between its ends by an eighth of that.
 template <class V, int Stride, bool Vertical>
 OVERTURN_LANES_INLINE auto LaneBounds<V, Stride, Vertical>::contact_holds(Plan const& plan, Bounds const& bounds,
                                                                           Forces const& here) const -> M {
@@ -150,10 +158,11 @@ OVERTURN_LANES_INLINE auto LaneBounds<V, Stride, Vertical>::contact_holds(Plan c
         V const least = normal - astray;
         return (least > V(0)) & (friction + astray <= limit * least);
     };
+    static_assert(most_lane_inertia_ratio * (3 + 2 * most_arc) <= 3);
     V const moved = both * fma(force + here.spin, 3.0 * arc, change + change);
     M held = holds(here.friction, here.normal, moved);
-    if (any(!held)) {                     // near a limit: from both ends
-        constexpr double growth = 10.06;  // 10 + 2 most_arc
+    if (any(!held)) {  // near a limit: from both ends
+        constexpr double growth = 10 + 2 * most_arc;
         Target const& to = plan.to;
         Forces const there = forces(to.s, to.c, to.speed / plan.length, plan.a.end, plan.g.end);
         V const astray =

@@ -64,6 +64,7 @@ void account_for(RockingRun& run, RockingFields<1> const& before, RockingFields<
         if (impact) {
             double const rebound = corner.radius_m * after.at(RockingField::omega, 0);
             double const e = corner.restitution;
+            // Kinetic energy I_O omega^2 / 2 about the corner, over the mass: before the impact less after it.
             energy.impact_loss += 0.5 / corner.inertia_ratio * rebound * rebound * (1 / (e * e) - 1);
         }
     }
@@ -128,8 +129,7 @@ template <int Lanes> void load_lane(RockingRun const& run, RockingFields<Lanes>&
     set(RockingField::incline_sine, state.side * setup.incline.sine);
     set(RockingField::incline_cosine, setup.incline.cosine);
     set(RockingField::settle_speed, setup.accuracy.settle * p);
-    // Bounces last 2 omega / deceleration, each e times the one before; the weaker side sets the longest.
-    set(RockingField::settle_rate, 2 / ((1 - e) * p * p * corner.cosine_alpha));
+    set(RockingField::settle_rate, longest_bouncing(p, corner.cosine_alpha, e));
     set(RockingField::tolerance, setup.accuracy.step_tolerance * corner.alpha_rad);
     set(RockingField::scale, shaking.scale / setup.block.gravity_mps2);
     set(RockingField::time_step, shaking.time_step_s);
@@ -155,7 +155,8 @@ template <int Lanes> void store_lane(RockingRun& run, RockingFields<Lanes> const
     if (get(RockingField::peak) > log.peak()) {
         log.raise_peak(get(RockingField::peak), get(RockingField::peak_time));
     }
-    if (get(RockingField::energy) > log.energy()) {  // what comes back as it went in may not be raised by rounding
+    // log.energy() is a quotient: an energy that the lane left as it was may not come back raised by its rounding.
+    if (get(RockingField::energy) > log.energy()) {
         log.raise_energy(get(RockingField::energy));
     }
     out.friction_demand = get(RockingField::demand);

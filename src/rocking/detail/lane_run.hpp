@@ -15,8 +15,9 @@ template <int Lanes> void store_lane(RockingRun& run, RockingFields<Lanes> const
 /// On to the next instant that needs care, alone.
 void step_in_lane(RockingRun& run);
 
-/// Near the limit of friction step_lanes wants care. If nothing slips after all, its step is the one to take: so that a
-/// limit which is never reached changes no bit. \return false if no step was taken
+/// Near the limit of friction step_lanes stops. If the corner does not slip in the next step after all, takes that step
+/// in the lane, as if there were no limit: a limit that is never reached may change no bit. \return false if no step
+/// was taken
 [[nodiscard]] bool step_unless_slip(RockingRun& run);
 
 }  // namespace overturn::rocking

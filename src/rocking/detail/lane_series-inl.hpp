@@ -15,19 +15,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace overturn::rocking::HWY_NAMESPACE {
 
+// The laws for vector lanes: see block_laws.hpp, which includes the same text for doubles.
 #define OVERTURN_LAW [[nodiscard]] OVERTURN_LANES_INLINE
 #include "rocking/detail/block_laws-inl.hpp"
 #undef OVERTURN_LAW
 
-// The k-th coefficient of a series and the one before, and a forcing that is linear over the step: the numbers that the
-// equation of motion takes term by term. Of every sum the newest terms come last: they are what the next ones wait for.
-template <class V> struct Term { V now, before; };
-template <class V> struct Linear { V start, change; };
-template <class V> OVERTURN_LANES_INLINE V operator*(Linear<V> f, Term<V> x) {
-    return fma(f.start, x.now, f.change * x.before);
-}
+// Of every sum the newest terms come last: they are what the next ones wait for.
 template <class V> OVERTURN_LANES_INLINE V mul_add(Linear<V> f, Term<V> x, V sum) {
-    return fma(f.start, x.now, fma(f.change, x.before, sum));
+    return fma(f.start, x.now, fma(f.slope, x.before, sum));
 }
 
 template <class V, int Stride, bool Vertical> class LaneSeries {
@@ -107,12 +102,12 @@ OVERTURN_LANES_INLINE auto LaneSeries<V, Stride, Vertical>::expand(V length, V w
     x.c[1] = x.rate[0] * x.s[0];
     Linear<V> const across{w * a.start, w * a.change};
     Linear<V> const down{Vertical ? w * g.start : w, w * g.change};
-    x.rate[1] = -pull(across.start, down.start, x.c[0], x.s[0]);  // which of its products is rounded is as good
+    x.rate[1] = -pull_in_other_order(down.start, across.start, x.s[0], x.c[0]);
 #pragma GCC unroll 16
     for (int k = 1; k < trig; ++k) {
         Term<V> const s{x.s[k], x.s[k - 1]};
         Term<V> const c{x.c[k], x.c[k - 1]};
-        V const back = Vertical ? pull(down, across, s, c) : fma(down.start, s.now, across * c);
+        V const back = Vertical ? pull(down, across, s, c) : pull(down.start, across, s.now, c);
         x.rate[k + 1] = back * (-1.0 / (k + 1));
         if (k + 1 == trig) {
             break;
@@ -132,7 +127,7 @@ OVERTURN_LANES_INLINE auto LaneSeries<V, Stride, Vertical>::expand(V length, V w
     return x;
 }
 
-// psi turns by minus what phi gains; its sine and cosine turn with it.
+// psi turns by minus what phi gains; its sine and cosine turn with it. Exact to rounding up to most_arc.
 template <class V, int Stride, bool Vertical>
 OVERTURN_LANES_INLINE auto LaneSeries<V, Stride, Vertical>::turned(Series const& x, V gain) const -> Turned {
     V const t2 = gain * gain;
@@ -142,9 +137,6 @@ OVERTURN_LANES_INLINE auto LaneSeries<V, Stride, Vertical>::turned(Series const&
     V const drop = cosine_tail * t2;  // cos - 1
     return {x.s[0] + fma(x.s[0], drop, -(x.c[0] * sine)), x.c[0] + fma(x.c[0], drop, x.s[0] * sine)};
 }
-// To which the sums above are exact to rounding [rad]: the first terms left out are gain^8 / 9! of the sine, 2e-18, and
-// gain^10 / 10! of the cosine, 2e-22.
-constexpr double most_arc = 0.03;
 
 template <class V, int Stride, bool Vertical>
 OVERTURN_LANES_INLINE auto LaneSeries<V, Stride, Vertical>::target(Series const& x) const -> Target {
@@ -181,7 +173,7 @@ OVERTURN_LANES_INLINE V LaneSeries<V, Stride, Vertical>::falling_root(V c0, V c1
     return (c0 + c0) / (sqrt(max(c1 * c1 - 4.0 * c0 * c2, 0)) - c1);
 }
 
-// sum c[k] u^k in two chains, even and odd, as one would wait for itself.
+// sum c[k] u^k in two chains, of even and of odd powers: in a single one every step would wait for the one before.
 template <class V, int Stride, bool Vertical>
 template <std::size_t N>
 OVERTURN_LANES_INLINE V LaneSeries<V, Stride, Vertical>::at(V u, std::array<V, N> const& c) {

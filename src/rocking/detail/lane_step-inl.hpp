@@ -7,7 +7,7 @@
 #define OVERTURN_LANE_STEP
 #endif
 
-#include "rocking/detail/block_dynamics.hpp"
+#include "rocking/detail/block_laws.hpp"
 #include "rocking/detail/lane_bounds-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -40,7 +40,7 @@ template <class V, int Stride, bool Vertical> class Stepper : private LaneBounds
 
     // The highest rotation inside a step, and two energies that may be the highest: where the block turns, and where
     // the shaking's power changes its sign.
-    struct Crest {
+    struct StepPeaks {
         V phi, energy, share;
         V free_energy, free_share;
     };
@@ -53,16 +53,16 @@ template <class V, int Stride, bool Vertical> class Stepper : private LaneBounds
     };
 
     OVERTURN_LANES_INLINE V energy_here(Plan const& plan) const;
-    OVERTURN_LANES_INLINE Crest crest_of(Plan const& plan, Bounds const& bounds, V energy, M& fine) const;
+    OVERTURN_LANES_INLINE StepPeaks peaks_of(Plan const& plan, Bounds const& bounds, V energy, M& fine) const;
     OVERTURN_LANES_INLINE After at_end(Plan const& plan, V energy, Forces const& here) const;
     OVERTURN_LANES_INLINE void apply_impacts(Plan const& plan, M started, M impacts, After& after);
-    OVERTURN_LANES_INLINE void write(Plan const& plan, Crest const& crest, Forces const& here, After& after);
+    OVERTURN_LANES_INLINE void write(Plan const& plan, StepPeaks const& peaks, Forces const& here, After& after);
     static OVERTURN_LANES_INLINE void show(Plan const& plan, After const& after, LaneStep& shown);
     OVERTURN_LANES_INLINE V power_over_cosine(V u, Plan const& plan) const;
     OVERTURN_LANES_INLINE V energy_at(V u, Plan const& plan) const;
 };
 
-// The shaking's power over -phi' cos psi: its share of the pull along the way of the centre of gravity. Almost a line.
+// The shaking's power over -phi' cos psi, (Gv - 1) tan psi + A: almost linear in time.
 template <class V, int Stride, bool Vertical>
 OVERTURN_LANES_INLINE V Stepper<V, Stride, Vertical>::power_over_cosine(V u, Plan const& plan) const {
     V const across = fma(plan.a.change, u, plan.a.start);
@@ -87,8 +87,8 @@ OVERTURN_LANES_INLINE V Stepper<V, Stride, Vertical>::energy_here(Plan const& pl
 // Energy is stationary where the block turns and where the shaking's power changes its sign. A path that bends one way
 // turns once at most; what may turn twice, or up, is left to the scalar step where it could hide a record.
 template <class V, int Stride, bool Vertical>
-OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::crest_of(Plan const& plan, Bounds const& bounds, V energy,
-                                                                  M& fine) const -> Crest {
+OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::peaks_of(Plan const& plan, Bounds const& bounds, V energy,
+                                                                  M& fine) const -> StepPeaks {
     V const zero = 0;
     V const one = 1;
     Forcing const& a = plan.a;
@@ -106,14 +106,14 @@ OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::crest_of(Plan const& pl
     M const may_turn_up = may_have_most & (rate < zero) & (plan.to.speed > zero);
     fine = without(fine, (may_turn_twice & (may_be_highest | may_have_most)) | may_turn_up);
     M const turns = fine & (may_be_highest | may_have_most) & (rate > zero) & (plan.to.speed <= zero);
-    Crest crest{zero, zero, one, zero, one};
+    StepPeaks peaks{zero, zero, one, zero, one};
     if (any(turns)) {
         auto const [u, found] = this->turning(plan.x);
         fine = without(fine, without(turns, found));
         V const gain = this->gain(u, plan.x);
-        crest.phi = choose(turns, plan.phi + gain, zero);
-        crest.energy = choose(turns, this->turned(plan.x, gain).c - get(RockingField::cosine_alpha), zero);
-        crest.share = choose(turns, u, one);
+        peaks.phi = choose(turns, plan.phi + gain, zero);
+        peaks.energy = choose(turns, this->turned(plan.x, gain).c - get(RockingField::cosine_alpha), zero);
+        peaks.share = choose(turns, u, one);
     }
     V const power = shaking_pull_of(g.start, a.start, plan.s, plan.c);
     V const power_end = shaking_pull_of(g.end, a.end, plan.to.s, plan.to.c);
@@ -122,10 +122,10 @@ OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::crest_of(Plan const& pl
         V const here = Vertical ? fma(down, plan.s / plan.c, a.start) : a.start;
         V const fall = here - (Vertical ? fma(down_end, plan.to.s / plan.to.c, a.end) : a.end);
         V const u = here / fall;
-        crest.free_share = choose(power_turns, max(zero, min(one, u + power_over_cosine(u, plan) / fall)), one);
-        crest.free_energy = choose(power_turns, energy_at(crest.free_share, plan), zero);
+        peaks.free_share = choose(power_turns, max(zero, min(one, u + power_over_cosine(u, plan) / fall)), one);
+        peaks.free_energy = choose(power_turns, energy_at(peaks.free_share, plan), zero);
     }
-    return crest;
+    return peaks;
 }
 
 // The sample's end, where nothing happens on the way.
@@ -134,7 +134,7 @@ OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::at_end(Plan const& plan
     -> After {
     V const zero = 0;
     return {plan.to.phi,
-            plan.to.speed / plan.length,  // its inverse would err one way in every step
+            plan.to.speed / plan.length,  // times its inverse would round the same way in every step
             plan.to.s,
             plan.to.c,
             get(RockingField::index) + 1.0,
@@ -168,7 +168,7 @@ OVERTURN_LANES_INLINE void Stepper<V, Stride, Vertical>::apply_impacts(Plan cons
     impacts = impacts & found & ((rebound > settle) | lasts) & (u > zero) & (u < one)
               & (get(RockingField::impact_demand) <= get(RockingField::friction_limit));
     V const rate = approach * get(RockingField::inverse_p);
-    after.energy = choose(impacts, max(after.energy, 0.5 * rate * rate), after.energy);
+    after.energy = choose(impacts, max(after.energy, rocking_energy(rate, zero)), after.energy);
     after.demand = choose(impacts, max(after.demand, get(RockingField::impact_demand)), after.demand);
     auto const before = forces(get(RockingField::sine_alpha), get(RockingField::cosine_alpha), approach, av, gv);
     after.normal = choose(impacts, min(after.normal, before.normal), after.normal);
@@ -193,24 +193,24 @@ OVERTURN_LANES_INLINE void Stepper<V, Stride, Vertical>::apply_impacts(Plan cons
 
 // Of the lanes that take the step: where they stand, and their records.
 template <class V, int Stride, bool Vertical>
-OVERTURN_LANES_INLINE void Stepper<V, Stride, Vertical>::write(Plan const& plan, Crest const& crest, Forces const& here,
-                                                               After& after) {
+OVERTURN_LANES_INLINE void Stepper<V, Stride, Vertical>::write(Plan const& plan, StepPeaks const& peaks,
+                                                               Forces const& here, After& after) {
     M const stays = !after.taken;
     after.energy =
-        max(after.energy, max(crest.energy, choose(crest.free_share < after.share, crest.free_energy, V(0))));
+        max(after.energy, max(peaks.energy, choose(peaks.free_share < after.share, peaks.free_energy, V(0))));
     M const demands = without(here.friction > after.demand * here.normal, stays);
     if (any(demands)) {
         after.demand = choose(demands, here.friction / here.normal, after.demand);
     }
     V const peak = get(RockingField::peak);
-    if (M const higher = without(max(after.phi, crest.phi) > peak, stays); any(higher)) {
+    if (M const higher = without(max(after.phi, peaks.phi) > peak, stays); any(higher)) {
         V const index = get(RockingField::index);
         V const tau = get(RockingField::tau);
         V const dt = get(RockingField::time_step);
-        M const inside = crest.phi > after.phi;
-        V const since = choose(inside, crest.share * plan.length, fma(after.index - index, dt, after.tau - tau));
+        M const inside = peaks.phi > after.phi;
+        V const since = choose(inside, peaks.share * plan.length, fma(after.index - index, dt, after.tau - tau));
         put(RockingField::peak_time, choose(higher, fma(index, dt, tau + since), get(RockingField::peak_time)));
-        put(RockingField::peak, choose(higher, max(after.phi, crest.phi), peak));
+        put(RockingField::peak, choose(higher, max(after.phi, peaks.phi), peak));
     }
     bool const some_stay = any(stays);
     auto const keep = [&](RockingField field, V now)
@@ -271,7 +271,7 @@ OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::step(LaneStep* shown) -
     M fine = (last_terms <= get(RockingField::tolerance)) & (bounds.arc <= most_arc)
              & (plan.to.phi < overturned_rad - most_arc);
     V const energy = energy_here(plan);
-    Crest const crest = crest_of(plan, bounds, energy, fine);
+    StepPeaks const peaks = peaks_of(plan, bounds, energy, fine);
     Forces const here = forces(plan.s, plan.c, plan.omega, plan.a.start, plan.g.start);
     fine = fine & this->contact_holds(plan, bounds, here);
 
@@ -280,7 +280,7 @@ OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::step(LaneStep* shown) -
     if (M const impacts = landing.lands & fine; any(impacts)) {
         apply_impacts(plan, landing.started, impacts, after);
     }
-    write(plan, crest, here, after);
+    write(plan, peaks, here, after);
     if (shown != nullptr) {
         show(plan, after, *shown);
     }

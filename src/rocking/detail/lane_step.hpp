@@ -5,12 +5,13 @@
 #include <array>
 #include <cstdint>
 
+#include "rocking/rocking_accuracy.hpp"
 #include "simd/lane_fields.hpp"
 
 namespace overturn::rocking {
 
-/// What a lane holds. Time in s, angles in rad, mirrored like the integrator's (phi = side * theta >= 0); forces over
-/// m g, energies over m g R.
+/// What a lane holds. Time in s, angles in rad, mirrored to the corner that the block stands on as in State
+/// (phi = side * theta >= 0); forces over m g, energies over m g R.
 enum class RockingField : int {
     // state
     phi,
@@ -44,7 +45,7 @@ enum class RockingField : int {
     incline_sine,    ///< of the ground's slope, towards the corner; level: 0
     incline_cosine,
     settle_speed,  ///< slower rebounds may settle
-    settle_rate,   ///< rebound times this, over (hold - |a|): how long the bouncing lasts at most
+    settle_rate,   ///< longest_bouncing: rebound times this, over hold: how long the bouncing lasts at most
     tolerance,     ///< of the last term of the series
     scale,         ///< of the samples, over g
     time_step,
@@ -58,6 +59,15 @@ enum class RockingField : int {
 /// measured.
 inline constexpr double rest_speed_share = 1e-3;
 
+/// Largest turn of a step in lanes [rad]. Up to it the sums for the sine and cosine of a turn are exact to rounding:
+/// the first terms that they leave out are turn^8 / 9! of the sine, 2e-18, and turn^10 / 10! of the cosine, 2e-22.
+inline constexpr double most_arc = 0.03;
+
+/// Largest inertia ratio m R^2 / I_O of a block that is stepped in lanes: up to it the bound of the contact forces'
+/// change holds (derived above contact_holds in lane_bounds-inl.hpp). A block beyond it has next to no inertia about
+/// its own centre, and takes its steps in stick.cpp; a uniform rectangle has 0.75.
+inline constexpr double most_lane_inertia_ratio = 0.98;
+
 /// The waves that a lane reads, in m/s2; the vertical one only if it is stepped with vertical motion.
 enum class RockingWave : int { horizontal, vertical, count };
 
@@ -66,7 +76,7 @@ template <int Lanes> using RockingFields = simd::LaneFields<RockingField, Rockin
 
 /// The last step taken, as power series in the share of its length.
 struct LaneStep {
-    static constexpr int order = 10;
+    static constexpr int order = campaign_order;
     double length_s = 0;                             ///< as planned
     double share = 1;                                ///< of it, where an impact cut it short
     std::array<double, order> rates{};               ///< phi' length

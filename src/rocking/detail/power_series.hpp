@@ -6,8 +6,7 @@
 #include <cstddef>
 
 #include "core/polynomial.hpp"
-#include "rocking/detail/block_dynamics.hpp"
-#include "rocking/detail/lane_step.hpp"
+#include "rocking/detail/block_laws.hpp"
 #include "rocking/rocking_accuracy.hpp"
 
 namespace overturn::rocking {
@@ -18,7 +17,7 @@ template <int Terms> struct FixedOrder {
     constexpr operator int() const { return Terms; }  // NOLINT(google-explicit-constructor): it is a number
 };
 /// That of campaigns, and of step_lanes.
-using CampaignOrder = FixedOrder<LaneStep::order>;
+using CampaignOrder = FixedOrder<campaign_order>;
 /// Any of taylor_orders, for studies of accuracy. Terms beyond it are zero, which changes no bit of what evaluation,
 /// roots and bounds give.
 struct AnyOrder {
@@ -57,31 +56,19 @@ template <std::size_t N>
     return integral(product, t);
 }
 
-/// What is linear over a step: its value at the start, and its rate.
-struct Linear {
-    double start, slope;
-
-    [[nodiscard]] double at(double t) const { return start + slope * t; }
-    [[nodiscard]] Linear operator-(double c) const { return {start - c, slope}; }
-};
-
 /// Forcing over a step, in units of g, mirrored to a corner.
 struct Forcing {
-    Linear horizontal;  ///< A
-    Linear vertical;    ///< Gv = 1 + a_vertical / g
+    Linear<double> horizontal;  ///< A
+    Linear<double> vertical;    ///< Gv = 1 + a_vertical / g
 };
 
-/// The k-th coefficient of a series and the one before: the number that the laws take where a series is worked out
-/// term by term, with a Linear as its forcing.
-struct Term {
-    double now, before;
-
-    template <std::size_t N> static Term of(std::array<double, N> const& c, int k) {
-        return {c[k], k > 0 ? c[k - 1] : 0};
-    }
-};
-[[nodiscard]] inline double operator*(Linear f, Term x) { return f.start * x.now + f.slope * x.before; }
-[[nodiscard]] inline double mul_add(Linear f, Term x, double sum) { return sum + f.start * x.now + f.slope * x.before; }
+/// The k-th term of a series, with the one before.
+template <std::size_t N> [[nodiscard]] Term<double> term_of(std::array<double, N> const& c, int k) {
+    return {c[k], k > 0 ? c[k - 1] : 0};
+}
+[[nodiscard]] inline double mul_add(Linear<double> f, Term<double> x, double sum) {
+    return sum + f.start * x.now + f.slope * x.before;
+}
 
 /// A series as a number: as many terms as a second derivative of one of `Order` terms has.
 template <class Order> struct PowerSeries {
@@ -113,7 +100,7 @@ template <class Order> struct PowerSeries {
         }
         return other;
     }
-    [[nodiscard]] PowerSeries operator+(Linear f) const {
+    [[nodiscard]] PowerSeries operator+(Linear<double> f) const {
         auto sum = *this;
         sum.c[0] += f.start;
         sum.c[1] += f.slope;
@@ -151,10 +138,10 @@ template <std::size_t N>
 [[nodiscard]] double shaking_work(std::array<double, N> const& velocity, std::array<double, N> const& sine,
                                   std::array<double, N> const& cosine, Forcing const& f, int terms, double t) {
     std::array<double, N> share{};
-    Linear const vertical = f.vertical - 1;
+    Linear<double> const vertical = f.vertical - 1;
     for (int k = 0; k < terms; ++k) {  // not by pull(), whose sums end in other bits
-        auto const s = Term::of(sine, k);
-        auto const c = Term::of(cosine, k);
+        auto const s = term_of(sine, k);
+        auto const c = term_of(cosine, k);
         share[k] = (f.horizontal.start * c.now + vertical.start * s.now)
                    + (f.horizontal.slope * c.before + vertical.slope * s.before);
     }

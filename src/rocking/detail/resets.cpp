@@ -35,7 +35,7 @@ void start_slip(RockingRun& run, double friction) {
     state.slip_velocity_mps = 0;
     state.slipped = true;
     run.log.raise_demand(block.friction_static);
-    // A base that has not left the ground yet and is too smooth to be tipped slides flat.
+    // A base that has not left the ground yet slides flat if kinetic friction is too small to tip it, mu_k <= b / h.
     bool const flat = state.start_root == StartRoot::twofold && block.friction_kinetic <= run.corner().base_ratio;
     state.mode = flat ? Mode::slide : Mode::slip_rock;
 }

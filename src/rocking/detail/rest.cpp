@@ -33,7 +33,8 @@ void skip_lopsided_rest(RockingRun& run) {
     }
 }
 
-// Most samples of most waves pass through this loop: what it must not ask at each of them is a template parameter.
+// Most samples of most waves pass through this loop: whether there is vertical motion is asked once, by a template
+// parameter, not at each of them.
 template <bool Vertical> void skip_symmetric_rest(RockingRun& run) {
     auto const& shaking = run.setup.shaking;
     std::size_t const n = shaking.horizontal_mps2.size();
@@ -58,7 +59,8 @@ template <bool Vertical> void skip_symmetric_rest(RockingRun& run) {
     auto const sample_holds = [&](std::size_t i) {
         return holds(shaking.horizontal_mps2[i], Vertical ? shaking.vertical_mps2[i] : 0);
     };
-    // Of a chunk with a vertical component the bound is not the maximum: it may set no record.
+    // Of a chunk with a vertical component strongest over lightest is an upper bound of the ratio, not its maximum:
+    // such a chunk is skipped only if it sets no record.
     auto const chunk_holds = [&](ChunkExtremes::Chunk const& chunk) {
         double const lowest = k > 0 ? chunk.lowest : chunk.highest;
         bool const exact =
@@ -86,7 +88,7 @@ template <bool Vertical> void skip_symmetric_rest(RockingRun& run) {
 
 void leave_rest(RockingRun& run, double tau, double acceleration) {
     run.sample.tau_s = tau;
-    // equal: both limits are passed, and such a slip cannot tip
+    // Of equal limits both are passed: then it slides, as friction of b / h or less does not tip a sliding base.
     if (run.setup.limited() && run.setup.block.friction_static <= run.setup.tipped_by(acceleration).base_ratio) {
         start_sliding(run, acceleration);
     } else {

@@ -31,13 +31,13 @@ template <std::size_t N> double fall_from_zero(std::array<double, N> const& c, d
     }
     auto const slope = derivative(c);
     auto const turning = roots_in(slope, 0.0, h);
-    double crest = 0;
+    double before = 0;
     for (std::size_t i = 0; i <= turning.count; ++i) {
         double const next = i < turning.count ? turning.at[i] : h;
-        if (evaluate(c, crest) > 0 && evaluate(c, next) <= 0) {
-            return root_between(c, crest, next);
+        if (evaluate(c, before) > 0 && evaluate(c, next) <= 0) {
+            return root_between(c, before, next);
         }
-        crest = next;
+        before = next;
     }
     return -1;
 }

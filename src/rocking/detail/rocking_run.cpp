@@ -11,6 +11,18 @@
 
 namespace overturn::rocking {
 
+namespace {
+
+// Of mu_s. Forces over m g are sums of a few terms of order 1, so their rounding is some 1e-15: a hundred times that.
+constexpr double friction_slack = 1e-13;
+
+}  // namespace
+
+bool steps_in_lanes(RockingAccuracy const& accuracy) {
+    return accuracy.restoring == Restoring::nonlinear && accuracy.taylor_order == campaign_order
+           && accuracy.substeps == 1;
+}
+
 RockingSetup::RockingSetup(RockingBlock const& of, Excitation const& by, RockingAccuracy const& with, Slip friction)
     : block(of),
       shaking(by),
@@ -20,9 +32,10 @@ RockingSetup::RockingSetup(RockingBlock const& of, Excitation const& by, Rocking
       incline(lopsided ? Incline{std::sin(of.lopsided->slope_rad), std::cos(of.lopsided->slope_rad)} : Incline{}),
       corners(corners_of(of, with.restoring, friction != Slip::ignored)),
       top(Potential(with.restoring, of.alpha_rad).top()),
-      hold_friction(of.friction_static * (1 + 1e-13)),
-      uses_lanes(with.restoring == Restoring::nonlinear && with.taylor_order == LaneStep::order && with.substeps == 1) {
-}
+      hold_friction(of.friction_static * (1 + friction_slack)),
+      uses_lanes(steps_in_lanes(with) && std::ranges::all_of(corners, [](Corner const& corner) {
+                     return corner.inertia_ratio <= most_lane_inertia_ratio;
+                 })) {}
 
 double RockingRun::mechanical_energy() const {
     double const psi = corner().base_angle_rad - state.phi;
@@ -31,7 +44,7 @@ double RockingRun::mechanical_energy() const {
     double const up = std::sin(psi) * spin;
     double const g = setup.block.gravity_mps2;
     double const downhill = setup.lopsided ? g * setup.incline.sine * state.slip_m : 0;  // what slip has won of height
-    return 0.5 * (across * across + up * up + corner().law.kappa * spin * spin)
+    return kinetic_energy(across, up, spin, corner().law.kappa)
            + g * corner().radius_m * corner().potential.at(state.phi) - downhill;
 }
 
@@ -99,7 +112,9 @@ void run_out(RockingRun& run, double end_s) {
     auto& sample = run.sample;
     double const wave_step_s = run.setup.shaking.time_step_s;
     double const p = run.corner().p_radps;
-    double const length = wave_step_s > 0 ? wave_step_s : 0.01 / p;
+    // Of 1 / p: how often, without a wave, energy is looked at. The series' tolerance sees to the step's accuracy.
+    constexpr double calm_step = 0.01;
+    double const length = wave_step_s > 0 ? wave_step_s : calm_step / p;
     // A block on its corner leaves it as exp(p t): after 37 / p the last bit has grown to one, so what still stands
     // after this is an exact balance and lasts.
     double const balance_s = 100 / p;

@@ -15,6 +15,9 @@
 
 namespace overturn::rocking {
 
+/// Whether this accuracy is the one that step_lanes is compiled for: order and steps of campaigns, no linearisation.
+[[nodiscard]] bool steps_in_lanes(RockingAccuracy const& accuracy);
+
 /// What of a trial stays as it is.
 struct RockingSetup {
     RockingSetup(RockingBlock const& of, Excitation const& by, RockingAccuracy const& with, Slip friction);
@@ -27,9 +30,11 @@ struct RockingSetup {
     Incline incline;
     std::array<Corner, 2> corners;
     double top;  ///< energy that tips the weaker corner over, over its m g R
-    double
-        hold_friction;  ///< what sticking is held against: friction that is just enough holds, whatever rounding says
-    bool uses_lanes;    ///< its steps without slip are of the kind that step_lanes takes
+    /// mu_s as sticking is held against it, a little larger: friction that is just enough holds, whatever rounding
+    /// says.
+    double hold_friction;
+    /// Its steps without slip are left to step_lanes: the accuracy is theirs, and so are the inertia ratios.
+    bool uses_lanes;
 
     [[nodiscard]] bool nonlinear() const { return accuracy.restoring == Restoring::nonlinear; }
     [[nodiscard]] bool has_vertical() const { return !shaking.vertical_mps2.empty(); }

@@ -46,7 +46,9 @@ struct Sample {
     }
     /// A step that ends at the sample's end ends exactly there.
     void advance(double end, bool at_event) {
-        tau_s = !at_event && tau_s + end >= length_s * (1 - 1e-15) ? length_s : std::min(tau_s + end, length_s);
+        // tau_s + left() misses the length by two roundings at most, 2^-52 = 2e-16 of it.
+        constexpr double rounding = 1e-15;
+        tau_s = !at_event && tau_s + end >= length_s * (1 - rounding) ? length_s : std::min(tau_s + end, length_s);
     }
 };
 

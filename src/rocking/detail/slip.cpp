@@ -14,7 +14,8 @@ void stop_sliding(RockingRun& run) {
     run.state.mode = Mode::rest;
 }
 
-// Whether it then sticks is seen at once.
+// Back to rocking without slip; if sticking asks for too much friction, the next step finds that first
+// (slips_at_once) and the corner slips again.
 void stop_slipping(RockingRun& run) {
     run.state.slip_velocity_mps = 0;
     run.state.mode = Mode::rock;

@@ -17,6 +17,10 @@ template <class Order> struct SlipSeries {
 /// Equations of motion with slip, friction being -mu sigma N:
 /// phi'' = -B (Gv - r cos psi phi'^2) / [r (kappa + sin psi B)], B = sin psi - mu sigma cos psi, r = R/g,
 /// kappa = I_G / (m R^2); x''/g = -mu sigma N - A - r (cos psi phi'' + sin psi phi'^2).
+///
+/// Each term of phi'' asks for the terms before it of all the others, so products are taken term by term, not of whole
+/// series (PowerSeries). The forces are those of contact_forces, but N = r sin psi phi'' + (Gv - r cos psi phi'^2) is
+/// summed in the order in which phi'' needs its parts: last bits differ, and results keep these.
 /// \param drag mu_k times the sign of the slip, mirrored
 /// \param from_rest phi'' >= 0 by the step's own start, whatever rounding says
 template <class Order>
@@ -36,13 +40,13 @@ template <class Order>
     std::array<double, most> inertia{};   // kappa + sin psi B
     std::array<double, most> quotient{};  // B weight / inertia
     std::array<double, most> rotation{};  // phi''
-    auto const term_of = [](Linear const& f, int k) { return k == 0 ? f.start : k == 1 ? f.slope : 0; };
+    auto const coefficient = [](Linear<double> const& f, int k) { return k == 0 ? f.start : k == 1 ? f.slope : 0; };
     velocity[0] = omega;
     for (int k = 0; k + 2 <= order; ++k) {
         spin[k] = product_term(velocity, velocity, k);
         arm[k] = s.sine[k] - drag * s.cosine[k];
         weight[k] = -r * product_term(s.cosine, spin, k);
-        weight[k] += term_of(forcing.vertical, k);
+        weight[k] += coefficient(forcing.vertical, k);
         inertia[k] = product_term(s.sine, arm, k) + (k == 0 ? kappa : 0);
         double numerator = product_term(arm, weight, k);
         for (int j = 1; j <= k; ++j) {
@@ -56,7 +60,7 @@ template <class Order>
         slip.normal[k] = r * product_term(s.sine, rotation, k) + weight[k];
         slip.acceleration[k] =
             -drag * slip.normal[k] - r * (product_term(s.cosine, rotation, k) + product_term(s.sine, spin, k));
-        slip.acceleration[k] -= term_of(forcing.horizontal, k);
+        slip.acceleration[k] -= coefficient(forcing.horizontal, k);
         s.phi[k + 2] = rotation[k] / ((k + 1) * (k + 2));
         velocity[k + 1] = rotation[k] / (k + 1);
         s.sine[k + 1] = -product_term(velocity, s.cosine, k) / (k + 1);

@@ -73,8 +73,8 @@ Ending limits_of_contact(RockingRun const& run, RotationSeries<Order> const& ser
     return ending;
 }
 
-// Energy is stationary inside a step where the block turns and where the shaking lets go of it: where its power, -phi'
-// times its share of the pull, is zero.
+// Energy changes by the power of the shaking, -phi' times its share of the pull. So inside a step it is highest where
+// the block turns (phi' = 0) or where that share is zero.
 template <class Order>
 void raise_energy_inside(RockingRun& run, RotationSeries<Order> const& series, Forcing const& forcing, double end) {
     auto& log = run.log;

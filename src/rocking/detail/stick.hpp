@@ -1,5 +1,5 @@
-/// Rocking on one corner without slip, where lanes do not step it: steps that may hold a delicate event, substeps,
-/// other orders, the linearised block.
+/// Rocking on one corner without slip, where lanes do not step it: steps that may hold an event other than a clear
+/// impact, substeps, other orders, the linearised block, blocks without inertia of their own.
 #pragma once
 
 #include "rocking/detail/rocking_run.hpp"

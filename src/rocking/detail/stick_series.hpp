@@ -18,7 +18,7 @@ template <class Order>
     s.cosine[0] = linear ? 1 : std::cos(alpha - phi);
     double const square = p * p;
     for (int k = 0; k + 2 <= order; ++k) {
-        double const back = pull(forcing.vertical, forcing.horizontal, Term::of(s.sine, k), Term::of(s.cosine, k));
+        double const back = pull(forcing.vertical, forcing.horizontal, term_of(s.sine, k), term_of(s.cosine, k));
         s.phi[k + 2] = -square * back / ((k + 1) * (k + 2));
         if (k == 0 && from_rest && s.phi[2] < 0) {
             s.phi[2] = 0;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "rocking/detail/block_dynamics.hpp"
+#include "rocking/detail/block_laws.hpp"
 #include "rocking/planar_rocking.hpp"
 
 namespace overturn::rocking {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/block_rows.hpp"
 #include "results/analysis.hpp"
 #include "results/statistics.hpp"
 #include "stats/precision.hpp"

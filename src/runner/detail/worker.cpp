@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "campaign/block_rows.hpp"
 #include "core/elapsed.hpp"
 #include "runner/root_broadcast.hpp"
 

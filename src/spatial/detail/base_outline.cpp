@@ -17,7 +17,7 @@ double cross(Corner const& a, Corner const& b) { return a[0] * b[1] - a[1] * b[0
 double dot(Corner const& a, Corner const& b) { return a[0] * b[0] + a[1] * b[1]; }
 Corner between(Corner const& a, Corner const& b) { return {b[0] - a[0], b[1] - a[1]}; }
 
-// Both mirror images: the pair through the axis first, then its image.
+// A point mirrored at both axes: a pair that lies opposite each other, then its mirror image.
 void add_quad(std::vector<SpatialPoint>& points, double x, double y, double share) {
     points.insert(points.end(), {{-x, -y, share}, {x, y, share}, {-x, y, share}, {x, -y, share}});
 }
@@ -43,26 +43,27 @@ std::vector<Corner> counterclockwise(std::vector<Corner> corners) {
 
 void validate_polygon(std::vector<Corner> const& corners) {
     validate(corners.size() >= 3 && corners.size() <= most_spatial_points,
-             "a polygon of {} corners (a base takes 3 to {}) state its outline", corners.size(), most_spatial_points);
+             "a polygon of {} corners (a base takes 3 to {}). State its outline", corners.size(), most_spatial_points);
     double turning = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         auto const& [x, y] = corners[i];
-        validate(std::isfinite(x) && std::isfinite(y), "corner {} at ({}, {}) m is no place on a base. Mend it", i + 1,
-                 x, y);
+        validate(std::isfinite(x) && std::isfinite(y),
+                 "corner {} at ({}, {}) m is no place on a base (it is no number). Mend it", i + 1, x, y);
         auto const& next = corners[(i + 1) % corners.size()];
         auto const& beyond = corners[(i + 2) % corners.size()];
         auto const edge = between(corners[i], next);
         double const bend = cross(edge, between(next, beyond));
         validate(bend >= 0,
-                 "the polygon turns inwards at ({}, {}) m (a body stands on its convex hull) leave that corner out",
+                 "the polygon turns inwards at ({}, {}) m (a body stands on its convex hull). Leave that corner out",
                  next[0], next[1]);
         validate(cross(corners[i], next) > 0,
-                 "the axis is not inside the polygon (the edge from ({}, {}) m passes it) state corners from the "
+                 "the axis is not inside the polygon (the edge from ({}, {}) m passes it). State corners from the "
                  "body's axis",
                  x, y);
         turning += std::atan2(bend, dot(edge, between(next, beyond)));
     }
-    validate(turning < 3 * pi, "the polygon's corners go round more than once. State them in their order");
+    validate(turning < 3 * pi,
+             "the polygon's corners go round more than once (they would cover each other). State them in their order");
 }
 
 // Least change from equal shares that puts the centroid of the weight on the axis.
@@ -87,7 +88,7 @@ std::vector<SpatialPoint> shared(std::vector<Corner> const& corners) {
     for (auto const& corner : corners) {
         double const share = 1 / count - dot(slope, between(mean, corner));
         validate(share > 0,
-                 "the corner at ({}, {}) m bears nothing (the polygon is too lopsided about the axis) leave it out",
+                 "the corner at ({}, {}) m bears nothing (the polygon is too lopsided about the axis). Leave it out",
                  corner[0], corner[1]);
         points.push_back({corner[0], corner[1], share});
     }
@@ -123,7 +124,7 @@ BaseOutline square_outline(std::vector<ContactPoint> const& row, double half_wid
 
 BaseOutline round_outline(int points, double radius_m) {
     validate(points >= fewest_rim_points && points <= most_spatial_points,
-             "a rim of {} points (it takes {} to {}: fewer would give it directions of its own) take 32", points,
+             "a rim of {} points (it takes {} to {}: fewer would give it directions of its own). Take 32", points,
              fewest_rim_points, most_spatial_points);
     BaseOutline outline{.points = {},
                         .area_m2 = pi * radius_m * radius_m,

@@ -53,10 +53,12 @@ template <class V> OVERTURN_LANES_INLINE Axes<V> axes_of(Quaternion<V> const& q)
             {x * q.z + y * q.w, y * q.z - x * q.w, 1.0 - (xx + yy)}};
 }
 
-/// Turned by a rotation vector u about the body's own axes: q exp(u / 2), for turns of a step, which are below 0.1.
+/// Turned by a rotation vector u about the body's own axes: q exp(u / 2), for the turns of a step. The first terms that
+/// the sums leave out are (|u|/2)^8 / 8! of the cosine and (|u|/2)^9 / 9! of the sine: below rounding (2^-53) up to
+/// |u| = 0.076 rad. How large the turn of a step can be: bounds, in src/contact/README.md.
 template <class V> OVERTURN_LANES_INLINE Quaternion<V> turned(Quaternion<V> const& q, Triple<V> const& u) {
     V const square = fma(u.x, u.x, fma(u.y, u.y, u.z * u.z));
-    // sin(|u|/2) / |u| and 1 - cos(|u|/2): the next terms are below rounding
+    // sin(|u|/2) / |u| and 1 - cos(|u|/2)
     V const sine = fma(square, fma(square, fma(square, -1.0 / 645120, 1.0 / 3840), -1.0 / 48), 0.5);
     V const versine = square * fma(square, fma(square, 1.0 / 46080, -1.0 / 384), 0.125);
     V const x = sine * u.x;

@@ -6,7 +6,8 @@
 namespace overturn::spatial {
 namespace {
 
-// Of whole turns and the measure of the rest, z / (|w| + |z|) / 2: it grows with the angle and needs no arc tangent.
+// The angle of a yaw as lanes keep it: whole turns, and z / (|w| + |z|) / 2 for the rest, which grows with the angle
+// and needs no arc tangent.
 double yaw_of(double measure) {
     double const turns = std::round(measure);
     double const rest = 2 * (measure - turns);
@@ -80,7 +81,7 @@ double SpatialRun::mechanical_energy() const {
     return 0.5 * moving + springs + planar_.gravity_mps2 * (get(State::rise) + 0.5 * planar_.settlement_m());
 }
 
-// Farther than springs that hold give way, the base's centre or, by yaw, its farthest point.
+// Whether the base's centre or, by yaw, its farthest point has moved farther than springs stretch whose points hold.
 bool SpatialRun::slipped() const {
     return std::sqrt(get(State::most_slip)) + block_.reach_m * yaw_of(get(State::most_yaw)) > elastic_way();
 }
@@ -94,8 +95,8 @@ bool SpatialRun::sound() const {
     return std::isfinite(sum);
 }
 
-// Of the sums that lanes keep, what needs no thought.
-void SpatialRun::tell_peaks(SpatialOutcome& out) const {
+// What can be read off the lane as it is: extremes, counts, and where the body ended.
+void SpatialRun::fill_peaks(SpatialOutcome& out) const {
     double const g = planar_.gravity_mps2;
     double const radius = std::hypot(planar_.half_width_m, planar_.centre_height_m);
     double const lift = std::max(0.0, get(State::most_lift));
@@ -120,7 +121,7 @@ void SpatialRun::tell_peaks(SpatialOutcome& out) const {
                .slip_path_m = get(State::slip_path)};
 }
 
-void SpatialRun::tell_verdict(SpatialOutcome& out) const {
+void SpatialRun::fill_verdict(SpatialOutcome& out) const {
     bool const fell = half_tilt_sine2() >= 0.5;
     out.peak_rotation_rad = fell ? pi / 2 : 2 * std::asin(std::sqrt(get(State::most_tilt)));
     out.peak_rotation_ratio = out.peak_rotation_rad / std::atan2(planar_.half_width_m, planar_.centre_height_m);
@@ -144,8 +145,8 @@ SpatialOutcome SpatialRun::finish() const {
     auto const since = [](double time) { return time < 0 ? never : time; };
     out.first_uplift_s = since(get(State::uplift_time));
     out.contact_lost_s = since(get(State::loss_time));
-    tell_peaks(out);
-    tell_verdict(out);
+    fill_peaks(out);
+    fill_verdict(out);
     return out;
 }
 

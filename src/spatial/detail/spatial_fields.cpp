@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/rest_gate.hpp"
 #include "spatial/detail/spatial_run.hpp"
 
 namespace overturn::spatial {
@@ -17,7 +18,9 @@ BaseKind kind_of(std::vector<SpatialPoint> const& points) {
 }
 
 void SpatialRun::fill_trial(ContactAccuracy const& accuracy) {
-    constexpr double uniform_solid = 3;  // bodies that shiver quicker than these: their damping grows as the stiffness
+    // Largest rotation_stiffness of uniform solids, for which the step is made. A body above it vibrates faster on its
+    // points, and its damping grows as the stiffness itself: its step is shorter by the whole factor.
+    constexpr double uniform_solid = 3;
     fill_steps(accuracy, std::min(1.0, uniform_solid / block_.rotation_stiffness));
     fill_law();
     fill_waves();
@@ -36,10 +39,10 @@ void SpatialRun::fill_trial(ContactAccuracy const& accuracy) {
     put(State::inverse_radius, 1 / radius);
     put(State::impact_spin, planar_.approach_floor_mps() / planar_.half_width_m);
     put(State::least_lean, planar_.settlement_m() / block_.reach_m);
-    put(State::upright, 0.01 * lowest_sine * lowest_sine);
+    put(State::upright, contact::upright_share_squared * lowest_sine * lowest_sine);
     put(State::quiet_energy, accuracy.rest_gate ? quiet_energy() : -1);
-    constexpr double margin = 0.75;  // for what swings beyond its static place
-    put(State::rest_ratio, std::min(margin * parting_ratio(), 0.5 * planar_.friction));
+    put(State::rest_ratio,
+        std::min(contact::parting_share * parting_ratio(), contact::friction_share * planar_.friction));
     put(State::least_force, std::numeric_limits<double>::infinity());
     put(State::uplift_time, -1);
     put(State::loss_time, -1);

@@ -41,10 +41,10 @@ template <class V, int Stride> class SpatialForce {
           samples_(lanes.body.samples.data()),
           points_(lanes.points),
           opposite_(lanes.opposite) {
-        remembered_.set();  // whoever was looked at from outside was completed before
+        remembered_.set();  // complete() ended the steps before: every point is up to date
     }
 
-    /// Brings up to date what the step that was taken did not ask for: a lane may be looked at from outside then.
+    /// Brings up to date the points that the last step did not ask for. Needed before a lane is read from outside.
     void complete();
 
   protected:
@@ -54,9 +54,10 @@ template <class V, int Stride> class SpatialForce {
         fetch(samples_ + row(wave), index, here, next);
     }
 
-    /// A step's start: what points remember is brought up to date there, of those that are asked for it in the step.
+    /// Starts a step. What points remember is brought up to date at this state, for each point when the step first
+    /// asks for it.
     [[nodiscard]] Depths begin(Motion const& start);
-    /// There, before anything else is asked for in the step.
+    /// At the state of begin. To be called before `now`.
     [[nodiscard]] Pull at_start(Motion const& start, Shaking const& by) { return pulled<true>(start_, start, by); }
     [[nodiscard]] Pull now(Motion const& at, Shaking const& by) {
         return pulled<false>(base_of(at, get(State::height)), at, by);
@@ -104,7 +105,7 @@ template <class V, int Stride> class SpatialForce {
     std::bitset<most_spatial_points> remembered_;  // in this step
 };
 
-// Against the way and its rate.
+// Horizontal force of springs and dampers against a displacement and its rate, over the stiffness.
 template <class V, int Stride>
 OVERTURN_LANES_INLINE auto SpatialForce<V, Stride>::spring(Line const& way, Line const& rate) const -> Line {
     V const ratio = -get(State::tangential_ratio);
@@ -154,7 +155,8 @@ OVERTURN_LANES_INLINE void SpatialForce<V, Stride>::remember_anchor(double* plac
     }
 }
 
-// A point that came to touch only at the end of a step was away at its start, and remembers that.
+// A point that touches now but did not in the last step has not been asked for there: it is brought up to date as of
+// that step's start, where it was away.
 template <class V, int Stride> auto SpatialForce<V, Stride>::begin(Motion const& start) -> Depths {
     auto const base = base_of(start, get(State::height));
     Depths all{1e300, -1e300};
@@ -180,7 +182,7 @@ template <class V, int Stride> void SpatialForce<V, Stride>::complete() {
     }
 }
 
-// A point that no lane's ground touches presses nothing; what it remembers waits until it is asked.
+// A point that touches the ground in no lane presses nothing, and is not brought up to date for it.
 template <class V, int Stride>
 template <bool AtStart>
 OVERTURN_LANES_INLINE bool SpatialForce<V, Stride>::press(int i, Grips const& grips, Triple<V>& force) {

@@ -67,14 +67,15 @@ SpatialRun::BedMoments SpatialRun::bed_moments() const {
     return sum;
 }
 
-// What resists a lean: springs less the weight that leans with them.
+// Moment that resists a lean, over the mass and per radian: that of the springs that touch, about their own centre,
+// less that of the weight, which tips the body further.
 SpatialRun::LeanStiffness SpatialRun::lean_stiffness(BedMoments const& bed) const {
     double const falling = planar_.centre_height_m * (planar_.gravity_mps2 + held_.z);
     return {bed.xx - bed.x * bed.x / bed.k - falling, bed.xy - bed.x * bed.y / bed.k,
             bed.yy - bed.y * bed.y / bed.k - falling};
 }
 
-// To a change of the shaking.
+// How the springs give way to a change of the shaking, in static balance.
 SpatialRun::Yielding SpatialRun::yielding(BedMoments const& bed, Acceleration const& by) const {
     double const h = planar_.centre_height_m;
     auto const [xx, xy, yy] = lean_stiffness(bed);
@@ -86,7 +87,8 @@ SpatialRun::Yielding SpatialRun::yielding(BedMoments const& bed, Acceleration co
             (slope_x * bed.x + slope_y * bed.y - by.z) / bed.k};
 }
 
-// The shaking grew while the body was held: it stands where springs that still touch have let it sink, sway and lean.
+// While the body was held the shaking grew. It starts to move from where that shaking has let the springs sink, sway
+// and lean, and as fast as the shaking changes.
 void SpatialRun::wake() {
     auto const bed = bed_moments();
     auto const stiff = lean_stiffness(bed);

@@ -1,4 +1,4 @@
-/// One trial in space: what is rare and what needs thought, between the steps that lanes take.
+/// One trial in space, all but the steps that lanes take: how it starts, rests and wakes, when it is over, its outcome.
 #pragma once
 
 #include <array>
@@ -66,8 +66,8 @@ class SpatialRun : public contact::PointRun<SpatialRun, State, Spot, SpatialLane
     void show_sample();
     void hold(std::size_t sample) { held_ = shaking_at(sample); }
     void wake();
-    void tell_peaks(SpatialOutcome& out) const;
-    void tell_verdict(SpatialOutcome& out) const;
+    void fill_peaks(SpatialOutcome& out) const;
+    void fill_verdict(SpatialOutcome& out) const;
     [[nodiscard]] bool fallen() const { return !(half_tilt_sine2() < 0.5); }
     [[nodiscard]] bool weak(std::size_t sample) const;
     [[nodiscard]] bool calm(std::size_t sample) const { return weak(sample) && weak(sample + 1); }

@@ -79,7 +79,7 @@ enum class State : int {
     mass_over_inertia_y,
     mass_over_inertia_z,
     friction,            ///< mu
-    hold,                ///< mu k / k_t: elastic shift of an anchor at most, over the depth of a point's force
+    hold,                ///< mu k / k_t: largest elastic shift of a point, over its normal force / stiffness
     tangential_ratio,    ///< k_t / k
     tangential_damping,  ///< c_t / k
     damping,             ///< y: of the normal law
@@ -91,7 +91,7 @@ enum class State : int {
     least_lean,          ///< sine of a tilt that springs have at rest
     upright,             ///< sine of a tilt above which nothing rests, squared
     quiet_energy,        ///< negative: the body is never held at rest
-    flexibility,         ///< 1 / k_t, over the mass: what an unbalanced force is worth in energy
+    flexibility,         ///< m / k_t: turns a squared unbalanced acceleration into energy over the mass
     rest_ratio,          ///< |a| / gv up to which a quiet body is held at rest
     count
 };

@@ -86,7 +86,8 @@ OVERTURN_LANES_INLINE auto SpatialStepper<V, Stride>::moved(Motion const& from, 
     return {from.at + way, turned(from.turn, turn), fma(time, by.move, from.velocity), fma(time, by.spin, from.spin)};
 }
 
-// Once the shaking's fields say where it stands.
+// Records of the instant at which the step starts: once begin has worked out the base there (log_place reads it), and
+// before index and substep move on, which give its time.
 template <class V, int Stride>
 void SpatialStepper<V, Stride>::log(Motion const& at, Pull const& pull, Depths const& depths) {
     V const zero = 0;
@@ -123,8 +124,8 @@ OVERTURN_LANES_INLINE void SpatialStepper<V, Stride>::log_height(Motion const& a
     put(State::most_rise, max(at.at.z, get(State::most_rise)));
 }
 
-// Where the base stands, how far it has come, how the body has turned about its axis, and which way it leans. Leaning
-// over an edge moves the base's centre, not the edge.
+// Where the base is, how far it has travelled, how the body has turned about its axis, and which way it leans. The
+// place is that of the edge that it leans over: leaning moves the base's centre, not that edge.
 template <class V, int Stride> OVERTURN_LANES_INLINE void SpatialStepper<V, Stride>::log_place(Motion const& at) {
     auto const axis = axes_of(at.turn).third;
     V const lifted = get(State::edge) * sqrt(axis.x * axis.x + axis.y * axis.y) / (1.0 + abs(axis.z));
@@ -143,7 +144,8 @@ template <class V, int Stride> OVERTURN_LANES_INLINE void SpatialStepper<V, Stri
     log_reversal(at, axis);
 }
 
-// About one axis: a passage of the angle through zero.
+// Counts an impact where the lean turns to the other side (about one axis: where the angle passes zero) faster than
+// impact_spin. Leans that the springs give at rest do not count.
 template <class V, int Stride>
 OVERTURN_LANES_INLINE void SpatialStepper<V, Stride>::log_reversal(Motion const& at, Triple<V> const& axis) {
     V const zero = 0;
@@ -187,7 +189,7 @@ auto SpatialStepper<V, Stride>::next_sample(Motion const& at, Pull const& pull, 
         return dot(move, move) + dot(inertia, Triple<V>{spin.x * spin.x, spin.y * spin.y, spin.z * spin.z});
     };
     V const energy = 0.5 * fma(square(pull.move, pull.spin), get(State::flexibility), square(at.velocity, at.spin));
-    // Near the critical angle all is quiet too.
+    // Upright only: a body that balances near its critical angle is as quiet, and may yet fall.
     auto const axis = axes_of(at.turn).third;
     M const upright = axis.x * axis.x + axis.y * axis.y < get(State::upright);
     M const quiet = upright & (energy < get(State::quiet_energy)) & weak(here) & weak(next);

@@ -1,10 +1,10 @@
+#include "results/detail/grid_results.hpp"
+
 #include <algorithm>
 #include <iterator>
 #include <optional>
 
 #include <fmt/format.h>
-
-#include "results/detail/limit_results.hpp"
 
 namespace overturn {
 

@@ -1,52 +1,9 @@
-/// The laws of the planar block for doubles and power series, what restores it, and its impact law.
+/// The base impact as a law: what it makes of rotation and slip, and what it asks of friction.
 #pragma once
 
 #include <cmath>
 
-#include "core/units.hpp"
-#include "rocking/rocking_accuracy.hpp"
-
 namespace overturn::rocking {
-
-[[nodiscard]] inline double mul_add(double a, double b, double c) { return a * b + c; }
-
-#define OVERTURN_LAW [[nodiscard]] inline
-#include "rocking/detail/block_laws-inl.hpp"
-#undef OVERTURN_LAW
-
-/// A fall is complete here: whatever still turned the block back no longer could.
-inline constexpr double overturned_rad = 0.5 * pi;
-
-/// What holds the block upright, over m g R: of the block as it is, or linearised (Housner 1963: psi for sin psi, 1 for
-/// cos psi).
-class Potential {
-  public:
-    Potential(Restoring restoring, double alpha) : linear_(restoring == Restoring::linear), alpha_(alpha) {}
-
-    /// A/Gv beyond which it uplifts: tan(alpha).
-    [[nodiscard]] double uplift_ratio() const { return linear_ ? alpha_ : std::tan(alpha_); }
-    /// cos(alpha - phi) - cos(alpha), as a product that loses no digits.
-    [[nodiscard]] double at(double phi) const {
-        return linear_ ? phi * (alpha_ - 0.5 * phi) : 2 * std::sin(alpha_ - 0.5 * phi) * std::sin(0.5 * phi);
-    }
-    /// At phi = alpha: 1 - cos(alpha).
-    [[nodiscard]] double top() const {
-        double const s = std::sin(0.5 * alpha_);
-        return linear_ ? 0.5 * alpha_ * alpha_ : 2 * s * s;
-    }
-    /// The rotation at which a block of energy `e` < top turns back.
-    [[nodiscard]] double turning_point(double e) const {
-        if (linear_) {
-            return alpha_ - std::sqrt(std::fmax(0.0, alpha_ * alpha_ - 2 * e));
-        }
-        double const s = std::sqrt(std::fmax(0.0, 0.5 * (top() - e)));  // sin((alpha - phi)/2)
-        return alpha_ - 2 * std::asin(std::fmin(1.0, s));
-    }
-
-  private:
-    bool linear_;
-    double alpha_;
-};
 
 /// The base impact: the block leaves one corner and lands on the other with e times its rate (Housner 1963: angular
 /// momentum about the new corner; or a stated e), while the corner's slip changes by a friction-limited impulse.
@@ -70,6 +27,7 @@ struct ImpactLaw {
     [[nodiscard]] double friction_demand() const { return cosine_alpha * (1 - restitution) / impulse(restitution); }
 
   private:
+    // kinetic_energy(across, arm w, w, kappa), but for the order of its sum, which results' last bits keep.
     [[nodiscard]] double energy_about(double arm, double w, double v) const {
         double const across = v + cosine_alpha * w;
         return 0.5 * (across * across + (arm * arm + kappa) * w * w);

@@ -1,0 +1,22 @@
+/// A trial of rare events computed again from what the results file holds of it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "campaign/campaign_spec.hpp"
+#include "store/results_file.hpp"
+
+namespace overturn {
+
+/// A stored trial computed again from the file alone.
+struct RareReplay {
+    std::string text;                    ///< what it is, and what becomes of it
+    std::vector<std::string> different;  ///< columns that are not bit-equal
+};
+/// \param limit name of the limit state \throws InputError if there is no such body, limit or row
+[[nodiscard]] RareReplay replay_rare(store::ResultsReader const& file, CampaignSpec const& spec,
+                                     std::string const& body, std::string const& limit, std::int64_t row);
+
+}  // namespace overturn
