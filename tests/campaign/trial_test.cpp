@@ -102,7 +102,7 @@ TEST(TrialMeasures, BothUnitsOfRStandSideBySide) {
     EXPECT_LT(metres.v_wes_max_mps, centimetres.v_wes_max_mps) << "a window ten times shorter offers less";
 }
 
-/// What is not measured changes no wave and no response: matched waves and unmatched ones.
+// What is not measured changes no wave and no response: matched waves and unmatched ones.
 TEST(TrialMeasures, WhatIsNotWantedChangesNothingElse) {
     for (std::string const match : {"none", "each"}) {
         auto text = small_campaign;

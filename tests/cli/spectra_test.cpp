@@ -74,6 +74,29 @@ TEST_F(Spectra, VelocitiesInKine) {
     EXPECT_NE(one.out.find("PGV 4 kine"), std::string::npos) << one.out;
 }
 
+// Beside every curve stands by what its waves differ: in plan, run's table, JSON and the file.
+TEST_F(Spectra, CurvesSayByWhatTheirWavesDiffer) {
+    std::string const waves =
+        "seed=3\n[waves]\nsource='spectrum-compatible'\ncount=2\nduration='20.48 s'\ntime_step='0.02 s'\n";
+    std::string const target =
+        "[waves.target]\nspectrum='mlit-ch1'\n[waves.envelope]\nshape='jennings'\nrise='4 s'\nlevel_end='10 s'\n"
+        "end='18 s'\n";
+    for (auto const& [keys, words] : std::vector<std::pair<std::string, std::string>>{
+             {"match='each'\n" + target, "random phases alone: every wave has the one target's spectrum"},
+             {"match='ensemble'\n" + target, "noise about one median spectrum: no event, path or site differs"},
+             {"match='none'\n" + target, "noise about one spectrum, which is not centred on the target"},
+             {target + "[waves.variability]\nsigma=0.6\ncorrelation='full'\n", "targets drawn, "}}) {
+        folder.write("w.toml", waves + keys + bodies);
+        EXPECT_NE(overturn(folder, {"plan", "w.toml"}).out.find("differ by " + words), std::string::npos) << words;
+        auto const run = overturn(folder, {"run", "w.toml", "-o", "w.h5"});
+        ASSERT_EQ(run.code, 0) << run.err;
+        EXPECT_NE(run.out.find("waves differ by " + words), std::string::npos) << run.out;
+        auto const fit = json::parse(overturn(folder, {"fit", "w.h5", "--json"}).out);
+        EXPECT_TRUE(fit["variability"].get<std::string>().starts_with(words)) << fit["variability"];
+        std::filesystem::remove(folder / "w.h5");
+    }
+}
+
 // Waves whose targets vary: both bands are there, sigma apart, and the waves follow their own targets.
 TEST_F(Spectra, TargetsThatVary) {
     folder.write("v.toml",

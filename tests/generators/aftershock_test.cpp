@@ -1,4 +1,4 @@
-// Requirement R-101: a second shock follows the first after a pause: the first keeps every bit, the second is an
+// Requirement: a second shock follows the first after a pause: the first keeps every bit, the second is an
 // independent wave of the same source, and a source that draws nothing is refused.
 #include "generators/aftershock.hpp"
 

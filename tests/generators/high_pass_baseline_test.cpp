@@ -1,4 +1,4 @@
-// Requirement R-105: drawn waves bring the ground to rest where it began, and move it by what they are drawn for:
+// Requirement: drawn waves bring the ground to rest where it began, and move it by what they are drawn for:
 // nothing slower than twice the longest period wanders off in between.
 #include "generators/detail/high_pass_baseline.hpp"
 

@@ -1,4 +1,4 @@
-// Requirement: ouV_E and V_WES are the integrals their definitions name, on waves of any length.
+// Requirement: ouV_E and V_WES are the integrals their definitions name, on waves of any length.
 #include "spectra/window_energy.hpp"
 
 #include <algorithm>

@@ -176,20 +176,20 @@ TEST(Degenerate, APoorCurveDoesNotOutvoteItsStripe) {
 /// the bounds where both saw nothing (or everything), and where they leave the curve out there is no P.
 TEST(Degenerate, BetweenStripesTheirEndsBound) {
     auto const fit =
-        fit_of(table_of({{1, 200, 0}, {2, 200, 0}, {3, 54, 4}, {4, 54, 30}, {6, 54, 50}, {8, 90, 90}, {9, 90, 90}}),
+        fit_of(table_of({{1, 400, 0}, {2, 400, 0}, {3, 54, 4}, {4, 54, 30}, {6, 54, 50}, {8, 90, 90}, {9, 90, 90}}),
                {{1.9, 0.95}, {3.5, 1.75}, {8.5, 4.25}});
 
     ASSERT_EQ(fit.state, FragilityState::fitted);
     EXPECT_EQ(fit.quotes[0].source, QuotedProbability::Source::neighbours);
     EXPECT_EQ(fit.quotes[0].bounds.lower, 0);
-    EXPECT_EQ(fit.quotes[0].bounds.upper, clopper_pearson(0, 200, 0.95).upper);
+    EXPECT_EQ(fit.quotes[0].bounds.upper, clopper_pearson(0, 400, 0.95).upper);
     EXPECT_EQ(fit.quotes[0].probability, fit.quotes[0].curve);
     EXPECT_EQ(fit.quotes[1].source, QuotedProbability::Source::curve) << "both kinds on both sides";
     EXPECT_EQ(fit.quotes[2].bounds.lower, clopper_pearson(90, 90, 0.95).lower);
     EXPECT_EQ(fit.quotes[2].bounds.upper, 1);
 
-    auto const wide =
-        fit_of(table_of({{1, 4000, 0}, {2, 4000, 0}, {3, 20, 7}, {4, 20, 9}, {8, 20, 11}, {9, 20, 15}}), {{1.9, 0.95}});
+    auto const wide = fit_of(table_of({{1, 4000, 0}, {2, 4000, 0}, {3, 20, 12}, {4, 20, 13}, {8, 20, 14}, {9, 20, 15}}),
+                             {{1.9, 0.95}});
     ASSERT_TRUE(wide.identifiable());
     auto const& left_out = wide.quotes[0];
     EXPECT_GT(*left_out.curve, clopper_pearson(0, 4000, 0.95).upper);
