@@ -25,7 +25,7 @@ struct AcceptanceRule {
     double largest_mean_error = std::numeric_limits<double>::infinity();
     double aim = 1;  ///< ratio that a match for this rule aims at
 
-    [[nodiscard]] bool asks() const { return lowest_ratio > 0; }
+    [[nodiscard]] bool enabled() const { return lowest_ratio > 0; }
 };
 
 /// srp-3.7.1: US NRC NUREG-0800, section 3.7.1 rev. 4 (2014), option 1, approach 2: time step at most 0.01 s, at least

@@ -103,6 +103,9 @@ class FilteredNoise : public WaveSource {
     [[nodiscard]] bool is_gaussian() const { return gaussian_; }
 
     [[nodiscard]] std::string describe() const override { return summary_; }
+    [[nodiscard]] std::string pgd_drift() const override {
+        return "noise behind a filter has what the envelope spreads to long periods: it grows with the duration";
+    }
     [[nodiscard]] bool of_one_spectrum() const override { return true; }
     [[nodiscard]] std::string variability() const override {
         return "noise of one power density: no event, path or site differs";

@@ -126,14 +126,14 @@ void read_match(config::Table const& waves, CompatibleRequest& request) {
     } else {
         input.iterations = 0;
         input.calibrated = request.match == Match::ensemble;
-        if (input.rule.asks()) {
+        if (input.rule.enabled()) {
             waves.fail("acceptance", "judges single waves (which scatter unless match = 'each'). Use none here");
         }
         if (waves.has("seed")) {
             waves.fail("match", "beside seed (a record is matched as it is). Use each");
         }
     }
-    if (input.rule.asks()) {
+    if (input.rule.enabled()) {
         expect_judgeable(waves, "acceptance", input.target);
     }
 }
@@ -147,7 +147,7 @@ void read_varying_targets(config::Table const& waves, InputFiles& files, Compati
                    "beside a match other than 'each' (each wave is brought to a target of its own, or "
                    "noise would add to what is stated). Use match = 'each'");
     }
-    if (request.input.rule.asks()) {
+    if (request.input.rule.enabled()) {
         waves.fail("variability",
                    "beside acceptance (its rule compares every wave with the one target). Leave one out");
     }
@@ -186,7 +186,7 @@ std::unique_ptr<WaveSource> make_spectrum_compatible(config::Table const& waves,
     std::vector<FurtherTarget> further;
     for (auto const& kind : further_kinds) {
         if (auto const found = read_further(waves, kind, input.target, files)) {
-            if (input.rule.asks()) {
+            if (input.rule.enabled()) {
                 expect_judgeable(waves, kind.name, found->target);
             }
             further.push_back(*found);

@@ -45,7 +45,7 @@ void SpectrumCompatible::summarise(SpectrumMatcherInput const& input) {
         fmt::format("{} samples of {} s, target {} at {} % damping to {:g} s, {}", input.samples, time_step_s_,
                     target.name(), 100 * target.damping(), input.longest_s, how.at(static_cast<std::size_t>(match_)));
     summary_ += variability_ ? fmt::format(" to a target of its own: {}", variability_->describe()) : "";
-    summary_ += rule_.asks() ? " by " + rule_name_ : "";
+    summary_ += rule_.enabled() ? " by " + rule_name_ : "";
     if (constexpr double rounding = 1e-9; input.longest_s > stated_to_s_ * (1 + rounding)) {
         summary_ += fmt::format(", beyond its end at {:g} s on at constant displacement", stated_to_s_);
     }
@@ -180,7 +180,7 @@ SpectrumMatcher::Component SpectrumCompatible::mixed(Part const& part, SpectrumM
 }
 
 void SpectrumCompatible::add_clauses(Part const& part, MatchReport const& match, std::vector<Clause>& clauses) const {
-    if (!rule_.asks()) {
+    if (!rule_.enabled()) {
         return;
     }
     for (auto clause : spectrum_clauses(rule_, {.figures = match.all,

@@ -59,9 +59,6 @@ class SpectrumCompatible : public WaveSource {
     [[nodiscard]] std::string describe() const override { return summary_; }
     [[nodiscard]] std::string variability() const override;
     [[nodiscard]] bool draws_targets() const override { return variability_.has_value(); }
-    [[nodiscard]] std::string pgd_drift() const override {
-        return "nine tenths of a matched wave's displacement is slower than anything its target speaks of";
-    }
     [[nodiscard]] bool of_one_spectrum() const override { return !variability_; }
     [[nodiscard]] std::uint64_t waves_alike() const override {
         return variability_ ? variability_->input().per_target * variability_->input().targets_per_event : 1;

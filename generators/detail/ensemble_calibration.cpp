@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "generators/detail/baseline.hpp"
+#include "generators/detail/high_pass_baseline.hpp"
 #include "spectra/input_energy.hpp"
 #include "spectra/peak_response.hpp"
 
@@ -21,7 +21,8 @@ class ThinnedDraws {
           stride_(stride),
           fft_(lines.length() / stride),
           periods_s_(std::move(periods_s)),
-          sweep_(periods_s_, target.damping(), step_s()) {
+          sweep_(periods_s_, target.damping(), step_s()),
+          baseline_((lines.envelope().size() + stride - 1) / stride, step_s(), lines.longest_s()) {
         for (std::size_t i = 0; i < lines.envelope().size(); i += stride) {
             envelope_.push_back(lines.envelope()[i]);
         }
@@ -58,7 +59,7 @@ class ThinnedDraws {
         for (std::size_t i = 0; i < series.size(); ++i) {
             series[i] *= envelope_[i];
         }
-        correct_baseline(series);
+        baseline_.correct(series);
         return series;
     }
 
@@ -67,8 +68,8 @@ class ThinnedDraws {
             return input_energy_velocities(wave, step_s(), periods_s_, target_.damping());
         }
         std::vector<double> values;
-        for (auto const& swing : sweep_.swings(wave)) {
-            values.push_back(std::abs(swing.displacement_m) * 2 * pi / periods_s_[values.size()]);
+        for (auto const& peak : sweep_.peaks(wave)) {
+            values.push_back(std::abs(peak.displacement_m) * 2 * pi / periods_s_[values.size()]);
         }
         return values;
     }
@@ -80,6 +81,7 @@ class ThinnedDraws {
     std::vector<double> periods_s_;
     std::vector<double> envelope_;
     PeakResponse sweep_;
+    HighPassBaseline baseline_;
 };
 
 // The largest stride up to 10 that leaves whole waves, at least 32 samples a period of `from_s` and an even length.

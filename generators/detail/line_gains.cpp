@@ -46,7 +46,8 @@ LineGains::LineGains(std::vector<double> periods_s, double damping, double spaci
 }
 
 LineGains::Matrix LineGains::contributions(std::span<std::complex<double> const> lines,
-                                           std::span<PeakSwing const> swings, std::span<double const> envelope) const {
+                                           std::span<PeakDisplacement const> peaks,
+                                           std::span<double const> envelope) const {
     auto const bands = band_end_.size();
     Matrix matrix{std::vector<float>(periods_s_.size() * bands), {}};
     matrix.used.reserve(periods_s_.size());
@@ -58,7 +59,7 @@ LineGains::Matrix LineGains::contributions(std::span<std::complex<double> const>
         for (std::size_t lane = 0; lane < simd::sweep_lanes; ++lane) {
             std::size_t const i = begin + std::min(lane, count - 1);
             double const frequency = 2 * pi / (periods_s_[i] * spacing_radps_);
-            double const turn = spacing_radps_ * swings[i].time_s;
+            double const turn = spacing_radps_ * peaks[i].time_s;
             double const start = turn * static_cast<double>(first_line_);
             set(oscillators.frequency.at(lane), frequency);
             set(oscillators.twice_damped.at(lane), 2 * damping_ * frequency);
@@ -81,11 +82,11 @@ LineGains::Matrix LineGains::contributions(std::span<std::complex<double> const>
             for (std::size_t band = 0; band < used; ++band) {
                 total += unit * block[band * simd::sweep_lanes + lane];
             }
-            constexpr double trusted = 3;  // beyond it the swing is not what the stationary sum says at all
-            double const stated = swings[i].displacement_m / total;
+            constexpr double trusted = 3;  // beyond it the peak is not what the stationary sum says at all
+            double const stated = peaks[i].displacement_m / total;
             bool const sound = stated > envelope[i] / trusted && stated < envelope[i] * trusted;
-            double const swing = swings[i].displacement_m;
-            auto const scale = static_cast<float>(swing == 0 ? 0 : unit * (sound ? stated : envelope[i]) / swing);
+            double const peak = peaks[i].displacement_m;
+            auto const scale = static_cast<float>(peak == 0 ? 0 : unit * (sound ? stated : envelope[i]) / peak);
             for (std::size_t band = 0; band < used; ++band) {
                 matrix.values[i * bands + band] = scale * block[band * simd::sweep_lanes + lane];
             }
@@ -137,7 +138,7 @@ std::vector<float> LineGains::solve(Matrix const& matrix, std::vector<float> res
     return gains;
 }
 
-void LineGains::apply(std::span<std::complex<double>> lines, std::span<PeakSwing const> swings,
+void LineGains::apply(std::span<std::complex<double>> lines, std::span<PeakDisplacement const> peaks,
                       std::span<double const> envelope, std::span<double const> ratios, Trust trust) const {
     constexpr double most = 0.4;  // no step changes a band by more: the sum is of first order
     std::vector<float> residual;
@@ -145,7 +146,7 @@ void LineGains::apply(std::span<std::complex<double>> lines, std::span<PeakSwing
     for (double const value : ratios) {
         residual.push_back(static_cast<float>(std::clamp(value - 1, -most, most)));
     }
-    auto const gains = solve(contributions(lines, swings, envelope), std::move(residual), trust);
+    auto const gains = solve(contributions(lines, peaks, envelope), std::move(residual), trust);
     std::size_t k = first_line_;
     for (std::size_t band = 0; band < gains.size(); ++band) {
         for (; k < band_end_[band]; ++k) {

@@ -10,11 +10,11 @@
 
 namespace overturn {
 
-/// A Gauss-Newton step on a wave envelope(t) sum_k Re(L_k exp(i w_k t)): each oscillator's largest swing is, to first
-/// order, the sum of what the lines put into it at that instant, and real gains on bands of lines (100 a decade, single
-/// lines where those lie farther apart) are found that bring all swings to their goals, with the least change
+/// A Gauss-Newton step on a wave envelope(t) sum_k Re(L_k exp(i w_k t)): each oscillator's largest displacement is, to
+/// first order, the sum of what the lines put into it at that instant, and real gains on bands of lines (100 a decade,
+/// single lines where those lie farther apart) are found that bring all peaks to their goals, with the least change
 /// (conjugate gradients on damped normal equations). Phases stay as they are. The envelope is taken to hold still over
-/// an oscillator's memory; each oscillator's contributions are scaled to add up to its true swing.
+/// an oscillator's memory; each oscillator's contributions are scaled to add up to its true peak.
 class LineGains {
   public:
     /// \param spacing_radps of the lines, line k at k spacing \param usable lines [first, last) may be changed
@@ -24,19 +24,19 @@ class LineGains {
     /// In the linear step: how far it may leave the wave's own phases and envelope for a better fit.
     enum class Trust { little, much };
 
-    /// Multiplies `lines` by the gains. \param ratios wanted over present swing, per period \param envelope at the
-    /// swings
-    void apply(std::span<std::complex<double>> lines, std::span<PeakSwing const> swings,
+    /// Multiplies `lines` by the gains. \param ratios wanted over present peak, per period \param envelope at the
+    /// peaks
+    void apply(std::span<std::complex<double>> lines, std::span<PeakDisplacement const> peaks,
                std::span<double const> envelope, std::span<double const> ratios, Trust trust) const;
 
   private:
-    // What each band of lines puts into each swing, in parts of it; bands beyond an oscillator's reach are left out.
+    // What each band of lines puts into each peak, in parts of it; bands beyond an oscillator's reach are left out.
     struct Matrix {
         std::vector<float> values;
         std::vector<std::size_t> used;  // bands per row
     };
-    [[nodiscard]] Matrix contributions(std::span<std::complex<double> const> lines, std::span<PeakSwing const> swings,
-                                       std::span<double const> envelope) const;
+    [[nodiscard]] Matrix contributions(std::span<std::complex<double> const> lines,
+                                       std::span<PeakDisplacement const> peaks, std::span<double const> envelope) const;
     [[nodiscard]] std::vector<float> solve(Matrix const& matrix, std::vector<float> residual, Trust trust) const;
 
     std::vector<double> periods_s_;

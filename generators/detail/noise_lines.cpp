@@ -6,7 +6,6 @@
 
 #include <gsl/gsl_randist.h>
 
-#include "generators/detail/baseline.hpp"
 #include "generators/detail/spectral_density.hpp"
 
 namespace overturn {
@@ -49,7 +48,8 @@ NoiseLines::NoiseLines(NoiseInput const& input)
       gaussian_(input.amplitudes == LineAmplitudes::gaussian),
       fft_(RealFft::good_length(input.samples)),
       spacing_radps_(2 * pi / (time_step_s_ * static_cast<double>(fft_.length()))),
-      envelope_(input.envelope.samples(input.time_step_s, input.samples)) {
+      envelope_(input.envelope.samples(input.time_step_s, input.samples)),
+      baseline_(input.samples, input.time_step_s, input.longest_s) {
     strong_s_ = time_step_s_ * std::inner_product(envelope_.begin(), envelope_.end(), envelope_.begin(), 0.0);
     std::vector<double> frequencies;
     for (std::size_t k = 1; k < fft_.length() / 2; ++k) {
@@ -96,7 +96,7 @@ std::vector<double> NoiseLines::synthesise(Lines const& lines, std::span<double 
     for (std::size_t i = 0; i < series.size(); ++i) {
         series[i] *= envelope[i];
     }
-    correct_baseline(series);
+    baseline_.correct(series);
     return series;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/random_stream.hpp"
+#include "generators/detail/high_pass_baseline.hpp"
 #include "generators/detail/real_fft.hpp"
 #include "generators/envelope.hpp"
 #include "spectra/target_spectrum.hpp"
@@ -60,6 +61,7 @@ class NoiseLines {
 
     [[nodiscard]] std::vector<double> const& envelope() const { return envelope_; }
     [[nodiscard]] double time_step_s() const { return time_step_s_; }
+    [[nodiscard]] double longest_s() const { return longest_s_; }
     [[nodiscard]] std::size_t length() const { return fft_.length(); }  ///< samples of the unenveloped, periodic wave
     [[nodiscard]] double spacing_radps() const { return spacing_radps_; }
     [[nodiscard]] std::size_t count() const { return amplitude_.size(); }
@@ -71,6 +73,7 @@ class NoiseLines {
     RealFft fft_;
     double spacing_radps_;
     std::vector<double> envelope_;
+    HighPassBaseline baseline_;
     double strong_s_ = 0;            // integral of the squared envelope
     std::vector<double> amplitude_;  // root mean square times sqrt 2
     std::size_t first_ = 1;

@@ -57,7 +57,8 @@ std::vector<double> smoothed_power(std::span<double const> series, std::size_t h
 }
 
 // Multiplies `envelope` so that a wave like `acceleration` has its power where `wanted` puts it.
-void sharpen(std::vector<double>& envelope, std::span<double const> acceleration, std::span<double const> wanted) {
+void correct_envelope(std::vector<double>& envelope, std::span<double const> acceleration,
+                      std::span<double const> wanted) {
     constexpr double window = 0.10;
     constexpr double most = 1.5;
     auto const half = static_cast<std::size_t>(window / 2 * static_cast<double>(wanted.size()));
@@ -75,12 +76,12 @@ void sharpen(std::vector<double>& envelope, std::span<double const> acceleration
     }
 }
 
-// What swings will be under another envelope, which changes slowly beside their memory.
-void foresee(std::span<PeakSwing> swings, std::span<double const> before, std::span<double const> after,
-             double time_step_s) {
-    for (auto& swing : swings) {
-        auto const sample = std::min(static_cast<std::size_t>(swing.time_s / time_step_s), before.size() - 1);
-        swing.displacement_m *= before[sample] > 0 ? after[sample] / before[sample] : 1.0;
+// What peaks will be under another envelope, which changes slowly beside their memory.
+void rescale_peaks(std::span<PeakDisplacement> peaks, std::span<double const> before, std::span<double const> after,
+                   double time_step_s) {
+    for (auto& peak : peaks) {
+        auto const sample = std::min(static_cast<std::size_t>(peak.time_s / time_step_s), before.size() - 1);
+        peak.displacement_m *= before[sample] > 0 ? after[sample] / before[sample] : 1.0;
     }
 }
 
@@ -104,14 +105,14 @@ SpectrumMatcher::SpectrumMatcher(SpectrumMatcherInput input)
     double const damping = input_.target.damping();
     constexpr double dense_from_steps = 64;
     auto const swept = swept_periods(judged_.period_s, dense_from_steps * dt);
-    looks_.emplace_back(judged_, every_second(swept), damping, noise_);
-    looks_.emplace_back(judged_, swept, damping, noise_);
+    probes_.emplace_back(judged_, every_second(swept), damping, noise_);
+    probes_.emplace_back(judged_, swept, damping, noise_);
     for (std::size_t i = 0; i < judged_.period_s.size(); ++i) {
         if (!std::binary_search(swept.begin(), swept.end(), i)) {
-            left_.push_back(i);
+            unprobed_places_.push_back(i);
         }
     }
-    rest_.emplace(judged_.at(left_), damping, dt);
+    unprobed_.emplace(judged_.at(unprobed_places_), damping, dt);
     if (input_.calibrated) {
         median_ = calibrate(noise_, input_.target,
                             log_periods_per_decade(shortest, input_.longest_s, periods_per_decade / 2));
@@ -128,13 +129,13 @@ std::vector<double> SpectrumMatcher::energy_ratios(std::span<double const> accel
     return values;
 }
 
-// The response spectrum over the target. \param swings of the closest look, which need not be found again
+// The response spectrum over the target. \param peaks of the closer probe, which need not be found again
 std::vector<double> SpectrumMatcher::exact(std::span<double const> acceleration_mps2,
-                                           std::span<PeakSwing const> swings) const {
-    auto values = looks_.back().ratios(swings);
-    auto const others = rest_->swings(acceleration_mps2);
-    for (std::size_t i = 0; i < left_.size(); ++i) {
-        values[left_[i]] = judged_.ratio(left_[i], others[i].displacement_m);
+                                           std::span<PeakDisplacement const> peaks) const {
+    auto values = probes_.back().ratios(peaks);
+    auto const others = unprobed_->peaks(acceleration_mps2);
+    for (std::size_t i = 0; i < unprobed_places_.size(); ++i) {
+        values[unprobed_places_[i]] = judged_.ratio(unprobed_places_[i], others[i].displacement_m);
     }
     return values;
 }
@@ -143,7 +144,7 @@ double SpectrumMatcher::shortfall(std::span<double const> ratios) const {
     auto const all = match_figures(judged_.period_s, ratios, 0, input_.longest_s);
     auto const& rule = input_.rule;
     double const misfit = std::max(all.mean_misfit, worst_decade_misfit(judged_.period_s, ratios)) / input_.tolerance;
-    if (!rule.asks()) {
+    if (!rule.enabled()) {
         return misfit;
     }
     double const si = spectral_intensity_ratio(judged_.period_s, ratios, input_.target);
@@ -179,63 +180,76 @@ SpectrumMatcher::Component SpectrumMatcher::judged(std::vector<double> accelerat
     return component;
 }
 
+SpectrumMatcher::Probed SpectrumMatcher::probed(std::vector<double> acceleration_mps2, bool rough) const {
+    Probed wave{.acceleration_mps2 = std::move(acceleration_mps2)};
+    wave.probe = &(rough ? probes_.front() : probes_.back());
+    if (input_.target.is_energy()) {
+        wave.ratios = energy_ratios(wave.acceleration_mps2);
+    } else {
+        wave.peaks = wave.probe->peaks(wave.acceleration_mps2);
+        wave.ratios = wave.probe->ratios(wave.peaks);
+    }
+    wave.shortfall = shortfall(wave.ratios);
+    return wave;
+}
+
+// What no probe sees would never be mended.
+void SpectrumMatcher::read_exactly(Probed& wave) const {
+    if (input_.target.is_energy()) {
+        return;
+    }
+    if (wave.probe != &probes_.back()) {
+        wave.probe = &probes_.back();
+        wave.peaks = wave.probe->peaks(wave.acceleration_mps2);
+    }
+    wave.ratios = exact(wave.acceleration_mps2, wave.peaks);
+    wave.shortfall = shortfall(wave.ratios);
+}
+
+void SpectrumMatcher::step(Lines& lines, Probed& wave, std::vector<double>& envelope, int iteration,
+                           Steps const& steps) const {
+    bool const energy = input_.target.is_energy();
+    if (corrects_envelope(iteration, steps)) {
+        auto const before = envelope;
+        correct_envelope(envelope, wave.acceleration_mps2, noise_.envelope());
+        rescale_peaks(wave.peaks, before, envelope, input_.time_step_s);
+        wave.ratios = energy ? wave.ratios : wave.probe->ratios(wave.peaks);
+    }
+    if (iteration < steps.plain || energy) {
+        scale_lines(lines, wave.ratios);
+        return;
+    }
+    constexpr int cautious_iterations = 3;  // enough for a mean misfit of 5 %
+    wave.probe->step(lines, wave.peaks, wave.ratios, envelope, input_.rule,
+                     iteration < steps.plain + cautious_iterations ? LineGains::Trust::little : LineGains::Trust::much);
+}
+
 SpectrumMatcher::Component SpectrumMatcher::matched(Lines lines, Steps const& steps) const {
-    constexpr double promising = 1.05;  // a look leaves periods out: let the exact spectrum decide near the border
+    constexpr double accept_margin = 1.05;  // probes leave periods out: near the border the exact spectrum decides
     std::optional<Component> best;
     double best_shortfall = 0;
-    std::vector<double> nearest;  // of all, as far as the looks can tell
-    double least_seen = 0;
+    std::optional<Probed> nearest;  // of all, as far as the probes can tell
     auto envelope = noise_.envelope();
-    bool const energy = input_.target.is_energy();
     for (int iteration = 0;; ++iteration) {
-        auto const acceleration = noise_.synthesise(lines, envelope);
         bool const last = iteration == input_.iterations;
-        bool const shaping = iteration == 1 && steps.envelope == EnvelopeStep::sharpen_once;
         bool const rough = iteration <= std::max(steps.plain, 1) && input_.iterations > 0;
-        auto const* look = &(rough ? looks_.front() : looks_.back());
-        auto swings = energy ? std::vector<PeakSwing>{} : look->swings(acceleration);
-        auto seen = energy ? energy_ratios(acceleration) : look->ratios(swings);
-        double const shortfall_seen = shortfall(seen);
-        bool const nearer = nearest.empty() || shortfall_seen < least_seen;
-        if (nearer) {
-            nearest = acceleration;
-            least_seen = shortfall_seen;
+        auto wave = probed(noise_.synthesise(lines, envelope), rough);
+        if (!nearest || wave.shortfall < nearest->shortfall) {
+            nearest = wave;
         }
-        if ((!shaping && shortfall_seen <= promising) || last) {
-            bool const earlier = last && !nearer;
-            auto const& wave = earlier ? nearest : acceleration;
-            if (energy) {
-                seen = earlier ? energy_ratios(wave) : seen;
-            } else {
-                if (rough || earlier) {
-                    look = &looks_.back();
-                    swings = look->swings(wave);
-                }
-                seen = exact(wave, swings);  // what no look sees would never be mended
-            }
-            double const now = shortfall(seen);
-            if (!best || now < best_shortfall) {
-                best = judged(wave, seen, iteration);
-                best_shortfall = now;
+        if ((!corrects_envelope(iteration, steps) && wave.shortfall <= accept_margin) || last) {
+            auto& chosen = last ? *nearest : wave;
+            read_exactly(chosen);
+            if (!best || chosen.shortfall < best_shortfall) {
+                best = judged(chosen.acceleration_mps2, chosen.ratios, iteration);
+                best_shortfall = chosen.shortfall;
             }
         }
         if (last || (best && best->match.matched)) {
             best->match.iterations = iteration;
             return *std::move(best);
         }
-        if (shaping) {
-            auto const before = envelope;
-            sharpen(envelope, acceleration, noise_.envelope());
-            foresee(swings, before, envelope, input_.time_step_s);
-            seen = energy ? seen : look->ratios(swings);
-        }
-        if (iteration < steps.plain || energy) {
-            scale_lines(lines, seen);
-        } else {
-            constexpr int patience = 3;  // enough for a mean misfit of 5 %
-            look->step(lines, swings, seen, envelope, input_.rule,
-                       iteration < steps.plain + patience ? LineGains::Trust::little : LineGains::Trust::much);
-        }
+        step(lines, wave, envelope, iteration, steps);
     }
 }
 
@@ -247,7 +261,7 @@ SpectrumMatcher::Component SpectrumMatcher::make(std::uint64_t seed, std::uint64
     if (judging == Judging::least && !iterates()) {
         return {.acceleration_mps2 = noise_.synthesise(lines, noise_.envelope()), .match = {}, .ratios = {}};
     }
-    auto made = matched(std::move(lines), {0, EnvelopeStep::sharpen_once});
+    auto made = matched(std::move(lines), {0, EnvelopeStep::correct_once});
     if (judging == Judging::least) {
         return made;
     }
@@ -260,7 +274,7 @@ std::vector<double> SpectrumMatcher::of_normals(std::span<double const> normals)
     if (!iterates()) {
         return noise_.synthesise(lines, noise_.envelope());
     }
-    return matched(std::move(lines), {0, EnvelopeStep::sharpen_once}).acceleration_mps2;
+    return matched(std::move(lines), {0, EnvelopeStep::correct_once}).acceleration_mps2;
 }
 
 SpectrumMatcher::Component SpectrumMatcher::match_motion(std::span<double const> acceleration_mps2) const {

@@ -29,7 +29,7 @@ struct SpectrumMatcherInput {
 /// LineGains, for a record after some iterations that multiply A_k by target/computed psa at the period of the line,
 /// and only those for an energy spectrum. It stops once the wave, judged at 100 periods a decade by the exact spectrum,
 /// meets the tolerance and the rule; else the best iterate is kept. Lowering peaks weakens a wave where it is strong;
-/// after the first iteration the envelope it synthesises with is therefore sharpened once (by its power, smoothed over
+/// after the first iteration the envelope it synthesises with is therefore corrected once (by its power, smoothed over
 /// 10 % of the duration): at any time the mean share of energy that has come is within 1.2 % of the stated envelope's.
 ///
 /// Measured on 120 s to 164 s at 0.01 s, to 10 s: mean misfit below 5 % over any decade after 2 or 3 iterations
@@ -67,26 +67,40 @@ class SpectrumMatcher {
     [[nodiscard]] MatchFigures const& median() const { return median_; }
 
   private:
-    enum class EnvelopeStep { sharpen_once, leave };  // again and again it would run away
+    enum class EnvelopeStep { correct_once, leave };  // again and again it would run away
     struct Steps {
         int plain;  // iterations that scale lines at once
         EnvelopeStep envelope;
     };
+    /// A wave on the way, and what a probe has seen of it.
+    struct Probed {
+        std::vector<double> acceleration_mps2;
+        SpectrumProbe const* probe = nullptr;
+        std::vector<PeakDisplacement> peaks = {};  // of the probe's periods; none for an energy spectrum
+        std::vector<double> ratios = {};           // computed over target at periods_s()
+        double shortfall = 0;
+    };
+    [[nodiscard]] static bool corrects_envelope(int iteration, Steps const& steps) {
+        return iteration == 1 && steps.envelope == EnvelopeStep::correct_once;
+    }
+    [[nodiscard]] Probed probed(std::vector<double> acceleration_mps2, bool rough) const;
+    void read_exactly(Probed& wave) const;
+    void step(Lines& lines, Probed& wave, std::vector<double>& envelope, int iteration, Steps const& steps) const;
     [[nodiscard]] Component matched(Lines lines, Steps const& steps) const;
     [[nodiscard]] Component judged(std::vector<double> acceleration_mps2, std::vector<double> ratios,
                                    int iterations) const;
     [[nodiscard]] std::vector<double> energy_ratios(std::span<double const> acceleration_mps2) const;
     [[nodiscard]] std::vector<double> exact(std::span<double const> acceleration_mps2,
-                                            std::span<PeakSwing const> swings) const;
+                                            std::span<PeakDisplacement const> peaks) const;
     [[nodiscard]] double shortfall(std::span<double const> ratios) const;
     void scale_lines(Lines& lines, std::span<double const> ratios) const;
 
     SpectrumMatcherInput input_;
     NoiseLines noise_;
-    JudgedPeriods judged_;              // pseudo-velocity, or V_E
-    std::vector<SpectrumProbe> looks_;  // a rough one, and a close one: every second short period, every long one
-    std::vector<std::size_t> left_;     // periods of no look
-    std::optional<PeakResponse> rest_;
+    JudgedPeriods judged_;               // pseudo-velocity, or V_E
+    std::vector<SpectrumProbe> probes_;  // a rough one, and a close one: every second short period, every long one
+    std::vector<std::size_t> unprobed_places_;  // periods of no probe
+    std::optional<PeakResponse> unprobed_;
     MatchFigures median_;
 };
 

@@ -31,13 +31,13 @@ SpectrumProbe::SpectrumProbe(JudgedPeriods judged, std::vector<std::size_t> chos
     OVERTURN_EXPECT(!chosen_.empty() && chosen_.front() == 0 && chosen_.back() + 1 == judged_.period_s.size());
 }
 
-std::vector<double> SpectrumProbe::ratios(std::span<PeakSwing const> swings) const {
+std::vector<double> SpectrumProbe::ratios(std::span<PeakDisplacement const> peaks) const {
     std::vector<double> values(judged_.period_s.size());
-    values[0] = judged_.ratio(0, swings[0].displacement_m);
+    values[0] = judged_.ratio(0, peaks[0].displacement_m);
     for (std::size_t c = 1; c < chosen_.size(); ++c) {
         std::size_t const left = chosen_[c - 1];
         std::size_t const right = chosen_[c];
-        values[right] = judged_.ratio(right, swings[c].displacement_m);
+        values[right] = judged_.ratio(right, peaks[c].displacement_m);
         double const rise = (values[right] - values[left]) / static_cast<double>(right - left);
         for (std::size_t i = left + 1; i < right; ++i) {
             values[i] = values[left] + rise * static_cast<double>(i - left);
@@ -47,12 +47,12 @@ std::vector<double> SpectrumProbe::ratios(std::span<PeakSwing const> swings) con
 }
 
 // A chosen period's own ratio; or, if it keeps the rule, that of the period left out beside it which breaks it most.
-double SpectrumProbe::heard(std::span<double const> ratios, std::size_t c, AcceptanceRule const& rule) const {
+double SpectrumProbe::governing_ratio(std::span<double const> ratios, std::size_t c, AcceptanceRule const& rule) const {
     double const own = ratios[chosen_[c]];
     auto const breach = [&](double ratio) {
         return std::max((rule.lowest_ratio - ratio) / rule.lowest_ratio, ratio / rule.highest_ratio - 1);
     };
-    if (!rule.asks() || breach(own) > 0) {
+    if (!rule.enabled() || breach(own) > 0) {
         return own;
     }
     double answer = own;
@@ -68,16 +68,16 @@ double SpectrumProbe::heard(std::span<double const> ratios, std::size_t c, Accep
     return answer;
 }
 
-void SpectrumProbe::step(Lines& lines, std::span<PeakSwing const> swings, std::span<double const> ratios,
+void SpectrumProbe::step(Lines& lines, std::span<PeakDisplacement const> peaks, std::span<double const> ratios,
                          std::span<double const> envelope, AcceptanceRule const& rule, LineGains::Trust trust) const {
     std::vector<double> wanted(chosen_.size());
     std::vector<double> strength(chosen_.size());
     for (std::size_t c = 0; c < chosen_.size(); ++c) {
-        wanted[c] = rule.aim / heard(ratios, c, rule);
-        auto const sample = static_cast<std::size_t>(swings[c].time_s / time_step_s_);
+        wanted[c] = rule.aim / governing_ratio(ratios, c, rule);
+        auto const sample = static_cast<std::size_t>(peaks[c].time_s / time_step_s_);
         strength[c] = envelope[std::min(sample, envelope.size() - 1)];
     }
-    gains_.apply(lines, swings, strength, wanted, trust);
+    gains_.apply(lines, peaks, strength, wanted, trust);
 }
 
 }  // namespace overturn

@@ -1,4 +1,4 @@
-/// What one iteration of a match looks at: how oscillators at some of the judged periods swing, and which step on the
+/// What one iteration of a match sees: the peaks of oscillators at some of the judged periods, and which step on the
 /// wave's lines that calls for.
 #pragma once
 
@@ -30,20 +30,21 @@ class SpectrumProbe {
     /// \param chosen of them, rising, first and last included
     SpectrumProbe(JudgedPeriods judged, std::vector<std::size_t> chosen, double damping, NoiseLines const& noise);
 
-    [[nodiscard]] std::vector<PeakSwing> swings(std::span<double const> acceleration_mps2) const {
-        return sweep_.swings(acceleration_mps2);
+    [[nodiscard]] std::vector<PeakDisplacement> peaks(std::span<double const> acceleration_mps2) const {
+        return sweep_.peaks(acceleration_mps2);
     }
 
     /// Response over target at all judged periods, between the chosen ones on straight lines.
-    [[nodiscard]] std::vector<double> ratios(std::span<PeakSwing const> swings) const;
+    [[nodiscard]] std::vector<double> ratios(std::span<PeakDisplacement const> peaks) const;
 
     /// Steps the lines towards the rule's aim. \param ratios at all judged periods, a chosen one answers for those
     /// beside it \param envelope the wave's, per sample
-    void step(Lines& lines, std::span<PeakSwing const> swings, std::span<double const> ratios,
+    void step(Lines& lines, std::span<PeakDisplacement const> peaks, std::span<double const> ratios,
               std::span<double const> envelope, AcceptanceRule const& rule, LineGains::Trust trust) const;
 
   private:
-    [[nodiscard]] double heard(std::span<double const> ratios, std::size_t c, AcceptanceRule const& rule) const;
+    [[nodiscard]] double governing_ratio(std::span<double const> ratios, std::size_t c,
+                                         AcceptanceRule const& rule) const;
 
     JudgedPeriods judged_;
     std::vector<std::size_t> chosen_;

@@ -156,7 +156,7 @@ void refuse_drifting_levels(CampaignInput const& input, CampaignSpec const& spec
 }
 
 bool CampaignSpec::has_target() const {
-    return std::ranges::any_of(limits, [](LimitState const& limit) { return limit.target.asks(); });
+    return std::ranges::any_of(limits, [](LimitState const& limit) { return limit.target.enabled(); });
 }
 
 std::vector<double> CampaignSpec::grid_periods_s() const {

@@ -71,12 +71,12 @@ void add_targets(CampaignSpec const& spec, Lines& lines) {
 }
 
 void add_first_wave(CampaignSpec const& spec, Lines& lines) {
-    constexpr double absurd_mps2 = 10 * g0;
+    constexpr double implausible_mps2 = 10 * g0;
     try {
         Plan const plan(spec);
         auto const wave = spec.source->make(spec.seed, plan.wave_id(0));
         double const peak = peak_of(wave.motion.horizontal_mps2);
-        if (peak > absurd_mps2) {
+        if (peak > implausible_mps2) {
             lines.push_back(
                 fmt::format("wave 0 peaks at {:.4g} g before any scaling (no ground has shaken so). Check the "
                             "unit of its target or amplitude",
@@ -84,7 +84,7 @@ void add_first_wave(CampaignSpec const& spec, Lines& lines) {
         } else if (spec.levels.measure == LevelMeasure::factor) {
             double const highest = spec.levels.levels.back().value;
             constexpr double weakest_mps2 = 0.1;
-            if (peak * highest > absurd_mps2) {
+            if (peak * highest > implausible_mps2) {
                 lines.push_back(
                     fmt::format("wave 0 peaks at {:.4g} g at the highest level, factor {:g} (no ground has "
                                 "shaken so). Check levels.values",

@@ -8,7 +8,7 @@ WaveCheck check_wave(GeneratedWave const& wave, std::vector<BodySpec> const& bod
     WaveCheck check;
     check.quality = wave_quality(wave.motion);
     check.clauses = wave.clauses;
-    bool const asked = wave.rule.asks();
+    bool const asked = wave.rule.enabled();
     if (asked) {
         for (auto& clause : wave_clauses(wave.rule, {.time_step_s = wave.motion.time_step_s,
                                                     .duration_s = wave.motion.duration_s(),

@@ -10,7 +10,7 @@
 #include "cli/command_line.hpp"
 #include "cli/print_error.hpp"
 #include "core/error.hpp"
-#include "runner/agreement.hpp"
+#include "runner/root_broadcast.hpp"
 
 namespace overturn::cli {
 
@@ -63,7 +63,7 @@ int on_all_ranks(std::function<int(parallel::Communicator const&)> const& action
             print_error(error.what());
         }
         return bad_input;
-    } catch (AgreedError const& error) {
+    } catch (CollectiveError const& error) {
         if (comm.is_root()) {
             print_error(error.what());
         }

@@ -64,7 +64,7 @@ CLI::Option& declare(CLI::App& parser, std::string const& names, Value& value, s
     } else {
         auto& option = *parser.add_option(names, value, help);
         if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
-            option.allow_extra_args(false);  // one value each time it is given
+            option.allow_extra_args(option.get_positional());  // of an option one value each time it is given
         }
         return option;
     }

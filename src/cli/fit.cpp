@@ -100,7 +100,7 @@ int fit_file(FitOptions const& options) {
     auto const input = input_of(file);
     auto const spec = parse_campaign(input);
     auto const statistics = recount(file, spec);
-    bool const changed = options.unverified.told_of(file, options.file);
+    bool const changed = options.unverified.warn_if_changed(file, options.file);
     double const confidence = options.confidence.value_or(spec.confidence);
     auto const analysis = analyse(
         spec, statistics, {.confidence = confidence, .beta_u = options.beta_u, .velocities = options.unit.measures()});

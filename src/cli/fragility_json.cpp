@@ -37,6 +37,8 @@ char const* source_name(QuotedProbability::Source source) {
             return "curve";
         case QuotedProbability::Source::stripe:
             return "stripe";
+        case QuotedProbability::Source::neighbours:
+            return "neighbours";
         case QuotedProbability::Source::none:
             break;
     }
@@ -52,6 +54,19 @@ Json seen_json(QuotedProbability const& q, FragilityFit const& fit) {
     return {{"from", q.bound->from},   {"to", q.bound->to},
             {"units", q.bound->units}, {passed_key(fit), q.bound->overturned},
             {"upper", q.bounds.upper}, {"reason", why}};
+}
+
+Json neighbours_json(QuotedProbability const& q, FragilityFit const& fit) {
+    if (!q.neighbours) {
+        return nullptr;
+    }
+    auto const stripe = [&](SeenBound const& seen) -> Json {
+        return {{"amplitude", seen.from},
+                {"trials", seen.units},
+                {passed_key(fit), seen.overturned},
+                {"observed_interval", ends(seen.probability)}};
+    };
+    return {{"below", stripe(q.neighbours->below)}, {"above", stripe(q.neighbours->above)}};
 }
 
 Json quotes_json(MeasuredFragility const& measured) {
@@ -70,6 +85,7 @@ Json quotes_json(MeasuredFragility const& measured) {
                         {passed_key(measured.fit), q.overturned},
                         {"observed", or_null(q.trials > 0, q.trials > 0 ? q.overturned / q.trials : 0)},
                         {"observed_interval", or_null(q.trials > 0, ends(q.seen))},
+                        {"neighbours", neighbours_json(q, measured.fit)},
                         {"outside_data", q.outside_data},
                         {"in_tail", q.in_tail},
                         {"bound", seen_json(q, measured.fit)}});

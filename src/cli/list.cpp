@@ -10,6 +10,7 @@
 #include "campaign/campaign_spec.hpp"
 #include "campaign/limit_state.hpp"
 #include "cli/assumptions_told.hpp"
+#include "cli/column_list.hpp"
 #include "cli/key_list.hpp"
 #include "cli/verbs.hpp"
 #include "config/key_reference.hpp"
@@ -32,8 +33,14 @@ template <class Value> void print_entries(char const* heading, std::span<config:
     }
 }
 
+void print_column(std::string const& name, Field const& column) {
+    fmt::print("  {:<32} {}{}\n", name, column.description,
+               column.units == "1" ? "" : fmt::format(" [{}]", column.units));
+}
+
 struct ListOptions {
-    std::string what, table;
+    std::string what;
+    std::vector<std::string> named;  // tables of keys, or files of columns
     bool json = false, schema = false, markdown = false;
 };
 
@@ -62,7 +69,8 @@ std::vector<config::PlacedTable> chosen_tables(std::string const& path) {
 }
 
 int list_keys(ListOptions const& options) {
-    auto const tables = chosen_tables(options.table);
+    validate(options.named.size() < 2, "'{}' (one argument too many). Name one table", options.named.back());
+    auto const tables = chosen_tables(options.named.empty() ? "" : options.named.front());
     validate(std::ranges::count(std::array{options.json, options.schema, options.markdown}, true) <= 1,
              "--json, --schema and --markdown (one page has one form). Keep one of them");
     fmt::print("{}", options.json       ? keys_json(tables).dump(2) + "\n"
@@ -72,14 +80,33 @@ int list_keys(ListOptions const& options) {
     return done;
 }
 
+int list_columns(ListOptions const& options) {
+    validate(!options.named.empty(), "list columns (of which file?). Name a results file");
+    validate(!options.json && !options.schema,
+             "--json and --schema (columns are told as text or --markdown). Leave them out");
+    std::vector<ListedGroup> groups;
+    for (auto const& path : options.named) {
+        // Of meanings alone: nothing is lost where a file was edited.
+        add_groups(store::ResultsReader(path, store::Trust::unverified), groups);
+    }
+    fmt::print("{}", options.markdown ? columns_markdown(groups) : columns_text(groups));
+    return done;
+}
+
 int list(ListOptions const& options) {
-    validate(options.what.empty() || options.what == "assumptions" || options.what == "keys",
-             "list '{}' (unknown). Say assumptions, keys, or nothing: everything else", options.what);
+    validate(
+        options.what.empty() || options.what == "assumptions" || options.what == "keys" || options.what == "columns",
+        "list '{}' (unknown). Say assumptions, keys, columns FILE.h5, or nothing: everything else", options.what);
     if (options.what == "keys") {
         return list_keys(options);
     }
-    validate(options.table.empty(), "'{}' (one argument too many). See overturn list --help", options.table);
-    validate(!options.schema && !options.markdown, "--schema and --markdown (of keys alone). Say overturn list keys");
+    if (options.what == "columns") {
+        return list_columns(options);
+    }
+    validate(options.named.empty(), "'{}' (one argument too many). See overturn list --help",
+             options.named.empty() ? "" : options.named.front());
+    validate(!options.schema && !options.markdown,
+             "--schema and --markdown (of keys alone, or columns). Say overturn list keys");
     validate(!options.json || !options.what.empty(),
              "--json (of keys and assumptions alone). Say overturn list assumptions "
              "--json");
@@ -105,14 +132,16 @@ int list(ListOptions const& options) {
     }
     fmt::print("measures stored per trial\n");
     for (auto const& column : fields_of<TrialRow>()) {
-        fmt::print("  {:<22} {}\n", column.name, column.description);
+        print_column(column.name, column);
     }
     for (auto const& model : models()) {
         for (auto const& column : model.traits().fields) {
-            fmt::print("  {:<22} {}\n", fmt::format("{}/{}", model.traits().name, column.name), column.description);
+            print_column(fmt::format("{}/{}", model.traits().name, column.name), column);
         }
     }
-    fmt::print("what a campaign may state: overturn list keys; what the model assumes: overturn list assumptions\n");
+    fmt::print(
+        "what a campaign may state: overturn list keys; what the model assumes: overturn list assumptions; all columns "
+        "of a results file: overturn list columns FILE.h5\n");
     return done;
 }
 
@@ -122,11 +151,15 @@ void add_list(CommandLine& line) {
     auto verb = line.verb(
         "list", "what can be asked for: sources, targets, formats, effects, measures; all keys of a campaign");
     auto options = std::make_shared<ListOptions>();
-    verb.takes("what", options->what, "keys: what a campaign may state; assumptions: what the model takes for granted");
-    verb.takes("table", options->table, "keys of this table and those in it: waves, bodies.pad, ...");
+    verb.takes(
+        "what", options->what,
+        "keys: what a campaign may state; columns: what a results file holds; assumptions: what the model takes for "
+        "granted");
+    verb.takes("named", options->named,
+               "of keys: this table and those in it (waves, bodies.pad, ...); of columns: results files");
     verb.takes("--json", options->json, "keys or assumptions as JSON");
     verb.takes("--schema", options->schema, "keys as a JSON schema, for editors of TOML");
-    verb.takes("--markdown", options->markdown, "keys as a page");
+    verb.takes("--markdown", options->markdown, "keys or columns as a page");
     verb.does([options] { return list(*options); });
 }
 

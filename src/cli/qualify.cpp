@@ -12,7 +12,7 @@
 #include "qualify/installation.hpp"
 #include "qualify/known_answers.hpp"
 #include "qualify/page.hpp"
-#include "runner/agreement.hpp"
+#include "runner/root_broadcast.hpp"
 #include "store/durable.hpp"
 
 namespace overturn::cli {
@@ -30,7 +30,7 @@ struct QualifyOptions {
 class Bench {
   public:
     Bench(fs::path const& where, parallel::Communicator const& comm) : root_(comm.is_root()) {
-        folder_ = from_root(comm, [&] {
+        folder_ = broadcast_from_root(comm, [&] {
             store::require_writable(where / "output");
             auto name = (fs::absolute(where) / "overturn-qualify-XXXXXX").string();
             if (::mkdtemp(name.data()) == nullptr) {
@@ -69,7 +69,7 @@ int print_outcome(QualifyOptions const& options, qualify::Qualification const& s
 int qualify_here(QualifyOptions const& options, parallel::Communicator const& comm) {
     Bench const bench(options.folder, comm);
     auto const campaign = qualify::campaign_checks(bench.folder(), comm);
-    return std::stoi(from_root(comm, [&] {
+    return std::stoi(broadcast_from_root(comm, [&] {
         qualify::Qualification shown{.checks = {},
                                      .program = program_identity(),
                                      .machine = machine(),

@@ -205,7 +205,7 @@ int write_report(ReportOptions const& options) {
     auto input = input_of(file);
     fetch_withheld(input, options.file);
     auto const spec = parse_campaign(input);
-    bool const changed = options.unverified.told_of(file, options.file);
+    bool const changed = options.unverified.warn_if_changed(file, options.file);
     Plan const plan(spec);
     auto const statistics = recount(file, spec);
     Json data;

@@ -22,7 +22,7 @@ namespace {
 int status_of_file(std::string const& path, Unverified const& unverified) {
     store::ResultsReader const file(path, unverified.trust());
     auto const spec = parse_campaign(input_of(file));
-    bool const changed = unverified.told_of(file, path);
+    bool const changed = unverified.warn_if_changed(file, path);
     auto const verdicts = file.integers("trials/verdict");
     auto const waves = recount(file, spec).waves().text(file.text("wave_acceptance"));
     auto const done_waves = static_cast<std::int64_t>(file.integers("waves/id").size());

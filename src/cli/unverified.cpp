@@ -5,7 +5,7 @@
 
 namespace overturn::cli {
 
-bool Unverified::told_of(store::ResultsReader const& file, std::string const& path) const {
+bool Unverified::warn_if_changed(store::ResultsReader const& file, std::string const& path) const {
     bool const changed = wished && !file.is_as_written();
     if (changed) {
         print_note(

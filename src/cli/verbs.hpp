@@ -18,7 +18,7 @@ struct Unverified {
     [[nodiscard]] store::Trust trust() const { return wished ? store::Trust::unverified : store::Trust::sealed; }
     /// Says that a file is not as it was written, and that what follows is read from it as it is. \return whether it is
     /// so
-    [[nodiscard]] bool told_of(store::ResultsReader const& file, std::string const& path) const;
+    [[nodiscard]] bool warn_if_changed(store::ResultsReader const& file, std::string const& path) const;
 };
 
 void add_run(CommandLine& line);

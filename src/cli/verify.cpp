@@ -10,7 +10,7 @@
 #include "cli/verbs.hpp"
 #include "core/print_note.hpp"
 #include "results/recount.hpp"
-#include "runner/agreement.hpp"
+#include "runner/root_broadcast.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -41,7 +41,7 @@ int print_outcome(VerifyOptions const& options, Verified const& found) {
 
 int verify(VerifyOptions const& options, parallel::Communicator const& comm) {
     // One rank holds the file against its seal for all.
-    (void)from_root(comm, [&] {
+    (void)broadcast_from_root(comm, [&] {
         store::ResultsReader const file(options.file, options.unverified.trust());
         return std::string();
     });
@@ -50,7 +50,7 @@ int verify(VerifyOptions const& options, parallel::Communicator const& comm) {
     fetch_withheld(input, options.file);
     auto const spec = parse_campaign(input);
     auto const found = verify_rows(file, spec, options.wish, comm);
-    return std::stoi(from_root(comm, [&] { return fmt::format("{}", print_outcome(options, found)); }));
+    return std::stoi(broadcast_from_root(comm, [&] { return fmt::format("{}", print_outcome(options, found)); }));
 }
 
 }  // namespace

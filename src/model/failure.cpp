@@ -11,7 +11,7 @@ std::span<FailureEntry const> failures() {
         FailureEntry{FailureReason::wave_cannot_be_scaled, "wave-cannot-be-scaled",
                      "the wave is zero in the level's measure"},
         FailureEntry{FailureReason::no_convergence, "no-convergence", "no step was short enough"},
-        FailureEntry{FailureReason::absurd_level, "absurd-level", "shaking beyond a million g"},
+        FailureEntry{FailureReason::out_of_range, "absurd-level", "shaking beyond a million g"},
         FailureEntry{FailureReason::wave_not_accepted, "wave-not-accepted", "the wave misses waves.acceptance"}};
     return entries;
 }

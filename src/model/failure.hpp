@@ -13,7 +13,7 @@ enum class FailureReason : std::int64_t {
     wave_failed = 1,
     wave_cannot_be_scaled = 2,
     no_convergence = 3,
-    absurd_level = 4,
+    out_of_range = 4,
     wave_not_accepted = 5
 };
 

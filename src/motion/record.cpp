@@ -179,8 +179,8 @@ void check_last_value_is_whole(std::string_view content, Location const& where) 
 }
 
 void check_believable_peak(std::span<double const> acceleration_mps2, Location const& where) {
-    constexpr double absurd_mps2 = 10 * g0;  // the strongest records known stay below 5 g
-    if (double const peak = peak_of(acceleration_mps2); peak > absurd_mps2) {
+    constexpr double implausible_mps2 = 10 * g0;  // the strongest records known stay below 5 g
+    if (double const peak = peak_of(acceleration_mps2); peak > implausible_mps2) {
         throw InputError(where, fmt::format("peak of {:.4g} g (no ground has shaken so: the values are hardly in the "
                                             "unit that is stated). State the right unit; where the file itself is "
                                             "wrong, convert it to columns",

@@ -8,7 +8,7 @@
 #include "campaign/version.hpp"
 #include "core/print_note.hpp"
 #include "qualify/installation.hpp"
-#include "runner/agreement.hpp"
+#include "runner/root_broadcast.hpp"
 #include "runner/run.hpp"
 #include "store/durable.hpp"
 #include "store/results_file.hpp"
@@ -150,7 +150,7 @@ Checks campaign_checks(fs::path const& folder, parallel::Communicator const& com
     bool const ran = run(whole, comm, false, std::numeric_limits<double>::infinity()) == RunEnd::complete;
     // No time is left once each rank has its first block.
     bool const stopped = run(resumed, comm, false, 0) == RunEnd::stopped;
-    (void)from_root(comm, [&] {
+    (void)broadcast_from_root(comm, [&] {
         if (stopped) {
             wound(resumed);
         }

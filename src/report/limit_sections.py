@@ -91,12 +91,23 @@ def probability(quoted):
     """P, or the bound that stands for it."""
     if quoted["bound"]:
         return f"below {value_of(quoted['upper'], 2)}"
+    if quoted["probability"] is None and quoted["bounds_from"] == "neighbours":
+        return f"{value_of(quoted['lower'], 2)} to {value_of(quoted['upper'], 2)}"
     return value_of(quoted["probability"], 2)
 
 
-def remarks(quoted, limit):
-    words = [(f"{quoted['bound'][passed(limit)]:g} of {quoted['bound']['units']:g} seen; "
-              f"{quoted['bound']['reason']}") if quoted["bound"] else "",
+def between(report, quoted, limit):
+    """What the stripes on both sides saw, where they bound P."""
+    if quoted["bounds_from"] != "neighbours":
+        return ""
+    return " and ".join(f"{stripe[passed(limit)]:g} of {stripe['trials']:g} at {report.amplitude(stripe['amplitude'])}"
+                        for stripe in (quoted["neighbours"]["below"], quoted["neighbours"]["above"])) + " seen"
+
+
+def remarks(report, quoted, limit):
+    bound = quoted["bound"]
+    words = [between(report, quoted, limit),
+             f"{bound[passed(limit)]:g} of {bound['units']:g} seen; {bound['reason']}" if bound else "",
              "outside the data" if quoted["outside_data"] else "", "tail: may err to either side" if quoted["in_tail"] else ""]
     return ", ".join(word for word in words if word)
 
@@ -129,7 +140,7 @@ def curves(report, limit):
               ", ".join(f"{d['quantity']} {d['log_median_per_deviation']:+.3f} ± {d['standard_error']:.3f}"
                         for d in f["drawn"])] for f in mine if f["drawn"] and f["identifiable"]]
     quoted = [[f["body"], f"{q['multiple']:.3g} × {q['of']}", report.amplitude(q["amplitude"]), probability(q),
-               value_of(q["lower"], 2), value_of(q["upper"], 2), remarks(q, limit)]
+               value_of(q["lower"], 2), value_of(q["upper"], 2), remarks(report, q, limit)]
               for f in mine for q in f["probabilities"]]
     ends = list(stripes[0].get("ends", {"undecided": 0, "failed": 0}))
     head = ["body", "level", "trials", *([] if limit == OVERTURNING else [did]), *(e.replace("_", " ") for e in ends),

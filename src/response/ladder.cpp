@@ -131,7 +131,7 @@ Ladder::TrialState Ladder::begin(SceneTrial const& at) const {
     trial.simulated =
         held_with(0, state.possible & request_.wanted() & (chooses ? state.called | request_.include : ~EffectMask{0}));
     if (out_of_range(trial.excitation, trial.simulated)) {
-        state.outcome = unknown_outcome(FailureReason::absurd_level);
+        state.outcome = unknown_outcome(FailureReason::out_of_range);
     } else {
         state.next = cheapest(trial.simulated);
     }

@@ -115,7 +115,7 @@ class Analyst {
 
   private:
     [[nodiscard]] GridMap map_of(std::size_t b) const {
-        GridMap map{spec_.levels.measure_name(), told_unit(spec_.levels.units(), spec_.levels), {}, {}, {}};
+        GridMap map{spec_.levels.measure_name(), printed_unit(spec_.levels.units(), spec_.levels), {}, {}, {}};
         std::ranges::transform(spec_.levels.levels, std::back_inserter(map.levels), &Level::value);
         std::ranges::transform(spec_.limits, std::back_inserter(map.limits), &LimitState::name);
         map.lines = statistics_.bodies()[b].grid;
@@ -185,8 +185,8 @@ class Analyst {
         result.name = name_of(measure, spec_);
         result.label = label_of(measure, spec_);
         result.units = units_of(measure, spec_.levels);
-        result.told =
-            options_.velocities && result.units == "m/s" ? *options_.velocities : told_unit(result.units, spec_.levels);
+        result.told = options_.velocities && result.units == "m/s" ? *options_.velocities
+                                                                   : printed_unit(result.units, spec_.levels);
         if (is_grid_) {
             result.fit.state = FragilityState::grid;
             result.fit.passing = spec_.limits[limit].passing();

@@ -88,7 +88,7 @@ struct AnalysisOptions {
     double beta_u = 0;  ///< 0: what the bodies' scatter says, if they have any
     int replicates = 1000;
     int band_points = 0;  ///< of the curve over the levels' own measure
-    /// In which measures that are velocities are told; none: as told_unit says.
+    /// In which measures that are velocities are told; none: as printed_unit says.
     std::optional<IntensityUnit> velocities{};
 };
 

@@ -84,22 +84,31 @@ std::string bound_text(MeasuredFragility const& m, QuotedProbability const& q) {
                        q.bound->units, where, why);
 }
 
+std::string neighbours_text(MeasuredFragility const& m, Neighbours const& n) {
+    return fmt::format(", {:g} of {:g} seen at {} and {:g} of {:g} at {}", n.below.overturned, n.below.units,
+                       m.told.text(n.below.from), n.above.overturned, n.above.units, m.told.text(n.above.from));
+}
+
 std::string quote_line(MeasuredFragility const& m, QuotedProbability const& q) {
     using Source = QuotedProbability::Source;
     auto const at = m.quote_base == "v_ereq" ? std::string("V_WES = V_Ereq")
                                              : fmt::format("{:.3g} x design basis, {} {}", q.quote.multiple, m.name,
                                                            m.told.text(q.quote.intensity));
-    if (q.curve && !q.probability) {
+    if (q.curve && !q.probability && q.source != Source::neighbours) {
         return fmt::format("  P at {}: {}\n", at, bound_text(m, q));
     }
-    auto const p = q.probability ? fmt::format("{:.3g}", *q.probability) : std::string("not identifiable");
-    auto const rejected = q.curve && q.probability && *q.curve != *q.probability
+    auto const p = q.probability ? fmt::format("{:.3g}", *q.probability)
+                   : q.curve     ? std::string("between")
+                                 : std::string("not identifiable");
+    auto const rejected = q.curve && q.probability != q.curve
                               ? fmt::format(" (the curve's {} is not believed)", curve_text(q.least, *q.curve))
                               : std::string();
-    auto const seen = q.trials > 0 ? fmt::format(", {:g} of {:g} seen there", q.overturned, q.trials) : std::string();
+    auto const seen = q.trials > 0 ? fmt::format(", {:g} of {:g} seen there", q.overturned, q.trials)
+                      : q.source == Source::neighbours ? neighbours_text(m, *q.neighbours)
+                                                       : std::string();
     auto const bounds = q.source == Source::none ? std::string("no bound")
                                                  : fmt::format("[{:.3g}, {:.3g}]{}", q.bounds.lower, q.bounds.upper,
-                                                               q.source == Source::stripe ? " exact" : "");
+                                                               q.source == Source::curve ? "" : " exact");
     return fmt::format("  P at {}: {} {}{}{}{}{}\n", at, p, bounds, seen, rejected,
                        q.outside_data ? ", outside the data" : "", q.in_tail ? ", in the tail" : "");
 }

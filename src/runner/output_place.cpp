@@ -14,7 +14,7 @@
 #include "campaign/block_rows.hpp"
 #include "campaign/withheld_inputs.hpp"
 #include "core/print_note.hpp"
-#include "runner/agreement.hpp"
+#include "runner/root_broadcast.hpp"
 #include "store/durable.hpp"
 #include "store/results_file.hpp"
 
@@ -145,9 +145,9 @@ void check_complete(std::filesystem::path const& output, CampaignInput const& in
         leftovers ? "blocks left over (merged already). Removed" : "what lies there is not of this file. Left alone");
 }
 
-OutputState take_output(std::filesystem::path const& output, store::ShardFolder const& shards,
-                        CampaignInput const& input, Plan const& plan, OutputWish const& wish,
-                        std::optional<store::Claim>& claim) {
+OutputState claim_output(std::filesystem::path const& output, store::ShardFolder const& shards,
+                         CampaignInput const& input, Plan const& plan, OutputWish const& wish,
+                         std::optional<store::Claim>& claim) {
     validate(!std::filesystem::is_directory(output), "output {} (is a folder). Name a file with -o", output.string());
     validate(!std::filesystem::exists(output) || std::filesystem::is_regular_file(output),
              "output {} (is no file that could hold results). Name another with -o", output.string());
@@ -194,37 +194,37 @@ std::vector<std::int64_t> take_blocks(std::filesystem::path const& output, store
         mine["error"] = error.what();
     }
     auto const of_ranks = comm.gather(mine.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
-    return nlohmann::json::parse(from_root(comm,
-                                           [&] {
-                                               std::vector<std::int64_t> committed;
-                                               std::set<std::string> told;  // what is foreign is seen by several
-                                               for (auto const& text : of_ranks) {
-                                                   auto const found = nlohmann::json::parse(text);
-                                                   if (found.contains("error")) {
-                                                       throw SystemError(found.at("error").get<std::string>());
-                                                   }
-                                                   for (auto const& block : found.at("blocks")) {
-                                                       committed.push_back(block.get<std::int64_t>());
-                                                   }
-                                                   for (auto const& line : found.at("notes")) {
-                                                       told.insert(line.get<std::string>());
-                                                   }
-                                               }
-                                               for (auto const& line : told) {
-                                                   write_note(line + "\n");
-                                               }
-                                               validate(wish.resume || committed.empty(),
-                                                        "{}: part {}/{} (has been begun there). Go on with --resume",
-                                                        shards.folder().string(), wish.part.number, wish.part.of);
-                                               if (wish.resume && (begun || !committed.empty())) {
-                                                   print_note(
-                                                       "resuming {}: {} of {} blocks are done, {} are left\n",
-                                                       output.string(), committed.size(), range.count(),
-                                                       range.count() - static_cast<std::int64_t>(committed.size()));
-                                               }
-                                               warn_of_little_space(output, plan, wish.part, committed);
-                                               return nlohmann::json(committed).dump();
-                                           }))
+    return nlohmann::json::parse(
+               broadcast_from_root(comm,
+                                   [&] {
+                                       std::vector<std::int64_t> committed;
+                                       std::set<std::string> told;  // what is foreign is seen by several
+                                       for (auto const& text : of_ranks) {
+                                           auto const found = nlohmann::json::parse(text);
+                                           if (found.contains("error")) {
+                                               throw SystemError(found.at("error").get<std::string>());
+                                           }
+                                           for (auto const& block : found.at("blocks")) {
+                                               committed.push_back(block.get<std::int64_t>());
+                                           }
+                                           for (auto const& line : found.at("notes")) {
+                                               told.insert(line.get<std::string>());
+                                           }
+                                       }
+                                       for (auto const& line : told) {
+                                           write_note(line + "\n");
+                                       }
+                                       validate(wish.resume || committed.empty(),
+                                                "{}: part {}/{} (has been begun there). Go on with --resume",
+                                                shards.folder().string(), wish.part.number, wish.part.of);
+                                       if (wish.resume && (begun || !committed.empty())) {
+                                           print_note("resuming {}: {} of {} blocks are done, {} are left\n",
+                                                      output.string(), committed.size(), range.count(),
+                                                      range.count() - static_cast<std::int64_t>(committed.size()));
+                                       }
+                                       warn_of_little_space(output, plan, wish.part, committed);
+                                       return nlohmann::json(committed).dump();
+                                   }))
         .get<std::vector<std::int64_t>>();
 }
 

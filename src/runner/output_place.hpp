@@ -28,13 +28,13 @@ struct OutputWish {
 /// Looks at the place, refuses what must not be touched, claims the part's blocks and begins the shard folder. Parts of
 /// one campaign share the folder. \param claim holds the blocks from here on \throws InputError if something is there
 /// and `resume` is off, it belongs to another campaign, or another run is writing there
-[[nodiscard]] OutputState take_output(std::filesystem::path const& output, store::ShardFolder const& shards,
-                                      CampaignInput const& input, Plan const& plan, OutputWish const& wish,
-                                      std::optional<store::Claim>& claim);
+[[nodiscard]] OutputState claim_output(std::filesystem::path const& output, store::ShardFolder const& shards,
+                                       CampaignInput const& input, Plan const& plan, OutputWish const& wish,
+                                       std::optional<store::Claim>& claim);
 
 /// The part's blocks that an earlier run left behind, in rising order, each read and hashed by one of the ranks; what
 /// is reused and what is not sound is said on stderr, and where room is short. Collective; all ranks see the folder.
-/// \throws InputError on every rank if there are some and `resume` is off, AgreedError if they cannot be listed
+/// \throws InputError on every rank if there are some and `resume` is off, CollectiveError if they cannot be listed
 [[nodiscard]] std::vector<std::int64_t> take_blocks(std::filesystem::path const& output,
                                                     store::ShardFolder const& shards, Plan const& plan,
                                                     OutputWish const& wish, bool begun,

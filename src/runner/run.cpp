@@ -9,13 +9,13 @@
 #include "core/elapsed.hpp"
 #include "core/print_note.hpp"
 #include "results/stripe_table.hpp"
-#include "runner/agreement.hpp"
 #include "runner/detail/stopping.hpp"
 #include "runner/detail/worker.hpp"
 #include "runner/merge.hpp"
 #include "runner/output_place.hpp"
 #include "runner/progress.hpp"
 #include "runner/rare_run.hpp"
+#include "runner/root_broadcast.hpp"
 #include "runner/runtime_file.hpp"
 
 namespace overturn {
@@ -83,8 +83,8 @@ class Run {
                  "under mpirun",
                  options_.part.number, options_.part.of);
         OutputWish const wish{options_.resume, options_.part};
-        auto const found = nlohmann::json::parse(from_root(comm_, [&] {
-            auto const state = take_output(options_.output, shards_, input_, plan_, wish, claim_);
+        auto const found = nlohmann::json::parse(broadcast_from_root(comm_, [&] {
+            auto const state = claim_output(options_.output, shards_, input_, plan_, wish, claim_);
             return nlohmann::json{{"complete", state.complete}, {"begun", state.begun}}.dump();
         }));
         if (found.at("complete").get<bool>()) {
@@ -153,7 +153,7 @@ class Run {
     }
 
     bool meets_target_there(std::int64_t blocks) {
-        auto const looked = nlohmann::json::parse(from_root(comm_, [&] {
+        auto const looked = nlohmann::json::parse(broadcast_from_root(comm_, [&] {
             auto const look = look_at_target(spec_, plan_, shards_, blocks);
             return nlohmann::json{{"met", look.met}, {"obstacle", look.obstacle}}.dump();
         }));
@@ -172,7 +172,7 @@ class Run {
     }
 
     RunEnd merge() {
-        auto const table = from_root(comm_, [&] {
+        auto const table = broadcast_from_root(comm_, [&] {
             auto const begin = Clock::now();
             earlier_legs_ = shards_.legs();
             auto const tables = merge_blocks(
@@ -233,7 +233,8 @@ std::filesystem::path default_output(std::filesystem::path const& campaign) { re
 
 CampaignInput load_campaign_everywhere(std::filesystem::path const& path, std::span<std::string const> settings,
                                        parallel::Communicator const& comm) {
-    auto input = CampaignInput::deserialise(from_root(comm, [&] { return load_campaign(path, settings).serialise(); }));
+    auto input = CampaignInput::deserialise(
+        broadcast_from_root(comm, [&] { return load_campaign(path, settings).serialise(); }));
     if (comm.largest(input.program == program_identity() ? 0 : 1) != 0) {
         throw InputError(fmt::format("ranks of different programs (rank 0 is overturn {}). Install one on all nodes",
                                      input.program));

@@ -23,7 +23,7 @@ enum class RunEnd { complete, stopped };
 
 /// Collective. Prints progress on stderr and the stripe table on stdout, both from rank 0.
 /// \throws InputError on every rank if the output is taken, not writable, not shared by all nodes, or belongs to
-/// another campaign. \throws AgreedError on every rank if one cannot write
+/// another campaign. \throws CollectiveError on every rank if one cannot write
 [[nodiscard]] RunEnd run_campaign(CampaignInput const& input, RunOptions const& options,
                                   parallel::Communicator const& comm);
 

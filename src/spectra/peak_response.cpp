@@ -12,16 +12,16 @@ namespace {
 
 constexpr double bound_error = 1e-9;        // by which a bound may err
 constexpr double least_oscillating = 0.95;  // damping from which C says little
-constexpr int looks_per_period = 24;        // at least; between two looks a swing rises by 2 % of its height at most
+constexpr int samples_per_period = 24;  // at least; between two of them a sinusoid rises by 0.9 % of its height at most
 
 std::size_t stride_of(double period_s, double time_step_s) {
-    double const room = period_s / (looks_per_period * time_step_s);
+    double const room = period_s / (samples_per_period * time_step_s);
     return room >= 8 ? 8 : room >= 2 ? 2 : 1;
 }
 
 }  // namespace
 
-PeakResponse::Bend::Bend(double w, double damping, double dt) {
+PeakResponse::ChordError::ChordError(double w, double damping, double dt) {
     double const per_slope = -2 * damping / (w * w * w * dt);  // of a1 - a0 in y - p
     imaginary_v = 1 / (w * std::sqrt(1 - damping * damping));
     imaginary_y = damping * w * imaginary_v;
@@ -32,13 +32,13 @@ PeakResponse::Bend::Bend(double w, double damping, double dt) {
     scale = w * w * dt * dt / 8;
 }
 
-double PeakResponse::Bend::operator()(double y, double v, double a0, double a1) const {
+double PeakResponse::ChordError::operator()(double y, double v, double a0, double a1) const {
     double const real = y + (real_a0 * a0 + real_a1 * a1);
     double const imaginary = imaginary_y * y + imaginary_v * v + (imaginary_a0 * a0 + imaginary_a1 * a1);
     return scale * (std::abs(real) + std::abs(imaginary));
 }
 
-struct PeakResponse::Close {
+struct PeakResponse::Searched {
     std::span<double const> series;
     Group const* group;
     SweepTiles const* tiles;
@@ -68,7 +68,7 @@ PeakResponse::PeakResponse(std::vector<double> const& periods_s, double damping,
         auto const form = stride > 1                                 ? SweepForm::strided
                           : steps > 1 && damping < least_oscillating ? SweepForm::amplitude
                                                                      : SweepForm::samples;
-        // Lanes are filled up with periods that may be looked at less often; only the amplitudes of those that need no
+        // Lanes are filled up with periods that could do with fewer samples; only the amplitudes of those that need no
         // substeps would say too little.
         constexpr double alike = 8;
         if (groups_.empty() || groups_.back().count == simd::sweep_lanes
@@ -80,7 +80,7 @@ PeakResponse::PeakResponse(std::vector<double> const& periods_s, double damping,
         double const w = 2 * pi / period;
         OscillatorStep const sample(w, damping, time_step_s);
         oscillators_.push_back({w, steps, sample, OscillatorStep(w, damping, time_step_s / steps),
-                                Bend(w, form == SweepForm::amplitude ? damping : 0, time_step_s)});
+                                ChordError(w, form == SweepForm::amplitude ? damping : 0, time_step_s)});
         for (std::size_t lane = group.count; lane < simd::sweep_lanes; ++lane) {  // idle lanes repeat the last
             group.swept.set(lane, w, damping, sample, time_step_s);
         }
@@ -123,8 +123,8 @@ void PeakResponse::bound_tiles(Group const& group, Ground const& ground, SweepTi
     }
 }
 
-// x^2 in a tile from which the peak may lie in it. Between two looks, h apart, y strays from the line between them by
-// h^2/8 max |y''|; |y''| <= |a| + w^2 |y| + 2 zeta w |y'| and |y'| <= 2 |y| / h + h/2 |y''|.
+// x^2 in a tile from which the peak may lie in it. Between two samples that are read, h apart, y strays from the line
+// between them by h^2/8 max |y''|; |y''| <= |a| + w^2 |y| + 2 zeta w |y'| and |y'| <= 2 |y| / h + h/2 |y''|.
 PeakResponse::LaneValues PeakResponse::limits(Group const& group, SweepTiles const& tiles, double peak_mps2) const {
     LaneValues limit{};
     for (std::size_t lane = 0; lane < simd::sweep_lanes; ++lane) {
@@ -144,27 +144,28 @@ PeakResponse::LaneValues PeakResponse::limits(Group const& group, SweepTiles con
     return limit;
 }
 
-void PeakResponse::look_between(Close const& close, std::size_t lane, std::size_t tile, PeakSwing& found) const {
-    auto const& series = close.series;
-    auto const& o = oscillators_[close.group->first + lane];
+void PeakResponse::search_between_samples(Searched const& searched, std::size_t lane, std::size_t tile,
+                                          PeakDisplacement& found) const {
+    auto const& series = searched.series;
+    auto const& o = oscillators_[searched.group->first + lane];
     std::size_t const first = 1 + tile * SweepTiles::samples;
-    double const unit = close.group->swept.unit[lane];
+    double const unit = searched.group->swept.unit[lane];
     double y = 0;
     double v = 0;
-    bool const bends = close.group->swept.form == SweepForm::amplitude;
-    if (bends) {
+    bool const bounded = searched.group->swept.form == SweepForm::amplitude;
+    if (bounded) {
         double const slope = (series[first] - series[first - 1]) / time_step_s_;
-        double const turned = close.group->swept.now[lane];
-        double const aside = close.group->swept.last[lane];
-        double const f = unit * (turned * close.state(lane, tile) - aside * close.other(lane, tile));
-        double const q = unit * (aside * close.state(lane, tile) + turned * close.other(lane, tile));
+        double const turned = searched.group->swept.now[lane];
+        double const aside = searched.group->swept.last[lane];
+        double const f = unit * (turned * searched.state(lane, tile) - aside * searched.other(lane, tile));
+        double const q = unit * (aside * searched.state(lane, tile) + turned * searched.other(lane, tile));
         y = f + (2 * damping_ * slope / o.w - series[first - 1]) / (o.w * o.w);
         v = o.w * (std::sqrt(1 - damping_ * damping_) * q - damping_ * f) - slope / (o.w * o.w);
     } else if (first > 1) {
         double const a0 = series[first - 2];
         double const a1 = series[first - 1];
-        double const y0 = unit * close.other(lane, tile);
-        y = unit * close.state(lane, tile);
+        double const y0 = unit * searched.other(lane, tile);
+        y = unit * searched.state(lane, tile);
         double const v0 = (y - o.sample.yy * y0 - o.sample.ya0 * a0 - o.sample.ya1 * a1) / o.sample.yv;
         v = o.sample.vy * y0 + o.sample.vv * v0 + o.sample.va0 * a0 + o.sample.va1 * a1;
     }
@@ -173,13 +174,13 @@ void PeakResponse::look_between(Close const& close, std::size_t lane, std::size_
             found = {value, time_step_s_ * time_steps};
         }
     };
-    for (std::size_t n = first; n < close.end(first); ++n) {
+    for (std::size_t n = first; n < searched.end(first); ++n) {
         double const a0 = series[n - 1];
         double const a1 = series[n];
         double const y1 = o.sample.yy * y + o.sample.yv * v + (o.sample.ya0 * a0 + o.sample.ya1 * a1);
         double const v1 = o.sample.vy * y + o.sample.vv * v + (o.sample.va0 * a0 + o.sample.va1 * a1);
         double const height = std::max(std::abs(y), std::abs(y1)) * (1 + bound_error);
-        if (o.steps > 1 && (!bends || height + o.bend(y, v, a0, a1) > std::abs(found.displacement_m))) {
+        if (o.steps > 1 && (!bounded || height + o.chord_error(y, v, a0, a1) > std::abs(found.displacement_m))) {
             double const rise = (a1 - a0) / o.steps;
             for (int s = 0; s + 1 < o.steps; ++s) {
                 double const from = a0 + rise * s;
@@ -196,13 +197,14 @@ void PeakResponse::look_between(Close const& close, std::size_t lane, std::size_
     }
 }
 
-void PeakResponse::look_at_samples(Close const& close, std::size_t lane, std::size_t tile, PeakSwing& found) const {
-    auto const& swept = close.group->swept;
-    double w = close.state(lane, tile);
-    double d = close.other(lane, tile);
+void PeakResponse::search_samples(Searched const& searched, std::size_t lane, std::size_t tile,
+                                  PeakDisplacement& found) const {
+    auto const& swept = searched.group->swept;
+    double w = searched.state(lane, tile);
+    double d = searched.other(lane, tile);
     std::size_t const first = 1 + tile * SweepTiles::samples;
-    for (std::size_t n = first; n < close.end(first); ++n) {
-        double const next = swept.ahead[lane] * d + (swept.behind[lane] * w + close.series[n]);
+    for (std::size_t n = first; n < searched.end(first); ++n) {
+        double const next = swept.ahead[lane] * d + (swept.behind[lane] * w + searched.series[n]);
         double const before = w;
         w += d;
         d = next;
@@ -213,51 +215,52 @@ void PeakResponse::look_at_samples(Close const& close, std::size_t lane, std::si
     }
 }
 
-// Into the tiles that reach a limit; where only some samples were looked at, a peak may also lie before the first.
+// Into the tiles that reach a limit; where only some samples were read, a peak may also lie before the first.
 // What is found raises the limit of a form whose tiles hold heights.
-void PeakResponse::look(Close const& close, LaneValues limit, std::span<PeakSwing> found) const {
-    bool const strided = close.group->swept.form == SweepForm::strided;
-    bool const heights = close.group->swept.form == SweepForm::amplitude;
-    for (std::size_t b = 0; b < close.tiles->count(); ++b) {
-        double const* const tile = close.tiles->at(b);
-        double const* const before = strided && b > 0 ? close.tiles->at(b - 1) : tile;
+void PeakResponse::search(Searched const& searched, LaneValues limit, std::span<PeakDisplacement> found) const {
+    bool const strided = searched.group->swept.form == SweepForm::strided;
+    bool const heights = searched.group->swept.form == SweepForm::amplitude;
+    for (std::size_t b = 0; b < searched.tiles->count(); ++b) {
+        double const* const tile = searched.tiles->at(b);
+        double const* const before = strided && b > 0 ? searched.tiles->at(b - 1) : tile;
         int some = 0;
         for (std::size_t lane = 0; lane < simd::sweep_lanes; ++lane) {
             some |= static_cast<int>(std::max(tile[lane], before[lane]) >= limit[lane]);
         }
-        for (std::size_t lane = 0; some != 0 && lane < close.group->count; ++lane) {
+        for (std::size_t lane = 0; some != 0 && lane < searched.group->count; ++lane) {
             if (std::max(tile[lane], before[lane]) >= limit[lane]) {
-                strided ? look_at_samples(close, lane, b, found[lane]) : look_between(close, lane, b, found[lane]);
+                strided ? search_samples(searched, lane, b, found[lane])
+                        : search_between_samples(searched, lane, b, found[lane]);
                 limit[lane] = heights ? std::max(limit[lane], std::abs(found[lane].displacement_m)) : limit[lane];
             }
         }
     }
 }
 
-std::vector<PeakSwing> PeakResponse::swings(std::span<double const> acceleration_mps2) const {
-    std::vector<PeakSwing> swings(oscillators_.size());
+std::vector<PeakDisplacement> PeakResponse::peaks(std::span<double const> acceleration_mps2) const {
+    std::vector<PeakDisplacement> peaks(oscillators_.size());
     if (acceleration_mps2.size() < 2) {
-        return swings;
+        return peaks;
     }
     auto const ground = ground_of(acceleration_mps2);
     SweepTiles tiles;
     for (auto const& group : groups_) {
         sweep(group.swept, acceleration_mps2, tiles);
-        auto const found = std::span(swings).subspan(group.first, group.count);
-        Close const close{acceleration_mps2, &group, &tiles};
+        auto const found = std::span(peaks).subspan(group.first, group.count);
+        Searched const searched{acceleration_mps2, &group, &tiles};
         if (group.swept.form != SweepForm::amplitude) {
-            look(close, limits(group, tiles, ground.peak), found);
+            search(searched, limits(group, tiles, ground.peak), found);
             continue;
         }
         bound_tiles(group, ground, tiles);
-        look(close, tiles.highest, found);  // the more there is to beat, the less is left to look at
+        search(searched, tiles.highest, found);  // the higher what is found, the fewer tiles are left to search
         LaneValues limit{};
         for (std::size_t lane = 0; lane < group.count; ++lane) {
             limit[lane] = std::abs(found[lane].displacement_m);
         }
-        look(close, limit, found);
+        search(searched, limit, found);
     }
-    return swings;
+    return peaks;
 }
 
 }  // namespace overturn

@@ -1,5 +1,5 @@
-/// Where and how high oscillators swing: the reading of displacement_spectrum, with sign and instant; of matched waves,
-/// at the damping of spectra, in half its time.
+/// Peak displacements of many oscillators under a wave, with sign and instant: the values of displacement_spectrum, in
+/// half its time at the damping of spectra.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,13 @@
 
 namespace overturn {
 
-/// The largest swing of one oscillator.
-struct PeakSwing {
+/// The largest displacement of one oscillator.
+struct PeakDisplacement {
     double displacement_m = 0;  ///< with its sign [m]
     double time_s = 0;          ///< [s]
 };
 
-/// Runs oscillators of rising period over waves, but looks at them closely (at every sample, and between samples as
+/// Runs oscillators of rising period over waves, but reads them closely (at every sample, and between samples as
 /// PeakRule asks) only in tiles of samples that may hold the peak, by bounds that no wave escapes. Agrees with
 /// displacement_spectrum to rounding.
 class PeakResponse {
@@ -26,24 +26,24 @@ class PeakResponse {
     /// forgets what went before and the recursions their digits
     PeakResponse(std::vector<double> const& periods_s, double damping, double time_step_s);
 
-    /// One swing per period; zero for a wave of fewer than two samples.
-    [[nodiscard]] std::vector<PeakSwing> swings(std::span<double const> acceleration_mps2) const;
+    /// One per period; zero for a wave of fewer than two samples.
+    [[nodiscard]] std::vector<PeakDisplacement> peaks(std::span<double const> acceleration_mps2) const;
 
   private:
     using LaneValues = OscillatorGroup::LaneValues;
     // |C|, over a step from (y, v), of the free vibration about the ground's line p: |y''| <= w^2 |C|, so that y strays
     // from the straight line between two samples by dt^2/8 times that.
-    struct Bend {
+    struct ChordError {
         double real_a0, real_a1, imaginary_y, imaginary_v, imaginary_a0, imaginary_a1, scale;
-        Bend(double w, double damping, double dt);
+        ChordError(double w, double damping, double dt);
         [[nodiscard]] double operator()(double y, double v, double a0, double a1) const;
     };
     struct Oscillator {
         double w;
-        int steps;              // per sample
-        OscillatorStep sample;  // over one sample
-        OscillatorStep fine;    // over one of `steps` parts of it
-        Bend bend;              // in the form amplitude
+        int steps;               // per sample
+        OscillatorStep sample;   // over one sample
+        OscillatorStep fine;     // over one of `steps` parts of it
+        ChordError chord_error;  // in the form amplitude
     };
     struct Group {
         std::size_t first, count;  // of the oscillators
@@ -54,14 +54,15 @@ class PeakResponse {
         std::vector<double> most, steepest;
         double peak = 0;
     };
-    struct Close;  // what a closer look works on
+    struct Searched;  // a wave, a group of oscillators and the tiles that it was swept into
 
     [[nodiscard]] static Ground ground_of(std::span<double const> series);
     void bound_tiles(Group const& group, Ground const& ground, SweepTiles& tiles) const;
     [[nodiscard]] LaneValues limits(Group const& group, SweepTiles const& tiles, double peak_mps2) const;
-    void look(Close const& close, LaneValues limit, std::span<PeakSwing> found) const;
-    void look_between(Close const& close, std::size_t lane, std::size_t tile, PeakSwing& found) const;
-    void look_at_samples(Close const& close, std::size_t lane, std::size_t tile, PeakSwing& found) const;
+    void search(Searched const& searched, LaneValues limit, std::span<PeakDisplacement> found) const;
+    void search_between_samples(Searched const& searched, std::size_t lane, std::size_t tile,
+                                PeakDisplacement& found) const;
+    void search_samples(Searched const& searched, std::size_t lane, std::size_t tile, PeakDisplacement& found) const;
 
     double damping_, time_step_s_;
     std::vector<Oscillator> oscillators_;

@@ -259,6 +259,9 @@ FragilityFit fit_fragility(FragilityData const& data, FragilityRequest const& re
         if (!fit.identifiable() && quoted.trials > 0) {
             quoted.source = QuotedProbability::Source::stripe;
             quoted.bounds = quoted.seen;
+        } else if (!fit.identifiable() && quoted.neighbours) {
+            quoted.source = QuotedProbability::Source::neighbours;
+            quoted.bounds = quoted.neighbours->bounds();
         }
     }
     judge(fit, data, request.confidence);

@@ -93,19 +93,34 @@ struct SeenBound {
     Interval probability;
 };
 
+/// The nearest stripes on either side of an intensity.
+struct Neighbours {
+    SeenBound below, above;
+
+    [[nodiscard]] Interval bounds() const { return {below.probability.lower, above.probability.upper}; }
+    /// Did nothing overturn in both, or everything?
+    [[nodiscard]] bool alike() const {
+        return below.overturned + above.overturned == 0
+               || (below.overturned == below.units && above.overturned == above.units);
+    }
+};
+
 /// P at one intensity.
 struct QuotedProbability {
     Quote quote;
     std::optional<double> probability;  ///< of the curve; seen right there where that contradicts it, or it fits poorly
     std::optional<double> curve;        ///< of the curve, whatever it is worth there
     Interval bounds;                    ///< [0, 1] where nothing is known
-    enum class Source { none, curve, stripe };
-    /// Of the bounds: stripe where all trials there ended alike, or no curve describes the data.
+    enum class Source { none, curve, stripe, neighbours };
+    /// Of the bounds: stripe where all trials there ended alike, or no curve describes the data; likewise neighbours,
+    /// where no stripe lies there but one on either side.
     Source source = Source::none;
     double trials = 0, overturned = 0;  ///< seen right there
     Interval seen;                      ///< their exact interval
-    bool outside_data = false;          ///< below or above all intensities that were tried
-    bool in_tail = false;               ///< P below a tenth of the lowest proportion that is not zero
+    /// Between two stripes: P, which rises with the intensity, lies from the lower end below to the upper end above.
+    std::optional<Neighbours> neighbours;
+    bool outside_data = false;  ///< below or above all intensities that were tried
+    bool in_tail = false;       ///< P below a tenth of the lowest proportion that is not zero
     /// Where the curve's P lies below `least`, which no sample of that size can speak of: what was seen at the nearest
     /// intensities from there on. P rises with the intensity, so its upper end bounds P; there is no `probability`
     /// then.

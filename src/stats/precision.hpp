@@ -13,7 +13,7 @@ struct PrecisionTarget {
     std::optional<double> half_width;         ///< of P, at every stripe: (upper - lower) / 2 of its exact interval
     std::optional<double> median_half_width;  ///< of the fitted median: (upper - lower) / 2 over the median
 
-    [[nodiscard]] bool asks() const { return half_width || median_half_width; }
+    [[nodiscard]] bool enabled() const { return half_width || median_half_width; }
 };
 
 [[nodiscard]] bool is_precise(std::span<Stripe const> stripes, double half_width, double confidence);

@@ -99,6 +99,12 @@ class ResultsWriter {
     bool finished_ = false;
 };
 
+/// What a file says of one of its columns.
+struct ColumnMeaning {
+    std::string path;  ///< "trials/v_wes"
+    std::string units, description;
+};
+
 /// Is a file held against what was written?
 enum class Trust {
     sealed,     ///< every byte must be as it was written
@@ -122,6 +128,8 @@ class ResultsReader {
     [[nodiscard]] std::int64_t integer(std::string const& name) const;
     [[nodiscard]] bool has(std::string const& dataset) const;
     [[nodiscard]] std::vector<std::string> members(std::string const& group) const;
+    /// All columns and small arrays, by path.
+    [[nodiscard]] std::vector<ColumnMeaning> columns() const;
     [[nodiscard]] std::vector<double> reals(std::string const& dataset) const;
     [[nodiscard]] std::vector<std::int64_t> integers(std::string const& dataset) const;
     /// Rows of a table from `first` on, as the bytes of consecutive row structs that ResultsWriter::append took.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "store/detail/objects.hpp"
 #include "store/results_file.hpp"
 
 namespace overturn::store {
@@ -124,6 +125,21 @@ std::vector<std::string> ResultsReader::members(std::string const& group) const 
     Group const handle(checked(H5Gopen2(file_.id(), group.c_str(), H5P_DEFAULT), "open group " + group));
     checked(H5Literate(handle.id(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names), "list " + group);
     return names;
+}
+
+std::vector<ColumnMeaning> ResultsReader::columns() const {
+    std::vector<ColumnMeaning> found;
+    each_object(file_, [&](std::string const& path, Object const& object) {
+        if (H5Iget_type(object.id()) != H5I_DATASET) {
+            return;
+        }
+        auto const text = [&](char const* name) {
+            return H5Aexists(object.id(), name) > 0 ? read_text_attribute(object.id(), name) : std::string();
+        };
+        found.push_back({path.substr(1), text("units"), text("description")});
+    });
+    std::ranges::sort(found, {}, &ColumnMeaning::path);
+    return found;
 }
 
 std::vector<double> ResultsReader::reals(std::string const& dataset) const {

@@ -82,7 +82,7 @@ void sweep(benchmark::State& state) {
     PeakResponse const response(log_periods_per_decade(0.02, 10, 67), 0.05,
                                 0.01);  // about as many as iteration looks at
     for ([[maybe_unused]] auto _ : state) {
-        benchmark::DoNotOptimize(response.swings(parts.wave).data());
+        benchmark::DoNotOptimize(response.peaks(parts.wave).data());
     }
     count(state, static_cast<double>(state.iterations()));
 }
@@ -91,13 +91,13 @@ BENCHMARK(sweep)->Name("match/sweep");
 void gains(benchmark::State& state) {
     Parts const parts;
     auto const periods = log_periods_per_decade(0.02, 10, 67);
-    auto const swings = PeakResponse(periods, 0.05, 0.01).swings(parts.wave);
+    auto const peaks = PeakResponse(periods, 0.05, 0.01).peaks(parts.wave);
     LineGains const step(periods, 0.05, parts.noise.spacing_radps(), parts.noise.first(), parts.noise.count());
     std::vector<double> const ones(periods.size(), 1.0);
     std::vector<double> const wanted(periods.size(), 1.01);
     for ([[maybe_unused]] auto _ : state) {
         auto lines = parts.lines;
-        step.apply(lines, swings, ones, wanted, LineGains::Trust::much);
+        step.apply(lines, peaks, ones, wanted, LineGains::Trust::much);
         benchmark::DoNotOptimize(lines.data());
     }
     count(state, static_cast<double>(state.iterations()));
@@ -108,7 +108,7 @@ void judge(benchmark::State& state) {
     Parts const parts;
     PeakResponse const all(parts.periods, 0.05, 0.01);
     for ([[maybe_unused]] auto _ : state) {
-        benchmark::DoNotOptimize(all.swings(parts.wave).data());
+        benchmark::DoNotOptimize(all.peaks(parts.wave).data());
     }
     count(state, static_cast<double>(state.iterations()));
 }

@@ -66,10 +66,15 @@ std::string columns_of(std::filesystem::path const& path) {
     return text;
 }
 
+bool update_golden() {
+    char const* const update = std::getenv("OVERTURN_UPDATE_GOLDEN");
+    return update != nullptr && *update != '\0';
+}
+
 // With OVERTURN_UPDATE_GOLDEN=1 in the environment it is written instead.
 void expect_golden(std::string const& name, std::string const& now) {
     auto const path = std::filesystem::path(OVERTURN_GOLDEN) / name;
-    if (char const* update = std::getenv("OVERTURN_UPDATE_GOLDEN"); update != nullptr && *update != '\0') {
+    if (update_golden()) {
         std::ofstream(path, std::ios::binary) << now;
     }
     EXPECT_EQ(now, read_text(path)) << "the columns are not those of format version " << store::format_version
@@ -92,6 +97,32 @@ TEST_F(Format, OneVersionHasOneTableOfColumns) {
     expect_golden(fmt::format("columns-{}.txt", store::format_version), columns_of(folder / "c.h5"));
     run(rare_campaign(), "rare.h5");
     expect_golden(fmt::format("columns-rare-{}.txt", store::format_version), columns_of(folder / "rare.h5"));
+}
+
+// R-1003: What every column means, in a page beside the format's and at a terminal, is what the files themselves say.
+TEST_F(Format, ThePageOfColumnsIsTheFilesOwn) {
+    run(campaign_on_points(2) + "[measures]\nboth_radius_units=true\n[[limits]]\nname='touches'\nquantity='peak_slip'\n"
+                                "above='0.1 m'\n",
+        "c.h5");
+    run(rare_campaign(), "rare.h5");
+    ASSERT_EQ(execute(folder, {"/bin/sh", "-c", "gzip -dc '" OVERTURN_GOLDEN "/results-4.h5.gz' > grid.h5"}).code, 0);
+    auto const page = overturn(folder, {"list", "columns", "c.h5", "rare.h5", "grid.h5", "--markdown"});
+    ASSERT_EQ(page.code, 0) << page.err;
+
+    auto const path = std::filesystem::path(OVERTURN_GOLDEN) / "../../src/store/COLUMNS.md";
+    if (update_golden()) {
+        std::ofstream(path, std::ios::binary) << page.out;
+    }
+    EXPECT_EQ(page.out, read_text(path)) << "write it anew: OVERTURN_UPDATE_GOLDEN=1 before this test";
+    EXPECT_NE(page.out.find("## /stripes/<body>\n"), std::string::npos);
+    EXPECT_NE(page.out.find("## /limits/<limit>/fragility/<body>\n"), std::string::npos);
+    EXPECT_NE(page.out.find("| `v_wes` | m/s |"), std::string::npos);
+    auto const text = overturn(folder, {"list", "columns", "grid.h5"}).out;
+    EXPECT_NE(text.find("/grid/<body>\n"), std::string::npos) << text;
+    EXPECT_EQ(text.find("/rare"), std::string::npos) << text;
+    for (auto const& wrong : {std::vector<std::string>{"list", "columns"}, {"list", "columns", "none.h5"}}) {
+        EXPECT_EQ(overturn(folder, wrong).code, 2);
+    }
 }
 
 /// A file of each version that this program reads, as it was written when the version was new.

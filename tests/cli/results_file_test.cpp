@@ -196,7 +196,14 @@ TEST_F(ResultsElsewhere, AreATableByTheLinesOfTheReadme) {
     folder.write("check.py", R"python(
 import re, sys
 text = open(sys.argv[1]).read()
-exec(re.search('```python\n(.*?)```', text, re.S)[1].replace('FILE.h5', 'c.h5'))
+exec(re.search('```python\n(.*?)```', text, re.S)[1].replace('FILE.h5', 'c.h5').replace('type-b', 'scatters'))
+assert list(stripes['trials'] >= stripes['overturned']) == [True] * len(stripes) and stripes.attrs['amplitude'] == 'm/s2'
+with h5py.File('c.h5') as results:
+    groups = []
+    results.visititems(lambda name, found: groups.append(name) if isinstance(found, h5py.Group) else None)
+    groups = [g for g in groups if any(isinstance(found, h5py.Dataset) for found in results[g].values()) and g != 'inputs']
+for group in groups:
+    assert len(table('c.h5', group).columns) > 0, group
 assert set(trials['verdict']) <= {'at-rest', 'slid', 'rocked', 'overturned', 'contact-lost', 'failed'}, set(trials['verdict'])
 assert 'scatters' in set(trials['body']) and trials.attrs['peak_rotation'] == 'rad' and trials.attrs['v_wes'] == 'm/s'
 never = trials['overturn_time'].isna()

@@ -33,7 +33,7 @@ TEST(LineGains, ResponsesAtThePeaksMoveAsAsked) {
     auto const periods = log_periods_per_decade(0.1, 5, 100);
     PeakResponse const sweep(periods, 0.05, 0.01);
     LineGains const gains(periods, 0.05, spacing, 20, 10000);
-    auto const before = sweep.swings(wave_of());
+    auto const before = sweep.peaks(wave_of());
     std::vector<double> wanted;
     for (double const period : periods) {
         wanted.push_back(1 + 0.1 * std::sin(6 * std::log(period)));

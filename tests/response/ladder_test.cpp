@@ -261,7 +261,7 @@ TEST(Ladder, AVerticalComponentBeyondAllBoundsHasNoVerdictEither) {
                         .transverse_mps2 = {},
                         .vertical_mps2 = std::vector<double>(1001, 1e9)};
     Scene const scene{body, std::nullopt};
-    EXPECT_EQ(Ladder(EffectRequest{}).respond({scene, motion, 1}).failure, FailureReason::absurd_level);
+    EXPECT_EQ(Ladder(EffectRequest{}).respond({scene, motion, 1}).failure, FailureReason::out_of_range);
     EXPECT_EQ(Ladder({EffectMode::none, 0}).respond({scene, motion, 1}).failure, FailureReason::none)
         << "what is left out does no harm";
 }

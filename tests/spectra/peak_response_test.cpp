@@ -15,10 +15,10 @@
 namespace overturn {
 namespace {
 
-std::vector<double> magnitudes(std::vector<PeakSwing> const& swings) {
+std::vector<double> magnitudes(std::vector<PeakDisplacement> const& peaks) {
     std::vector<double> values;
-    for (auto const& swing : swings) {
-        values.push_back(std::abs(swing.displacement_m));
+    for (auto const& peak : peaks) {
+        values.push_back(std::abs(peak.displacement_m));
     }
     return values;
 }
@@ -26,7 +26,7 @@ std::vector<double> magnitudes(std::vector<PeakSwing> const& swings) {
 // Both sweep exactly; they differ by what rounding does to forms with and without a velocity.
 void expect_exact(std::vector<double> const& wave, double time_step_s, double damping, double longest_s = 20) {
     auto const periods = log_periods_per_decade(2 * time_step_s, longest_s, 30);
-    auto const found = magnitudes(PeakResponse(periods, damping, time_step_s).swings(wave));
+    auto const found = magnitudes(PeakResponse(periods, damping, time_step_s).peaks(wave));
     auto const exact = displacement_spectrum(wave, time_step_s, periods, damping);
     for (std::size_t i = 0; i < periods.size(); ++i) {
         EXPECT_NEAR(found[i], exact[i], 1e-9 * exact[i]) << periods[i] << " s, damping " << damping;
@@ -53,7 +53,7 @@ TEST(PeakResponse, IsTheExactSpectrum) {
     wave[0] = 3;  // as records have it
     expect_exact(wave, 0.01, 0.05);
     wave[0] = 0;
-    wave.back() = 9;  // swings at their highest when the wave ends
+    wave.back() = 9;  // peaks at their highest when the wave ends
     expect_exact(wave, 0.01, 0.05);
 }
 
@@ -65,7 +65,7 @@ TEST(PeakResponse, SeesWhatSwingsBetweenSamples) {
 }
 
 TEST(PeakResponse, HardCases) {
-    EXPECT_EQ(magnitudes(PeakResponse({0.02, 0.3, 4}, 0.05, 0.01).swings({})), std::vector<double>(3, 0.0));
+    EXPECT_EQ(magnitudes(PeakResponse({0.02, 0.3, 4}, 0.05, 0.01).peaks({})), std::vector<double>(3, 0.0));
     auto const wave = sweeping_wave(3000);
     expect_exact(wave, 0.01, 1);       // nothing vibrates
     expect_exact(wave, 0.01, 5, 5);    // far beyond
@@ -74,19 +74,19 @@ TEST(PeakResponse, HardCases) {
     for (std::size_t const samples : {2U, 3U, 32U, 33U, 34U, 65U}) {
         expect_exact(sweeping_wave(samples), 0.01, 0.05);
     }
-    for (auto const& swing : PeakResponse({0.02, 0.3, 4}, 0.05, 0.01).swings(std::vector<double>(500, 0.0))) {
-        EXPECT_EQ(swing.displacement_m, 0);
+    for (auto const& peak : PeakResponse({0.02, 0.3, 4}, 0.05, 0.01).peaks(std::vector<double>(500, 0.0))) {
+        EXPECT_EQ(peak.displacement_m, 0);
     }
 }
 
 TEST(PeakResponse, KnowsSignAndInstant) {
     auto const wave = testing::broad_wave(12001, 0.01);
     auto const periods = log_periods_per_decade(0.1, 10, 30);
-    auto const swings = PeakResponse(periods, 0.05, 0.01).swings(wave);
+    auto const peaks = PeakResponse(periods, 0.05, 0.01).peaks(wave);
     for (std::size_t i = 0; i < periods.size(); ++i) {
         auto const history = testing::oscillator_history(wave, 0.01, periods[i], 0.05).displacement_m;
-        auto const at = static_cast<std::size_t>(std::lround(swings[i].time_s / 0.01));
-        EXPECT_NEAR(history.at(at) / swings[i].displacement_m, 1, 1e-9) << periods[i];
+        auto const at = static_cast<std::size_t>(std::lround(peaks[i].time_s / 0.01));
+        EXPECT_NEAR(history.at(at) / peaks[i].displacement_m, 1, 1e-9) << periods[i];
     }
 }
 
@@ -96,11 +96,11 @@ TEST(PeakResponse, StiffOscillatorFollowsTheGround) {
     for (std::size_t i = 0; i < 400; ++i) {
         wave[600 + i] = std::sin(pi * static_cast<double>(i) / 400);
     }
-    auto const swing = PeakResponse({0.05}, 0.05, 0.01).swings(wave).front();
+    auto const peak = PeakResponse({0.05}, 0.05, 0.01).peaks(wave).front();
     double const w = 2 * pi / 0.05;
 
-    EXPECT_NEAR(swing.displacement_m * w * w, -1, 1e-3);
-    EXPECT_NEAR(swing.time_s, 8, 0.05);
+    EXPECT_NEAR(peak.displacement_m * w * w, -1, 1e-3);
+    EXPECT_NEAR(peak.time_s, 8, 0.05);
 }
 
 }  // namespace

@@ -166,10 +166,42 @@ TEST(Degenerate, APoorCurveDoesNotOutvoteItsStripe) {
     EXPECT_EQ(fit.quotes[0].bounds.upper, clopper_pearson(1, 500, 0.95).upper);
     EXPECT_GT(*fit.quotes[0].curve, 10 * fit.quotes[0].bounds.upper);
     EXPECT_EQ(*fit.quotes[0].probability, 1.0 / 500) << "a P outside its own bounds is no P";
-    EXPECT_EQ(fit.quotes[1].source, QuotedProbability::Source::curve) << "no stripe there";
-    auto const warnings = warnings_of(fit, {"m/s2"}, 0.95);
-    EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(),
-                            [](auto const& text) { return text.find("P at 5 m/s2") != std::string::npos; }));
+    EXPECT_EQ(fit.quotes[1].source, QuotedProbability::Source::neighbours) << "no stripe there";
+    EXPECT_EQ(fit.quotes[1].bounds.lower, clopper_pearson(310, 500, 0.95).lower);
+    EXPECT_EQ(fit.quotes[1].bounds.upper, clopper_pearson(450, 500, 0.95).upper);
+    EXPECT_EQ(fit.quotes[1].probability, fit.quotes[1].curve) << "within them";
+}
+
+/// Between two stripes P, which rises, lies between the lower end of the one and the upper end of the other: these are
+/// the bounds where both saw nothing (or everything), and where they leave the curve out there is no P.
+TEST(Degenerate, BetweenStripesTheirEndsBound) {
+    auto const fit =
+        fit_of(table_of({{1, 200, 0}, {2, 200, 0}, {3, 54, 4}, {4, 54, 30}, {6, 54, 50}, {8, 90, 90}, {9, 90, 90}}),
+               {{1.9, 0.95}, {3.5, 1.75}, {8.5, 4.25}});
+
+    ASSERT_EQ(fit.state, FragilityState::fitted);
+    EXPECT_EQ(fit.quotes[0].source, QuotedProbability::Source::neighbours);
+    EXPECT_EQ(fit.quotes[0].bounds.lower, 0);
+    EXPECT_EQ(fit.quotes[0].bounds.upper, clopper_pearson(0, 200, 0.95).upper);
+    EXPECT_EQ(fit.quotes[0].probability, fit.quotes[0].curve);
+    EXPECT_EQ(fit.quotes[1].source, QuotedProbability::Source::curve) << "both kinds on both sides";
+    EXPECT_EQ(fit.quotes[2].bounds.lower, clopper_pearson(90, 90, 0.95).lower);
+    EXPECT_EQ(fit.quotes[2].bounds.upper, 1);
+
+    auto const wide =
+        fit_of(table_of({{1, 4000, 0}, {2, 4000, 0}, {3, 20, 7}, {4, 20, 9}, {8, 20, 11}, {9, 20, 15}}), {{1.9, 0.95}});
+    ASSERT_TRUE(wide.identifiable());
+    auto const& left_out = wide.quotes[0];
+    EXPECT_GT(*left_out.curve, clopper_pearson(0, 4000, 0.95).upper);
+    EXPECT_FALSE(left_out.probability);
+    EXPECT_EQ(left_out.source, QuotedProbability::Source::neighbours);
+    EXPECT_EQ(left_out.bounds.upper, clopper_pearson(0, 4000, 0.95).upper);
+
+    auto const split = fit_of(table_of({{1, 50, 0}, {3, 50, 50}}), {{2, 1}});
+    ASSERT_FALSE(split.identifiable());
+    EXPECT_EQ(split.quotes[0].source, QuotedProbability::Source::neighbours) << "separated: no curve at all";
+    EXPECT_EQ(split.quotes[0].bounds.lower, 0);
+    EXPECT_EQ(split.quotes[0].bounds.upper, 1);
 }
 
 // Trials without a verdict are counted and said, left out of the curve, and widen the bound.

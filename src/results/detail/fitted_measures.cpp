@@ -45,7 +45,7 @@ std::vector<FragilityMeasure> criteria_of(CampaignSpec const& spec) {
     return {v_wes, ou_v_e};
 }
 
-IntensityUnit told_unit(std::string const& units, LevelSpec const& levels) {
+IntensityUnit printed_unit(std::string const& units, LevelSpec const& levels) {
     return units == levels.units() ? IntensityUnit{levels.shown_units(), levels.stated_unit_si} : IntensityUnit{units};
 }
 

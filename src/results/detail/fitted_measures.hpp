@@ -24,6 +24,6 @@ namespace overturn {
 [[nodiscard]] std::string units_of(FragilityMeasure measure, LevelSpec const& levels);
 
 /// As the levels were written, also for other measures of their dimension: V_WES in kine beside levels in kine.
-[[nodiscard]] IntensityUnit told_unit(std::string const& units, LevelSpec const& levels);
+[[nodiscard]] IntensityUnit printed_unit(std::string const& units, LevelSpec const& levels);
 
 }  // namespace overturn

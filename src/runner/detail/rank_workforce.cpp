@@ -8,7 +8,7 @@
 
 #include "core/elapsed.hpp"
 #include "core/print_note.hpp"
-#include "runner/agreement.hpp"
+#include "runner/root_broadcast.hpp"
 
 namespace overturn {
 
@@ -49,7 +49,7 @@ std::vector<std::byte> RankWorkforce::portion(rare::Stage const& stage, std::int
                                               Work const& work) {
     auto const head = fmt::format("{}{} {}+{}\n", name_, stage.name, first, count);
     auto const bytes = static_cast<std::size_t>(count) * stage.row_bytes;
-    auto text = from_root(comm_, [&] { return committed(head, bytes); });
+    auto text = broadcast_from_root(comm_, [&] { return committed(head, bytes); });
     if (text.empty()) {
         auto const begin = Clock::now();
         bool const stops = !stop_policy_.may_begin();
@@ -59,7 +59,7 @@ std::vector<std::byte> RankWorkforce::portion(rare::Stage const& stage, std::int
             throw RareStopped();
         }
         auto const of_ranks = comm_.gather(own);
-        text = from_root(comm_, [&] {
+        text = broadcast_from_root(comm_, [&] {
             auto whole = put_together(stage, count, of_ranks);
             auto const shard = head + whole;
             shards_.commit(shard_, std::as_bytes(std::span(shard)));

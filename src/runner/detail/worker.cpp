@@ -4,7 +4,7 @@
 
 #include "campaign/block_rows.hpp"
 #include "core/elapsed.hpp"
-#include "runner/agreement.hpp"
+#include "runner/root_broadcast.hpp"
 
 namespace overturn {
 namespace {
@@ -125,7 +125,7 @@ class Worker {
 
 void print_failure(std::string const& failure, parallel::Communicator const& comm) {
     auto const failures = comm.gather(failure);
-    (void)from_root(comm, [&] {
+    (void)broadcast_from_root(comm, [&] {
         for (auto const& each : failures) {
             if (!each.empty()) {
                 throw SystemError(each);

@@ -44,7 +44,7 @@ struct WorkDone {
 };
 
 /// Computes and commits the blocks `left` until none is left or it is time to go. Collective.
-/// \throws AgreedError on every rank if one cannot commit; the others commit what they have in hand first
+/// \throws CollectiveError on every rank if one cannot commit; the others commit what they have in hand first
 [[nodiscard]] WorkDone work(CampaignSpec const& spec, Plan const& plan, std::vector<std::int64_t> const& left,
                             store::ShardFolder const& shards, StopPolicy& stop_policy,
                             parallel::Communicator const& comm, Progress& progress);

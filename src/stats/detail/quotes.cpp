@@ -1,7 +1,10 @@
 #include "stats/detail/quotes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
+#include <span>
 
 #include <gsl/gsl_cdf.h>
 
@@ -14,6 +17,27 @@ constexpr double decade = 0.1;
 void quote_stripe(QuotedProbability& quoted) {
     quoted.source = QuotedProbability::Source::stripe;
     quoted.bounds = quoted.seen;
+}
+
+void quote_neighbours(QuotedProbability& quoted) {
+    quoted.source = QuotedProbability::Source::neighbours;
+    quoted.bounds = quoted.neighbours->bounds();
+}
+
+SeenBound seen_in(FragilityPoint const& point, double confidence) {
+    double const at = std::exp(point.log_intensity);
+    return {at, at, point.trials, point.overturned, interval_of(point, confidence)};
+}
+
+// The nearest points on both sides; nothing at a point, and outside all. \param points rising
+std::optional<Neighbours> neighbours_of(double log_intensity, std::span<FragilityPoint const> points,
+                                        double confidence) {
+    auto const above = std::ranges::find_if(
+        points, [&](auto const& point) { return point.log_intensity > log_intensity - same_intensity; });
+    if (above == points.begin() || above == points.end() || above->log_intensity < log_intensity + same_intensity) {
+        return std::nullopt;
+    }
+    return Neighbours{seen_in(*std::prev(above), confidence), seen_in(*above, confidence)};
 }
 
 // A tenth of one in the trials right there, or at the nearest intensities from there on; in all where there are none.
@@ -52,6 +76,10 @@ QuotedProbability seen_at(Quote const& quote, FragilityFit const& fit, Fragility
             quote_stripe(quoted);
         }
     }
+    quoted.neighbours = neighbours_of(std::log(quote.intensity), data.points, confidence);
+    if (quoted.neighbours && (quoted.neighbours->alike() || fit.state != FragilityState::fitted)) {
+        quote_neighbours(quoted);
+    }
     return quoted;
 }
 
@@ -68,13 +96,25 @@ void quote_curve(QuotedProbability& quoted, FragilityFit const& fit, FragilityDa
     }
     auto const from = seen_from(at, data, confidence);
     quoted.least = least_share(quoted, fit, from);
+    if (quoted.neighbours) {
+        auto const ends = quoted.neighbours->bounds();
+        bool const excluded = p < ends.lower || p > ends.upper;
+        if (poor || excluded) {
+            quote_neighbours(quoted);
+        }
+        if (excluded) {
+            quoted.probability.reset();
+            quoted.in_tail = false;
+            return;
+        }
+    }
     if (*quoted.probability < quoted.least) {
         quoted.bound = from;
         quoted.probability.reset();
         quoted.in_tail = false;
         quoted.source = from ? QuotedProbability::Source::stripe : QuotedProbability::Source::none;
         quoted.bounds = {0, from ? from->probability.upper : 1};
-    } else if (quoted.source != QuotedProbability::Source::stripe) {
+    } else if (quoted.source == QuotedProbability::Source::none) {
         quoted.source = QuotedProbability::Source::curve;
         quoted.bounds = curve.probability(at, fit.method, confidence);
     }

@@ -16,8 +16,9 @@ inline constexpr double same_intensity = 1e-9;
 [[nodiscard]] QuotedProbability seen_at(Quote const& quote, FragilityFit const& fit, FragilityData const& data,
                                         double confidence);
 
-/// What the curve adds, and where it is not believed: outside the exact interval of the stripe right there, where it
-/// describes the stripes poorly, and below what so few trials can hold. \param poor it fits poorly
+/// What the curve adds, and where it is not believed: outside the exact interval of the stripe right there, or of what
+/// the stripes on both sides leave; where it describes the stripes poorly; and below what so few trials can hold.
+/// \param poor it fits poorly
 void quote_curve(QuotedProbability& quoted, FragilityFit const& fit, FragilityData const& data, CurveFit const& curve,
                  bool poor, double confidence);
 

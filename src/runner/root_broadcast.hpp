@@ -9,14 +9,14 @@
 namespace overturn {
 
 /// A SystemError that every rank throws at the same place, so that one may tell it and all end with the same code.
-class AgreedError : public SystemError {
+class CollectiveError : public SystemError {
   public:
     using SystemError::SystemError;
 };
 
 /// Runs `action` on rank 0 and gives its text to all. Collective.
-/// \throws InputError, AgreedError on every rank where `action` throws InputError, SystemError
-template <class Action> std::string from_root(parallel::Communicator const& comm, Action&& action) {
+/// \throws InputError, CollectiveError on every rank where `action` throws InputError, SystemError
+template <class Action> std::string broadcast_from_root(parallel::Communicator const& comm, Action&& action) {
     constexpr char fine = '+';
     constexpr char bad_input = '-';
     constexpr char failed = '!';
@@ -35,7 +35,7 @@ template <class Action> std::string from_root(parallel::Communicator const& comm
         throw InputError(text.substr(1));
     }
     if (text.front() == failed) {
-        throw AgreedError(text.substr(1));
+        throw CollectiveError(text.substr(1));
     }
     return text.substr(1);
 }

@@ -1,0 +1,138 @@
+#include "generators/detail/high_pass_baseline.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+
+#include "core/error.hpp"
+#include "core/units.hpp"
+#include "generators/detail/baseline.hpp"
+
+namespace overturn {
+namespace {
+
+constexpr double nodes_per_longest = 16;  // a chord of the slowest motion that stays is 2 % off its arc
+constexpr double corner_over_longest = 2;
+constexpr int order = 4;
+constexpr double last_corner = 2.4;  // corners: of faster cosines less than 1e-3 would be taken off, so nothing is
+
+std::size_t stride_of(double time_step_s, double longest_s) {
+    return std::max<std::size_t>(1, static_cast<std::size_t>(longest_s / nodes_per_longest / time_step_s));
+}
+
+std::size_t fft_length(std::size_t samples, std::size_t stride) {
+    auto const intervals = std::max<std::size_t>(samples, 2) - 1;
+    return RealFft::good_length(2 * ((intervals + stride - 1) / stride));
+}
+
+// Changes the coefficients of every second cosine, from `first` on, until sum c_m = 0 and sum m^2 c_m = 0: the least
+// change, weighed by the low-pass, so that what it does not hold is not brought in. (The mean counts twice in a mean
+// square.)
+void clamp_ends(std::span<double> c, std::span<double const> low_pass, std::size_t first) {
+    double sum = 0, sum_2 = 0;                // what is to vanish
+    double unit = 0, unit_2 = 0, unit_4 = 0;  // by how much multipliers of 1 and m^2 change it
+    auto const weight = [&](std::size_t m) { return m == 0 ? 0.5 * low_pass[m] : low_pass[m]; };
+    for (std::size_t m = first; m < c.size(); m += 2) {
+        auto const square = static_cast<double>(m * m);
+        sum += c[m];
+        sum_2 += square * c[m];
+        unit += weight(m);
+        unit_2 += square * weight(m);
+        unit_4 += square * square * weight(m);
+    }
+    double const determinant = unit * unit_4 - unit_2 * unit_2;
+    double const plain = (sum * unit_4 - sum_2 * unit_2) / determinant;
+    double const by_square = (sum_2 * unit - sum * unit_2) / determinant;
+    for (std::size_t m = first; m < c.size(); m += 2) {
+        c[m] -= weight(m) * (plain + by_square * static_cast<double>(m * m));
+    }
+}
+
+}  // namespace
+
+HighPassBaseline::HighPassBaseline(std::size_t samples, double time_step_s, double longest_s)
+    : stride_(stride_of(time_step_s, longest_s)), fft_(fft_length(samples, stride_)) {
+    constexpr std::size_t least = 3;  // the conditions at the ends take two cosines that are even, and two odd ones
+    auto const nodes = fft_.length() / 2;
+    if (nodes <= least) {
+        return;
+    }
+    double const corner = 2 * static_cast<double>(nodes * stride_) * time_step_s / (corner_over_longest * longest_s);
+    auto const last = std::min(nodes - 1, std::max(least, static_cast<std::size_t>(last_corner * corner)));
+    for (std::size_t m = 0; m <= last; ++m) {
+        low_pass_.push_back(1 / (1 + std::pow(static_cast<double>(m) / corner, 2 * order)));
+    }
+}
+
+// Sums of the samples, each shared by the two nodes beside it: integrals with any function that is straight between
+// nodes. Node 0 to length / 2, and so many again that mirror them, for a transform that knows cosines alone.
+std::vector<double> HighPassBaseline::on_nodes(std::span<double const> a) const {
+    std::vector<double> nodes(fft_.length(), 0.0);
+    double const share = 1 / static_cast<double>(stride_);
+    for (std::size_t begin = 0, node = 0; begin < a.size(); begin += stride_, ++node) {
+        double all = 0, late = 0;
+        auto const count = std::min(stride_, a.size() - begin);
+        for (std::size_t i = 0; i < count; ++i) {
+            all += a[begin + i];
+            late += static_cast<double>(i) * a[begin + i];
+        }
+        nodes[node] += all - share * late;
+        if (count > 1) {
+            nodes[node + 1] += share * late;
+        }
+    }
+    return nodes;
+}
+
+// The acceleration to be taken off, at the nodes.
+std::vector<double> HighPassBaseline::slow(std::span<double const> on_nodes) const {
+    auto const count = fft_.length() / 2;
+    std::vector<double> series(on_nodes.begin(), on_nodes.end());
+    double mean = 0;  // of the displacement: the mean of a (T - t)^2 / 2
+    for (std::size_t j = 0; j <= count; ++j) {
+        double const left = 1 - static_cast<double>(j) / static_cast<double>(count);
+        mean += on_nodes[j] * left * left;
+    }
+    series[0] *= 2;
+    series[count] *= 2;
+    for (std::size_t j = 1; j < count; ++j) {
+        series[fft_.length() - j] = series[j];
+    }
+    std::vector<std::complex<double>> lines(low_pass_.size());
+    fft_.analyse(series, lines);
+    // Displacements over (duration / pi)^2: a = sum a_m cos(m tau), and their even continuation -a_m / m^2.
+    double const per_sample = 1 / static_cast<double>(stride_);
+    std::vector<double> displacement(low_pass_.size());
+    displacement[0] = 0.5 * pi * pi * per_sample * mean / static_cast<double>(count);
+    for (std::size_t m = 1; m < displacement.size(); ++m) {
+        displacement[m] = -low_pass_[m] * per_sample * lines[m].real() / static_cast<double>(m * m);
+    }
+    clamp_ends(displacement, low_pass_, 0);
+    clamp_ends(displacement, low_pass_, 1);
+    for (std::size_t m = 0; m < lines.size(); ++m) {
+        lines[m] = -static_cast<double>(m * m) * displacement[m];
+    }
+    fft_.synthesise(lines, series);
+    return series;
+}
+
+void HighPassBaseline::correct(std::span<double> a) const {
+    OVERTURN_EXPECT(a.size() <= stride_ * (fft_.length() / 2) + 1);
+    correct_baseline(a);
+    if (low_pass_.empty()) {
+        return;
+    }
+    auto const taken = slow(on_nodes(a));
+    double const share = 1 / static_cast<double>(stride_);
+    for (std::size_t begin = 0, node = 0; begin < a.size(); begin += stride_, ++node) {
+        double const step = share * (taken[node + 1] - taken[node]);
+        auto const count = std::min(stride_, a.size() - begin);
+        for (std::size_t i = 0; i < count; ++i) {
+            a[begin + i] -= taken[node] + static_cast<double>(i) * step;
+        }
+    }
+    correct_baseline(a);
+}
+
+}  // namespace overturn

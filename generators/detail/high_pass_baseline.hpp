@@ -1,0 +1,35 @@
+/// The baseline of drawn waves: the ground ends at rest where it began, and does not wander off in between.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "generators/detail/real_fft.hpp"
+
+namespace overturn {
+
+/// What is slower than twice the longest period that a wave is drawn for is nobody's wish: the skirts of its lines
+/// under the envelope, and what brings it to rest. It is some 0.01 m/s2, and most of the displacement. Taken off is
+/// g''(t), with g(t) the displacement behind a zero-phase Butterworth low-pass of order 4, 1 / (1 + (f / corner)^8),
+/// the complement of what records are high-passed by. The displacement is continued evenly beyond both ends (a cosine
+/// series: no pads), and g is the nearest to it for which g and g'' vanish there too; g' does in every cosine.
+class HighPassBaseline {
+  public:
+    /// \param longest_s period [s] that stays, by 0.4 % of its displacement; the corner lies at twice that
+    HighPassBaseline(std::size_t samples, double time_step_s, double longest_s);
+
+    /// Corrects a wave of so many samples in place; velocity and displacement after the last one are 0.
+    /// One of too few samples to hold anything slow is brought to rest, no more.
+    void correct(std::span<double> acceleration_mps2) const;
+
+  private:
+    [[nodiscard]] std::vector<double> on_nodes(std::span<double const> acceleration_mps2) const;
+    [[nodiscard]] std::vector<double> slow(std::span<double const> on_nodes) const;
+
+    std::size_t stride_;            // samples from one node to the next
+    RealFft fft_;                   // of the nodes, there and back
+    std::vector<double> low_pass_;  // of cosine m, m half turns over the nodes
+};
+
+}  // namespace overturn

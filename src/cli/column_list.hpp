@@ -1,0 +1,26 @@
+/// `overturn list columns FILE.h5`: what the columns of a results file mean, as the file itself says.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "store/results_file.hpp"
+
+namespace overturn::cli {
+
+/// Columns of one group. Groups of different bodies or limit states that hold the same columns are one: their names are
+/// "<body>" and "<limit>" here.
+struct ListedGroup {
+    std::string name;                           ///< "limits/<limit>/stripes/<body>"
+    std::vector<store::ColumnMeaning> columns;  ///< path: the column's own name
+};
+
+/// Adds those of a file to what is listed, in the order of names.
+void add_groups(store::ResultsReader const& file, std::vector<ListedGroup>& groups);
+
+/// For people at a terminal.
+[[nodiscard]] std::string columns_text(std::vector<ListedGroup> const& groups);
+/// As src/store/COLUMNS.md has it.
+[[nodiscard]] std::string columns_markdown(std::vector<ListedGroup> const& groups);
+
+}  // namespace overturn::cli
