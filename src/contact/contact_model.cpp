@@ -137,7 +137,7 @@ class ContactModel : public Model {
         // Largest force of an impact over v sqrt(k m_e). Integrating the law of one point in a flat drop gives 1.31 at
         // a point's restitution of 0.25, 1.87 at 0.1, 2.43 at 0.055, 2.54 at 0.05: this covers all but the softest
         // points.
-        constexpr double hardest = 2.4;
+        constexpr double peak_force_factor = 2.4;
         auto const& body = *trial.body;
         auto const block = contact_block(body, footing.base, footing.pad, {});
         double const b = block.half_width_m;
@@ -145,7 +145,7 @@ class ContactModel : public Model {
         double const mass_share = 1 / (1 + b * b / block.inertia_over_mass_m2);
         double const w = block.vertical_radps();
         double const stiffness = block.points.front().stiffness_share * w * w;
-        return hardest * 2 * b * spin * std::sqrt(mass_share / stiffness) > block.yield_depth_m;
+        return peak_force_factor * 2 * b * spin * std::sqrt(mass_share / stiffness) > block.yield_depth_m;
     }
 
     ContactAccuracy accuracy_;
