@@ -1,5 +1,6 @@
 // Requirement R-601: a point of the base presses as the stated law says: it settles, vibrates and rebounds as the
 // closed forms do, and a base or a pad that makes no sense is refused.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -61,6 +62,31 @@ TEST(ContactLaw, ReboundsWithTheStatedRestitution) {
             };
             EXPECT_NEAR(rebound(5e-4), e, e == 0.8 ? 0.0025 : 0.001) << speed;
             EXPECT_NEAR(rebound(1e-5), e, 1e-6) << speed;
+        }
+    }
+}
+
+// The largest force of a flat drop over v sqrt(k m), which says what impact may crush a pad: elastic 1, and the law of
+// one point integrated apart from this program.
+TEST(ContactLaw, PeakForceOfADropByRestitution) {
+    struct Peak {
+        double restitution, force;
+    };
+    for (auto const& [e, force] : {Peak{1, 1}, {0.25, 1.31}, {0.1, 1.87}, {0.05, 2.54}}) {
+        for (double const speed : {0.1, 1.0}) {
+            auto block = on_corners(body_a(), 0.8, {.normal_restitution = e});
+            block.gravity_mps2 = 1e-9;
+            auto accuracy = steps_of(1e-5, block);
+            accuracy.longest_after_s = 0;
+            ContactHistory history;
+            static_cast<void>(shaken(block, constant(0, 41), 1e-3, accuracy, &history,
+                                     ContactStart{.rise_m = 1e-3 * speed, .rise_mps = -speed}));
+            double largest = 0;  // over the weight
+            for (auto const& instant : history.instants) {
+                largest = std::max(largest, instant.contact_force_ratio);
+            }
+            double const found = largest * block.gravity_mps2 / (speed * block.vertical_radps());
+            EXPECT_NEAR(found, force, 0.01) << e;
         }
     }
 }
