@@ -87,8 +87,8 @@ class Harmonic : public WaveSource {
         double const d = amplitude * (2 + std::cos(step_rad)) / (6 * (1 - std::cos(step_rad)));
         auto const bend = [&](std::size_t sample, double direction) {
             double const angle = step_rad * static_cast<double>(sample) + phase_rad;
-            correct_baseline_to(std::span(samples).first(ramp + 1), -direction * v * std::cos(angle),
-                                -d * std::sin(angle));
+            correct_baseline_to(std::span(samples).first(ramp + 1),
+                                {-direction * v * std::cos(angle), -d * std::sin(angle)});
         };
         bend(ramp, 1);
         std::ranges::reverse(samples);  // the end backwards in time, in which velocities are the other way round

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/units.hpp"
@@ -55,7 +56,7 @@ HighPassBaseline::HighPassBaseline(std::size_t samples, double time_step_s, doub
     : stride_(stride_of(time_step_s, longest_s)), fft_(fft_length(samples, stride_)) {
     constexpr std::size_t least = 3;  // the conditions at the ends take two cosines that are even, and two odd ones
     auto const nodes = fft_.length() / 2;
-    if (nodes <= least) {
+    if (nodes <= least || static_cast<double>(samples) * time_step_s < longest_s) {
         return;
     }
     double const corner = 2 * static_cast<double>(nodes * stride_) * time_step_s / (corner_over_longest * longest_s);
@@ -63,36 +64,54 @@ HighPassBaseline::HighPassBaseline(std::size_t samples, double time_step_s, doub
     for (std::size_t m = 0; m <= last; ++m) {
         low_pass_.push_back(1 / (1 + std::pow(static_cast<double>(m) / corner, 2 * order)));
     }
+    auto const sums_of = [&](BaselinePolynomial const& polynomial) {
+        std::vector<double> values(samples);
+        for (std::size_t i = 0; i < samples; ++i) {
+            values[i] = polynomial(static_cast<double>(i) / static_cast<double>(samples - 1));
+        }
+        auto sums = on_nodes(values);
+        sums.resize(nodes + 1);
+        return sums;
+    };
+    bump_ = sums_of({1, 0});
+    wave_ = sums_of({0, 1});
 }
 
 // Sums of the samples, each shared by the two nodes beside it: integrals with any function that is straight between
-// nodes. Node 0 to length / 2, and so many again that mirror them, for a transform that knows cosines alone.
+// nodes. Node 0 to length / 2, and room for as many again that mirror them, for a transform that knows cosines alone.
+// Four sums side by side, as one would wait for itself.
 std::vector<double> HighPassBaseline::on_nodes(std::span<double const> a) const {
+    constexpr std::size_t width = 4;
     std::vector<double> nodes(fft_.length(), 0.0);
     double const share = 1 / static_cast<double>(stride_);
     for (std::size_t begin = 0, node = 0; begin < a.size(); begin += stride_, ++node) {
-        double all = 0, late = 0;
-        auto const count = std::min(stride_, a.size() - begin);
-        for (std::size_t i = 0; i < count; ++i) {
-            all += a[begin + i];
-            late += static_cast<double>(i) * a[begin + i];
+        std::array<double, width> all{}, late{};
+        auto const samples = a.subspan(begin, std::min(stride_, a.size() - begin));
+        std::size_t i = 0;
+        for (; i + width <= samples.size(); i += width) {
+            for (std::size_t j = 0; j < width; ++j) {
+                all[j] += samples[i + j];
+                late[j] += static_cast<double>(static_cast<int>(i + j)) * samples[i + j];
+            }
         }
-        nodes[node] += all - share * late;
-        if (count > 1) {
-            nodes[node + 1] += share * late;
+        for (; i < samples.size(); ++i) {
+            all[0] += samples[i];
+            late[0] += static_cast<double>(i) * samples[i];
         }
+        double const moment = share * ((late[0] + late[1]) + (late[2] + late[3]));
+        nodes[node] += (all[0] + all[1]) + (all[2] + all[3]) - moment;
+        nodes[node + 1] += samples.size() > 1 ? moment : 0;
     }
     return nodes;
 }
 
 // The acceleration to be taken off, at the nodes.
-std::vector<double> HighPassBaseline::slow(std::span<double const> on_nodes) const {
+std::vector<double> HighPassBaseline::slow(std::vector<double> series) const {
     auto const count = fft_.length() / 2;
-    std::vector<double> series(on_nodes.begin(), on_nodes.end());
     double mean = 0;  // of the displacement: the mean of a (T - t)^2 / 2
     for (std::size_t j = 0; j <= count; ++j) {
         double const left = 1 - static_cast<double>(j) / static_cast<double>(count);
-        mean += on_nodes[j] * left * left;
+        mean += series[j] * left * left;
     }
     series[0] *= 2;
     series[count] *= 2;
@@ -117,19 +136,33 @@ std::vector<double> HighPassBaseline::slow(std::span<double const> on_nodes) con
     return series;
 }
 
+// A polynomial first, or the even continuation would have corners; on the nodes alone, as what it leaves is brought to
+// rest sample by sample in the end.
 void HighPassBaseline::correct(std::span<double> a) const {
     OVERTURN_EXPECT(a.size() <= stride_ * (fft_.length() / 2) + 1);
-    correct_baseline(a);
-    if (low_pass_.empty()) {
-        return;
-    }
-    auto const taken = slow(on_nodes(a));
-    double const share = 1 / static_cast<double>(stride_);
-    for (std::size_t begin = 0, node = 0; begin < a.size(); begin += stride_, ++node) {
-        double const step = share * (taken[node + 1] - taken[node]);
-        auto const count = std::min(stride_, a.size() - begin);
-        for (std::size_t i = 0; i < count; ++i) {
-            a[begin + i] -= taken[node] + static_cast<double>(i) * step;
+    if (!low_pass_.empty()) {
+        auto nodes = on_nodes(a);
+        auto const last = static_cast<double>(a.size() - 1);
+        GroundEnd end{-0.5 * (a.front() + a.back()), a.back() / 6 - (0.5 * last + 1.0 / 6) * a.front()};
+        for (std::size_t j = 0; j < bump_.size(); ++j) {
+            end.velocity += nodes[j];
+            end.displacement += (last - static_cast<double>(j * stride_)) * nodes[j];
+        }
+        auto const polynomial = polynomial_ending(end, a.size());
+        for (std::size_t j = 0; j < bump_.size(); ++j) {
+            nodes[j] -= polynomial.bump * bump_[j] + polynomial.wave * wave_[j];
+        }
+        auto taken = slow(std::move(nodes));
+        for (std::size_t j = 0; j < bump_.size(); ++j) {
+            taken[j] += polynomial(static_cast<double>(j * stride_) / last);
+        }
+        double const share = 1 / static_cast<double>(stride_);
+        for (std::size_t begin = 0, node = 0; begin < a.size(); begin += stride_, ++node) {
+            double const step = share * (taken[node + 1] - taken[node]);
+            int const count = static_cast<int>(std::min(stride_, a.size() - begin));
+            for (int i = 0; i < count; ++i) {
+                a[begin + i] -= taken[node] + i * step;
+            }
         }
     }
     correct_baseline(a);

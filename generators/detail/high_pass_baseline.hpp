@@ -20,16 +20,18 @@ class HighPassBaseline {
     HighPassBaseline(std::size_t samples, double time_step_s, double longest_s);
 
     /// Corrects a wave of so many samples in place; velocity and displacement after the last one are 0.
-    /// One of too few samples to hold anything slow is brought to rest, no more.
+    /// One shorter than the longest period, or of a few samples, is brought to rest and no more.
     void correct(std::span<double> acceleration_mps2) const;
 
   private:
     [[nodiscard]] std::vector<double> on_nodes(std::span<double const> acceleration_mps2) const;
-    [[nodiscard]] std::vector<double> slow(std::span<double const> on_nodes) const;
+    [[nodiscard]] std::vector<double> slow(std::vector<double> on_nodes) const;
 
     std::size_t stride_;            // samples from one node to the next
     RealFft fft_;                   // of the nodes, there and back
     std::vector<double> low_pass_;  // of cosine m, m half turns over the nodes
+    // Of the polynomials that bring the ground to rest: sums on the nodes.
+    std::vector<double> bump_, wave_;
 };
 
 }  // namespace overturn
