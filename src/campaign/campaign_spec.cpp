@@ -148,6 +148,56 @@ void check_drift(Table const& levels, LevelSpec const& spec, WaveSource const& s
     }
 }
 
+// Waves and how many of them.
+void read_source(Table const& root, Table const& waves, InputFiles& files, CampaignSpec& spec) {
+    spec.source = make_wave_source(waves, files);
+    auto const available = spec.source->available();
+    spec.wave_count = waves.integer(
+        wave_count_key, {.otherwise = available ? std::optional(static_cast<std::int64_t>(*available)) : std::nullopt});
+    if (available && spec.wave_count > static_cast<std::int64_t>(*available)) {
+        waves.fail("count",
+                   fmt::format("{} (the source has {} waves). Lower it or leave it out", spec.wave_count, *available));
+    }
+    if (available && spec.levels.independent_waves) {
+        root.child("levels").fail("waves", "independent (this source has the same waves for every level). Use shared");
+    }
+}
+
+// Effects that are forced need what they speak of.
+void check_forced_effects(Table const& effects, CampaignSpec const& spec) {
+    for (auto const& body : spec.bodies) {
+        bool const in_plane = has(spec.effects.include, Effect::contact) && !has(spec.effects.include, Effect::spatial);
+        if (in_plane && body.footing.base.shape == BaseShape::polygon) {
+            effects.fail("include", fmt::format("contact without spatial on '{}' (no plane holds its polygon). Add "
+                                                "spatial",
+                                                body.name));
+        }
+        if (has(spec.effects.include, Effect::sliding) && !body.friction) {
+            effects.fail("include",
+                         fmt::format("sliding forced on '{}', which states no friction (nothing says when it "
+                                     "slips). Add friction to the body",
+                                     body.name));
+        }
+    }
+}
+
+void check_quality(Table const& root, CampaignSpec const& spec) {
+    if (!spec.measures.wave_quality && spec.source->acceptance() != "none") {
+        root.child("measures")
+            .fail("wave_quality",
+                  "false beside waves.acceptance (a rule judges the quality of every "
+                  "wave). Leave one of them out");
+    }
+}
+
+void check_pulses(Table const& root, CampaignSpec const& spec) {
+    if (spec.rare && spec.rare->method == rare::Method::pulse_mixture && spec.limits.size() > 1) {
+        root.child("rare").fail("method", fmt::format("pulse-mixture beside limit state '{}' (its pulses are of waves "
+                                                      "that overturn). Use auto or subset",
+                                                      spec.limits[1].name));
+    }
+}
+
 }  // namespace
 
 void refuse_drifting_levels(CampaignInput const& input, CampaignSpec const& spec) {
@@ -179,46 +229,18 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
     spec.sampling = read_sampling(root.child_or_empty(campaign_keys["scatter"]));
     spec.levels = read_levels(root.child(campaign_keys["levels"]));
     auto const waves = root.child(campaign_keys["waves"]);
-    spec.source = make_wave_source(waves, files);
-    auto const available = spec.source->available();
-    spec.wave_count = waves.integer(
-        wave_count_key, {.otherwise = available ? std::optional(static_cast<std::int64_t>(*available)) : std::nullopt});
-    if (available && spec.wave_count > static_cast<std::int64_t>(*available)) {
-        waves.fail("count",
-                   fmt::format("{} (the source has {} waves). Lower it or leave it out", spec.wave_count, *available));
-    }
-    if (available && spec.levels.independent_waves) {
-        root.child("levels").fail("waves", "independent (this source has the same waves for every level). Use shared");
-    }
+    read_source(root, waves, files, spec);
     waves.finish();
     auto const effects = root.child_or_empty(campaign_keys["effects"]);
     spec.effects = read_effects(effects);
     effects.finish();
-    for (auto const& body : spec.bodies) {
-        bool const in_plane = has(spec.effects.include, Effect::contact) && !has(spec.effects.include, Effect::spatial);
-        if (in_plane && body.footing.base.shape == BaseShape::polygon) {
-            effects.fail("include", fmt::format("contact without spatial on '{}' (no plane holds its polygon). Add "
-                                                "spatial",
-                                                body.name));
-        }
-        if (has(spec.effects.include, Effect::sliding) && !body.friction) {
-            effects.fail("include",
-                         fmt::format("sliding forced on '{}', which states no friction (nothing says when it "
-                                     "slips). Add friction to the body",
-                                     body.name));
-        }
-    }
+    check_forced_effects(effects, spec);
     check_planar(effects, waves, spec);
     auto const accuracy = root.child_or_empty(campaign_keys["accuracy"]);
     spec.accuracy = read_accuracy(accuracy);
     spec.measures = read_measures(root.child_or_empty(campaign_keys["measures"]));
     measure_levels(root, spec.levels, spec.measures);
-    if (!spec.measures.wave_quality && spec.source->acceptance() != "none") {
-        root.child("measures")
-            .fail("wave_quality",
-                  "false beside waves.acceptance (a rule judges the quality of every "
-                  "wave). Leave one of them out");
-    }
+    check_quality(root, spec);
     waves.located("acceptance", [&] { validate_bands(*spec.source, spec.bodies, spec.measures.radius_unit); });
     spec.measures.panel_phase_rad = accuracy.number(accuracy_keys["panel_phase"]);
     accuracy.finish();
@@ -232,11 +254,7 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
                               spec.effects);
     check_reachable(root, spec.limits, spec.bodies);
     check_planar_limits(root, spec);
-    if (spec.rare && spec.rare->method == rare::Method::pulse_mixture && spec.limits.size() > 1) {
-        root.child("rare").fail("method", fmt::format("pulse-mixture beside limit state '{}' (its pulses are of waves "
-                                                      "that overturn). Use auto or subset",
-                                                      spec.limits[1].name));
-    }
+    check_pulses(root, spec);
     statistics.finish();
     root.finish();
     double const trials = static_cast<double>(spec.wave_count) * static_cast<double>(spec.bodies.size())

@@ -95,67 +95,98 @@ int print_refit(FitOptions const& options, store::ResultsReader const& file, Cam
     return differs ? refitted_otherwise : done;
 }
 
+// All that is told of a file, whether as JSON or as tables.
+struct Fitted {
+    double confidence;
+    std::vector<BodyAnalysis> analysis;
+    std::vector<RareBody> rare;
+    std::vector<TellingTrial> telling;
+    std::optional<HazardCurve> hazard = {};
+    std::vector<BodyFrequency> frequencies = {};
+    std::vector<HandCheck> by_hand = {};
+    std::vector<TwoMeasures> pairs = {};
+};
+
+Fitted fitted(FitOptions const& options, store::ResultsReader const& file, CampaignSpec const& spec,
+              Statistics const& statistics) {
+    double const confidence = options.confidence.value_or(spec.confidence);
+    Fitted all{.confidence = confidence,
+               .analysis =
+                   analyse(spec, statistics,
+                           {.confidence = confidence, .beta_u = options.beta_u, .velocities = options.unit.measures()}),
+               .rare = read_rare_estimates(file, spec),
+               .telling = telling_trials(spec, file)};
+    if (!options.hazard.empty()) {
+        validate(!spec.is_grid(),
+                 "--hazard for waves on a grid of frequencies (no random sample: nothing happens so often a year). "
+                 "Leave it out");
+        InputFiles files(std::filesystem::path("."));
+        all.hazard = parse_hazard(files.read(options.hazard), options.hazard, spec.levels);
+        all.frequencies = frequencies_of(spec, statistics, all.analysis, *all.hazard, confidence);
+    }
+    all.by_hand = hand_checks(spec);
+    if (!options.measures.empty()) {
+        all.pairs = over_two_measures(spec, statistics, parse_measures(options.measures, spec), confidence);
+    }
+    return all;
+}
+
+Json levels_json(LevelSpec const& levels) {
+    Json json{{"measure", levels.measure_name()},
+              {"units", levels.units()},
+              {"stated_unit", levels.shown_units()},
+              {"stated_unit_si", levels.stated_unit_si},
+              {"stated", Json::array()}};
+    for (auto const& level : levels.levels) {
+        json["stated"].push_back(levels.shown(level.value));
+    }
+    return json;
+}
+
+void print_fitted_json(Fitted const& all, CampaignSpec const& spec, Statistics const& statistics, bool changed) {
+    auto json = fit_json(spec, statistics, all.analysis, all.confidence);
+    json["levels"] = levels_json(spec.levels);
+    json["unverified"] = changed;
+    json["telling_trials"] = telling_json(spec, all.telling);
+    json["hand_check"] = hand_check_json(spec, all.by_hand);
+    if (!all.pairs.empty()) {
+        json["two_measures"] = two_measures_json(all.pairs, all.confidence);
+    }
+    if (all.hazard) {
+        json["frequency"] = frequency_json(all.frequencies, *all.hazard);
+    }
+    if (spec.rare) {
+        json["rare"] = rare_json(spec, all.rare);
+    }
+    fmt::print("{}\n", json.dump(2));
+}
+
+void print_fitted(Fitted const& all, CampaignSpec const& spec, Statistics const& statistics, bool withheld,
+                  std::string const& file) {
+    auto const alike = warning_of_alike_waves(spec);
+    auto const shared = alike.empty() ? std::string() : "  note: " + alike + "\n";
+    std::string const without_records =
+        all.by_hand.empty() && withheld ? "\nby hand: nothing, without the records (inputs = \"hash-only\")\n" : "";
+    fmt::print("{}{}{}{}{}{}{}{}", stripe_table(spec, statistics) + shared,
+               analysis_table(all.analysis, all.confidence),
+               together_table(spec, bodies_together(spec, statistics), all.confidence),
+               hand_check_text(spec, all.by_hand) + without_records,
+               all.pairs.empty() ? std::string() : two_measures_text(all.pairs, all.confidence),
+               all.hazard ? frequency_table(spec, all.frequencies, *all.hazard, all.confidence) : std::string(),
+               rare_table(spec, all.rare), telling_table(spec, all.telling, file));
+}
+
 int fit_file(FitOptions const& options) {
     store::ResultsReader const file(options.file, options.unverified.trust());
     auto const input = input_of(file);
     auto const spec = parse_campaign(input);
     auto const statistics = recount(file, spec);
     bool const changed = options.unverified.warn_if_changed(file, options.file);
-    double const confidence = options.confidence.value_or(spec.confidence);
-    auto const analysis = analyse(
-        spec, statistics, {.confidence = confidence, .beta_u = options.beta_u, .velocities = options.unit.measures()});
-    auto const rare = read_rare_estimates(file, spec);
-    auto const telling = telling_trials(spec, file);
-    std::optional<HazardCurve> hazard;
-    std::vector<BodyFrequency> frequencies;
-    if (!options.hazard.empty()) {
-        validate(!spec.is_grid(),
-                 "--hazard for waves on a grid of frequencies (no random sample: nothing happens so often a year). "
-                 "Leave it out");
-        InputFiles files(std::filesystem::path("."));
-        hazard = parse_hazard(files.read(options.hazard), options.hazard, spec.levels);
-        frequencies = frequencies_of(spec, statistics, analysis, *hazard, confidence);
-    }
-    auto const by_hand = hand_checks(spec);
-    std::string const without_records = by_hand.empty() && has_withheld(input)
-                                            ? "\nby hand: nothing, without the records (inputs = \"hash-only\")\n"
-                                            : "";
-    std::vector<TwoMeasures> pairs;
-    if (!options.measures.empty()) {
-        pairs = over_two_measures(spec, statistics, parse_measures(options.measures, spec), confidence);
-    }
+    auto const all = fitted(options, file, spec, statistics);
     if (options.json) {
-        auto json = fit_json(spec, statistics, analysis, confidence);
-        json["levels"] = {{"measure", spec.levels.measure_name()},
-                          {"units", spec.levels.units()},
-                          {"stated_unit", spec.levels.shown_units()},
-                          {"stated_unit_si", spec.levels.stated_unit_si},
-                          {"stated", Json::array()}};
-        for (auto const& level : spec.levels.levels) {
-            json["levels"]["stated"].push_back(spec.levels.shown(level.value));
-        }
-        json["unverified"] = changed;
-        json["telling_trials"] = telling_json(spec, telling);
-        json["hand_check"] = hand_check_json(spec, by_hand);
-        if (!pairs.empty()) {
-            json["two_measures"] = two_measures_json(pairs, confidence);
-        }
-        if (hazard) {
-            json["frequency"] = frequency_json(frequencies, *hazard);
-        }
-        if (spec.rare) {
-            json["rare"] = rare_json(spec, rare);
-        }
-        fmt::print("{}\n", json.dump(2));
+        print_fitted_json(all, spec, statistics, changed);
     } else {
-        auto const alike = warning_of_alike_waves(spec);
-        auto const shared = alike.empty() ? std::string() : "  note: " + alike + "\n";
-        fmt::print("{}{}{}{}{}{}{}{}", stripe_table(spec, statistics) + shared, analysis_table(analysis, confidence),
-                   together_table(spec, bodies_together(spec, statistics), confidence),
-                   hand_check_text(spec, by_hand) + without_records,
-                   pairs.empty() ? std::string() : two_measures_text(pairs, confidence),
-                   hazard ? frequency_table(spec, frequencies, *hazard, confidence) : std::string(),
-                   rare_table(spec, rare), telling_table(spec, telling, options.file));
+        print_fitted(all, spec, statistics, has_withheld(input), options.file);
     }
     return print_refit(options, file, spec, statistics);
 }

@@ -153,21 +153,8 @@ int print_plan_json(CampaignSpec const& spec, Plan const& plan) {
     return done;
 }
 
-int plan_campaign(PlanOptions const& options) {
-    auto const& path = options.campaign;
-    auto const input = load_campaign(path, options.settings);
-    auto const spec = parse_campaign(input);
-    Plan const plan(spec);
-    if (options.json) {
-        return print_plan_json(spec, plan);
-    }
-    fmt::print("{}\n", spec.title.empty() ? path : spec.title);
-    fmt::print("waves     {} ({})\n", plan.waves(), spec.source->describe());
-    fmt::print("differ by {}\n", spec.source->variability());
-    for (auto const& line : ends_of_records(spec)) {
-        fmt::print("record    {}\n", line);
-    }
-    for (auto const& body : spec.bodies) {
+void print_bodies(std::vector<BodySpec> const& bodies) {
+    for (auto const& body : bodies) {
         fmt::print(
             "body      {}: {:.4g} kg, alpha {:.2f} deg, p {:.4f} rad/s, e {:.4f} (Housner {:.4f}), uplift {:.4g} m/s2, "
             "V_Ereq {:.4f} m/s\n",
@@ -182,14 +169,28 @@ int plan_campaign(PlanOptions const& options) {
             fmt::print("stands    {}: {}\n", body.name, footing_text(body));
         }
     }
-    for (auto const place : shown_levels(spec.levels)) {
-        auto const& level = spec.levels.levels[place];
-        fmt::print("level     {} {}{}\n", spec.levels.measure_name(), spec.levels.text(level.value),
+}
+
+void print_levels(LevelSpec const& levels) {
+    for (auto const place : shown_levels(levels)) {
+        auto const& level = levels.levels[place];
+        fmt::print("level     {} {}{}\n", levels.measure_name(), levels.text(level.value),
                    level.purpose == LevelClass::ordinary ? "" : "  " + name_of(level.purpose));
     }
-    if (auto const more = left_out_levels(spec.levels); !more.empty()) {
+    if (auto const more = left_out_levels(levels); !more.empty()) {
         fmt::print("levels    {}", more);
     }
+}
+
+// What is asked: waves, bodies, levels, limits, and what is hardly meant or assumed.
+void print_scene(CampaignSpec const& spec, Plan const& plan) {
+    fmt::print("waves     {} ({})\n", plan.waves(), spec.source->describe());
+    fmt::print("differ by {}\n", spec.source->variability());
+    for (auto const& line : ends_of_records(spec)) {
+        fmt::print("record    {}\n", line);
+    }
+    print_bodies(spec.bodies);
+    print_levels(spec.levels);
     print_limits(spec);
     fmt::print("validated {}\n", validated_range_text(spec));
     for (auto const& line : warnings_of(spec)) {
@@ -197,8 +198,10 @@ int plan_campaign(PlanOptions const& options) {
     }
     fmt::print("{}", assumptions_lines(spec));
     fmt::print("trials    {} in {} blocks of {} waves\n", plan.trials(), plan.blocks(), plan.block_size());
+}
 
-    // A timed probe: a few waves, spread over the campaign, whole.
+// A timed probe: a few waves, spread over the campaign, whole. \return seconds of all waves on one rank
+double print_probe(CampaignSpec const& spec, Plan const& plan) {
     constexpr std::int64_t most_probes = 4;
     auto const probes = std::min(most_probes, plan.waves());
     PhaseSeconds seconds;
@@ -212,8 +215,6 @@ int plan_campaign(PlanOptions const& options) {
         waves.add(prepared.row);
     }
     double const each = seconds_since(begin) / static_cast<double>(probes);
-    double const all = each * static_cast<double>(plan.waves());
-    auto const cores = std::max(1U, std::thread::hardware_concurrency());
     auto const n = static_cast<double>(probes);
     fmt::print("probe     {:.1f} ms a wave: {:.1f} to make it, {:.1f} to measure it, {:.1f} for its {} trials\n",
                1e3 * each, 1e3 * seconds.waves / n, 1e3 * seconds.measures / n,
@@ -222,18 +223,37 @@ int plan_campaign(PlanOptions const& options) {
         fmt::print("probed    {}\n", text);
     }
     fmt::print("rungs     {}\n", rung_costs(seconds));
+    return each * static_cast<double>(plan.waves());
+}
+
+void print_sizes(CampaignInput const& input, CampaignSpec const& spec, Plan const& plan) {
+    fmt::print("file      about {:.2f} MB\n", static_cast<double>(file_bytes(input, spec, plan)) / 1e6);
+    auto const bytes = static_cast<double>(BlockRows::packed_size(plan, 0));
+    fmt::print("parts     {} files of {:.1f} kB, {:.2f} MB, in {} until they are merged\n", plan.blocks(), bytes / 1e3,
+               bytes * static_cast<double>(plan.blocks()) / 1e6, count_of_folders(plan.blocks()));
+}
+
+int plan_campaign(PlanOptions const& options) {
+    auto const& path = options.campaign;
+    auto const input = load_campaign(path, options.settings);
+    auto const spec = parse_campaign(input);
+    Plan const plan(spec);
+    if (options.json) {
+        return print_plan_json(spec, plan);
+    }
+    fmt::print("{}\n", spec.title.empty() ? path : spec.title);
+    print_scene(spec, plan);
+    double const all = print_probe(spec, plan);
     if (spec.rare) {
         fmt::print(
             "rare      {} bodies, {} limit states, {} levels beside the trials: at most {} waves an estimator; "
             "their time and rows are not counted here\n",
             spec.bodies.size(), spec.limits.size(), spec.levels.levels.size(), spec.rare->max_runs);
     }
+    auto const cores = std::max(1U, std::thread::hardware_concurrency());
     fmt::print("time      about {} on one rank, {} on the {} cores here\n", duration_text(all),
                duration_text(all / cores), cores);
-    fmt::print("file      about {:.2f} MB\n", static_cast<double>(file_bytes(input, spec, plan)) / 1e6);
-    auto const bytes = static_cast<double>(BlockRows::packed_size(plan, 0));
-    fmt::print("parts     {} files of {:.1f} kB, {:.2f} MB, in {} until they are merged\n", plan.blocks(), bytes / 1e3,
-               bytes * static_cast<double>(plan.blocks()) / 1e6, count_of_folders(plan.blocks()));
+    print_sizes(input, spec, plan);
     return done;
 }
 

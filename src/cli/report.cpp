@@ -189,7 +189,8 @@ std::string hexadecimal(std::string_view bytes) {
     return text;
 }
 
-int write_report(ReportOptions const& options) {
+// Before any work: is there a place for page and figures?
+void check_places(ReportOptions const& options) {
     report::check_page_name(options.page);
     store::require_writable(options.page);
     if (!options.figures.empty()) {
@@ -199,6 +200,35 @@ int write_report(ReportOptions const& options) {
                  options.figures);
         store::require_writable(fs::path(options.figures) / "fragility.svg");
     }
+}
+
+// What the page says of the waves in words.
+Json notes_of(CampaignSpec const& spec, Statistics const& statistics) {
+    auto notes = Json::array();
+    if (auto const said = statistics.waves().text(spec.source->acceptance()); !said.empty()) {
+        notes.push_back(said);
+    }
+    for (auto const& line : ends_of_records(spec)) {
+        notes.push_back("Record " + line + ".");
+    }
+    for (auto const& line : warnings_of(spec)) {
+        notes.push_back("Warning: " + line + ".");
+    }
+    return notes;
+}
+
+void add_rare(store::ResultsReader const& file, CampaignSpec const& spec, Json& data) {
+    data["rare"] = Json::object();
+    if (spec.rare) {
+        data["fit"]["rare"] = rare_json(spec, read_rare_estimates(file, spec));
+        for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+            data["rare"][spec.bodies[b].name] = rare_waves_json(rare_waves(file, spec, b));
+        }
+    }
+}
+
+int write_report(ReportOptions const& options) {
+    check_places(options);
     check_fit_options(options.beta_u, options.confidence);
     (void)options.unit.si();
     store::ResultsReader const file(options.file, options.unverified.trust());
@@ -225,13 +255,7 @@ int write_report(ReportOptions const& options) {
     data["fit"] = fit_json(spec, statistics, analysis, confidence, WarningUnits::as_written);
     auto const telling = telling_trials(spec, file);
     data["fit"]["telling_trials"] = telling_json(spec, telling);
-    data["rare"] = Json::object();
-    if (spec.rare) {
-        data["fit"]["rare"] = rare_json(spec, read_rare_estimates(file, spec));
-        for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
-            data["rare"][spec.bodies[b].name] = rare_waves_json(rare_waves(file, spec, b));
-        }
-    }
+    add_rare(file, spec, data);
     data["unverified"] = changed;
     data["facts"] = facts_of(spec, plan, file);
     data["facts"].push_back({"confidence", fmt::format("{:g} %", 100 * confidence)});
@@ -240,16 +264,7 @@ int write_report(ReportOptions const& options) {
     }
     data["waves"] = waves_of(input, spec, plan, file);
     data["spectra"] = spectra_of(input, spec);
-    data["wave_notes"] = Json::array();
-    if (auto const said = statistics.waves().text(spec.source->acceptance()); !said.empty()) {
-        data["wave_notes"].push_back(said);
-    }
-    for (auto const& line : ends_of_records(spec)) {
-        data["wave_notes"].push_back("Record " + line + ".");
-    }
-    for (auto const& line : warnings_of(spec)) {
-        data["wave_notes"].push_back("Warning: " + line + ".");
-    }
+    data["wave_notes"] = notes_of(spec, statistics);
     auto const histories = shown_trials(spec, plan, telling, file);
     data["histories"] = histories.drawn;
     data["histories_of"] = {histories.bodies, spec.bodies.size()};

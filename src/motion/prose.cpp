@@ -197,12 +197,12 @@ std::optional<double> step_in(std::string line) {
 /// "velocity in cm/s", "displacement (cm)".
 bool names_another_quantity(Text line) {
     bool found = false;
-    auto const hear = [&](double /*si*/) { found = true; };
+    auto const note = [&](double /*si*/) { found = true; };
     if (line.find("veloc") != Text::npos) {
-        each_unit(line, Dimension::velocity, hear);
+        each_unit(line, Dimension::velocity, note);
     }
     if (line.find("displ") != Text::npos) {
-        each_unit(line, Dimension::length, hear);
+        each_unit(line, Dimension::length, note);
     }
     return found;
 }
@@ -214,12 +214,12 @@ bool same(double a, double b) {
 
 }  // namespace
 
-void Prose::Said::take(double heard, int number) {
-    if (value && !same(heard, *value)) {
-        twice = true;
+void Prose::Statement::take(double stated, int number) {
+    if (value && !same(stated, *value)) {
+        contradicted = true;
         value.reset();
-    } else if (!twice && !value) {
-        value = heard;
+    } else if (!contradicted && !value) {
+        value = stated;
         line = number;
     }
 }

@@ -32,13 +32,13 @@ class Prose {
     void check_times(double step_s, std::string const& file) const;
 
   private:
-    struct Said {
+    struct Statement {
         std::optional<double> value;
         int line = 0;
-        bool twice = false;  ///< differently
-        void take(double heard, int number);
+        bool contradicted = false;
+        void take(double stated, int number);
     };
-    Said unit_, step_;
+    Statement unit_, step_;
     int other_line_ = 0;          ///< that speaks of velocities or displacements in their unit; 0: none
     bool accelerations_ = false;  ///< some line speaks of them
 };
