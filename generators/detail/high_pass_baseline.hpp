@@ -25,7 +25,7 @@ class HighPassBaseline {
 
   private:
     [[nodiscard]] std::vector<double> on_nodes(std::span<double const> acceleration_mps2) const;
-    [[nodiscard]] std::vector<double> slow(std::vector<double> on_nodes) const;
+    [[nodiscard]] std::vector<double> slow(std::vector<double> series) const;
 
     std::size_t stride_;            // samples from one node to the next
     RealFft fft_;                   // of the nodes, there and back
