@@ -51,7 +51,9 @@ class Harmonic : public WaveSource {
     [[nodiscard]] std::optional<std::vector<double>> grid_periods_s() const override { return input_.periods_s; }
     [[nodiscard]] std::string pgd_drift() const override {
         bool const short_ramp = std::ranges::any_of(input_.periods_s, [&](double p) { return input_.ramp_s < p; });
-        return short_ramp ? "a sinusoid that begins at once drifts on the velocity it begins with" : "";
+        return short_ramp ? "a sinusoid that begins at once drifts on the velocity it begins with; state a ramp of "
+                            "some cycles in [waves]"
+                          : "";
     }
 
     [[nodiscard]] std::string describe() const override {

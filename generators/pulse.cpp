@@ -77,6 +77,14 @@ class Pulse : public WaveSource {
         return fmt::format("a grid of {} periods: no random sample", input_.periods_s.size());
     }
     [[nodiscard]] std::optional<std::vector<double>> grid_periods_s() const override { return input_.periods_s; }
+    [[nodiscard]] std::string pgd_drift() const override {
+        auto const motion = make(0, 0).motion;
+        constexpr double rest = 1e-3;  // of the largest velocity
+        auto const velocity = velocity_of(motion.horizontal_mps2, motion.time_step_s);
+        return std::abs(velocity.back()) > rest * peak_of(velocity) ? fmt::format(
+                   "a {} pulse leaves the ground moving, on and on through the quiet behind it", input_.name)
+                                                                    : "";
+    }
 
     [[nodiscard]] std::string describe() const override {
         auto text = fmt::format("{} {} pulses of {} m/s2", input_.periods_s.size(), input_.name, input_.amplitude_mps2);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "generators/detail/high_pass_baseline.hpp"
 #include "generators/detail/matched_normals.hpp"
 #include "generators/wave_quality.hpp"
 
@@ -66,6 +67,30 @@ std::string SpectrumCompatible::variability() const {
             break;
     }
     return "noise about one spectrum, which is not centred on the target: no event, path or site differs";
+}
+
+// Waves that begin or end abruptly jump to a velocity, and no slow motion can take that back.
+std::string SpectrumCompatible::pgd_drift() const {
+    constexpr std::uint64_t draws = 8;
+    constexpr std::uint64_t seed = 0xd21f7;
+    constexpr double most = 0.25;
+    auto const& noise = parts_.front().matcher.noise();
+    double const slow_s = 2 * noise.longest_s();
+    std::uint64_t const waves = seeds_.empty() ? draws : std::min<std::uint64_t>(draws, seeds_.size());
+    double share = 0;
+    for (std::uint64_t wave = 0; wave < waves; ++wave) {
+        RandomStream phases(seed, wave, Purpose::calibration, 0);
+        RandomStream amplitudes(seed, wave, Purpose::calibration, 1);
+        auto const lines =
+            seeds_.empty() ? noise.draw(phases, amplitudes) : noise.analyse(seeds_[wave].horizontal_mps2);
+        share +=
+            slow_share(noise.synthesise(lines, noise.envelope()), time_step_s_, slow_s) / static_cast<double>(waves);
+    }
+    return share > most ? fmt::format(
+               "{:.0f} % of their displacement's power is slower than {:g} s, as they begin or end "
+               "abruptly or are short",
+               100 * share, slow_s)
+                        : "";
 }
 
 std::unique_ptr<NormalWaves> SpectrumCompatible::from_normals() const {

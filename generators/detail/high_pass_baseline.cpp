@@ -6,9 +6,9 @@
 #include <complex>
 #include <utility>
 
-#include "core/error.hpp"
 #include "core/units.hpp"
 #include "generators/detail/baseline.hpp"
+#include "motion/ground_motion.hpp"
 
 namespace overturn {
 namespace {
@@ -18,13 +18,11 @@ constexpr double corner_over_longest = 2;
 constexpr int order = 4;
 constexpr double last_corner = 2.4;  // corners: of faster cosines less than 1e-3 would be taken off, so nothing is
 
-std::size_t stride_of(double time_step_s, double longest_s) {
-    return std::max<std::size_t>(1, static_cast<std::size_t>(longest_s / nodes_per_longest / time_step_s));
-}
-
-std::size_t fft_length(std::size_t samples, std::size_t stride) {
-    auto const intervals = std::max<std::size_t>(samples, 2) - 1;
-    return RealFft::good_length(2 * ((intervals + stride - 1) / stride));
+// An even number of 2, 3 and 5: the nodes there and back.
+std::size_t fft_length(std::size_t samples, double time_step_s, double longest_s) {
+    double const duration_s = static_cast<double>(samples) * time_step_s;
+    auto const spans = static_cast<std::size_t>(nodes_per_longest * duration_s / longest_s) + 1;
+    return RealFft::good_length(2 * std::min(spans, std::max<std::size_t>(samples, 2) - 1));
 }
 
 // Changes the coefficients of every second cosine, from `first` on, until sum c_m = 0 and sum m^2 c_m = 0: the least
@@ -53,13 +51,16 @@ void clamp_ends(std::span<double> c, std::span<double const> low_pass, std::size
 }  // namespace
 
 HighPassBaseline::HighPassBaseline(std::size_t samples, double time_step_s, double longest_s)
-    : stride_(stride_of(time_step_s, longest_s)), fft_(fft_length(samples, stride_)) {
+    : fft_(fft_length(samples, time_step_s, longest_s)),
+      per_span_(static_cast<double>(samples - 1) / static_cast<double>(fft_.length() / 2)) {
     constexpr std::size_t least = 3;  // the conditions at the ends take two cosines that are even, and two odd ones
     auto const nodes = fft_.length() / 2;
-    if (nodes <= least || static_cast<double>(samples) * time_step_s < longest_s) {
+    double const duration_s = static_cast<double>(samples - 1) * time_step_s;
+    constexpr double rounding = 1e-9;
+    if (nodes <= least || per_span_ < 1 || duration_s < longest_s * (1 - rounding)) {
         return;
     }
-    double const corner = 2 * static_cast<double>(nodes * stride_) * time_step_s / (corner_over_longest * longest_s);
+    double const corner = 2 * duration_s / (corner_over_longest * longest_s);
     auto const last = std::min(nodes - 1, std::max(least, static_cast<std::size_t>(last_corner * corner)));
     for (std::size_t m = 0; m <= last; ++m) {
         low_pass_.push_back(1 / (1 + std::pow(static_cast<double>(m) / corner, 2 * order)));
@@ -77,16 +78,24 @@ HighPassBaseline::HighPassBaseline(std::size_t samples, double time_step_s, doub
     wave_ = sums_of({0, 1});
 }
 
+// The first sample at or behind a node.
+std::size_t HighPassBaseline::first_of(std::size_t node) const {
+    return static_cast<std::size_t>(std::ceil(static_cast<double>(node) * per_span_));
+}
+
 // Sums of the samples, each shared by the two nodes beside it: integrals with any function that is straight between
 // nodes. Node 0 to length / 2, and room for as many again that mirror them, for a transform that knows cosines alone.
 // Four sums side by side, as one would wait for itself.
 std::vector<double> HighPassBaseline::on_nodes(std::span<double const> a) const {
     constexpr std::size_t width = 4;
+    auto const spans = fft_.length() / 2;
     std::vector<double> nodes(fft_.length(), 0.0);
-    double const share = 1 / static_cast<double>(stride_);
-    for (std::size_t begin = 0, node = 0; begin < a.size(); begin += stride_, ++node) {
+    double const share = 1 / per_span_;
+    for (std::size_t node = 0; node < spans; ++node) {
+        auto const begin = first_of(node);
+        auto const end = std::min(first_of(node + 1), a.size() - 1);
         std::array<double, width> all{}, late{};
-        auto const samples = a.subspan(begin, std::min(stride_, a.size() - begin));
+        auto const samples = a.subspan(begin, end - begin);
         std::size_t i = 0;
         for (; i + width <= samples.size(); i += width) {
             for (std::size_t j = 0; j < width; ++j) {
@@ -98,10 +107,13 @@ std::vector<double> HighPassBaseline::on_nodes(std::span<double const> a) const 
             all[0] += samples[i];
             late[0] += static_cast<double>(i) * samples[i];
         }
-        double const moment = share * ((late[0] + late[1]) + (late[2] + late[3]));
-        nodes[node] += (all[0] + all[1]) + (all[2] + all[3]) - moment;
-        nodes[node + 1] += samples.size() > 1 ? moment : 0;
+        double const sum = (all[0] + all[1]) + (all[2] + all[3]);
+        double const behind = static_cast<double>(begin) - static_cast<double>(node) * per_span_;
+        double const moment = share * ((late[0] + late[1]) + (late[2] + late[3]) + behind * sum);
+        nodes[node] += sum - moment;
+        nodes[node + 1] += moment;
     }
+    nodes[spans] += a.back();
     return nodes;
 }
 
@@ -121,7 +133,7 @@ std::vector<double> HighPassBaseline::slow(std::vector<double> series) const {
     std::vector<std::complex<double>> lines(low_pass_.size());
     fft_.analyse(series, lines);
     // Displacements over (duration / pi)^2: a = sum a_m cos(m tau), and their even continuation -a_m / m^2.
-    double const per_sample = 1 / static_cast<double>(stride_);
+    double const per_sample = 1 / per_span_;
     std::vector<double> displacement(low_pass_.size());
     displacement[0] = 0.5 * pi * pi * per_sample * mean / static_cast<double>(count);
     for (std::size_t m = 1; m < displacement.size(); ++m) {
@@ -139,33 +151,53 @@ std::vector<double> HighPassBaseline::slow(std::vector<double> series) const {
 // A polynomial first, or the even continuation would have corners; on the nodes alone, as what it leaves is brought to
 // rest sample by sample in the end.
 void HighPassBaseline::correct(std::span<double> a) const {
-    OVERTURN_EXPECT(a.size() <= stride_ * (fft_.length() / 2) + 1);
     if (!low_pass_.empty()) {
         auto nodes = on_nodes(a);
         auto const last = static_cast<double>(a.size() - 1);
         GroundEnd end{-0.5 * (a.front() + a.back()), a.back() / 6 - (0.5 * last + 1.0 / 6) * a.front()};
         for (std::size_t j = 0; j < bump_.size(); ++j) {
             end.velocity += nodes[j];
-            end.displacement += (last - static_cast<double>(j * stride_)) * nodes[j];
+            end.displacement += (last - static_cast<double>(j) * per_span_) * nodes[j];
         }
         auto const polynomial = polynomial_ending(end, a.size());
         for (std::size_t j = 0; j < bump_.size(); ++j) {
             nodes[j] -= polynomial.bump * bump_[j] + polynomial.wave * wave_[j];
         }
         auto taken = slow(std::move(nodes));
-        for (std::size_t j = 0; j < bump_.size(); ++j) {
-            taken[j] += polynomial(static_cast<double>(j * stride_) / last);
+        auto const spans = bump_.size() - 1;
+        for (std::size_t j = 0; j <= spans; ++j) {
+            taken[j] += polynomial(static_cast<double>(j) / static_cast<double>(spans));
         }
-        double const share = 1 / static_cast<double>(stride_);
-        for (std::size_t begin = 0, node = 0; begin < a.size(); begin += stride_, ++node) {
-            double const step = share * (taken[node + 1] - taken[node]);
-            int const count = static_cast<int>(std::min(stride_, a.size() - begin));
+        for (std::size_t node = 0; node < spans; ++node) {
+            auto const begin = first_of(node);
+            int const count = static_cast<int>(std::min(first_of(node + 1), a.size() - 1) - begin);
+            double const step = (taken[node + 1] - taken[node]) / per_span_;
+            double const first =
+                taken[node] + (static_cast<double>(begin) - static_cast<double>(node) * per_span_) * step;
             for (int i = 0; i < count; ++i) {
-                a[begin + i] -= taken[node] + i * step;
+                a[begin + i] -= first + i * step;
             }
         }
+        a.back() -= taken[spans];
     }
     correct_baseline(a);
+}
+
+double slow_share(std::span<double const> acceleration_mps2, double time_step_s, double period_s) {
+    auto displacement = displacement_of(acceleration_mps2, time_step_s);
+    RealFft const fft(RealFft::good_length(2 * displacement.size()));
+    displacement.resize(fft.length(), 0.0);
+    std::vector<std::complex<double>> lines(fft.length() / 2);
+    fft.analyse(displacement, lines);
+    double const length_s = time_step_s * static_cast<double>(fft.length());
+    double slow = 0;
+    double all = 0;
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+        double const power = std::norm(lines[k]);
+        all += power;
+        slow += static_cast<double>(k) * period_s < length_s ? power : 0;
+    }
+    return all > 0 ? slow / all : 0;
 }
 
 }  // namespace overturn

@@ -27,11 +27,16 @@ class HighPassBaseline {
     [[nodiscard]] std::vector<double> on_nodes(std::span<double const> acceleration_mps2) const;
     [[nodiscard]] std::vector<double> slow(std::vector<double> series) const;
 
-    std::size_t stride_;            // samples from one node to the next
+    [[nodiscard]] std::size_t first_of(std::size_t node) const;
+
     RealFft fft_;                   // of the nodes, there and back
+    double per_span_;               // samples from one node to the next: the last node is the last sample
     std::vector<double> low_pass_;  // of cosine m, m half turns over the nodes
     // Of the polynomials that bring the ground to rest: sums on the nodes.
     std::vector<double> bump_, wave_;
 };
+
+/// How much of the power of the displacement behind an acceleration is slower than `period_s`, of 1.
+[[nodiscard]] double slow_share(std::span<double const> acceleration_mps2, double time_step_s, double period_s);
 
 }  // namespace overturn

@@ -130,9 +130,7 @@ void check_drift(Table const& levels, LevelSpec const& spec, WaveSource const& s
         return;
     }
     if (auto const why = source.pgd_drift(); spec.measure == LevelMeasure::pgd && !why.empty()) {
-        levels.fail("measure",
-                    fmt::format("pgd of waves that drift ({}). Scale by pga or pgv{}", why,
-                                source.grid_periods_s() ? ", or state a ramp of some cycles in [waves]" : ""));
+        levels.fail("measure", fmt::format("pgd of waves that drift ({}). Scale by pga or pgv", why));
     }
     for (std::int64_t wave = 0; wave < waves; ++wave) {
         auto const drift = source.drift(static_cast<std::uint64_t>(wave));

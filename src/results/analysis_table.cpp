@@ -108,7 +108,10 @@ std::string quote_line(MeasuredFragility const& m, QuotedProbability const& q) {
                                                        : std::string();
     auto const bounds = q.source == Source::none ? std::string("no bound")
                                                  : fmt::format("[{:.3g}, {:.3g}]{}", q.bounds.lower, q.bounds.upper,
-                                                               q.source == Source::curve ? "" : " exact");
+                                                               q.source != Source::curve ? " exact"
+                                                               : has(m.fit.flags, FragilityFlag::poor_fit)
+                                                                   ? " by a curve that does not describe the data"
+                                                                   : "");
     return fmt::format("  P at {}: {} {}{}{}{}{}\n", at, p, bounds, seen, rejected,
                        q.outside_data ? ", outside the data" : "", q.in_tail ? ", in the tail" : "");
 }

@@ -83,11 +83,40 @@ Interval interval_of_mean(FragilityFit const& fit, HazardCurve const& hazard, do
     return ends;
 }
 
+// Has any wave a component beside the horizontal one? Waves that are drawn are alike in that.
+bool has_further_components(CampaignSpec const& spec) {
+    auto const waves = spec.source->available() ? static_cast<std::uint64_t>(spec.wave_count) : 1;
+    for (std::uint64_t wave = 0; wave < waves; ++wave) {
+        auto const motion = spec.source->make_unjudged(spec.seed, wave).motion;
+        if (!motion.transverse_mps2.empty() || !motion.vertical_mps2.empty()) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// A rigid body on its two corners moves under no peak acceleration up to that of uplift, or of slip. Elsewhere, under
+// further components, on a base that gives way, of a body that scatters or leans, no level is known to be too weak.
+double nothing_below(CampaignSpec const& spec, BodySpec const& body) {
+    bool const rigid = !body.footing.stated && body.scattering().empty() && body.body.initial_tilt_rad() == 0;
+    if (spec.levels.measure != LevelMeasure::pga || !rigid || has_further_components(spec)) {
+        return 0;
+    }
+    double const slips = body.friction ? body.body.gravity_mps2() * body.friction->static_coefficient
+                                       : std::numeric_limits<double>::infinity();
+    return std::min(body.body.uplift_acceleration_mps2(), slips);
+}
+
 BodyFrequency frequency_of(FragilityFit const& fit, FragilityData const& stripes, HazardCurve const& hazard,
-                           double confidence) {
+                           double confidence, double nothing) {
     BodyFrequency made;
-    made.seen = hull(annual_frequency_seen(hazard, with_undecided(stripes, false), confidence),
-                     annual_frequency_seen(hazard, with_undecided(stripes, true), confidence));
+    made.nothing_below = nothing;
+    auto const seen = [&](double none_up_to) {
+        return hull(annual_frequency_seen(hazard, with_undecided(stripes, false), confidence, none_up_to),
+                    annual_frequency_seen(hazard, with_undecided(stripes, true), confidence, none_up_to));
+    };
+    made.seen = seen(nothing);
+    made.seen_below_levels = made.seen.upper - seen(std::max(nothing, fit.lowest)).upper;
     if (!fit.identifiable()) {
         return made;
     }
@@ -144,10 +173,11 @@ std::vector<BodyFrequency> frequencies_of(CampaignSpec const& spec, Statistics c
                                           double confidence) {
     std::vector<BodyFrequency> all;
     for (std::size_t b = 0; b < analysis.size(); ++b) {
+        double const nothing = nothing_below(spec, spec.bodies[b]);
         for (std::size_t limit = 0; limit < spec.limits.size(); ++limit) {
             auto const& fits = limit == 0 ? analysis[b].fragility : analysis[b].limits[limit - 1].fragility;
             auto const stripes = FragilityData::of_stripes(statistics.bodies()[b].stripes_of(limit));
-            all.push_back(frequency_of(fits.front().fit, stripes, hazard, confidence));
+            all.push_back(frequency_of(fits.front().fit, stripes, hazard, confidence, nothing));
             all.back().body = analysis[b].body;
             all.back().limit = spec.limits[limit].name;
         }
@@ -164,6 +194,7 @@ std::string frequency_table(CampaignSpec const& spec, std::vector<BodyFrequency>
         spec.levels.text(hazard.last()), hazard.points().back().annual_exceedance, "body, limit state", "mean 1/a",
         fmt::format("{:g} %", 100 * confidence), "confidence 5, 50, 95 %", "stripes alone");
     constexpr double much = 0.05;
+    constexpr double nearly_all = 0.75;
     for (auto const& f : frequencies) {
         auto const name = f.limit == overturning_limit ? f.body : fmt::format("{}, {}", f.body, f.limit);
         auto const seen = fmt::format("[{:.3g}, {:.3g}]", f.seen.lower, f.seen.upper);
@@ -199,6 +230,13 @@ std::string frequency_table(CampaignSpec const& spec, std::vector<BodyFrequency>
                 "  note: {}: P is {:.2g} at the hazard curve's first point: weaker motions, of which it "
                 "says nothing, are left out. State the curve from lower on\n",
                 name, f.mean->at_first);
+        }
+        if (f.seen_below_levels > nearly_all * f.seen.upper) {
+            text += fmt::format(
+                "  note: {}: {:.2g} of the {:.2g} 1/a that the stripes alone allow is by motions weaker than all "
+                "levels, of "
+                "which they say no more than of the lowest. State lower levels, or the hazard curve from there on\n",
+                name, f.seen_below_levels, f.seen.upper);
         }
         if (f.poor) {
             text += fmt::format(

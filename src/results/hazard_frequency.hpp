@@ -32,6 +32,8 @@ struct BodyFrequency {
     };
     std::optional<Fractiles> fractiles;
     Interval seen;                          ///< from the stripes alone (annual_frequency_seen), likewise
+    double nothing_below = 0;               ///< intensity up to which no motion moves the body, if known [SI]
+    double seen_below_levels = 0;           ///< of the upper end of `seen`: by motions weaker than all levels
     std::optional<FrequencyShares> shares;  ///< of the mean: below, between and above the levels that were tried
 };
 

@@ -102,18 +102,23 @@ void fit_line(FragilityFit& fit, FragilityData const& data, FragilityRequest con
 }
 
 // Do the proportions contradict the 5 % point? Where they fall beyond chance; where a stripe at or below it passes 5 %
-// for sure, or one at or above it stays below; where the curve misses a stripe by more than 5 % beyond its interval.
+// for sure, or one at or above it stays below; where the curve misses a stripe by more than 5 % beyond its interval,
+// or, being a poor fit, by anything beyond it within the point's own interval.
 bool contradicted(FragilityFit const& fit, FragilityData const& data, double confidence) {
     if (has(fit.flags, FragilityFlag::non_monotone)) {
         return true;
     }
     constexpr double share = 0.05;
     double const at = fit.line->log_median() - hclpf_score * fit.line->beta();
+    bool const poor = has(fit.flags, FragilityFlag::poor_fit);
+    auto const& near = fit.intervals().five_percent_point;
     return std::ranges::any_of(proportions_of(data), [&](FragilityPoint const& point) {
         auto const seen = interval_of(point, confidence);
         double const p = gsl_cdf_ugaussian_P(fit.line->at(point.log_intensity));
         bool const other_side = point.log_intensity <= at ? seen.lower > share : seen.upper < share;
-        return other_side || p < seen.lower - share || p > seen.upper + share;
+        double const intensity = std::exp(point.log_intensity);
+        double const excess = poor && intensity >= near.lower && intensity <= near.upper ? 0 : share;
+        return other_side || p < seen.lower - excess || p > seen.upper + excess;
     });
 }
 

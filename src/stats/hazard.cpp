@@ -111,7 +111,8 @@ FrequencyShares shares_of(HazardCurve const& hazard, LognormalFragility const& f
     return {below / all, between / all, above / all};
 }
 
-Interval annual_frequency_seen(HazardCurve const& hazard, std::span<FragilityPoint const> stripes, double confidence) {
+Interval annual_frequency_seen(HazardCurve const& hazard, std::span<FragilityPoint const> stripes, double confidence,
+                               double nothing_below) {
     std::vector<double> at;
     std::vector<double> least_from, most_up_to;  // by what any stripe below, or above, allows
     for (auto const& stripe : stripes) {
@@ -128,11 +129,16 @@ Interval annual_frequency_seen(HazardCurve const& hazard, std::span<FragilityPoi
         return above == at.begin() ? 0.0 : least_from[static_cast<std::size_t>(above - at.begin()) - 1];
     };
     auto const most = [&](double intensity) {
+        if (intensity <= nothing_below) {
+            return 0.0;
+        }
         auto const from = std::lower_bound(at.begin(), at.end(), intensity);
         return from == at.end() ? 1.0 : most_up_to[static_cast<std::size_t>(from - at.begin())];
     };
     std::vector<double> ends{hazard.first(), hazard.last()};
+    at.push_back(nothing_below);  // a place to part motions at, no stripe
     std::ranges::copy_if(at, std::back_inserter(ends), [&](double x) { return x > ends[0] && x < ends[1]; });
+    at.pop_back();
     std::ranges::sort(ends);
     Interval bounds{least(hazard.last()) * hazard.annual_exceedance(hazard.last()),
                     hazard.annual_exceedance(hazard.last())};

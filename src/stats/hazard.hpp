@@ -62,9 +62,10 @@ struct AnnualFrequency {
 /// Bounds on it from stripes alone, if P rises with intensity: it is at least the lower end of the exact interval of
 /// any stripe below, and at most the upper end of any above (Clopper & Pearson 1934); below all at least 0, above all
 /// at most 1. Each stripe holds with this confidence; all of them together hold with less, and what they add up to
-/// with more. [1/a], beyond the last point of the curve included in the upper end
+/// with more. \param nothing_below intensity up to which P is known to be 0 \return [1/a], beyond the last point of the
+/// curve included in the upper end
 [[nodiscard]] Interval annual_frequency_seen(HazardCurve const& hazard, std::span<FragilityPoint const> stripes,
-                                             double confidence);
+                                             double confidence, double nothing_below = 0);
 
 /// The parts of the integral by where motions lie: below `lowest`, above `highest` and between, 1 in sum. \pre annual >
 /// 0

@@ -187,7 +187,19 @@ TEST(Plan, RefusesLevelsByAPgdThatIsDrift) {
     std::string const sinusoid = "[waves]\nsource='harmonic'\namplitude=1\nfrequency=0.63\nduration=160\n";
     testing::expect_input_error([&] { (void)by_pgd(sinusoid); }, "begins at once", "state a ramp of some cycles");
     EXPECT_EQ(by_pgd(sinusoid + "ramp=20\n").levels.levels.size(), 1U);
-    EXPECT_EQ(by_pgd(testing::quick_waves).levels.levels.size(), 1U);  // ends with what its target speaks of
+    auto const drawn = [](std::string const& envelope) {
+        return "[waves]\nsource='spectrum-compatible'\ncount=3\nduration='120 s'\nmatch='none'\n"
+               "[waves.target]\nspectrum='mlit-ch1'\n[waves.envelope]\n"
+               + envelope;
+    };
+    EXPECT_EQ(by_pgd(drawn("shape='jennings'\nrise='10 s'\nlevel_end='60 s'\nend='110 s'\n")).levels.levels.size(), 1U);
+    testing::expect_input_error([&] { (void)by_pgd(drawn("shape='constant'\n")); }, "is slower than 20 s",
+                                "begin or end abruptly");
+    for (std::string const shape : {"half-sine", "rectangle"}) {
+        testing::expect_input_error(
+            [&] { (void)by_pgd("[waves]\nsource='pulse'\nshape='" + shape + "'\namplitude=1\nperiod='1 s'\n"); },
+            "leaves the ground moving");
+    }
 }
 
 }  // namespace

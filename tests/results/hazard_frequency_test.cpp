@@ -66,13 +66,17 @@ TEST(HazardTable, ThePeriodOfSaIsRead) {
     }
 }
 
+// Rocks from g/10 on, below all levels.
+std::string const slender =
+    "[[bodies]]\nname='type-b'\nmass='12.6 t'\nbase_width='0.2 m'\ncentre_height='1 m'\ninertia='uniform-block'\n";
+
 // Trials whose proportions are those of a lognormal curve, so that curve, stripes and the closed form agree.
 class Frequency : public ::testing::Test {
   protected:
     Frequency() : Frequency(std::nullopt) {}
     /// \param above what became of every 40th wave at the highest levels; nothing: what the curve says
     explicit Frequency(std::optional<Verdict> above)
-        : spec(testing::campaign_from(testing::quick_waves + testing::type_b
+        : spec(testing::campaign_from(testing::quick_waves + slender
                                       + "[levels]\nmeasure='pga'\nvalues={from=2, to=18, count=17}\n")),
           statistics(spec) {
         LognormalFragility const truth{6, 0.4};
@@ -132,6 +136,29 @@ TEST_F(Frequency, IsThatOfTheCurveAndWithinTheStripes) {
     EXPECT_NEAR(with.fractiles->median / mean, 1, 1e-9);
     EXPECT_NEAR(with.fractiles->high / with.fractiles->median, std::exp(3 * 1.6448536 * 0.3), 0.02);
     EXPECT_NEAR(with.fractiles->median / with.fractiles->low, std::exp(3 * 1.6448536 * 0.3), 0.02);
+}
+
+// Motions below uplift move nothing: how far down the user's table goes changes no bound, and where no such level is
+// known the part of what is weaker than all levels is told.
+TEST_F(Frequency, WeakMotionsOfTheTableAreNoRisk) {
+    HazardCurve const from_uplift({{0.5, 1e-2}, {50, 1e-8}});
+    HazardCurve const from_nothing({{0.005, 1e4}, {50, 1e-8}});  // the same power law
+    auto const analysis = analyse(spec, statistics, {.confidence = 0.95, .beta_u = 0, .replicates = 50});
+    auto const least = frequencies_of(spec, statistics, analysis, from_uplift, 0.95).front();
+    auto const most = frequencies_of(spec, statistics, analysis, from_nothing, 0.95).front();
+    EXPECT_NEAR(most.nothing_below, g0 * 0.1, 1e-12);
+    EXPECT_NEAR(most.seen.upper / least.seen.upper, 1, 1e-9);
+    double const weak = from_nothing.annual_exceedance(g0 * 0.1) - from_nothing.annual_exceedance(2);
+    EXPECT_NEAR(most.seen_below_levels / (clopper_pearson(1, 200, 0.95).upper * weak), 1, 1e-9);
+
+    auto factors = testing::campaign_from(testing::quick_waves + slender
+                                          + "[levels]\nmeasure='pgv'\nvalues={from=2, to=18, count=17}\n");
+    auto const unknown = frequencies_of(factors, statistics, analysis, from_nothing, 0.95).front();
+    EXPECT_EQ(unknown.nothing_below, 0);
+    double const weaker = 1e4 - from_nothing.annual_exceedance(2);
+    EXPECT_NEAR(unknown.seen_below_levels / (clopper_pearson(1, 200, 0.95).upper * weaker), 1, 1e-9);
+    auto const text = frequency_table(factors, {unknown}, from_nothing, 0.95);
+    EXPECT_NE(text.find("by motions weaker than all levels"), std::string::npos) << text;
 }
 
 // Trials without a verdict: the frequency holds whatever they would have done.

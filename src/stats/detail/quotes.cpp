@@ -101,8 +101,6 @@ void quote_curve(QuotedProbability& quoted, FragilityFit const& fit, FragilityDa
         bool const excluded = p < ends.lower || p > ends.upper;
         if (poor || excluded) {
             quote_neighbours(quoted);
-        }
-        if (excluded) {
             quoted.probability.reset();
             quoted.in_tail = false;
             return;
