@@ -232,7 +232,7 @@ class Page:
         held = all(row[3] == 0 for row in wrong[1:] if row[1] == "cm")
         self.item("Eq. 6: V_WES < V_Ereq does not overturn", "", REPRODUCED if held else DIFFERS,
                   "conservative with R in centimetres, in this sample by 1.6 and more (with scattered bodies in campaigns/margin.toml the "
-                  "least is 1.12); not with metres", rows=wrong)
+                  "least is 1.17); not with metres", rows=wrong)
 
     def axes(self):
         study = Study(self.folder / "axes.h5")
