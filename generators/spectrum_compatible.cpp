@@ -23,7 +23,8 @@ constexpr std::array line_amplitudes{
 };
 
 constexpr config::Keys matched_target_keys{
-    config::number_key("longest", Dimension::time, {.low = 0.2, .high = 20}, "longest period that is matched; waves hold next to nothing beyond 1.5 times it")
+    config::number_key("longest", Dimension::time, {.low = 0.2, .high = 20},
+                       "longest period that is matched; waves hold next to nothing beyond 1.5 times it")
         .otherwise_said("the least of 10 s, the target's last period and the duration")};
 constexpr config::KeyTable matched_target_table{
     .meaning = "the response spectrum that waves follow", .keys = matched_target_keys.all, .also = {&target_table}};

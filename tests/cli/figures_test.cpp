@@ -139,9 +139,9 @@ TEST_F(Figures, HistoriesDrawWhatTheTrialWas) {
         EXPECT_NEAR(peak(drawn["wave"][0]["values"]), row.amplitude, 1e-9 * row.amplitude) << trial;
         EXPECT_NEAR(peak(drawn["v_wes"]["values"]), row.v_wes, 1e-9 * row.v_wes) << trial;
         EXPECT_EQ(drawn["v_ereq_mps"], row.v_ereq) << trial;
-        // Instants are up to a sample of 0.02 s apart: the peak between them is a little higher, of small rotations by what
-        // the body turns from rest within half a sample, at p^2 (tan(alpha) + a / g) or less. What falls is followed beyond
-        // the critical angle, how far is stored of none.
+        // Instants are up to a sample of 0.02 s apart: the peak between them is a little higher, of small rotations by
+        // what the body turns from rest within half a sample, at p^2 (tan(alpha) + a / g) or less. What falls is
+        // followed beyond the critical angle, how far is stored of none.
         constexpr double between = 0.98;
         constexpr double p2 = 7;  // of these bodies at most
         double const turn = 0.5 * 0.01 * 0.01 * p2 * (1 + row.amplitude / g0);

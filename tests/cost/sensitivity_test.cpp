@@ -19,8 +19,8 @@ namespace {
 
 using testing::input_from;
 
-// Sixteen waves of noise, no two of one PGA, at factors of them: P(uplift) rises from 0 to 1. (What passes its threshold
-// by a thousandth rotates by 1e-10 alpha.)
+// Sixteen waves of noise, no two of one PGA, at factors of them: P(uplift) rises from 0 to 1. (What passes its
+// threshold by a thousandth rotates by 1e-10 alpha.)
 std::string const text =
     "[waves]\nsource='spectrum-compatible'\ncount=16\nduration='20.48 s'\ntime_step='0.02 s'\nmatch='none'\n"
     "[waves.target]\nspectrum='mlit-ch1'\ntime_scale=0.632\n"

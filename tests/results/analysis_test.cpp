@@ -189,7 +189,8 @@ TEST_F(AnalysisOfRows, TheVerdictFollowsTheCounts) {
         << "what never left the ground is not counted";
 }
 
-// Dispersions are compared replicate by replicate; waves matched to one spectrum cannot tell measures apart at all.
+// Dispersions are compared replicate by replicate; waves matched to one spectrum cannot tell measures apart at
+// all.
 TEST_F(AnalysisOfRows, DispersionsAreComparedInPairs) {
     fill();
     auto body = analyse(spec, statistics, {})[1];
