@@ -52,7 +52,7 @@ void clamp_ends(std::span<double> c, std::span<double const> low_pass, std::size
 
 HighPassBaseline::HighPassBaseline(std::size_t samples, double time_step_s, double longest_s)
     : fft_(fft_length(samples, time_step_s, longest_s)),
-      per_span_(static_cast<double>(samples - 1) / static_cast<double>(fft_.length() / 2)) {
+      per_span_(2 * static_cast<double>(samples - 1) / static_cast<double>(fft_.length())) {
     constexpr std::size_t least = 3;  // the conditions at the ends take two cosines that are even, and two odd ones
     auto const nodes = fft_.length() / 2;
     double const duration_s = static_cast<double>(samples - 1) * time_step_s;
