@@ -69,7 +69,8 @@ std::vector<config::PlacedTable> chosen_tables(std::string const& path) {
 }
 
 int list_keys(ListOptions const& options) {
-    validate(options.named.size() < 2, "'{}' (one argument too many). Name one table", options.named.back());
+    validate(options.named.size() < 2, "'{}' (one argument too many). Name one table",
+             options.named.empty() ? "" : options.named.back());
     auto const tables = chosen_tables(options.named.empty() ? "" : options.named.front());
     validate(std::ranges::count(std::array{options.json, options.schema, options.markdown}, true) <= 1,
              "--json, --schema and --markdown (one page has one form). Keep one of them");
