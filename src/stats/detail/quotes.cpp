@@ -24,11 +24,6 @@ void quote_neighbours(QuotedProbability& quoted) {
     quoted.bounds = quoted.neighbours->bounds();
 }
 
-SeenBound seen_in(FragilityPoint const& point, double confidence) {
-    double const at = std::exp(point.log_intensity);
-    return {at, at, point.trials, point.overturned, interval_of(point, confidence)};
-}
-
 // The nearest points on both sides; nothing at a point, and outside all. \param points rising
 std::optional<Neighbours> neighbours_of(double log_intensity, std::span<FragilityPoint const> points,
                                         double confidence) {

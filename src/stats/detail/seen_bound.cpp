@@ -18,8 +18,7 @@ std::optional<SeenBound> next_stripe(double intensity, FragilityData const& data
         if (point.log_intensity < std::log(intensity) - same_intensity) {
             continue;
         }
-        double const at = std::exp(point.log_intensity);
-        return SeenBound{at, at, point.trials, point.overturned, interval_of(point, confidence)};
+        return seen_in(point, confidence);
     }
     return std::nullopt;
 }
@@ -46,6 +45,11 @@ std::optional<SeenBound> next_trials(double intensity, FragilityData const& data
 }
 
 }  // namespace
+
+SeenBound seen_in(FragilityPoint const& point, double confidence) {
+    double const at = std::exp(point.log_intensity);
+    return {at, at, point.trials, point.overturned, interval_of(point, confidence)};
+}
 
 std::optional<SeenBound> seen_from(double intensity, FragilityData const& data, double confidence) {
     return data.kind == FragilityData::Kind::stripes ? next_stripe(intensity, data, confidence)
