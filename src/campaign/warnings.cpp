@@ -173,12 +173,13 @@ void add_motions(CampaignSpec const& spec, Lines& lines) {
 
 std::string warning_of_alike_waves(CampaignSpec const& spec) {
     auto const alike = spec.source->waves_alike();
-    return alike == 1 ? std::string()
-                      : fmt::format(
-                          "{} waves in a row share what was drawn: bootstraps resample them together, but the exact "
-                          "intervals of stripes count them as independent and are too narrow. State per_target = 1, or "
-                          "read the curves",
-                          alike);
+    return alike == 1
+               ? std::string()
+               : fmt::format(
+                   "{0} waves in a row share what was drawn: bootstraps resample them together, and intervals of "
+                   "proportions count {0} as one, which is wider than need be where they differ. As many waves "
+                   "that share nothing (per_target = 1, targets_per_event = 1) tell more",
+                   alike);
 }
 
 std::vector<std::string> warnings_of(BodySpec const& body) {

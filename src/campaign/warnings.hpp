@@ -11,7 +11,7 @@ namespace overturn {
 /// One line each, without "warning: ". Nothing here is an error: a study may want it.
 [[nodiscard]] std::vector<std::string> warnings_of(CampaignSpec const& spec);
 
-/// Waves that share what was drawn, and what that does to exact intervals; empty where none do.
+/// Waves that share what was drawn, and what that does to intervals; empty where none do.
 [[nodiscard]] std::string warning_of_alike_waves(CampaignSpec const& spec);
 
 /// Of one body: sizes, mass and inertia that hardly belong together.

@@ -61,12 +61,29 @@ Json neighbours_json(QuotedProbability const& q, FragilityFit const& fit) {
         return nullptr;
     }
     auto const stripe = [&](SeenBound const& seen) -> Json {
+        if (seen.units == 0) {  // none were tried on that side
+            return nullptr;
+        }
         return {{"amplitude", seen.from},
+                {"to", seen.to},
                 {"trials", seen.units},
                 {passed_key(fit), seen.overturned},
                 {"observed_interval", ends(seen.probability)}};
     };
     return {{"below", stripe(q.neighbours->below)}, {"above", stripe(q.neighbours->above)}};
+}
+
+// Several stripes together, if P does not fall: at most `upper` at `from`, at least `lower` at `to`.
+Json pooled_json(std::optional<SeenBound> const& pooled, FragilityFit const& fit) {
+    if (!pooled) {
+        return nullptr;
+    }
+    return {{"from", pooled->from},
+            {"to", pooled->to},
+            {"trials", pooled->units},
+            {passed_key(fit), pooled->overturned},
+            {"lower", pooled->probability.lower},
+            {"upper", pooled->probability.upper}};
 }
 
 Json quotes_json(MeasuredFragility const& measured) {
@@ -85,6 +102,7 @@ Json quotes_json(MeasuredFragility const& measured) {
                         {passed_key(measured.fit), q.overturned},
                         {"observed", or_null(q.trials > 0, q.trials > 0 ? q.overturned / q.trials : 0)},
                         {"observed_interval", or_null(q.trials > 0, ends(q.seen))},
+                        {"pooled", pooled_json(q.pooled, measured.fit)},
                         {"neighbours", neighbours_json(q, measured.fit)},
                         {"outside_data", q.outside_data},
                         {"in_tail", q.in_tail},
@@ -104,19 +122,6 @@ Json bound_json(FragilityFit const& fit) {
             {"units", fit.bound->units},
             {"lower", or_null(!none, fit.bound->probability.lower)},
             {"upper", or_null(!all, fit.bound->probability.upper)}};
-}
-
-// Several stripes together, if P does not fall: at most `upper` at `from`, at least `lower` at `to`.
-Json pooled_json(FragilityFit const& fit) {
-    if (!fit.pooled) {
-        return nullptr;
-    }
-    return {{"from", fit.pooled->from},
-            {"to", fit.pooled->to},
-            {"trials", fit.pooled->units},
-            {passed_key(fit), fit.pooled->overturned},
-            {"lower", fit.pooled->probability.lower},
-            {"upper", fit.pooled->probability.upper}};
 }
 
 Json goodness_json(FragilityFit const& fit) {
@@ -203,7 +208,7 @@ Json fragility_json(std::string const& body, MeasuredFragility const& measured, 
     json["isotonic_median"] = or_null(fit.trials > 0, intensity_ends(fit.isotonic_median));
     json["penalised"] = line_json(fit.penalised);
     json["bound"] = bound_json(fit);
-    json["pooled"] = pooled_json(fit);
+    json["pooled"] = pooled_json(fit.pooled, fit);
     json["probabilities"] = quotes_json(measured);
     json["rank_area"] = number(measured.rank_area);
     json["rank_interval"] = or_null(std::isfinite(measured.rank_area), ends(measured.rank_interval));

@@ -33,7 +33,8 @@ double width_at(Stripe const& stripe, double share, double confidence) {
         return static_cast<std::int64_t>(std::llround(share * static_cast<double>(count)));
     };
     auto const decided = scaled(stripe.decided());
-    return width_of(clopper_pearson(std::min(scaled(stripe.overturned), decided), decided, confidence));
+    auto const overturned = std::min(scaled(stripe.overturned), decided);
+    return width_of(clopper_pearson_of_groups(overturned, overturned, decided, stripe.alike, confidence));
 }
 
 }  // namespace

@@ -97,16 +97,23 @@ def probability(quoted):
 
 
 def between(report, quoted, limit):
-    """What the stripes on both sides saw, where they bound P."""
+    """What was seen on both sides, or on the one where anything was tried, where that bounds P."""
     if quoted["bounds_from"] != "neighbours":
         return ""
-    return " and ".join(f"{stripe[passed(limit)]:g} of {stripe['trials']:g} at {report.amplitude(stripe['amplitude'])}"
-                        for stripe in (quoted["neighbours"]["below"], quoted["neighbours"]["above"])) + " seen"
+    sides = [side for side in (quoted["neighbours"]["below"], quoted["neighbours"]["above"]) if side]
+    return " and ".join(f"{side[passed(limit)]:g} of {side['trials']:g} at {report.amplitude(side['amplitude'])}"
+                        + (f" to {report.amplitude(side['to'])}" if side["to"] > side["amplitude"] else "") for side in sides) + " seen"
+
+
+def above(report, quoted, limit):
+    """What further stripes next above saw that bound P better than the one right there."""
+    pooled = quoted["pooled"] if not quoted["bound"] else None
+    return f"{pooled[passed(limit)]:g} of {pooled['trials']:g} up to {report.amplitude(pooled['to'])}" if pooled else ""
 
 
 def remarks(report, quoted, limit):
     bound = quoted["bound"]
-    words = [between(report, quoted, limit),
+    words = [between(report, quoted, limit), above(report, quoted, limit),
              f"{bound[passed(limit)]:g} of {bound['units']:g} seen; {bound['reason']}" if bound else "",
              "outside the data" if quoted["outside_data"] else "", "tail: may err to either side" if quoted["in_tail"] else ""]
     return ", ".join(word for word in words if word)

@@ -95,7 +95,7 @@ class Analyst {
             body.criterion.push_back(
                 {measure, unit,
                  study_criterion(statistics_.measured().criterion_trials(static_cast<std::int64_t>(b), measure),
-                                 options_.confidence)});
+                                 options_.confidence, alike())});
             if (is_grid_) {
                 keep_counts(body.criterion.back().study);
             }
@@ -134,7 +134,11 @@ class Analyst {
         return fit_fragility(data, request);
     }
 
-    [[nodiscard]] bool shared() const { return !spec_.levels.independent_waves && spec_.levels.levels.size() > 1; }
+    // Has one wave, or have waves that are alike, several trials?
+    [[nodiscard]] bool shared() const {
+        return alike() > 1 || (!spec_.levels.independent_waves && spec_.levels.levels.size() > 1);
+    }
+    [[nodiscard]] std::int64_t alike() const { return static_cast<std::int64_t>(spec_.source->waves_alike()); }
     [[nodiscard]] FragilityRequest request_of(std::size_t b, std::size_t limit,
                                               std::optional<BetaSplit> const& split) const {
         FragilityRequest request;
@@ -162,7 +166,7 @@ class Analyst {
         auto const body = static_cast<std::int64_t>(b);
         auto open = measured.open(body, measure, limit);
         auto const lost = measured.left_out(body, measure, limit) - static_cast<std::int64_t>(open.size());
-        auto data = FragilityData::of_trials(std::move(trials), shared(), std::move(open), lost);
+        auto data = FragilityData::of_trials(std::move(trials), shared(), std::move(open), lost, alike());
         data.waves_left_out = measured.passed_by() > 0;
         return fit_fragility(data, request);
     }

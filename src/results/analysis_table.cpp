@@ -70,23 +70,47 @@ std::string curve_text(double least, double p) {
     return p < least ? fmt::format("value below {:.2g}", least) : fmt::format("{:.2g}", p);
 }
 
+std::string where_text(MeasuredFragility const& m, SeenBound const& seen) {
+    return seen.from == seen.to ? m.told.text(seen.from)
+                                : fmt::format("{:.4g} to {}", m.told.of(seen.from), m.told.text(seen.to));
+}
+
 // The exact bound that is left where the curve speaks of less than the trials hold.
 std::string bound_text(MeasuredFragility const& m, QuotedProbability const& q) {
+    if (!q.bound && q.least <= *q.curve) {
+        return "no bound (no curve describes the data, and P does not rise throughout)";
+    }
     auto const why = fmt::format(
         "a P below {:.2g}, a tenth of one in the trials there or next above, is not theirs to tell", q.least);
     if (!q.bound) {
         return fmt::format("no bound (no trial there or above; {})", why);
     }
-    auto const where = q.bound->from == q.bound->to
-                           ? m.told.text(q.bound->from)
-                           : fmt::format("{:.4g} to {}", m.told.of(q.bound->from), m.told.text(q.bound->to));
-    return fmt::format("below {:.3g} ({:g} of {:g} at {}; {})", q.bound->probability.upper, q.bound->overturned,
-                       q.bound->units, where, why);
+    return fmt::format("below {:.3g} ({} at {}; {})", q.bound->probability.upper, counts_text(*q.bound),
+                       where_text(m, *q.bound), why);
+}
+
+// Behind an interval of a proportion.
+std::string exact_text(double alike) {
+    return alike > 1 ? fmt::format(" counting {:g} trials as one", alike) : std::string(" exact");
 }
 
 std::string neighbours_text(MeasuredFragility const& m, Neighbours const& n) {
-    return fmt::format(", {:g} of {:g} seen at {} and {:g} of {:g} at {}", n.below.overturned, n.below.units,
-                       m.told.text(n.below.from), n.above.overturned, n.above.units, m.told.text(n.above.from));
+    std::vector<std::string> seen;
+    for (auto const* side : {&n.below, &n.above}) {
+        if (side->units > 0) {
+            seen.push_back(fmt::format("{:g} of {:g} {}at {}", side->overturned, side->units,
+                                       seen.empty() ? "seen " : "", where_text(m, *side)));
+        }
+    }
+    return fmt::format(", {}", fmt::join(seen, " and "));
+}
+
+// What was seen right there, and next above where nothing was either.
+std::string stripe_text(MeasuredFragility const& m, QuotedProbability const& q) {
+    auto const more = q.pooled ? fmt::format(", {:g} of {:g} up to {}", q.pooled->overturned, q.pooled->units,
+                                             m.told.text(q.pooled->to))
+                               : std::string();
+    return fmt::format(", {:g} of {:g} seen there{}", q.overturned, q.trials, more);
 }
 
 std::string quote_line(MeasuredFragility const& m, QuotedProbability const& q) {
@@ -103,15 +127,15 @@ std::string quote_line(MeasuredFragility const& m, QuotedProbability const& q) {
     auto const rejected = q.curve && q.probability != q.curve
                               ? fmt::format(" (the curve's {} is not believed)", curve_text(q.least, *q.curve))
                               : std::string();
-    auto const seen = q.trials > 0 ? fmt::format(", {:g} of {:g} seen there", q.overturned, q.trials)
+    auto const seen = q.trials > 0                     ? stripe_text(m, q)
                       : q.source == Source::neighbours ? neighbours_text(m, *q.neighbours)
                                                        : std::string();
     auto const bounds = q.source == Source::none ? std::string("no bound")
                                                  : fmt::format("[{:.3g}, {:.3g}]{}", q.bounds.lower, q.bounds.upper,
-                                                               q.source != Source::curve ? " exact"
+                                                               q.source != Source::curve ? exact_text(m.fit.alike)
                                                                : has(m.fit.flags, FragilityFlag::poor_fit)
                                                                    ? " by a curve that does not describe the data"
-                                                                   : "");
+                                                                   : std::string());
     return fmt::format("  P at {}: {} {}{}{}{}{}\n", at, p, bounds, seen, rejected,
                        q.outside_data ? ", outside the data" : "", q.in_tail ? ", in the tail" : "");
 }
@@ -180,10 +204,12 @@ std::string verdict_text(CriterionVerdict const& verdict) {
 
 // Curves of all limit states, and the responses per level.
 std::string curves_text(BodyAnalysis const& body, double confidence) {
-    auto text = fmt::format("\n{}: curves from {} waves, {}\n", body.body, body.over_levels().fit.waves,
-                            body.over_levels().fit.method == FragilityFit::Method::bootstrap_by_waves
-                                ? "ends by resampling them"
-                                : "ends by profile likelihood");
+    auto const& levels = body.over_levels().fit;
+    auto const of = levels.alike > 1 ? fmt::format("groups of {:g} waves that share what was drawn", levels.alike)
+                                     : std::string("waves");
+    auto text = fmt::format("\n{}: curves from {} {}, {}\n", body.body, levels.waves, of,
+                            levels.method == FragilityFit::Method::bootstrap_by_waves ? "ends by resampling them"
+                                                                                      : "ends by profile likelihood");
     text += fmt::format("  waves differ by {}\n", body.variability);
     text += fragility_table(body.fragility, confidence);
     for (auto const& limit : body.limits) {

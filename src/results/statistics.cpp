@@ -27,7 +27,8 @@ Statistics::Statistics(CampaignSpec const& spec)
         BodyStatistics statistics;
         statistics.body = body.name;
         for (auto const& level : spec.levels.levels) {
-            statistics.stripes.push_back({.amplitude = level.value});
+            statistics.stripes.push_back(
+                {.amplitude = level.value, .alike = static_cast<std::int64_t>(spec.source->waves_alike())});
         }
         statistics.limits.resize(spec.limits.size() - 1, {statistics.stripes, 0, 0});
         statistics.v_wes.resize(statistics.stripes.size());

@@ -54,7 +54,8 @@ std::vector<BodiesTogether> bodies_together(CampaignSpec const& spec, Statistics
     }
     for (std::size_t limit = 0; limit < spec.limits.size(); ++limit) {
         together.push_back({spec.limits[limit].name, spec.limits[limit].passing(),
-                            study_joint(joint_trials(spec, statistics.measured(), limit))});
+                            study_joint(joint_trials(spec, statistics.measured(), limit),
+                                        static_cast<std::int64_t>(spec.source->waves_alike()))});
     }
     return together;
 }

@@ -7,8 +7,8 @@
 
 namespace overturn {
 
-Share share_of(std::int64_t count, std::int64_t of, double confidence) {
-    return {count, of, clopper_pearson(count, of, confidence)};
+Share share_of(std::int64_t count, std::int64_t of, double confidence, std::int64_t alike) {
+    return {count, of, clopper_pearson_of_groups(count, count, of, alike, confidence)};
 }
 
 std::optional<RatioQuantiles> ratio_quantiles(std::vector<double> ratios) {
@@ -26,7 +26,7 @@ std::optional<RatioQuantiles> ratio_quantiles(std::vector<double> ratios) {
                           ratios.back()};
 }
 
-CriterionStudy study_criterion(std::span<CriterionTrial const> trials, double confidence) {
+CriterionStudy study_criterion(std::span<CriterionTrial const> trials, double confidence, std::int64_t alike) {
     CriterionStudy study;
     std::vector<double> overturned;
     std::map<std::int64_t, double> first, highest;
@@ -51,11 +51,11 @@ CriterionStudy study_criterion(std::span<CriterionTrial const> trials, double co
         }
     }
     auto const& c = study.counts;
-    study.safe_but_overturned = share_of(c.false_safe, c.false_safe + c.true_safe, confidence);
-    study.overturned_said_safe = share_of(c.false_safe, c.false_safe + c.true_overturn, confidence);
-    study.unsafe_but_stood = share_of(c.false_alarm, c.false_alarm + c.true_overturn, confidence);
-    study.stood_said_unsafe = share_of(c.false_alarm, c.false_alarm + c.true_safe, confidence);
-    study.safe_uplifted_but_overturned = share_of(c.false_safe, uplifted, confidence);
+    study.safe_but_overturned = share_of(c.false_safe, c.false_safe + c.true_safe, confidence, alike);
+    study.overturned_said_safe = share_of(c.false_safe, c.false_safe + c.true_overturn, confidence, alike);
+    study.unsafe_but_stood = share_of(c.false_alarm, c.false_alarm + c.true_overturn, confidence, alike);
+    study.stood_said_unsafe = share_of(c.false_alarm, c.false_alarm + c.true_safe, confidence, alike);
+    study.safe_uplifted_but_overturned = share_of(c.false_safe, uplifted, confidence, alike);
     auto const by_waves = [&](std::map<std::int64_t, bool> const& waves) {
         auto const fell = std::count_if(waves.begin(), waves.end(), [](auto const& w) { return w.second; });
         return share_of(fell, static_cast<std::int64_t>(waves.size()), confidence);

@@ -26,7 +26,8 @@ struct Share {
 
     [[nodiscard]] double value() const { return static_cast<double>(count) / static_cast<double>(of); }
 };
-[[nodiscard]] Share share_of(std::int64_t count, std::int64_t of, double confidence);
+/// \param alike so many of them share what was drawn, and count as one in the interval
+[[nodiscard]] Share share_of(std::int64_t count, std::int64_t of, double confidence, std::int64_t alike = 1);
 
 /// Quantiles of the ratio; empty if there was no trial of that kind.
 struct RatioQuantiles {
@@ -50,6 +51,8 @@ struct CriterionStudy {
     std::optional<RatioQuantiles> first_overturning;  ///< of each wave the lowest ratio that overturned
     std::optional<RatioQuantiles> highest_standing;   ///< of each wave the highest ratio that stood
 };
-[[nodiscard]] CriterionStudy study_criterion(std::span<CriterionTrial const> trials, double confidence);
+/// \param alike so many waves share what was drawn, and are one `wave` of the trials
+[[nodiscard]] CriterionStudy study_criterion(std::span<CriterionTrial const> trials, double confidence,
+                                             std::int64_t alike = 1);
 
 }  // namespace overturn

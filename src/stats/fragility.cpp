@@ -41,6 +41,7 @@ void describe(FragilityFit& fit, FragilityData const& data) {
     if (data.points.empty()) {
         return;
     }
+    fit.alike = data.points.front().alike;
     fit.lowest = std::exp(data.points.front().log_intensity);
     fit.highest = std::exp(data.points.back().log_intensity);
     raise_if(fit, data.points.size() == 2, FragilityFlag::two_levels);
@@ -178,10 +179,13 @@ FragilityData FragilityData::of_stripes(std::span<Stripe const> stripes) {
 }
 
 FragilityData FragilityData::of_trials(std::vector<SingleTrial> trials, bool waves_shared,
-                                       std::vector<SingleTrial> open, std::int64_t lost) {
+                                       std::vector<SingleTrial> open, std::int64_t lost, std::int64_t alike) {
     FragilityData data;
     data.kind = Kind::singles;
     data.points = points_of(trials, most_cells);
+    for (auto& point : data.points) {
+        point.alike = static_cast<double>(alike);
+    }
     data.open_points = points_of(open, most_cells);
     for (auto& point : data.open_points) {
         point = {point.log_intensity, 0, 0, point.trials};
@@ -260,13 +264,9 @@ FragilityFit fit_fragility(FragilityData const& data, FragilityRequest const& re
         fit_line(fit, data, request);
     }
     fit.pooled = pooled_bound(data, fit, request.confidence);
-    for (auto& quoted : fit.quotes) {  // no curve after all: what was seen is all there is
-        if (!fit.identifiable() && quoted.trials > 0) {
-            quoted.source = QuotedProbability::Source::stripe;
-            quoted.bounds = quoted.seen;
-        } else if (!fit.identifiable() && quoted.neighbours) {
-            quoted.source = QuotedProbability::Source::neighbours;
-            quoted.bounds = quoted.neighbours->bounds();
+    for (auto& quoted : fit.quotes) {
+        if (!fit.identifiable()) {
+            quote_without_curve(quoted, fit, data, request.confidence);
         }
     }
     judge(fit, data, request.confidence);

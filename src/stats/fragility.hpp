@@ -54,14 +54,15 @@ struct FragilityData {
     std::vector<SingleTrial> trials;
     std::vector<SingleTrial> open;            ///< those without a verdict, where they were tried
     std::vector<FragilityPoint> open_points;  ///< the same counted: only `undecided` is not 0
-    bool waves_shared = false;                ///< one wave has trials at several intensities
+    bool waves_shared = false;                ///< one wave, or waves that are alike, have several trials
     bool waves_left_out = false;              ///< `trials` are the first of more than are held
 
     [[nodiscard]] static FragilityData of_stripes(std::span<Stripe const> stripes);
     /// Single trials of a continuous measure. \param open those without a verdict; \param lost further ones, whose
-    /// measure is not known
+    /// measure is not known \param alike so many trials share what was drawn
     [[nodiscard]] static FragilityData of_trials(std::vector<SingleTrial> trials, bool waves_shared,
-                                                 std::vector<SingleTrial> open = {}, std::int64_t lost = 0);
+                                                 std::vector<SingleTrial> open = {}, std::int64_t lost = 0,
+                                                 std::int64_t alike = 1);
 };
 
 /// Where P is wanted.
@@ -86,14 +87,15 @@ struct FragilityRequest {
     BootstrapKey bootstrap;
 };
 
-/// What trials at some intensities say of P there.
+/// What trials at some intensities say of P there, and of P below or above them if it does not fall.
 struct SeenBound {
     double from = 0, to = 0;           ///< intensities
-    double units = 0, overturned = 0;  ///< trials; distinct waves where single trials share them
+    double units = 0, overturned = 0;  ///< trials; distinct waves where single trials share them; no units: none there
     Interval probability;
+    double alike = 1;  ///< so many units share what was drawn
 };
 
-/// The nearest stripes on either side of an intensity.
+/// The nearest stripes (or tenths of the single trials) on either side of an intensity; outside all, on one.
 struct Neighbours {
     SeenBound below, above;
 
@@ -117,7 +119,11 @@ struct QuotedProbability {
     Source source = Source::none;
     double trials = 0, overturned = 0;  ///< seen right there
     Interval seen;                      ///< their exact interval
+    /// Where nothing overturned there, nor at further stripes next above, and they share no waves: all of them. P rises
+    /// with the intensity, so that they bound it better than the trials right there alone.
+    std::optional<SeenBound> pooled;
     /// Between two stripes: P, which rises with the intensity, lies from the lower end below to the upper end above.
+    /// Elsewhere only where no curve describes the data.
     std::optional<Neighbours> neighbours;
     bool outside_data = false;  ///< below or above all intensities that were tried
     bool in_tail = false;       ///< P below a tenth of the lowest proportion that is not zero
@@ -137,19 +143,13 @@ struct BandPoint {
 /// The decided points with the undecided trials counted as fallen, or as standing.
 [[nodiscard]] std::vector<FragilityPoint> with_undecided(FragilityData const& data, bool fallen);
 
-/// The exact bound that is left where nothing, or everything, overturned.
-struct TailBound {
-    double from = 0, to = 0;  ///< intensities it was seen at
-    double units = 0;         ///< trials; distinct waves where single trials share them
-    Interval probability;
-};
-
 struct FragilityFit {
     FragilityState state = FragilityState::no_trials;
     Passing passing = Passing::overturned;
     FragilityFlags flags = 0;
     double trials = 0, overturned = 0, undecided = 0;
-    std::int64_t waves = 0;          ///< distinct; 0: not known
+    std::int64_t waves = 0;          ///< distinct, groups of alike ones as one; 0: not known
+    double alike = 1;                ///< waves that share what was drawn
     double lowest = 0, highest = 0;  ///< intensities that were tried: the curve is drawn solid between them
     double lowest_proportion = 0;    ///< of the lowest stripe (or tenth of the trials) in which anything overturned
 
@@ -172,7 +172,7 @@ struct FragilityFit {
     std::vector<PooledPoints> isotonic;
     Interval isotonic_median;
     std::optional<ProbitLine> penalised;  ///< Firth's fit of separated data
-    std::optional<TailBound> bound;       ///< nothing, or everything, overturned; or all that did lies at one end
+    std::optional<SeenBound> bound;       ///< nothing, or everything, overturned; or all that did lies at one end
     std::optional<SeenBound> pooled;  ///< of several stripes together: its upper end at `from`, its lower one at `to`
     bool beta_u_known = false;        ///< stated, or drawn and told apart from none
     double beta_u = 0;                ///< drawn and stated together
@@ -205,6 +205,8 @@ inline constexpr std::array told_confidences{0.05, 0.5, 0.95};
 
 /// "a grid of 15 frequencies is no sample: no curve"
 [[nodiscard]] std::string grid_text(std::int64_t waves);
+/// "3 of 200"; "3 of 200, counting 10 as one"
+[[nodiscard]] std::string counts_text(SeenBound const& seen);
 /// "fitted", "nothing-overturned" ("nothing-exceeded"), ...
 [[nodiscard]] std::string name_of(FragilityState state, Passing passing = Passing::overturned);
 /// Names of the flags that are set.

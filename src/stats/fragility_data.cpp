@@ -16,6 +16,7 @@ void add(FragilityPoint& to, FragilityPoint const& what) {
     to.trials = trials;
     to.overturned += what.overturned;
     to.undecided += what.undecided;
+    to.alike = std::max(to.alike, what.alike);
 }
 
 // The ends of what stood and of what overturned.
@@ -49,7 +50,8 @@ std::vector<FragilityPoint> points_of(std::span<Stripe const> stripes) {
         if (stripe.decided() > 0) {
             points.push_back({std::log(stripe.amplitude), static_cast<double>(stripe.decided()),
                               static_cast<double>(stripe.overturned),
-                              static_cast<double>(stripe.trials - stripe.decided())});
+                              static_cast<double>(stripe.trials - stripe.decided()),
+                              static_cast<double>(stripe.alike)});
         }
     }
     std::sort(points.begin(), points.end(),

@@ -23,8 +23,11 @@ struct FragilityPoint {
     double trials = 0;         ///< decided ones
     double overturned = 0;
     double undecided = 0;  ///< tried there without a verdict
+    double alike = 1;      ///< so many trials share what was drawn, and tell no more than one
 
     [[nodiscard]] double probability() const { return overturned / trials; }
+    /// Trials that are independent, at least.
+    [[nodiscard]] double groups() const { return trials / alike; }
 };
 
 /// Stripes that decided anything, rising.

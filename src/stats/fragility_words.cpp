@@ -38,6 +38,11 @@ std::string in_words(std::string text, Passing passing) {
     return text;
 }
 
+// Behind a number of trials that share what was drawn.
+std::string alike_text(double alike) {
+    return alike > 1 ? fmt::format(", counting {:g} as one", alike) : std::string();
+}
+
 std::string bound_text(FragilityFit const& fit, IntensityUnit const& unit, double confidence) {
     auto const& bound = *fit.bound;
     bool const none = fit.state == FragilityState::none_overturned;
@@ -47,9 +52,9 @@ std::string bound_text(FragilityFit const& fit, IntensityUnit const& unit, doubl
                                  ? none ? "no trial exceeded it" : "every trial exceeded it"
                              : none ? "nothing overturned"
                                     : "everything overturned";
-    return fmt::format("{}: no curve can be fitted; P {} {:.4g} at {} ({} of {:g}, {:g} %)", what,
+    return fmt::format("{}: no curve can be fitted; P {} {:.4g} at {} ({} of {:g}{}, {:g} %)", what,
                        none ? "<=" : ">=", none ? bound.probability.upper : bound.probability.lower, where,
-                       none ? "none" : "all", bound.units, 100 * confidence);
+                       none ? "none" : "all", bound.units, alike_text(bound.alike), 100 * confidence);
 }
 
 // What several stripes say together, if P does not fall.
@@ -57,9 +62,10 @@ std::string pooled_text(SeenBound const& pooled, IntensityUnit const& unit, doub
     auto const least = pooled.overturned > 0
                            ? fmt::format(" and at least {:.3g} at {}", pooled.probability.lower, unit.text(pooled.to))
                            : std::string();
-    return fmt::format("if P does not fall, it is at most {:.3g} at {}{} ({:g} of {:g} from there up, {:g} % each)",
-                       pooled.probability.upper, unit.text(pooled.from), least, pooled.overturned, pooled.units,
-                       100 * confidence);
+    return fmt::format("if P does not fall, it is at most {:.3g} at {}{} ({} from {:.4g} to {:.4g}, {:g} %{})",
+                       pooled.probability.upper, unit.text(pooled.from), least, counts_text(pooled),
+                       unit.of(pooled.from), unit.of(pooled.to), 100 * confidence,
+                       least.empty() ? "" : " for both together");
 }
 
 std::string bracket_text(Interval const& bracket, IntensityUnit const& unit) {
@@ -138,6 +144,10 @@ std::string IntensityUnit::text(double intensity) const {
 
 std::string grid_text(std::int64_t waves) {
     return fmt::format("a grid of {} {} is no sample: no curve", waves, waves == 1 ? "frequency" : "frequencies");
+}
+
+std::string counts_text(SeenBound const& seen) {
+    return fmt::format("{:g} of {:g}{}", seen.overturned, seen.units, alike_text(seen.alike));
 }
 
 std::string name_of(FragilityState state, Passing passing) {
@@ -228,8 +238,8 @@ std::vector<std::string> warnings_of(FragilityFit const& fit, IntensityUnit cons
                fmt::format("{:g} trials have no verdict and are left out of the curve{}", fit.undecided,
                            fit.identifiable() ? "; its intervals hold with all of them standing and all fallen" : ""));
     }
-    add_if(FragilityFlag::few_waves,
-           fmt::format("{} waves only: intervals from resampling them are too short", fit.waves));
+    add_if(FragilityFlag::few_waves, fmt::format("{} {} only: intervals from resampling them are too short", fit.waves,
+                                                 fit.alike > 1 ? "groups of waves" : "waves"));
     add_if(
         FragilityFlag::waves_left_out,
         fmt::format("resampled, and fitted but for stripes, are the first {} waves: the million trials that are held",

@@ -10,7 +10,7 @@ namespace overturn {
 namespace {
 
 struct Group {
-    double trials = 0, overturned = 0, expected = 0;
+    double trials = 0, overturned = 0, expected = 0;  // groups of alike trials count as one
 
     void add(Group const& other) {
         trials += other.trials;
@@ -45,12 +45,12 @@ std::vector<Group> filled(std::vector<Group> const& groups) {
     return pooled;
 }
 
-// Twice the smaller tail of the counts under the curve's P.
+// Twice the smaller tail of the counts under the curve's P; a part of a group counts towards what was expected.
 double tail_of(Group const& group) {
     double const p = group.expected / group.trials;
-    auto const n = static_cast<unsigned>(group.trials);
+    auto const n = static_cast<unsigned>(std::ceil(group.trials));
     auto const k = static_cast<unsigned>(group.overturned);
-    double const below = gsl_cdf_binomial_P(k, p, n);
+    double const below = gsl_cdf_binomial_P(static_cast<unsigned>(std::ceil(group.overturned)), p, n);
     double const above = k == 0 ? 1 : gsl_cdf_binomial_Q(k - 1, p, n);
     return std::min(1.0, 2 * std::min(below, above));
 }
@@ -65,8 +65,8 @@ GoodnessOfFit goodness_of_fit(std::span<FragilityPoint const> points, ProbitLine
     std::vector<Group> groups;
     double before = 0;
     for (auto const& point : points) {
-        Group const own{point.trials, point.overturned,
-                        point.trials * gsl_cdf_ugaussian_P(line.at(point.log_intensity))};
+        Group const own{point.groups(), point.overturned / point.alike,
+                        point.groups() * gsl_cdf_ugaussian_P(line.at(point.log_intensity))};
         if (!singles || groups.empty() || before >= share * static_cast<double>(groups.size())) {
             groups.push_back(own);
         } else {

@@ -11,7 +11,7 @@ namespace overturn {
 struct GoodnessOfFit {
     double deviance = 0;         ///< twice the log likelihood that the curve falls short of a free proportion per group
     int degrees_of_freedom = 0;  ///< groups less two; 0: nothing left to judge by
-    double p_value = 1;          ///< of so large a deviance by chance (chi squared); trials taken as independent
+    double p_value = 1;          ///< of so large a deviance by chance (chi squared)
     /// Of the stripe (or tenth of the trials) farthest from the curve: twice its exact binomial tail, times their
     /// number (Bonferroni). What pooling hides, a single overturning where the curve holds none, it finds.
     double stripe_p_value = 1;
@@ -20,8 +20,9 @@ struct GoodnessOfFit {
     [[nodiscard]] double least_p_value() const { return std::min(p_value, stripe_p_value); }
 };
 
-/// The deviance test. Single trials are put into ten groups (Hosmer & Lemeshow 1980); then neighbours are pooled until
-/// the curve expects at least one to fall and one to stand in each (Cochran 1954), since chi squared fails below.
+/// The deviance test; trials count as independent, groups of alike ones as one each (Rao & Scott 1984 with the largest
+/// design effect there is). Single trials are put into ten groups (Hosmer & Lemeshow 1980); then neighbours are pooled
+/// until the curve expects at least one to fall and one to stand in each (Cochran 1954), since chi squared fails below.
 [[nodiscard]] GoodnessOfFit goodness_of_fit(std::span<FragilityPoint const> points, ProbitLine const& line);
 
 }  // namespace overturn

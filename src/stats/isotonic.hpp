@@ -29,7 +29,8 @@ struct PooledPoints {
 struct MonotoneTest {
     double deviance = 0;         ///< of the isotonic estimate against a free one for every point
     int degrees_of_freedom = 0;  ///< points less pools; 0: the proportions rise throughout
-    double p_value = 1;          ///< of so much by chance, given the pools (Wollan & Dykstra 1986); trials independent
+    double p_value = 1;          ///< of so much by chance, given the pools (Wollan & Dykstra 1986); trials independent,
+                                 ///< groups of alike ones as one each
 };
 [[nodiscard]] MonotoneTest test_monotone(std::span<FragilityPoint const> points);
 

@@ -57,8 +57,8 @@ JointPair pair_of(Levels const& levels, std::size_t a, std::size_t b) {
     return pair;
 }
 
-Stripe any_of(double amplitude, std::vector<JointTrial const*> const& trials) {
-    Stripe stripe{.amplitude = amplitude};
+Stripe any_of(double amplitude, std::vector<JointTrial const*> const& trials, std::int64_t alike) {
+    Stripe stripe{.amplitude = amplitude, .alike = alike};
     for (auto const* trial : trials) {
         bool const fell = std::ranges::count(trial->ends, JointEnd::overturned) > 0;
         bool const open = std::ranges::count(trial->ends, JointEnd::undecided) > 0;
@@ -85,7 +85,7 @@ double independent(std::vector<JointTrial const*> const& trials) {
 
 }  // namespace
 
-JointBodies study_joint(std::span<JointTrial const> trials) {
+JointBodies study_joint(std::span<JointTrial const> trials, std::int64_t alike) {
     JointBodies joint;
     Levels levels;
     for (auto const& trial : trials) {
@@ -93,7 +93,7 @@ JointBodies study_joint(std::span<JointTrial const> trials) {
         levels[trial.amplitude].push_back(&trial);
     }
     for (auto const& [amplitude, here] : levels) {
-        joint.any.push_back(any_of(amplitude, here));
+        joint.any.push_back(any_of(amplitude, here, alike));
         joint.if_independent.push_back(independent(here));
     }
     auto const bodies = trials.empty() ? 0 : trials.front().ends.size();

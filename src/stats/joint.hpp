@@ -31,13 +31,13 @@ struct JointPair {
 
 struct JointBodies {
     /// Per level: trials of all bodies together, `overturned` if any did; undecided where none did and one was not
-    /// decided. Its interval is exact: waves are independent, bodies need not be.
+    /// decided. Its interval asks for independent waves, of bodies it asks nothing.
     std::vector<Stripe> any;
     std::vector<double> if_independent;  ///< 1 - product of (1 - P) of the bodies' own proportions; NaN: not known
     std::vector<JointPair> pairs;
 };
 
-/// \pre every trial has the same number of ends
-[[nodiscard]] JointBodies study_joint(std::span<JointTrial const> trials);
+/// \param alike so many waves share what was drawn \pre every trial has the same number of ends
+[[nodiscard]] JointBodies study_joint(std::span<JointTrial const> trials, std::int64_t alike = 1);
 
 }  // namespace overturn

@@ -10,8 +10,7 @@ double Stripe::probability() const {
 }
 
 Interval Stripe::interval(double confidence) const {
-    return {clopper_pearson(overturned, trials, confidence).lower,
-            clopper_pearson(overturned + trials - decided(), trials, confidence).upper};
+    return clopper_pearson_of_groups(overturned, overturned + trials - decided(), trials, alike, confidence);
 }
 
 void Confusion::add(bool said_safe, bool overturned) {

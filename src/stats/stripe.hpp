@@ -15,12 +15,13 @@ struct Stripe {
     std::int64_t overturned = 0;
     std::int64_t failed = 0;
     std::int64_t undecided = 0;  ///< besides those
+    std::int64_t alike = 1;      ///< so many trials share what was drawn, and count as one in the interval
 
     [[nodiscard]] std::int64_t decided() const { return trials - failed - undecided; }
     /// Overturned over decided; NaN where nothing is decided.
     [[nodiscard]] double probability() const;
     /// Clopper-Pearson bounds over all trials: the lower one as if every undecided body stood, the upper one as if it
-    /// fell.
+    /// fell. Of trials that are alike: clopper_pearson_of_groups.
     [[nodiscard]] Interval interval(double confidence) const;
 };
 

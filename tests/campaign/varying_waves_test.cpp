@@ -117,6 +117,17 @@ TEST(VaryingWaves, WavesOfATargetAreResampledTogetherAndThatIsSaid) {
         said = said || line.find("2 waves in a row share what was drawn") != std::string::npos;
     }
     EXPECT_TRUE(said);
+    auto const& stripe = statistics.bodies()[0].stripes[0];
+    EXPECT_EQ(stripe.trials, 4);
+    auto const two = clopper_pearson(stripe.overturned / 2, 2, 0.95);
+    EXPECT_EQ(stripe.interval(0.95).lower, two.lower) << "two targets, of whatever number of waves";
+    auto const analysis = analyse(spec, statistics, {});
+    EXPECT_EQ(analysis[0].over_levels().fit.alike, 2);
+    EXPECT_EQ(analysis[0].over_levels().fit.waves, 2);
+    EXPECT_EQ(analysis[0].over_levels().fit.method, FragilityFit::Method::bootstrap_by_waves);
+    for (auto const& fit : analysis[0].fragility) {
+        EXPECT_EQ(fit.fit.alike, 2) << fit.name;
+    }
 }
 
 TEST(VaryingWaves, BadPeriodsAreRefusedWithTheirPlace) {

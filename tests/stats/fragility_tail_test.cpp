@@ -139,6 +139,104 @@ TEST(Tail, StripesOfFewPoolUnderMonotonicity) {
     EXPECT_FALSE(fit_fragility(shared, {}).pooled) << "levels that share waves are no further trials";
 }
 
+/// A stripe that saw nothing is bounded by all that saw nothing next above it, if P rises and levels share no waves:
+/// none of 400 says more than none of 100. One that saw something ends the run.
+TEST(Tail, QuotesPoolWhatSawNothingNextAbove) {
+    auto const table = table_of({{1, 100, 0}, {2, 100, 0}, {3, 100, 0}, {4, 100, 0}, {6, 100, 30}, {8, 100, 80}});
+    auto const fit = fit_of(table, {{1, 1}, {2, 2}, {0.5, 0.5}, {1.5, 1.5}});
+    ASSERT_TRUE(fit.identifiable());
+    auto const none_of = [](std::int64_t n) { return clopper_pearson(0, n, 0.95).upper; };
+    EXPECT_EQ(fit.quotes[0].bounds.upper, none_of(400));
+    EXPECT_EQ(fit.quotes[0].seen.upper, none_of(100)) << "the stripe's own";
+    EXPECT_EQ(fit.quotes[0].pooled->to, std::exp(std::log(4.0)));
+    EXPECT_EQ(fit.quotes[1].bounds.upper, none_of(300));
+    EXPECT_EQ(fit.quotes[2].bounds.upper, none_of(400)) << "below all stripes";
+    EXPECT_EQ(fit.quotes[3].bounds.upper, none_of(300)) << "between two";
+
+    auto shared = FragilityData::of_stripes(table);
+    shared.waves_shared = true;
+    FragilityRequest request;
+    request.quotes = {{1, 1}};
+    EXPECT_EQ(fit_fragility(shared, request).quotes[0].bounds.upper, none_of(100)) << "the same waves again";
+    auto open = table;
+    open[1].undecided = 1;
+    EXPECT_EQ(fit_of(open, {{1, 1}}).quotes[0].bounds.upper, none_of(100)) << "what is open may have fallen";
+
+    auto const nothing = fit_of(table_of({{2, 100, 0}, {3, 100, 0}}), {{1, 0.5}, {2, 1}});
+    ASSERT_FALSE(nothing.identifiable());
+    EXPECT_EQ(nothing.quotes[0].bounds.upper, none_of(200));
+    EXPECT_EQ(nothing.quotes[1].bounds.upper, none_of(200));
+}
+
+/// Property: the run that is pooled is found in the data, and its end still misses P no oftener than 2.5 %.
+TEST(Tail, PooledRunsCover) {
+    constexpr int repetitions = 4000;
+    for (double const p : {0.004, 0.01, 0.03}) {
+        int missed = 0;
+        for (std::uint64_t r = 0; r < repetitions; ++r) {
+            RandomStream stream(12, r, Purpose::body_scatter);
+            std::vector<Stripe> stripes;
+            for (double const level : {1.0, 2.0, 3.0, 4.0, 5.0}) {
+                double const here = p * (1 + 0.02 * level);
+                stripes.push_back({.amplitude = level,
+                                   .trials = 100,
+                                   .overturned = static_cast<std::int64_t>(gsl_ran_binomial(stream.gsl(), here, 100))});
+            }
+            auto const fit = fit_of(stripes, {{1, 1}});
+            bool const bound = fit.quotes[0].source == QuotedProbability::Source::stripe;
+            missed += bound && fit.quotes[0].bounds.upper < 1.02 * p ? 1 : 0;
+        }
+        EXPECT_LE(missed, 0.025 * repetitions + 2.6 * std::sqrt(0.025 * repetitions)) << p;
+    }
+}
+
+/// Above the highest stripe, and below the lowest, a curve that does not describe the data tells no P: what is left is
+/// that P does not fall.
+TEST(Tail, OutsideTheStripesAPoorCurveTellsNothing) {
+    auto const plateau = table_of({{2, 500, 20}, {4, 500, 240}, {6, 500, 260}, {8, 500, 250}, {10, 500, 270}});
+    auto const fit = fit_of(plateau, {{1.9, 1}, {20, 2}});
+    ASSERT_TRUE(has(fit.flags, FragilityFlag::poor_fit) && !has(fit.flags, FragilityFlag::non_monotone));
+    for (auto const& quoted : fit.quotes) {
+        EXPECT_FALSE(quoted.probability);
+        EXPECT_EQ(quoted.source, QuotedProbability::Source::neighbours);
+    }
+    EXPECT_EQ(fit.quotes[0].bounds.lower, 0);
+    EXPECT_EQ(fit.quotes[0].bounds.upper, clopper_pearson(20, 500, 0.95).upper);
+    EXPECT_EQ(fit.quotes[1].bounds.lower, clopper_pearson(270, 500, 0.95).lower);
+    EXPECT_EQ(fit.quotes[1].bounds.upper, 1);
+    EXPECT_EQ(fit.quotes[1].neighbours->above.units, 0) << "nothing was tried there";
+
+    auto const falling = fit_of(table_of({{2, 500, 10}, {3, 500, 400}, {4, 500, 100}, {6, 500, 450}}), {{8, 2}});
+    ASSERT_TRUE(falling.identifiable() && has(falling.flags, FragilityFlag::non_monotone));
+    EXPECT_FALSE(falling.quotes[0].probability);
+    EXPECT_EQ(falling.quotes[0].source, QuotedProbability::Source::none) << "P fell once: it may fall again";
+}
+
+/// The same of single trials: tenths of them on either side, by waves, of which the upper end counts those with any
+/// trial fallen and the lower one those with all.
+TEST(Tail, SingleTrialsOnEitherSideBoundWhatAPoorCurveCannotTell) {
+    std::vector<SingleTrial> trials;
+    for (std::int64_t i = 0; i < 1000; ++i) {
+        double const at = 2 + 0.01 * static_cast<double>(i);
+        bool const plateau = i > 100 && i % 2 == 0;  // half of them from 3 on, nearly none below: no lognormal
+        trials.push_back({at, i / 2, plateau || i == 5});
+    }
+    FragilityRequest request;
+    request.quotes = {{7, 1}};
+    auto const fit = fit_fragility(FragilityData::of_trials(trials, true), request);
+    ASSERT_TRUE(has(fit.flags, FragilityFlag::poor_fit));
+    auto const& quoted = fit.quotes[0];
+    EXPECT_FALSE(quoted.probability);
+    ASSERT_TRUE(quoted.neighbours);
+    EXPECT_EQ(quoted.neighbours->below.to, 7);
+    EXPECT_EQ(quoted.neighbours->above.from, 7);
+    // A hundred trials each way: pairs of which one fell; the one at 7 itself is half a pair on the lower side.
+    EXPECT_EQ(quoted.neighbours->above.overturned, quoted.neighbours->above.units) << "each has a trial that fell";
+    EXPECT_LE(quoted.neighbours->below.overturned, 1) << "none has both";
+    EXPECT_NEAR(quoted.neighbours->below.units, 50, 1);
+    EXPECT_EQ(quoted.bounds.upper, 1);
+}
+
 /// Property: the pooled bound holds wherever P rises. 95 % of its ends cover P at the end they speak of, at least.
 TEST(Tail, PooledBoundsCover) {
     constexpr int repetitions = 2000;

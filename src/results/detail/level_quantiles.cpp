@@ -29,6 +29,7 @@ SampleQuantile with_falls(SampleQuantile quantile, double fallen) {
 std::vector<LevelQuantiles> level_quantiles(CampaignSpec const& spec, MeasuredTrials const& trials, std::size_t body,
                                             double confidence) {
     std::vector<LevelQuantiles> list;
+    auto const alike = static_cast<std::int64_t>(spec.source->waves_alike());
     auto const add = [&](LevelResponse response, char const* quantity, char const* units, double fallen) {
         auto const& levels = spec.levels.levels;
         auto by_level = trials.by_level(static_cast<std::int64_t>(body), response);
@@ -41,7 +42,7 @@ std::vector<LevelQuantiles> level_quantiles(CampaignSpec const& spec, MeasuredTr
             values.erase(known, values.end());
             std::sort(values.begin(), values.end());
             std::ranges::transform(quantile_shares, at.quantiles.begin(), [&](double share) {
-                return with_falls(sample_quantile(values, at.unknown, share, confidence), fallen);
+                return with_falls(sample_quantile(values, at.unknown, share, confidence, alike), fallen);
             });
             list.push_back(at);
         }

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
-#include <span>
 
 #include <gsl/gsl_cdf.h>
 
@@ -14,9 +12,16 @@ namespace overturn {
 namespace {
 
 constexpr double decade = 0.1;
+// Stripes of levels that share no waves, and that do not contradict a P that rises.
+bool may_pool(FragilityFit const& fit, FragilityData const& data) {
+    return data.kind == FragilityData::Kind::stripes && !data.waves_shared
+           && !has(fit.flags, FragilityFlag::non_monotone);
+}
+
 void quote_stripe(QuotedProbability& quoted) {
     quoted.source = QuotedProbability::Source::stripe;
     quoted.bounds = quoted.seen;
+    quoted.bounds.upper = quoted.pooled ? quoted.pooled->probability.upper : quoted.bounds.upper;
 }
 
 void quote_neighbours(QuotedProbability& quoted) {
@@ -24,21 +29,26 @@ void quote_neighbours(QuotedProbability& quoted) {
     quoted.bounds = quoted.neighbours->bounds();
 }
 
-// The nearest points on both sides; nothing at a point, and outside all. \param points rising
-std::optional<Neighbours> neighbours_of(double log_intensity, std::span<FragilityPoint const> points,
+// What was seen on either side, if anything was; outside all only where P does not fall beyond chance.
+std::optional<Neighbours> neighbours_of(double intensity, FragilityFit const& fit, FragilityData const& data,
                                         double confidence) {
-    auto const above = std::ranges::find_if(
-        points, [&](auto const& point) { return point.log_intensity > log_intensity - same_intensity; });
-    if (above == points.begin() || above == points.end() || above->log_intensity < log_intensity + same_intensity) {
-        return std::nullopt;
-    }
-    return Neighbours{seen_in(*std::prev(above), confidence), seen_in(*above, confidence)};
+    bool const pools = may_pool(fit, data);
+    auto const below = seen_up_to(intensity, data, pools, confidence);
+    auto const above = seen_from(intensity, data, pools, confidence);
+    bool const between = below && above;
+    bool const rises = !has(fit.flags, FragilityFlag::non_monotone);
+    return between || (rises && (below || above))
+               ? std::optional(Neighbours{below.value_or(SeenBound{}), above.value_or(SeenBound{})})
+               : std::nullopt;
 }
 
-// A tenth of one in the trials right there, or at the nearest intensities from there on; in all where there are none.
+// A tenth of one in the independent trials right there, or at the nearest intensities from there on; in all where there
+// are none.
 double least_share(QuotedProbability const& quoted, FragilityFit const& fit, std::optional<SeenBound> const& from) {
-    double const trials = quoted.trials > 0 ? quoted.trials : from && from->units > 0 ? from->units : fit.trials;
-    return decade / trials;
+    bool const nearest = quoted.trials == 0 && from && from->units > 0;
+    double const groups =
+        nearest ? from->units / from->alike : (quoted.trials > 0 ? quoted.trials : fit.trials) / fit.alike;
+    return decade / groups;
 }
 
 }  // namespace
@@ -47,8 +57,7 @@ Interval interval_of(FragilityPoint const& point, double confidence) {
     auto const passed = static_cast<std::int64_t>(point.overturned);
     auto const open = static_cast<std::int64_t>(point.undecided);
     auto const trials = static_cast<std::int64_t>(point.trials) + open;
-    return {clopper_pearson(passed, trials, confidence).lower,
-            clopper_pearson(passed + open, trials, confidence).upper};
+    return clopper_pearson_of_groups(passed, passed + open, trials, static_cast<std::int64_t>(point.alike), confidence);
 }
 
 QuotedProbability seen_at(Quote const& quote, FragilityFit const& fit, FragilityData const& data, double confidence) {
@@ -66,14 +75,18 @@ QuotedProbability seen_at(Quote const& quote, FragilityFit const& fit, Fragility
         quoted.trials = point.trials;
         quoted.overturned = point.overturned;
         quoted.seen = interval_of(point, confidence);
+        auto const from = seen_from(quote.intensity, data, may_pool(fit, data), confidence);
+        quoted.pooled = from && from->units > point.trials ? from : std::nullopt;
         bool const alike = point.overturned == 0 || point.overturned == point.trials;
         if (alike || fit.state != FragilityState::fitted) {
             quote_stripe(quoted);
         }
     }
-    quoted.neighbours = neighbours_of(std::log(quote.intensity), data.points, confidence);
-    if (quoted.neighbours && (quoted.neighbours->alike() || fit.state != FragilityState::fitted)) {
-        quote_neighbours(quoted);
+    if (quoted.trials == 0 && !quoted.outside_data) {
+        quoted.neighbours = neighbours_of(quote.intensity, fit, data, confidence);
+        if (quoted.neighbours && (quoted.neighbours->alike() || fit.state != FragilityState::fitted)) {
+            quote_neighbours(quoted);
+        }
     }
     return quoted;
 }
@@ -84,13 +97,23 @@ void quote_curve(QuotedProbability& quoted, FragilityFit const& fit, FragilityDa
     double const p = gsl_cdf_ugaussian_P(curve.line.at(std::log(at)));
     quoted.curve = quoted.probability = p;
     quoted.in_tail = p < decade * fit.lowest_proportion;
-    if (quoted.trials > 0 && (poor || p < quoted.seen.lower || p > quoted.seen.upper)) {
+    double const most = quoted.pooled ? quoted.pooled->probability.upper : quoted.seen.upper;
+    if (quoted.trials > 0 && (poor || p < quoted.seen.lower || p > most)) {
         quote_stripe(quoted);
         quoted.probability = quoted.overturned / quoted.trials;
         quoted.in_tail = false;
     }
-    auto const from = seen_from(at, data, confidence);
+    auto const from = seen_from(at, data, may_pool(fit, data), confidence);
     quoted.least = least_share(quoted, fit, from);
+    bool const nothing_near = quoted.trials == 0 && !quoted.neighbours;
+    if (nothing_near && poor && p >= quoted.least) {
+        quoted.neighbours = neighbours_of(at, fit, data, confidence);
+        if (!quoted.neighbours) {
+            quoted.probability.reset();
+            quoted.in_tail = false;
+            return;
+        }
+    }
     if (quoted.neighbours) {
         auto const ends = quoted.neighbours->bounds();
         bool const excluded = p < ends.lower || p > ends.upper;
@@ -110,6 +133,18 @@ void quote_curve(QuotedProbability& quoted, FragilityFit const& fit, FragilityDa
     } else if (quoted.source == QuotedProbability::Source::none) {
         quoted.source = QuotedProbability::Source::curve;
         quoted.bounds = curve.probability(at, fit.method, confidence);
+    }
+}
+
+void quote_without_curve(QuotedProbability& quoted, FragilityFit const& fit, FragilityData const& data,
+                         double confidence) {
+    if (quoted.trials > 0) {
+        quote_stripe(quoted);
+        return;
+    }
+    quoted.neighbours = neighbours_of(quoted.quote.intensity, fit, data, confidence);
+    if (quoted.neighbours) {
+        quote_neighbours(quoted);
     }
 }
 

@@ -9,7 +9,8 @@ namespace overturn {
 /// Two intensities this near [relative] are one.
 inline constexpr double same_intensity = 1e-9;
 
-/// Clopper-Pearson of counts, undecided trials standing for the lower end and fallen for the upper one.
+/// Clopper-Pearson of counts, groups of alike trials as one, undecided trials standing for the lower end and fallen for
+/// the upper one.
 [[nodiscard]] Interval interval_of(FragilityPoint const& point, double confidence);
 
 /// What the stripes say of it, before any curve.
@@ -17,9 +18,13 @@ inline constexpr double same_intensity = 1e-9;
                                         double confidence);
 
 /// What the curve adds, and where it is not believed: outside the exact interval of the stripe right there, or of what
-/// the stripes on both sides leave; where it describes the stripes poorly; and below what so few trials can hold.
+/// the stripes on both sides leave; where it describes the data poorly; and below what so few trials can hold.
 /// \param poor it fits poorly
 void quote_curve(QuotedProbability& quoted, FragilityFit const& fit, FragilityData const& data, CurveFit const& curve,
                  bool poor, double confidence);
+
+/// Where there is no curve after all, what was seen is all there is.
+void quote_without_curve(QuotedProbability& quoted, FragilityFit const& fit, FragilityData const& data,
+                         double confidence);
 
 }  // namespace overturn

@@ -13,47 +13,89 @@
 namespace overturn {
 namespace {
 
-std::optional<SeenBound> next_stripe(double intensity, FragilityData const& data, double confidence) {
-    for (auto const& point : data.points) {
-        if (point.log_intensity < std::log(intensity) - same_intensity) {
-            continue;
-        }
-        return seen_in(point, confidence);
-    }
-    return std::nullopt;
-}
+bool none_fell(FragilityPoint const& point) { return point.overturned + point.undecided == 0; }
+bool all_fell(FragilityPoint const& point) { return point.overturned == point.trials && point.undecided == 0; }
 
-// A wave that has several trials among them tells no more than one.
-std::optional<SeenBound> next_trials(double intensity, FragilityData const& data, double confidence) {
-    constexpr std::size_t shares = 10;
-    std::vector<SingleTrial> above;
-    std::ranges::copy_if(data.trials, std::back_inserter(above),
-                         [&](SingleTrial const& trial) { return trial.intensity >= intensity * (1 - same_intensity); });
-    if (above.empty()) {
+std::optional<SeenBound> stripes_from(double log_intensity, std::span<FragilityPoint const> points, bool pools,
+                                      double confidence) {
+    auto const first = std::ranges::find_if(
+        points, [&](auto const& point) { return point.log_intensity >= log_intensity - same_intensity; });
+    if (first == points.end()) {
         return std::nullopt;
     }
-    std::ranges::stable_sort(above, {}, &SingleTrial::intensity);
-    above.resize(std::min(above.size(), std::max<std::size_t>(1, data.trials.size() / shares)));
+    auto const run = pools && none_fell(*first) ? std::find_if_not(first, points.end(), none_fell) : std::next(first);
+    return seen_together({first, run}, confidence);
+}
+
+std::optional<SeenBound> stripes_up_to(double log_intensity, std::span<FragilityPoint const> points, bool pools,
+                                       double confidence) {
+    auto const end = std::ranges::find_if(
+        points, [&](auto const& point) { return point.log_intensity > log_intensity + same_intensity; });
+    if (end == points.begin()) {
+        return std::nullopt;
+    }
+    auto first = std::prev(end);
+    while (pools && all_fell(*first) && first != points.begin() && all_fell(*std::prev(first))) {
+        --first;
+    }
+    return seen_together({first, end}, confidence);
+}
+
+// Of the trials of one wave the one that says least: it tells no more. \param fallen any of them counts, else all must
+SeenBound seen_by_waves(std::span<SingleTrial const> trials, bool fallen, double confidence) {
     std::map<std::int64_t, bool> waves;
-    for (auto const& trial : above) {
-        waves[trial.wave] = waves[trial.wave] || trial.overturned;
+    for (auto const& trial : trials) {
+        auto& wave = waves.try_emplace(trial.wave, !fallen).first->second;
+        wave = fallen ? wave || trial.overturned : wave && trial.overturned;
     }
     auto const passed = std::ranges::count_if(waves, [](auto const& wave) { return wave.second; });
     auto const units = static_cast<std::int64_t>(waves.size());
-    return SeenBound{above.front().intensity, above.back().intensity, static_cast<double>(units),
-                     static_cast<double>(passed), clopper_pearson(passed, units, confidence)};
+    auto const [lowest, highest] = std::ranges::minmax(trials, {}, &SingleTrial::intensity);
+    return {lowest.intensity, highest.intensity, static_cast<double>(units), static_cast<double>(passed),
+            clopper_pearson(passed, units, confidence)};
+}
+
+// The nearest tenth of the trials on one side.
+std::optional<SeenBound> nearest_tenth(double intensity, FragilityData const& data, bool above, double confidence) {
+    constexpr std::size_t shares = 10;
+    std::vector<SingleTrial> there;
+    std::ranges::copy_if(data.trials, std::back_inserter(there), [&](SingleTrial const& trial) {
+        return above ? trial.intensity >= intensity * (1 - same_intensity)
+                     : trial.intensity <= intensity * (1 + same_intensity);
+    });
+    if (there.empty()) {
+        return std::nullopt;
+    }
+    std::ranges::stable_sort(there, [&](SingleTrial const& a, SingleTrial const& b) {
+        return above ? a.intensity < b.intensity : a.intensity > b.intensity;
+    });
+    there.resize(std::min(there.size(), std::max<std::size_t>(1, data.trials.size() / shares)));
+    return seen_by_waves(there, above, confidence);
 }
 
 }  // namespace
 
-SeenBound seen_in(FragilityPoint const& point, double confidence) {
-    double const at = std::exp(point.log_intensity);
-    return {at, at, point.trials, point.overturned, interval_of(point, confidence)};
+SeenBound seen_in(FragilityPoint const& point, double confidence) { return seen_together({&point, 1}, confidence); }
+
+SeenBound seen_together(std::span<FragilityPoint const> points, double confidence) {
+    auto const sum = sum_of(points);
+    return {std::exp(points.front().log_intensity),
+            std::exp(points.back().log_intensity),
+            sum.trials,
+            sum.overturned,
+            interval_of(sum, confidence),
+            sum.alike};
 }
 
-std::optional<SeenBound> seen_from(double intensity, FragilityData const& data, double confidence) {
-    return data.kind == FragilityData::Kind::stripes ? next_stripe(intensity, data, confidence)
-                                                     : next_trials(intensity, data, confidence);
+std::optional<SeenBound> seen_from(double intensity, FragilityData const& data, bool pools, double confidence) {
+    return data.kind == FragilityData::Kind::stripes ? stripes_from(std::log(intensity), data.points, pools, confidence)
+                                                     : nearest_tenth(intensity, data, true, confidence);
+}
+
+std::optional<SeenBound> seen_up_to(double intensity, FragilityData const& data, bool pools, double confidence) {
+    return data.kind == FragilityData::Kind::stripes
+               ? stripes_up_to(std::log(intensity), data.points, pools, confidence)
+               : nearest_tenth(intensity, data, false, confidence);
 }
 
 }  // namespace overturn

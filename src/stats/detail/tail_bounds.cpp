@@ -7,6 +7,7 @@
 #include <set>
 
 #include "stats/detail/quotes.hpp"
+#include "stats/detail/seen_bound.hpp"
 
 namespace overturn {
 
@@ -25,30 +26,28 @@ std::int64_t waves_of(std::span<SingleTrial const> trials, double from, double t
     return static_cast<std::int64_t>(waves.size());
 }
 
-TailBound tail_bound(FragilityData const& data, FragilityState state, double confidence) {
+SeenBound tail_bound(FragilityData const& data, FragilityState state, double confidence) {
     auto const groups = proportions_of(data);
     bool const none = state == FragilityState::none_overturned;
     auto const& group = none ? groups.back() : groups.front();
-    TailBound bound{std::exp(group.log_intensity), std::exp(group.log_intensity), group.trials, {}};
+    auto bound = seen_in(group, confidence);
     if (data.kind == FragilityData::Kind::singles) {
         double const edge = (none ? data.points.back() : data.points.front()).log_intensity;
         // The group's mean halves it, near enough to say where it lies.
         bound.from = std::exp(std::min(edge, group.log_intensity));
         bound.to = std::exp(std::max(edge, group.log_intensity));
+        bound.alike = 1;
         bound.units = static_cast<double>(waves_of(data.trials, bound.from, bound.to * (1 + 1e-12)));
+        bound.overturned = none ? 0 : bound.units;
+        bound.probability = interval_of({0, bound.units, bound.overturned}, confidence);
     }
-    bound.probability = interval_of(
-        {0, bound.units, none ? 0 : bound.units, data.kind == FragilityData::Kind::stripes ? group.undecided : 0},
-        confidence);
     return bound;
 }
 
-TailBound end_bound(FragilityData const& data, FragilityFit const& fit, double confidence) {
+SeenBound end_bound(FragilityData const& data, FragilityFit const& fit, double confidence) {
     auto const groups = proportions_of(data);
     bool const high = std::isinf(fit.isotonic_median.upper);
-    auto const& group = high ? groups.back() : groups.front();
-    double const at = std::exp(group.log_intensity);
-    return {at, at, group.trials, interval_of(group, confidence)};
+    return seen_in(high ? groups.back() : groups.front(), confidence);
 }
 
 std::optional<SeenBound> pooled_bound(FragilityData const& data, FragilityFit const& fit, double confidence) {
@@ -66,9 +65,7 @@ std::optional<SeenBound> pooled_bound(FragilityData const& data, FragilityFit co
     if (std::next(first) == data.points.end()) {
         return std::nullopt;
     }
-    auto const sum = sum_of({first, data.points.end()});
-    return SeenBound{std::exp(first->log_intensity), std::exp(data.points.back().log_intensity), sum.trials,
-                     sum.overturned, interval_of(sum, confidence)};
+    return seen_together({first, data.points.end()}, confidence);
 }
 
 }  // namespace overturn

@@ -19,10 +19,10 @@ namespace overturn {
 
 /// Nothing overturned: the highest stripe bounds P; everything did: the lowest. Single trials of one wave tell no more
 /// than one.
-[[nodiscard]] TailBound tail_bound(FragilityData const& data, FragilityState state, double confidence);
+[[nodiscard]] SeenBound tail_bound(FragilityData const& data, FragilityState state, double confidence);
 
 /// Separated data whose step lies at the end of what was tried: the exact interval of the stripe there.
-[[nodiscard]] TailBound end_bound(FragilityData const& data, FragilityFit const& fit, double confidence);
+[[nodiscard]] SeenBound end_bound(FragilityData const& data, FragilityFit const& fit, double confidence);
 
 /// If P does not fall with the intensity: the interval of the counts of several independent stripes together, whose
 /// upper end bounds P at the lowest of them and whose lower end bounds it at the highest, exactly so (a sum of trials
