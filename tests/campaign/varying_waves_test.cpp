@@ -128,6 +128,11 @@ TEST(VaryingWaves, WavesOfATargetAreResampledTogetherAndThatIsSaid) {
     for (auto const& fit : analysis[0].fragility) {
         EXPECT_EQ(fit.fit.alike, 2) << fit.name;
     }
+    auto const one_level =
+        campaign_from(varying_waves + "per_target=2\n" + testing::type_b + testing::levels("values=[6]\n"));
+    Statistics at_one(one_level);
+    at_one.add(rows_of(one_level));
+    EXPECT_EQ(fit_over_levels(one_level, at_one, 0, {}).method, FragilityFit::Method::bootstrap_by_waves);
 }
 
 TEST(VaryingWaves, BadPeriodsAreRefusedWithTheirPlace) {

@@ -1,6 +1,7 @@
 // Requirement: waves that share what was drawn come in groups, and a group tells no more than one.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include <gsl/gsl_cdf.h>
@@ -42,18 +43,25 @@ TEST(AlikeWaves, EveryCountTakesThem) {
     EXPECT_EQ(study_joint(trials, 10).any[0].interval(0.95).lower, clopper_pearson(4, 4, 0.95).lower);
 }
 
-// The sample ten times over: its order statistics say what those of one copy do.
+// The sample ten times over: its order statistics say what those of one copy do, and where the copies differ a little
+// the outermost of them.
 TEST(AlikeWaves, QuantilesOfCopiesAreThoseOfOne) {
-    std::vector<double> once, copies;
+    std::vector<double> once, copies, nearly;
     for (int i = 0; i < 60; ++i) {
         once.push_back(i);
         copies.insert(copies.end(), 10, i);
+        for (int copy = 0; copy < 10; ++copy) {
+            nearly.push_back(i + 0.01 * copy);
+        }
     }
     for (double const q : {0.5, 0.84, 0.95}) {
         auto const one = sample_quantile(once, 0, q, 0.95);
         auto const ten = sample_quantile(copies, 0, q, 0.95, 10);
         EXPECT_EQ(ten.lower, one.lower) << q;
         EXPECT_EQ(ten.upper, one.upper) << q;
+        auto const outermost = sample_quantile(nearly, 0, q, 0.95, 10);
+        EXPECT_EQ(outermost.lower, one.lower) << q;
+        EXPECT_EQ(outermost.upper, one.upper ? std::optional(*one.upper + 0.09) : std::nullopt) << q;
     }
 }
 

@@ -162,6 +162,14 @@ TEST(Tail, QuotesPoolWhatSawNothingNextAbove) {
     open[1].undecided = 1;
     EXPECT_EQ(fit_of(open, {{1, 1}}).quotes[0].bounds.upper, none_of(100)) << "what is open may have fallen";
 
+    auto const top = fit_of(table_of({{2, 50, 5}, {4, 50, 20}, {6, 50, 50}, {8, 50, 48}, {10, 50, 50}, {12, 50, 50}}),
+                            {{9, 1}, {11, 2}, {13, 3}});
+    EXPECT_EQ(top.quotes[0].neighbours->below.units, 50) << "8 has one that stood, so that 6 says nothing more";
+    EXPECT_EQ(top.quotes[1].neighbours->below.units, 50);
+    auto const all = fit_of(table_of({{2, 50, 0}, {10, 50, 50}, {12, 50, 50}}), {{11, 1}, {13, 2}});
+    EXPECT_EQ(all.quotes[0].neighbours->below.units, 50);
+    EXPECT_EQ(all.quotes[1].neighbours->below.probability.lower, clopper_pearson(100, 100, 0.95).lower);
+
     auto const nothing = fit_of(table_of({{2, 100, 0}, {3, 100, 0}}), {{1, 0.5}, {2, 1}});
     ASSERT_FALSE(nothing.identifiable());
     EXPECT_EQ(nothing.quotes[0].bounds.upper, none_of(200));
