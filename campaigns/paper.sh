@@ -7,6 +7,8 @@
 # --out: where results and page go (default: paper, in the folder you are in); results that are complete there are taken as
 # they are. --records: recorded waves, laid out as campaigns/records_one_axis.toml says; without it that part is left out
 # and said. --quick: few waves, to see that it works; its numbers mean nothing.
+# What remains there, some 20 MB (quick 8): the page and its data (paper.html, paper.json), the figures, steady.csv, and of
+# each study the results, the fits and what was printed.
 # The program is OVERTURN, else the one in PATH, else where quickstart.sh builds it; ranks are OVERTURN_RANKS, else one per
 # core. Takes 4 min of CPU time.
 set -euo pipefail
@@ -72,10 +74,19 @@ if [ -n "$records" ]; then
         --plot "$out/figure_8.svg" --json > "$out/figure_8.json"
 fi
 
-# Figure 10: the histories of its sinusoids, whose steady part the page compares with Eq. 1, also with its linearised equation.
+# Figure 10: of the histories of its sinusoids, up to 230 MB each, only the largest rotation of the last steady 20 s is kept
+# (campaigns/harmonic_type_a.toml: 120 s, of which the last 20 fade), which the page compares with Eq. 1; also with its
+# linearised equation.
+history=$out/history.csv
+trap 'rm -f "$history"' EXIT
+largest='NR == 1 { for (i = 1; i <= NF; i++) if ($i == "rotation_rad" || $i == "tilt_rad") angle = i; next }
+    $1 > 80 && $1 < 100 { a = $angle < 0 ? -$angle : $angle; if (most == "" || a > most) most = a }
+    END { printf "%.17g", most == "" ? "nan" : most }'
+echo study,wave,rotation_rad > "$out/steady.csv"
 for wave in $(seq 0 9); do
     for name in sinusoids sinusoids_linear; do
-        "$overturn" replay "$out/$name.h5" --trial $((2 * wave + 1)) --history "$out/${name}_$wave.csv" > /dev/null
+        "$overturn" replay "$out/$name.h5" --trial $((2 * wave + 1)) --history "$history" > /dev/null
+        echo "$name,$wave,$(awk -F, "$largest" "$history")" >> "$out/steady.csv"
     done
 done
 

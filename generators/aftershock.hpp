@@ -15,7 +15,9 @@ extern config::KeyTable const aftershock_table;
 /// its own times `scale`. The first shock keeps every bit of the wave without the key; a body stands, lies or still
 /// rocks through the pause as the first shock left it. Intensities, levels, energies, drifts and durations are those of
 /// the whole wave; what is told of a match and of a drawn target is the mainshock's; both shocks must pass the source's
-/// acceptance rule.
+/// acceptance rule. A second shock that begins abruptly, under an envelope that does not rise from nothing, leaves the
+/// ground moving: quiet and its first sample are joined by a straight line, which adds half of that sample times the
+/// step (some 1e-3 m/s).
 /// \throws InputError unless the source draws its waves
 [[nodiscard]] std::unique_ptr<WaveSource> with_aftershock(config::Table const& waves,
                                                           std::unique_ptr<WaveSource> source);

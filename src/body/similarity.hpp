@@ -11,8 +11,9 @@ namespace overturn {
 /// in both, so acceleration, angle, stress and friction have the ratio 1 and time goes with the root of length.
 ///
 /// With the paper's factors, the defaults here, mass, inertia, stiffness, area and force are 0.0915, 0.0146, 0.220,
-/// 0.0912 and 0.0897. Its table prints 0.091, 0.015, 0.216, 0.086 and 0.088: area and force cannot be rounded from the
-/// printed factors, so they were computed from others. The factors decide here, not the printed products.
+/// 0.0912 and 0.0897. Its table prints 0.091, 0.015, 0.216, 0.086 and 0.088: no factors that round to the printed ones
+/// give its stiffness, area and force, so they were computed from others. The factors decide here, not the printed
+/// products.
 struct SimilarityLaw {
     double length = 0.4;             ///< s, model length / prototype length [-]
     double mass_factor = 1.43;       ///< alpha_m: mass is this many times geometrically similar mass [-]

@@ -111,11 +111,10 @@ Fitted fitted(FitOptions const& options, store::ResultsReader const& file, Campa
               Statistics const& statistics) {
     double const confidence = options.confidence.value_or(spec.confidence);
     Fitted all{.confidence = confidence,
-               .analysis =
-                   analyse(spec, statistics,
-                           {.confidence = confidence, .beta_u = options.beta_u, .velocities = options.unit.measures()}),
+               .analysis = analyse(spec, statistics, {.confidence = confidence, .beta_u = options.beta_u}),
                .rare = read_rare_estimates(file, spec),
                .telling = telling_trials(spec, file)};
+    tell_velocities(all.analysis, options.unit.measures());
     if (!options.hazard.empty()) {
         validate(!spec.is_grid(),
                  "--hazard for waves on a grid of frequencies (no random sample: nothing happens so often a year). "
@@ -162,18 +161,18 @@ void print_fitted_json(Fitted const& all, CampaignSpec const& spec, Statistics c
 }
 
 void print_fitted(Fitted const& all, CampaignSpec const& spec, Statistics const& statistics, bool withheld,
-                  std::string const& file) {
+                  FitOptions const& options) {
     auto const alike = warning_of_alike_waves(spec);
     auto const shared = alike.empty() ? std::string() : "  note: " + alike + "\n";
     std::string const without_records =
         all.by_hand.empty() && withheld ? "\nby hand: nothing, without the records (inputs = \"hash-only\")\n" : "";
-    fmt::print("{}{}{}{}{}{}{}{}", stripe_table(spec, statistics) + shared,
+    fmt::print("{}{}{}{}{}{}{}{}", stripe_table(spec, statistics, options.unit.measures()) + shared,
                analysis_table(all.analysis, all.confidence),
                together_table(spec, bodies_together(spec, statistics), all.confidence),
                hand_check_text(spec, all.by_hand) + without_records,
                all.pairs.empty() ? std::string() : two_measures_text(all.pairs, all.confidence),
                all.hazard ? frequency_table(spec, all.frequencies, *all.hazard, all.confidence) : std::string(),
-               rare_table(spec, all.rare), telling_table(spec, all.telling, file));
+               rare_table(spec, all.rare), telling_table(spec, all.telling, options.file));
 }
 
 int fit_file(FitOptions const& options) {
@@ -186,7 +185,7 @@ int fit_file(FitOptions const& options) {
     if (options.json) {
         print_fitted_json(all, spec, statistics, changed);
     } else {
-        print_fitted(all, spec, statistics, has_withheld(input), options.file);
+        print_fitted(all, spec, statistics, has_withheld(input), options);
     }
     return print_refit(options, file, spec, statistics);
 }

@@ -12,6 +12,7 @@
 #include "campaign/validated_range.hpp"
 #include "campaign/warnings.hpp"
 #include "cli/assumptions_told.hpp"
+#include "cli/velocity_unit.hpp"
 #include "cli/verbs.hpp"
 #include "contact/matching.hpp"
 #include "core/elapsed.hpp"
@@ -104,13 +105,13 @@ std::string friction_text(BodySpec const& body) {
 }
 
 // Which side is the weaker one, whose figures V_Ereq and all others are; empty where both are alike.
-std::string placement_text(RigidBody const& body) {
+std::string placement_text(RigidBody const& body, VelocityUnit const& unit) {
     std::string text;
     if (body.lopsided()) {
         auto const tips = [&](double side) {
             auto const& c = body.corner(side);
-            return fmt::format("alpha {:.2f} deg, uplift {:.4g} m/s2, V_Ereq {:.4f} m/s", c.alpha_rad * 180 / pi,
-                               body.gravity_mps2() * std::tan(c.alpha_rad), c.limit_velocity_mps);
+            return fmt::format("alpha {:.2f} deg, uplift {:.4g} m/s2, V_Ereq {}", c.alpha_rad * 180 / pi,
+                               body.gravity_mps2() * std::tan(c.alpha_rad), unit.text(c.limit_velocity_mps));
         };
         text = fmt::format("towards +x {}; towards -x {}; V_Ereq, alpha, p and e are those of the weaker side, {}x",
                            tips(1), tips(-1), body.weaker_side() > 0 ? '+' : '-');
@@ -141,6 +142,7 @@ std::string count_of_folders(std::int64_t blocks) {
 struct PlanOptions {
     std::string campaign;
     std::vector<std::string> settings;
+    VelocityUnit unit;
     bool json = false;
 };
 
@@ -153,15 +155,15 @@ int print_plan_json(CampaignSpec const& spec, Plan const& plan) {
     return done;
 }
 
-void print_bodies(std::vector<BodySpec> const& bodies) {
+void print_bodies(std::vector<BodySpec> const& bodies, VelocityUnit const& unit) {
     for (auto const& body : bodies) {
         fmt::print(
             "body      {}: {:.4g} kg, alpha {:.2f} deg, p {:.4f} rad/s, e {:.4f} (Housner {:.4f}), uplift {:.4g} m/s2, "
-            "V_Ereq {:.4f} m/s\n",
+            "V_Ereq {}\n",
             body.name, body.body.mass_kg(), body.body.alpha_rad() * 180 / pi, body.body.p_radps(),
             body.body.restitution(), body.body.housner_restitution(), body.body.uplift_acceleration_mps2(),
-            body.body.limit_velocity_mps());
-        if (auto const text = placement_text(body.body); !text.empty()) {
+            unit.text(body.body.limit_velocity_mps()));
+        if (auto const text = placement_text(body.body, unit); !text.empty()) {
             fmt::print("placed    {}: {}\n", body.name, text);
         }
         fmt::print("slip      {}: {}\n", body.name, friction_text(body));
@@ -183,13 +185,13 @@ void print_levels(LevelSpec const& levels) {
 }
 
 // What is asked: waves, bodies, levels, limits, and what is hardly meant or assumed.
-void print_scene(CampaignSpec const& spec, Plan const& plan) {
+void print_scene(CampaignSpec const& spec, Plan const& plan, VelocityUnit const& unit) {
     fmt::print("waves     {} ({})\n", plan.waves(), spec.source->describe());
     fmt::print("differ by {}\n", spec.source->variability());
     for (auto const& line : ends_of_records(spec)) {
         fmt::print("record    {}\n", line);
     }
-    print_bodies(spec.bodies);
+    print_bodies(spec.bodies, unit);
     print_levels(spec.levels);
     print_limits(spec);
     fmt::print("validated {}\n", validated_range_text(spec));
@@ -235,6 +237,7 @@ void print_sizes(CampaignInput const& input, CampaignSpec const& spec, Plan cons
 
 int plan_campaign(PlanOptions const& options) {
     auto const& path = options.campaign;
+    (void)options.unit.si();
     auto const input = load_campaign(path, options.settings);
     auto const spec = parse_campaign(input);
     Plan const plan(spec);
@@ -242,7 +245,7 @@ int plan_campaign(PlanOptions const& options) {
         return print_plan_json(spec, plan);
     }
     fmt::print("{}\n", spec.title.empty() ? path : spec.title);
-    print_scene(spec, plan);
+    print_scene(spec, plan, options.unit);
     double const all = print_probe(spec, plan);
     if (spec.rare) {
         fmt::print(
@@ -264,6 +267,7 @@ void add_plan(CommandLine& line) {
     auto options = std::make_shared<PlanOptions>();
     verb.needs("campaign", options->campaign, "campaign file (TOML)");
     verb.takes("--set", options->settings, "override a key: waves.count=50");
+    options->unit.offered_by(verb);
     verb.takes("--json", options->json, "counts, warnings and all that is assumed, as JSON");
     verb.does([options] { return plan_campaign(*options); });
 }

@@ -246,9 +246,8 @@ int write_report(ReportOptions const& options) {
         data["bodies"].push_back(body.name);
     }
     double const confidence = options.confidence.value_or(spec.confidence);
-    auto const analysis = analyse(
-        spec, statistics,
-        {.confidence = confidence, .beta_u = options.beta_u, .band_points = 61, .velocities = options.unit.measures()});
+    auto analysis = analyse(spec, statistics, {.confidence = confidence, .beta_u = options.beta_u, .band_points = 61});
+    tell_velocities(analysis, options.unit.measures());
     data["parts"] = outlines_of(spec);
     data["placements"] = placements_of(spec);
     data["velocity_unit"] = options.unit.json();

@@ -94,11 +94,11 @@ std::string_view summary_of_reason(std::int64_t number) {
 std::string time_text(double time_s) { return std::isnan(time_s) ? "never" : fmt::format("at {:.3f} s", time_s); }
 
 void print_text(BodySpec const& spec, PlacedRecord const& record, Drift const& drift, Response const& r,
-                Ladder const& ladder, std::span<std::byte const> own) {
+                Ladder const& ladder, std::span<std::byte const> own, VelocityUnit const& unit) {
     auto const& b = spec.body;
-    fmt::print("{}: alpha {:.2f} deg, p {:.4f} rad/s, e {:.4f}, uplift at {:.4g} m/s2, V_Ereq {:.4f} m/s\n", spec.name,
+    fmt::print("{}: alpha {:.2f} deg, p {:.4f} rad/s, e {:.4f}, uplift at {:.4g} m/s2, V_Ereq {}\n", spec.name,
                b.alpha_rad() * 180 / pi, b.p_radps(), b.restitution(), b.uplift_acceleration_mps2(),
-               b.limit_velocity_mps());
+               unit.text(b.limit_velocity_mps()));
     fmt::print("read as          {}\n", record.read_as());
     fmt::print("wave             {}{}\n", drift.text(),
                drift.any_excessive() ? ": its baseline drifts, correct it with --baseline" : "");
@@ -109,7 +109,7 @@ void print_text(BodySpec const& spec, PlacedRecord const& record, Drift const& d
     fmt::print("peak rotation    {:.6g} rad = {:.4f} alpha, {}\n", r.peak_rotation_rad, r.peak_rotation_ratio,
                time_text(r.time_of_peak_s));
     fmt::print("peak energy      {:.4f} of that of critical uplift\n", r.peak_energy_ratio);
-    fmt::print("V_resp           {:.4f} m/s\n", r.response_velocity_mps);
+    fmt::print("V_resp           {}\n", unit.text(r.response_velocity_mps));
     fmt::print("first uplift     {}, {} impacts\n", time_text(r.first_uplift_s), r.impacts);
     fmt::print("overturned       {}, off the ground {}\n", time_text(r.overturn_time_s), time_text(r.contact_lost_s));
     fmt::print("slip             {:.6g} m at most, {:.6g} m left\n", r.peak_slip_m, r.residual_slip_m);
@@ -168,7 +168,11 @@ int rock(RockOptions const& options) {
         MeasureSpec const usual;
         draw_history(kept, {title, spec, spec.body, motion, options.scale, &usual}, options.unit, options.plot);
     }
-    (options.json ? print_json : print_text)(spec, record, drift_of(motion), response, ladder, own);
+    if (options.json) {
+        print_json(spec, record, drift_of(motion), response, ladder, own);
+    } else {
+        print_text(spec, record, drift_of(motion), response, ladder, own, options.unit);
+    }
     if (response.verdict == Verdict::failed) {
         throw SystemError(fmt::format("no verdict ({}). Check unit and scale", entry_of(response.failure).summary));
     }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/command_line.hpp"
@@ -35,6 +36,10 @@ struct VelocityUnit {
         return symbol == usual ? std::optional<IntensityUnit>() : IntensityUnit{symbol, one};
     }
     [[nodiscard]] double of(double mps) const { return mps / si(); }
+    /// "1.3492 m/s", "134.92 kine": the same five digits of a velocity about 1 m/s.
+    [[nodiscard]] std::string text(double mps) const {
+        return symbol == usual ? fmt::format("{:.4f} {}", mps, symbol) : fmt::format("{:.5g} {}", of(mps), symbol);
+    }
     /// What the scripts of figures read as `velocity_unit`.
     [[nodiscard]] nlohmann::ordered_json json() const { return {{"symbol", symbol}, {"si", si()}}; }
 };

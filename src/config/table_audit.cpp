@@ -95,7 +95,10 @@ void Table::finish() const {
                                                                node_->full(key.str())));
         }
         std::vector<std::string> const known(node_->asked.begin(), node_->asked.end());
-        auto const near = nearest_name(key.str(), known);
+        auto near = nearest_name(key.str(), known);
+        if (auto const below = node_->further_down(key.str()); near.empty() && !below.empty()) {
+            near = node_->full(below);
+        }
         throw InputError(node_->locate(&node), fmt::format("unknown key '{}' (nothing reads it{}). {}",
                                                            node_->full(key.str()), near.empty() ? " here" : "",
                                                            near.empty() ? std::string("Remove it or check its spelling")

@@ -55,6 +55,20 @@ std::vector<KeyTable const*> Table::Node::tables_at(std::string_view key) const 
     return tables;
 }
 
+std::string Table::Node::further_down(std::string_view key) const {
+    std::set<std::string> places;
+    for (auto const* candidate : described) {
+        for (auto const* inner : candidate->every_key()) {
+            for (auto const* below : inner->tables == nullptr ? std::vector<KeyTable const*>() : inner->tables()) {
+                if (below->find(key) != nullptr) {
+                    places.insert(fmt::format("{}.{}", inner->name, key));
+                }
+            }
+        }
+    }
+    return places.size() == 1 ? *places.begin() : std::string();
+}
+
 void Table::Node::check_read(std::string_view key, Form form, std::optional<Dimension> dimension,
                              std::optional<Range> range) const {
     if (!OVERTURN_CHECKED || described.empty()) {

@@ -173,7 +173,7 @@ def curves(report, limit):
                 report.results, shown, fits, stripes, what, path), f"probability of {what} against amplitude")
               for part, shown in in_pages(report.results.bodies, fragility_figures.MOST_ON_A_PAGE)),
             table(["body", "median", "interval", "beta", "interval", "5 % point", "interval", "HCLPF", "interval",
-                   "1 % point", "flags"], fitted),
+                   "1 % point", "flags"], fitted, f"Waves differ by {report.fit['variability']}."),
             table(["body", "beta", "beta_R (waves)", "beta_U (body)", "change of ln median per deviation of"], split)
             if split else "",
             table(["body", "at", "amplitude", "P", "lower", "upper", ""], quoted) if quoted else "",

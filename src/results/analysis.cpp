@@ -189,8 +189,7 @@ class Analyst {
         result.name = name_of(measure, spec_);
         result.label = label_of(measure, spec_);
         result.units = units_of(measure, spec_.levels);
-        result.told = options_.velocities && result.units == "m/s" ? *options_.velocities
-                                                                   : printed_unit(result.units, spec_.levels);
+        result.told = printed_unit(result.units, spec_.levels);
         if (is_grid_) {
             result.fit.state = FragilityState::grid;
             result.fit.passing = spec_.limits[limit].passing();
@@ -231,6 +230,20 @@ std::vector<BodyAnalysis> analyse(CampaignSpec const& spec, Statistics const& st
         bodies.push_back(analyst.of(b));
     }
     return bodies;
+}
+
+void tell_velocities(std::vector<BodyAnalysis>& bodies, std::optional<IntensityUnit> const& unit) {
+    auto const tell = [&](std::vector<MeasuredFragility>& fits) {
+        for (auto& fit : fits) {
+            fit.told = unit && fit.units == "m/s" ? *unit : fit.told;
+        }
+    };
+    for (auto& body : bodies) {
+        tell(body.fragility);
+        for (auto& limit : body.limits) {
+            tell(limit.fragility);
+        }
+    }
 }
 
 FragilityFit fit_over_levels(CampaignSpec const& spec, Statistics const& statistics, std::size_t body,

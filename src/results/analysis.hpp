@@ -88,12 +88,13 @@ struct AnalysisOptions {
     double beta_u = 0;  ///< 0: what the bodies' scatter says, if they have any
     int replicates = 1000;
     int band_points = 0;  ///< of the curve over the levels' own measure
-    /// In which measures that are velocities are told; none: as printed_unit says.
-    std::optional<IntensityUnit> velocities{};
 };
 
 [[nodiscard]] std::vector<BodyAnalysis> analyse(CampaignSpec const& spec, Statistics const& statistics,
                                                 AnalysisOptions const& options);
+
+/// Tells measures that are velocities in this unit; none: leaves them in the levels' own, or m/s.
+void tell_velocities(std::vector<BodyAnalysis>& bodies, std::optional<IntensityUnit> const& unit);
 
 /// One body's fit over the levels' own measure, alone. \param limit place of the limit state; 0: overturning
 [[nodiscard]] FragilityFit fit_over_levels(CampaignSpec const& spec, Statistics const& statistics, std::size_t body,

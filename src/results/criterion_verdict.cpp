@@ -61,9 +61,15 @@ void judge_price(CriterionVerdict& verdict, CriterionStudy const& study, double 
         return;
     }
     constexpr double mostly = 0.5;
-    auto text = fmt::format("of {} trials that V_WES calls unsafe, {} stood ({}; {:g} %: {})", price.of, price.count,
-                            percent(price.value()), 100 * confidence, ends(price));
-    (price.value() > mostly ? verdict.against : verdict.supports).push_back(std::move(text));
+    bool const dear = price.value() > mostly;
+    auto text = fmt::format(
+        "{} than half of its alarms are false: of {} trials that V_WES calls unsafe, {} stood ({}; "
+        "{:g} %: {})",
+        dear                      ? "more"
+        : price.value() == mostly ? "no more"
+                                  : "fewer",
+        price.of, price.count, percent(price.value()), 100 * confidence, ends(price));
+    (dear ? verdict.against : verdict.supports).push_back(std::move(text));
     if (study.first_overturning) {
         verdict.open.push_back(fmt::format(
             "margin: half of the waves that overturned the body first did so at V_WES / V_Ereq above {:.3g}, 5 % below "

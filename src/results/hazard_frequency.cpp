@@ -14,9 +14,9 @@
 namespace overturn {
 namespace {
 
-// SI value of the unit that the first column's name states; the name itself has to be the levels' measure, and the
-// second column's the mean number of exceedances in a year.
-double unit_of(PairTable const& table, LevelSpec const& levels, Location const& where) {
+// The unit that the first column's name states, none of a pure number; the name itself has to be the levels' measure,
+// and the second column's the mean number of exceedances in a year.
+IntensityUnit unit_of(PairTable const& table, LevelSpec const& levels, Location const& where) {
     auto const measure = levels.measure_label();
     auto const name = lowered(table.first_name);
     auto const behind = name.substr(std::min(measure.size(), name.size()));
@@ -35,15 +35,22 @@ double unit_of(PairTable const& table, LevelSpec const& levels, Location const& 
     }
     auto const dimension = levels.dimension();
     if (dimension == Dimension::none) {
-        return 1;
+        return {};
     }
-    auto const unit = unit_of_values("a" + behind, dimension);
+    auto const column = "a" + behind;
+    auto const unit = unit_of_values(column, dimension);
     if (!unit) {
         throw InputError(
             where, fmt::format("'{}' states no unit of {} (one of {}). Write for example '{} [{}]'", table.first_name,
                                name_of(dimension), accepted_units(dimension), measure, si_symbol(dimension)));
     }
-    return *unit;
+    return {std::string(unit_text_in_name(column).text), *unit};
+}
+
+std::string intensity_text(double intensity, HazardCurve const& hazard, LevelSpec const& levels) {
+    auto const& stated = hazard.stated();
+    return stated.symbol.empty() ? levels.text(intensity)
+                                 : fmt::format("{:.6g} {}", stated.of(intensity), stated.symbol);
 }
 
 double whole(AnnualFrequency const& frequency) { return frequency.annual + frequency.beyond_least; }
@@ -156,16 +163,16 @@ HazardCurve parse_hazard(std::string_view content, std::string const& name, Leve
                                                         "with '{} [{}], annual_exceedance'",
                                                         levels.measure_name(), levels.shown_units()));
     }
-    double const unit = unit_of(table, levels, where);
+    auto unit = unit_of(table, levels, where);
     std::vector<HazardPoint> points;
     for (auto const& [intensity, annual] : table.points) {
-        points.push_back({intensity * unit, annual});
+        points.push_back({intensity * unit.si, annual});
     }
     if (points.size() < 2) {
         throw InputError(where, fmt::format("hazard curve of {} point{} (at least two). Add some", points.size(),
                                             points.size() == 1 ? "" : "s"));
     }
-    return HazardCurve(std::move(points));
+    return HazardCurve(std::move(points), std::move(unit));
 }
 
 std::vector<BodyFrequency> frequencies_of(CampaignSpec const& spec, Statistics const& statistics,
@@ -190,8 +197,9 @@ std::string frequency_table(CampaignSpec const& spec, std::vector<BodyFrequency>
     auto text = fmt::format(
         "\nannual frequency, by a hazard curve of {} points from {} ({:.3g} 1/a) to {} ({:.3g} 1/a)\n"
         "{:>24} {:>11} {:>24} {:>30} {:>24}\n",
-        hazard.points().size(), spec.levels.text(hazard.first()), hazard.points().front().annual_exceedance,
-        spec.levels.text(hazard.last()), hazard.points().back().annual_exceedance, "body, limit state", "mean 1/a",
+        hazard.points().size(), intensity_text(hazard.first(), hazard, spec.levels),
+        hazard.points().front().annual_exceedance, intensity_text(hazard.last(), hazard, spec.levels),
+        hazard.points().back().annual_exceedance, "body, limit state", "mean 1/a",
         fmt::format("{:g} %", 100 * confidence), "confidence 5, 50, 95 %", "stripes alone");
     constexpr double much = 0.05;
     constexpr double nearly_all = 0.75;

@@ -41,7 +41,7 @@ struct BodyFrequency {
                                                         std::vector<BodyAnalysis> const& analysis,
                                                         HazardCurve const& hazard, double confidence);
 
-/// For the terminal, with what lies outside what was tried or stated.
+/// For the terminal, the hazard curve's ends in the unit it states, with what lies outside what was tried or stated.
 [[nodiscard]] std::string frequency_table(CampaignSpec const& spec, std::vector<BodyFrequency> const& frequencies,
                                           HazardCurve const& hazard, double confidence);
 

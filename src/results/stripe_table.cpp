@@ -71,13 +71,15 @@ std::string cut_short(BodyStatistics const& s) {
                    fell + peaked, fell, peaked);
 }
 
-void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& body, BodyStatistics const& s) {
-    text += fmt::format("\n{}: alpha {:.1f} deg, R {:.3f} m, e {:.3f}, {}V_Ereq {:.3f} m/s\n", body.name,
+void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& body, BodyStatistics const& s,
+                 std::optional<IntensityUnit> const& velocities) {
+    double const limit = body.body.limit_velocity_mps();
+    text += fmt::format("\n{}: alpha {:.1f} deg, R {:.3f} m, e {:.3f}, {}V_Ereq {}\n", body.name,
                         body.body.alpha_rad() * 180 / pi, body.body.radius_m(), body.body.restitution(),
                         body.friction ? fmt::format("friction {:g}/{:g}, ", body.friction->static_coefficient,
                                                     body.friction->kinetic_coefficient)
                                       : std::string("no slip, "),
-                        body.body.limit_velocity_mps());
+                        velocities ? velocities->text(limit) : fmt::format("{:.3f} m/s", limit));
     auto const shown = shown_ends(s);
     text += fmt::format("{:>10} {:>7}", fmt::format("{} {}", spec.levels.measure_name(), spec.levels.shown_units()),
                         "trials");
@@ -117,13 +119,14 @@ void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& bo
 
 }  // namespace
 
-std::string stripe_table(CampaignSpec const& spec, Statistics const& statistics) {
+std::string stripe_table(CampaignSpec const& spec, Statistics const& statistics,
+                         std::optional<IntensityUnit> const& velocities) {
     std::string text = spec.title.empty() ? "" : spec.title + "\n";
     auto const waves = statistics.waves().text(spec.source->acceptance());
     text += waves.empty() ? "" : waves + "\n";
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
         auto const& counted = statistics.bodies()[b];
-        append_body(text, spec, spec.bodies[b], counted);
+        append_body(text, spec, spec.bodies[b], counted, velocities);
         for (std::size_t limit = 1; limit < spec.limits.size(); ++limit) {
             text += limit_stripes_text(spec, counted, limit);
         }

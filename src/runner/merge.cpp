@@ -52,7 +52,8 @@ std::string shell_word(std::string const& text) {
 
 std::optional<std::string> merge_blocks(std::filesystem::path const& output, CampaignInput const& input,
                                         CampaignSpec const& spec, Plan const& plan, store::ShardFolder const& shards,
-                                        std::function<bool()> const& goes_on, std::span<RareBody const> rare) {
+                                        std::function<bool()> const& goes_on, std::span<RareBody const> rare,
+                                        std::optional<IntensityUnit> const& velocities) {
     Statistics statistics(spec);
     auto const block = [&](std::int64_t number) {
         if (!goes_on()) {
@@ -67,7 +68,9 @@ std::optional<std::string> merge_blocks(std::filesystem::path const& output, Cam
         return std::nullopt;
     }
     shards.remove();
-    return stripe_table(spec, statistics) + analysis_table(analysis, spec.confidence) + rare_table(spec, rare)
+    tell_velocities(analysis, velocities);
+    return stripe_table(spec, statistics, velocities) + analysis_table(analysis, spec.confidence)
+           + rare_table(spec, rare)
            + telling_table(spec, telling_trials(spec, store::ResultsReader(output, store::Trust::unverified)),
                            output.string());
 }
@@ -112,7 +115,7 @@ void require_same_program(CampaignInput const& begun, std::filesystem::path cons
         output.string(), begun.libraries, here.libraries);
 }
 
-MergeEnd merge_parts(std::filesystem::path const& output) {
+MergeEnd merge_parts(std::filesystem::path const& output, std::optional<IntensityUnit> const& velocities) {
     if (std::filesystem::exists(output)) {
         store::ResultsReader const file(output);
         check_complete(output, input_of(file));
@@ -143,7 +146,8 @@ MergeEnd merge_parts(std::filesystem::path const& output) {
         return MergeEnd::missing;
     }
     auto const legs = shards.legs();
-    auto const tables = merge_blocks(output, input, spec, plan, shards, [] { return true; });
+    auto const tables = merge_blocks(
+        output, input, spec, plan, shards, [] { return true; }, {}, velocities);
     write_runtime(output, legs);
     fmt::print("{}results: {}\n", *tables, output.string());
     return MergeEnd::complete;

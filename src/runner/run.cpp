@@ -177,7 +177,7 @@ class Run {
             earlier_legs_ = shards_.legs();
             auto const tables = merge_blocks(
                 options_.output, input_, spec_, plan_, shards_, [&] { return stop_policy_.may_merge(); },
-                rare_.value_or(std::vector<RareBody>{}));
+                rare_.value_or(std::vector<RareBody>{}), options_.velocities);
             done_.seconds.store += seconds_since(begin);
             return tables.value_or("");
         });

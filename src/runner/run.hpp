@@ -3,10 +3,12 @@
 
 #include <filesystem>
 #include <limits>
+#include <optional>
 
 #include "campaign/campaign_input.hpp"
 #include "campaign/plan.hpp"
 #include "parallel/communicator.hpp"
+#include "stats/fragility.hpp"
 
 namespace overturn {
 
@@ -16,6 +18,7 @@ struct RunOptions {
     double max_walltime_s = std::numeric_limits<double>::infinity();
     Part part;           ///< the whole, or one part of an array job, whose blocks wait for merge_parts
     bool quiet = false;  ///< no table on stdout
+    std::optional<IntensityUnit> velocities{};  ///< in which the tables tell them; none: the levels' unit, or m/s
 };
 
 /// A part that is done is complete.

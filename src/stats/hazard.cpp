@@ -12,7 +12,8 @@
 
 namespace overturn {
 
-HazardCurve::HazardCurve(std::vector<HazardPoint> points) : points_(std::move(points)) {
+HazardCurve::HazardCurve(std::vector<HazardPoint> points, IntensityUnit stated)
+    : points_(std::move(points)), stated_(std::move(stated)) {
     validate(points_.size() >= 2, "hazard curve of {} points (at least two). Add some", points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i) {
         auto const& [intensity, annual] = points_[i];

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "stats/bootstrap.hpp"
+#include "stats/fragility.hpp"
 #include "stats/fragility_data.hpp"
 
 namespace overturn {
@@ -20,9 +21,11 @@ struct HazardPoint {
 /// Straight in log-log between points.
 class HazardCurve {
   public:
+    /// \param stated the unit that intensities were stated in; no symbol: in none
     /// \throws InputError if there are fewer than two, an intensity does not rise or a frequency does not fall
-    explicit HazardCurve(std::vector<HazardPoint> points);
+    explicit HazardCurve(std::vector<HazardPoint> points, IntensityUnit stated = {});
     [[nodiscard]] std::vector<HazardPoint> const& points() const { return points_; }
+    [[nodiscard]] IntensityUnit const& stated() const { return stated_; }
     /// \pre intensity within the points
     [[nodiscard]] double annual_exceedance(double intensity) const;
     [[nodiscard]] double first() const { return points_.front().intensity; }
@@ -30,6 +33,7 @@ class HazardCurve {
 
   private:
     std::vector<HazardPoint> points_;
+    IntensityUnit stated_;
 };
 
 /// Phi(ln(a / median) / beta).

@@ -40,6 +40,9 @@ TEST_F(BadInput, MisspeltKey) {
     refuse("seed  =", "sede  =", "Did you mean 'seed'?");
     refuse("[waves.vertical]", "[waves.vertcal]", "Did you mean 'vertical'?");
     refuse("[levels]", "[level]", "Did you mean 'levels'?");
+    refuse("match_iterations=3", "longest='10 s'",
+           "unknown key 'waves.longest' (nothing reads it). Did you mean 'waves.target.longest'?");
+    refuse("match_iterations=3", "ratio=0.5", "unknown key 'waves.ratio' (nothing reads it here). Remove it");
     refuse("seed  = 2013", "", "seed: missing (there is no default). Add this key");
 }
 

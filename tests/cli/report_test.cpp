@@ -52,6 +52,11 @@ TEST_F(Report, IsOnePageThatNeedsNoNetwork) {
         EXPECT_NE(page.find(std::string("<section id=\"") + section), std::string::npos) << section;
     }
     EXPECT_NE(page.find("<svg"), std::string::npos);
+    // R-709: by what the waves differ stands right behind the fits, before any other table.
+    auto const fits = page.find("<th>HCLPF</th>", page.find("<section id=\"fragility\">"));
+    auto const differ = page.find("Waves differ by random phases alone", fits);
+    ASSERT_NE(fits, std::string::npos);
+    EXPECT_LT(differ, page.find("<table>", fits)) << "of the next table";
     // Addresses name the svg's language, nothing to be fetched.
     for (auto const* fetched : {"src=\"http", "href=\"http", "@import", "<script", "url(http"}) {
         EXPECT_EQ(page.find(fetched), std::string::npos) << fetched;

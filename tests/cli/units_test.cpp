@@ -82,6 +82,36 @@ TEST_F(Units, MeasuresOfTheSameDimensionFollow) {
     EXPECT_NE(table.find("pga m/s2"), std::string::npos) << table;
 }
 
+// The unit that was asked for is that of every velocity in plan, run, merge and fit, V_Ereq of the header too.
+TEST_F(Units, VelocitiesAreToldAsAskedFor) {
+    std::vector<std::string> const kine{"--velocities", "kine"};
+    folder.write("k.toml", small_campaign("shared", 6));
+    folder.write("target.csv", target_csv);
+    auto const told = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.end(), kine.begin(), kine.end());
+        auto const ended = overturn(folder, arguments);
+        EXPECT_TRUE(ended.code == 0 || ended.code == 3) << ended.err;
+        return ended.out;
+    };
+    auto const planned = told({"plan", "k.toml"});
+    EXPECT_NE(planned.find("V_Ereq 134.89 kine\n"), std::string::npos) << planned;
+    EXPECT_EQ(planned.find("V_Ereq 1.3"), std::string::npos) << planned;
+    auto const ran = told({"run", "k.toml", "-o", "k.h5"});
+    for (auto const* part : {"1/2", "2/2"}) {
+        (void)told({"run", "k.toml", "-o", "parts.h5", "--part", part});
+    }
+    auto const merged = told({"merge", "parts.h5"});
+    for (auto const& text : {ran, merged, told({"fit", "k.h5"})}) {
+        EXPECT_NE(text.find("V_Ereq 134.9 kine\n"), std::string::npos) << text;
+        EXPECT_NE(text.find("v_wes kine"), std::string::npos) << text;
+        EXPECT_EQ(text.find("m/s\n"), std::string::npos) << text;
+        EXPECT_EQ(text.find("v_wes m/s"), std::string::npos) << text;
+    }
+    auto const refused = overturn(folder, {"run", "k.toml", "-o", "l.h5", "--velocities", "furlong"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.err.find("--velocities: unit 'furlong'"), std::string::npos) << refused.err;
+}
+
 // JSON and the file do not know how the levels were written.
 TEST_F(Units, JsonStaysSi) {
     auto in_gal = fit("measure='pga'\nvalues=['300 gal','600 gal','800 gal','1200 gal','1500 gal']\n").second;

@@ -179,6 +179,8 @@ TEST_F(AnalysisOfRows, TheVerdictFollowsTheCounts) {
     EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.open, "nothing overturned"));
     trial(0, 2, Verdict::overturned, 4.5, 3.0);
     EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.supports, "none of 1 uplifted trials"));
+    EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.supports,
+                      "fewer than half of its alarms are false: of 1 trials that V_WES calls unsafe, 0 stood"));
     trial(0, 1, Verdict::overturned, 3, 1.2);
     EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.against,
                       "1 of 2 uplifted trials that V_WES < V_Ereq calls safe"));

@@ -30,6 +30,8 @@ TEST(HazardTable, UnitsOfItsNamesAreRead) {
     EXPECT_NEAR(gal.annual_exceedance(std::sqrt(10.0)), std::sqrt(1e-7), 1e-12);
     auto const g = parse_hazard("PGA (g), annual_exceedance\n0.1, 1e-2\n1, 1e-5\n", "h.csv", levels);
     EXPECT_DOUBLE_EQ(g.last(), g0);
+    EXPECT_EQ(g.stated().symbol, "g");
+    EXPECT_EQ(gal.stated().symbol, "gal");
 }
 
 TEST(HazardTable, WhatCannotBeMeantIsRefused) {
@@ -199,6 +201,9 @@ TEST_F(Frequency, WhatRestsOnNoDataIsSaid) {
     EXPECT_NE(said(HazardCurve({{0.1, 1e-1}, {60, 1e-22}})).find("outside the levels"), std::string::npos);
     auto const sound = said(HazardCurve({{0.5, 1e-2}, {50, 1e-8}}));
     EXPECT_EQ(sound.find("note:"), std::string::npos) << sound;
+    // Its ends are told in the unit that the curve states, whatever the levels do.
+    auto const in_g = parse_hazard("pga [g], annual_exceedance\n0.05, 1e-2\n5, 1e-8\n", "h.csv", spec.levels);
+    EXPECT_NE(said(in_g).find("from 0.05 g (0.01 1/a) to 5 g (1e-08 1/a)"), std::string::npos) << said(in_g);
 }
 
 }  // namespace

@@ -44,6 +44,18 @@ for item in items:
 assert page.count("<svg") == sum(len(item["figures"]) for item in items) >= (6 if records else 5), page.count("<svg")
 assert "http://" not in page.replace("http://www.w3.org", "").replace("http://purl.org", "").replace("http://creativecommons.org", "")
 END
+# Of few waves nothing is claimed that they cannot tell; histories do not stay.
+/usr/bin/python3 -B - "$scratch/paper" << 'END'
+import json, pathlib, sys
+
+folder = pathlib.Path(sys.argv[1])
+told = {item["paper"]: item for item in json.loads((folder / "paper.json").read_text())}
+for name in ("Figure 13: three axes; one direction is enough", "Horizontal with vertical motion", "Figure 12: V_resp over V_WES, proportional"):
+    assert told[name]["verdict"] == "cannot be known" and "tell" in told[name]["why"].replace("told", "tell"), told[name]
+assert [file.name for file in folder.glob("*.csv")] == ["steady.csv"]
+size = sum(file.stat().st_size for file in folder.iterdir())
+assert size < 20e6, size
+END
 # A second call finds its studies and makes the same page.
 cp "$scratch/paper/paper.html" "$scratch/first.html"
 before=$(stat -c %Y.%i "$scratch/paper/axes.h5")
