@@ -82,6 +82,8 @@ class WaveSource {
     [[nodiscard]] virtual std::string variability() const = 0;
     /// Has every wave a target of its own (GeneratedWave::drawn)?
     [[nodiscard]] virtual bool draws_targets() const { return false; }
+    /// Are what targets of one event share and their own parts stated (DrawnTarget::epsilon_between)?
+    [[nodiscard]] virtual bool draws_events() const { return false; }
     /// Why PGD of its waves is no amplitude of the ground but what their baseline does; empty: it is one.
     [[nodiscard]] virtual std::string pgd_drift() const { return {}; }
     /// Are all waves of one spectrum or density, matched to it or not, so that chance phases alone tell them apart?

@@ -1,6 +1,8 @@
 // Requirement: rows tell which target a wave was matched to and its Sa at the campaign's periods; levels
 // and curves can be stated by Sa; waves that share a target count as one where intervals are made.
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -27,6 +29,17 @@ std::string const varying_waves =
     "[waves.envelope]\nshape='jennings'\nrise='2 s'\nlevel_end='10 s'\nend='18 s'\n"
     "[waves.variability]\nsigma=0.6\ncorrelation='baker-jayaram-2008'\n";
 
+// A column of /waves, as a file of the campaign holds it.
+std::vector<double> stored(CampaignSpec const& spec, BlockRows const& block, std::string const& name) {
+    auto const table = wave_table(spec);
+    auto const column = std::ranges::find(table.columns, name, &Field::name);
+    std::vector<double> values;
+    for (auto const& row : block.waves) {
+        std::memcpy(&values.emplace_back(), reinterpret_cast<std::byte const*>(&row) + column->offset, sizeof(double));
+    }
+    return values;
+}
+
 std::set<std::string> columns(CampaignSpec const& spec) {
     std::set<std::string> names;
     for (auto const& column : wave_table(spec).columns) {
@@ -51,9 +64,29 @@ TEST(VaryingWaves, RowsTellTheDrawnTarget) {
         EXPECT_TRUE(names.contains(name)) << name;
     }
     EXPECT_FALSE(names.contains("sa_1"));
+    EXPECT_FALSE(names.contains("epsilon_between_2s")) << "no parts are stated";
     auto const plain = columns(campaign_from(testing::quick_waves + testing::type_b + testing::levels("values=[6]\n")));
     for (auto const* name : {"target", "event", "epsilon_1", "epsilon_2s", "sa_average", "sa_1"}) {
         EXPECT_FALSE(plain.contains(name)) << name;
+    }
+}
+
+// where the parts are stated, so are their deviations, which make up the whole's in every row.
+TEST(VaryingWaves, RowsTellThePartsOfEventAndTarget) {
+    auto waves = varying_waves;
+    waves.replace(waves.find("sigma=0.6"), 9, "between=0.3\nwithin=0.4\ntargets_per_event=2");
+    auto const spec = campaign_from(waves + testing::type_b + testing::levels("values=[0.1]\n"));
+    auto const block = rows_of(spec);
+    for (double const period : epsilon_periods_s) {
+        auto const epsilon = stored(spec, block, fmt::format("epsilon_{:g}s", period));
+        auto const between = stored(spec, block, fmt::format("epsilon_between_{:g}s", period));
+        auto const within = stored(spec, block, fmt::format("epsilon_within_{:g}s", period));
+        for (std::size_t i = 0; i < epsilon.size(); ++i) {
+            EXPECT_NEAR(0.5 * epsilon[i], 0.3 * between[i] + 0.4 * within[i], 1e-12) << period << " s";
+        }
+        EXPECT_EQ(between[0], between[1]);
+        EXPECT_NE(between[1], between[2]);
+        EXPECT_NE(within[0], within[1]);
     }
 }
 
