@@ -211,6 +211,7 @@ std::string curves_text(BodyAnalysis const& body, double confidence) {
                             levels.method == FragilityFit::Method::bootstrap_by_waves ? "ends by resampling them"
                                                                                       : "ends by profile likelihood");
     text += fmt::format("  waves differ by {}\n", body.variability);
+    text += body.sigma ? fmt::format("  {}\n", body.sigma->text()) : "";
     text += fragility_table(body.fragility, confidence);
     for (auto const& limit : body.limits) {
         text += fmt::format("  limit state {}: {}\n", limit.name, limit.definition);
