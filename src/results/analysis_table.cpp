@@ -234,6 +234,12 @@ std::string fragility_table(std::vector<MeasuredFragility> const& fits, double c
             text += fit_line(m);
         }
     }
+    if (std::any_of(fits.begin() + 1, fits.end(), [](auto const& m) { return m.fit.identifiable(); })) {
+        text += fmt::format(
+            "  note: over measures other than {}, P is that of this campaign's scaled waves given the measure: it "
+            "depends on which levels were run, and on how many waves each\n",
+            fits.front().label);
+    }
     text += split_line(fits.front());
     for (auto const& m : fits) {
         for (auto const& quoted : m.fit.quotes) {
