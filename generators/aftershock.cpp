@@ -38,6 +38,7 @@ class MainshockAndAftershock : public WaveSource {
     [[nodiscard]] std::string acceptance() const override { return shocks_->acceptance(); }
     [[nodiscard]] std::string variability() const override { return shocks_->variability(); }
     [[nodiscard]] bool draws_targets() const override { return shocks_->draws_targets(); }
+    [[nodiscard]] bool draws_events() const override { return shocks_->draws_events(); }
     [[nodiscard]] std::string pgd_drift() const override { return shocks_->pgd_drift(); }
     [[nodiscard]] bool of_one_spectrum() const override { return shocks_->of_one_spectrum(); }
     [[nodiscard]] std::uint64_t waves_alike() const override { return shocks_->waves_alike(); }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <fmt/ranges.h>
 #include <gsl/gsl_randist.h>
@@ -46,6 +47,26 @@ std::vector<double> drawn_periods(std::optional<TargetVariability::Input::Condit
         }
     }
     return periods;
+}
+
+using SigmaAt = std::function<double(double)>;
+
+// Of deviations at the periods that are drawn.
+SpectrumShape shape_of(std::vector<double> const& log_period, std::vector<double> const& period_s,
+                       std::vector<double> const& deviations, SigmaAt const& sigma) {
+    SpectrumShape shape{log_period, {}};
+    for (std::size_t i = 0; i < deviations.size(); ++i) {
+        shape.log_factor.push_back(sigma(period_s[i]) * deviations[i]);
+    }
+    return shape;
+}
+
+Epsilons told(SpectrumShape const& shape, SigmaAt const& sigma) {
+    Epsilons epsilon{};
+    for (std::size_t i = 0; i < epsilon.size(); ++i) {
+        epsilon[i] = std::log(shape.factor(epsilon_periods_s[i])) / sigma(epsilon_periods_s[i]);
+    }
+    return epsilon;
 }
 
 std::string text_of(TargetVariability::Sigma const& sigma) {
@@ -94,11 +115,14 @@ DrawnTarget TargetVariability::draw(std::uint64_t seed, std::uint64_t wave) cons
     drawn.event = drawn.number / input_.targets_per_event;
     auto epsilon = deviations(seed, drawn.number, Purpose::target_spectrum);
     if (parted()) {
-        auto const between = deviations(seed, drawn.event, Purpose::event_spectrum);
+        auto const event = deviations(seed, drawn.event, Purpose::event_spectrum);
+        SigmaAt const between = [this](double period) { return interpolated(input_.between, period); };
+        SigmaAt const within = [this](double period) { return interpolated(input_.within, period); };
+        drawn.epsilon_between = told(shape_of(log_period_, period_s_, event, between), between);
+        drawn.epsilon_within = told(shape_of(log_period_, period_s_, epsilon, within), within);
         for (std::size_t i = 0; i < epsilon.size(); ++i) {
-            epsilon[i] = (interpolated(input_.between, period_s_[i]) * between[i]
-                          + interpolated(input_.within, period_s_[i]) * epsilon[i])
-                         / sigma(period_s_[i]);
+            double const period = period_s_[i];
+            epsilon[i] = (between(period) * event[i] + within(period) * epsilon[i]) / sigma(period);
         }
     }
     if (input_.condition) {
@@ -108,13 +132,9 @@ DrawnTarget TargetVariability::draw(std::uint64_t seed, std::uint64_t wave) cons
             epsilon[i] += input_.correlation(period_s_[i], input_.condition->period_s) * missing;
         }
     }
-    drawn.shape.log_period = log_period_;
-    for (std::size_t i = 0; i < epsilon.size(); ++i) {
-        drawn.shape.log_factor.push_back(sigma(period_s_[i]) * epsilon[i]);
-    }
-    for (std::size_t i = 0; i < epsilon_periods_s.size(); ++i) {
-        drawn.epsilon[i] = std::log(drawn.shape.factor(epsilon_periods_s[i])) / sigma(epsilon_periods_s[i]);
-    }
+    SigmaAt const in_all = [this](double period) { return sigma(period); };
+    drawn.shape = shape_of(log_period_, period_s_, epsilon, in_all);
+    drawn.epsilon = told(drawn.shape, in_all);
     return drawn;
 }
 

@@ -18,7 +18,8 @@ namespace overturn {
 
 /// ln Sa(T) = ln median(T) + sigma(T) epsilon(T), epsilon standard normal at every period and correlated between
 /// periods. With parts, sigma epsilon = between epsilon_event + within epsilon_target. Drawn at 20 periods a decade
-/// from 0.01 s to 10 s, straight between them over log period, constant beyond. Pure.
+/// from 0.01 s to 10 s, straight between them over log period (so that epsilon midway, at 3 s, has 0.99 of its standard
+/// deviation under Baker and Jayaram's correlation), constant beyond. Pure.
 class TargetVariability {
   public:
     /// A standard deviation of ln Sa by period: (period [s], value), straight over log period, constant beyond.

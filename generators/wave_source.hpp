@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -52,6 +53,12 @@ struct ComparedPeriods {
     double from_s = 0, to_s = 0;
 };
 
+/// What standard deviation the ln of drawn targets has, where waves are matched to them.
+struct StatedSigma {
+    ComparedPeriods matched;                    ///< shortest and longest period of the match
+    std::function<double(double period_s)> at;  ///< of ln Sa at a period of the waves, as conditions leave it
+};
+
 /// A source of numbered waves. make is pure: the same wave alone or in a crowd, from any thread.
 class WaveSource {
   public:
@@ -82,6 +89,11 @@ class WaveSource {
     [[nodiscard]] virtual std::string variability() const = 0;
     /// Has every wave a target of its own (GeneratedWave::drawn)?
     [[nodiscard]] virtual bool draws_targets() const { return false; }
+    /// Are what targets of one event share and their own parts stated (DrawnTarget::epsilon_between)?
+    [[nodiscard]] virtual bool draws_events() const { return false; }
+    /// Of a source whose waves are each matched to the Sa that was drawn for it, and hold nothing else. \pre the source
+    /// outlives it
+    [[nodiscard]] virtual std::optional<StatedSigma> stated_sigma() const { return std::nullopt; }
     /// Why PGD of its waves is no amplitude of the ground but what their baseline does; empty: it is one.
     [[nodiscard]] virtual std::string pgd_drift() const { return {}; }
     /// Are all waves of one spectrum or density, matched to it or not, so that chance phases alone tell them apart?

@@ -69,6 +69,17 @@ std::string SpectrumCompatible::variability() const {
     return "noise about one spectrum, which is not centred on the target: no event, path or site differs";
 }
 
+std::optional<StatedSigma> SpectrumCompatible::stated_sigma() const {
+    auto const& part = parts_.front();
+    if (!variability_ || part.input.target.is_energy()) {
+        return std::nullopt;
+    }
+    auto const& periods_s = part.matcher.periods_s();
+    return StatedSigma{{periods_s.front(), periods_s.back()}, [this](double period_s) {
+                           return variability_->spread(parts_.front().input.target.stated_period_s(period_s));
+                       }};
+}
+
 // Waves that begin or end abruptly jump to a velocity, and no slow motion can take that back.
 std::string SpectrumCompatible::pgd_drift() const {
     constexpr std::uint64_t draws = 8;

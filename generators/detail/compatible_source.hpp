@@ -59,6 +59,8 @@ class SpectrumCompatible : public WaveSource {
     [[nodiscard]] std::string describe() const override { return summary_; }
     [[nodiscard]] std::string variability() const override;
     [[nodiscard]] bool draws_targets() const override { return variability_.has_value(); }
+    [[nodiscard]] bool draws_events() const override { return variability_ && variability_->parted(); }
+    [[nodiscard]] std::optional<StatedSigma> stated_sigma() const override;
     /// By some draws, or by the seeds: does what is slower than the wave is meant to be rule the displacement?
     [[nodiscard]] std::string pgd_drift() const override;
     [[nodiscard]] bool of_one_spectrum() const override { return !variability_; }

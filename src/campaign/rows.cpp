@@ -1,6 +1,7 @@
 #include "campaign/rows.hpp"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -17,6 +18,15 @@ void add_each(Fields& fields, std::string const& name, std::string const& units,
         fields.push_back({fmt::format("{}_{}", name, i + 1), units, descriptions[i], FieldType::real,
                           offset_of<Member>() + i * sizeof(double)});
     }
+}
+
+std::vector<std::string> at_told_periods(std::string_view what) {
+    std::vector<std::string> descriptions;
+    descriptions.reserve(epsilon_periods_s.size());
+    for (double const period : epsilon_periods_s) {
+        descriptions.push_back(fmt::format("{} at {:g} s of the period that the target is stated in", what, period));
+    }
+    return descriptions;
 }
 
 Fields fields_of_waves() {
@@ -81,15 +91,12 @@ Fields fields_of_waves() {
         field<&W::event>("event", "1", "number of the event whose part the drawn target shares"),
         field<&W::sa_average_mps2>("sa_average", "m/s2",
                                    "geometric mean of the pseudo-acceleration spectrum over measures.sa_band")};
-    std::vector<std::string> at_periods;
-    at_periods.reserve(epsilon_periods_s.size());
-    for (double const period : epsilon_periods_s) {
-        at_periods.push_back(
-            fmt::format("standard deviations of the drawn target above the median at {:g} s of the "
-                        "period that the target is stated in",
-                        period));
-    }
-    add_each<&W::epsilon>(fields, "epsilon", "1", at_periods);
+    add_each<&W::epsilon>(fields, "epsilon", "1",
+                          at_told_periods("standard deviations of the drawn target above the median"));
+    add_each<&W::epsilon_between>(fields, "epsilon_between", "1",
+                                  at_told_periods("between-event standard deviations of its event's part of it"));
+    add_each<&W::epsilon_within>(fields, "epsilon_within", "1",
+                                 at_told_periods("within-event standard deviations of its own part of it"));
     add_each<&W::sa_mps2>(fields, "sa", "m/s2", std::vector<std::string>(most_sa_periods, "pseudo-acceleration"));
     return fields;
 }

@@ -38,7 +38,7 @@ struct WaveRow {
     double correlation = 0;
     double turned_rad = 0;
     std::int64_t target = 0, event = 0;
-    std::array<double, epsilon_periods_s.size()> epsilon{};
+    Epsilons epsilon{}, epsilon_between{}, epsilon_within{};
     std::array<double, most_sa_periods> sa_mps2{};
     double sa_average_mps2 = 0;
     Accepted accepted = Accepted::not_asked;

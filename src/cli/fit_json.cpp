@@ -146,6 +146,26 @@ Json grid_json(BodySpec const& body, LevelSpec const& levels, GridMap const& map
     return json;
 }
 
+Json sigma_json(std::optional<AchievedSigma> const& sigma) {
+    if (!sigma) {
+        return nullptr;
+    }
+    Json json{{"waves", sigma->waves},
+              {"independent", sigma->independent},
+              {"independent_are", sigma->of_events ? "events" : "targets"},
+              {"missed_match_tolerance", sigma->missed},
+              {"measures", Json::array()}};
+    for (auto const& m : sigma->measures) {
+        json["measures"].push_back({{"measure", m.name},
+                                    {"label", m.label},
+                                    {"period_s", m.period_s},
+                                    {"stated", m.stated ? Json(*m.stated) : Json(nullptr)},
+                                    {"achieved", m.achieved},
+                                    {"standard_error", m.error}});
+    }
+    return json;
+}
+
 Json limits_json(CampaignSpec const& spec) {
     Json list = Json::array();
     for (auto const& limit : spec.limits) {
@@ -208,6 +228,7 @@ Json all_fragility_json(std::vector<BodyAnalysis> const& analysis, double confid
 Json fit_json(CampaignSpec const& spec, Statistics const& statistics, std::vector<BodyAnalysis> const& analysis,
               double confidence, WarningUnits units) {
     Json json{{"variability", spec.source->variability()},
+              {"sigma", sigma_json(statistics.achieved_sigma())},
               {"waves_alike", spec.source->waves_alike()},
               {"limits", limits_json(spec)},
               {"stripes", all_stripes_json(spec, statistics, confidence)},

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "campaign/validated_range.hpp"
 #include "campaign/warnings.hpp"
 #include "campaign/withheld_inputs.hpp"
 #include "cli/figures.hpp"
@@ -19,6 +18,7 @@
 #include "cli/outcome_report.hpp"
 #include "cli/rare_json.hpp"
 #include "cli/report_bodies.hpp"
+#include "cli/report_facts.hpp"
 #include "cli/shown_trials.hpp"
 #include "cli/spectra_of_waves.hpp"
 #include "cli/velocity_unit.hpp"
@@ -47,54 +47,6 @@ struct ReportOptions {
     std::optional<double> confidence;  ///< none: the campaign's
     Unverified unverified;
 };
-
-std::string effects_text(CampaignSpec const& spec) {
-    switch (spec.effects.mode) {
-        case EffectMode::automatic:
-            return "auto: what each scene calls for"
-                   + (spec.effects.include == 0
-                          ? std::string()
-                          : fmt::format("; {} in every trial, for the limit states that only they can answer",
-                                        names_of_effects(spec.effects.include)));
-        case EffectMode::none:
-            return "none: plain rocking";
-        case EffectMode::forced:
-            break;
-    }
-    return "forced: " + text_of(spec.effects);
-}
-
-// What was run: all that was planned, or less of a campaign that ended once it was precise enough.
-std::string ran_text(std::int64_t ran, std::int64_t planned) {
-    return ran == planned ? fmt::format("{}", ran)
-                          : fmt::format("{} of {} planned: it ended early, precise enough", ran, planned);
-}
-
-Json facts_of(CampaignSpec const& spec, Plan const& plan, store::ResultsReader const& file) {
-    auto facts = Json::array();
-    auto const add = [&](char const* name, std::string value) { facts.push_back({name, std::move(value)}); };
-    auto const& levels = spec.levels.levels;
-    auto const waves = static_cast<std::int64_t>(file.integers("waves/id").size());
-    add("waves", fmt::format("{} ({})", ran_text(waves, plan.waves()), spec.source->describe()));
-    add("waves differ by", spec.source->variability());
-    add("validated range", validated_range_text(spec));
-    add("acceptance of waves", spec.source->acceptance());
-    add("levels", fmt::format("{} of {}, {:.6g} to {}{}", levels.size(), spec.levels.measure_name(),
-                              spec.levels.shown(levels.front().value), spec.levels.text(levels.back().value),
-                              spec.levels.independent_waves ? ", each with waves of its own"
-                                                            : ", the same waves scaled to each"));
-    add("trials", ran_text(waves * plan.trials_per_wave(), plan.trials()));
-    add("effects", effects_text(spec));
-    for (std::size_t l = 1; l < spec.limits.size(); ++l) {
-        add("limit state", fmt::format("{}: {}", spec.limits[l].name, definition_of(spec.limits[l], spec.limits)));
-    }
-    add("integration",
-        fmt::format("Taylor series of order {}, {} a sample, tolerance {:.1g}", spec.accuracy.rocking.taylor_order,
-                    spec.accuracy.rocking.substeps, spec.accuracy.rocking.step_tolerance));
-    add("T0, T1",
-        fmt::format("R in {}", spec.measures.radius_unit == RadiusUnit::centimetre ? "centimetres" : "metres"));
-    return facts;
-}
 
 // The first wave, and the one that overturned anything at the lowest level: usually the ones to look at.
 std::vector<std::int64_t> telling_waves(store::ResultsReader const& file, Plan const& plan) {
@@ -256,7 +208,7 @@ int write_report(ReportOptions const& options) {
     data["fit"]["telling_trials"] = telling_json(spec, telling);
     add_rare(file, spec, data);
     data["unverified"] = changed;
-    data["facts"] = facts_of(spec, plan, file);
+    data["facts"] = facts_of(spec, plan, statistics);
     data["facts"].push_back({"confidence", fmt::format("{:g} %", 100 * confidence)});
     if (options.beta_u > 0) {
         data["facts"].push_back({"beta_U as stated", fmt::format("{:g}", options.beta_u)});

@@ -79,6 +79,7 @@ class Analyst {
         BodyAnalysis body;
         body.body = spec_.bodies[b].name;
         body.variability = spec_.source->variability();
+        body.sigma = statistics_.achieved_sigma();
         body.one_spectrum = spec_.source->of_one_spectrum();
         body.fragility = fragility(b, 0);
         for (std::size_t limit = 1; limit < spec_.limits.size(); ++limit) {

@@ -65,6 +65,7 @@ struct LevelQuantiles {
 struct BodyAnalysis {
     std::string body;
     std::string variability;                   ///< what makes the waves differ, on which every spread below hangs
+    std::optional<AchievedSigma> sigma;        ///< how much they do, where targets are drawn
     bool one_spectrum = false;                 ///< of all waves: no measure can prove better than another
     std::vector<MeasuredFragility> fragility;  ///< of overturning
     std::vector<LimitAnalysis> limits;

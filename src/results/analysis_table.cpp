@@ -211,6 +211,7 @@ std::string curves_text(BodyAnalysis const& body, double confidence) {
                             levels.method == FragilityFit::Method::bootstrap_by_waves ? "ends by resampling them"
                                                                                       : "ends by profile likelihood");
     text += fmt::format("  waves differ by {}\n", body.variability);
+    text += body.sigma ? fmt::format("  {}\n", body.sigma->text()) : "";
     text += fragility_table(body.fragility, confidence);
     for (auto const& limit : body.limits) {
         text += fmt::format("  limit state {}: {}\n", limit.name, limit.definition);
@@ -232,6 +233,12 @@ std::string fragility_table(std::vector<MeasuredFragility> const& fits, double c
         for (auto const& m : fits) {
             text += fit_line(m);
         }
+    }
+    if (std::any_of(fits.begin() + 1, fits.end(), [](auto const& m) { return m.fit.identifiable(); })) {
+        text += fmt::format(
+            "  note: over measures other than {}, P is that of this campaign's scaled waves given the measure: it "
+            "depends on which levels were run, and on how many waves each\n",
+            fits.front().label);
     }
     text += split_line(fits.front());
     for (auto const& m : fits) {

@@ -118,6 +118,13 @@ void require_stored(store::ResultsReader const& file, BodyStatistics const& coun
     require(same, fmt::format("stripes/{} does not agree with its trials", counted.body));
 }
 
+// Nothing is counted of the targets' deviations, of which files of earlier programs tell fewer.
+store::TableSpec counted_waves(CampaignSpec const& spec) {
+    auto table = wave_table(spec);
+    std::erase_if(table.columns, [](Field const& column) { return column.name.starts_with("epsilon_"); });
+    return table;
+}
+
 // /waves/<body> of all bodies, body by body for each wave.
 std::vector<MeasureRow> stored_measures(store::ResultsReader const& file, CampaignSpec const& spec,
                                         std::int64_t waves) {
@@ -139,7 +146,7 @@ Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec) {
     auto const measures = stored_measures(file, spec, done);
     auto const bodies = spec.bodies.size();
     std::size_t wave = 0;
-    each_row<WaveRow>(file, wave_table(spec), done, [&](WaveRow const& row) {
+    each_row<WaveRow>(file, counted_waves(spec), done, [&](WaveRow const& row) {
         statistics.add(row, std::span(measures).subspan(bodies * wave++, bodies));
     });
     auto const levels = static_cast<std::int64_t>(spec.levels.levels.size());

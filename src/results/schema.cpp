@@ -44,12 +44,17 @@ Field& field_of(Fields& columns, std::string_view name) {
 void name_periods(CampaignSpec const& spec, Fields& columns) {
     auto const& periods_s = spec.measures.sa_periods_s;
     bool const varies = spec.source->draws_targets();
+    bool const parted = spec.source->draws_events();
     std::erase_if(columns, [&](Field const& column) {
+        bool const part = column.name.starts_with("epsilon_between_") || column.name.starts_with("epsilon_within_");
         bool const drawn = column.name == "target" || column.name == "event" || column.name.starts_with("epsilon_");
-        return (drawn && !varies) || (column.name == "sa_average" && !spec.measures.sa_band);
+        return (drawn && !varies) || (part && !parted) || (column.name == "sa_average" && !spec.measures.sa_band);
     });
-    for (std::size_t i = 0; i < epsilon_periods_s.size() && varies; ++i) {
-        field_of(columns, fmt::format("epsilon_{}", i + 1)).name = fmt::format("epsilon_{:g}s", epsilon_periods_s[i]);
+    for (std::string_view const told : {"epsilon", "epsilon_between", "epsilon_within"}) {
+        for (std::size_t i = 0; i < epsilon_periods_s.size() && (told == "epsilon" ? varies : parted); ++i) {
+            field_of(columns, fmt::format("{}_{}", told, i + 1)).name =
+                fmt::format("{}_{:g}s", told, epsilon_periods_s[i]);
+        }
     }
     for (std::size_t i = 0; i < most_sa_periods; ++i) {
         auto const slot = fmt::format("sa_{}", i + 1);

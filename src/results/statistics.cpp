@@ -22,7 +22,7 @@ void count(LimitStatistics& limit, std::size_t level, VerdictEntry const& end, b
 }  // namespace
 
 Statistics::Statistics(CampaignSpec const& spec)
-    : judge_(spec.limits, Ladder(spec.effects, spec.accuracy)), measured_(spec.source->waves_alike()) {
+    : judge_(spec.limits, Ladder(spec.effects, spec.accuracy)), sigma_(spec), measured_(spec.source->waves_alike()) {
     for (auto const& body : spec.bodies) {
         BodyStatistics statistics;
         statistics.body = body.name;
@@ -54,6 +54,7 @@ void Statistics::add(WaveRow const& row, std::span<MeasureRow const> measures) {
         other_durations_[row.id] = row.duration_s;
     }
     waves_.add(row);
+    sigma_.add(row);
     measured_.add(row, measures);
 }
 

@@ -4,12 +4,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "campaign/block_rows.hpp"
 #include "campaign/campaign_spec.hpp"
+#include "results/achieved_sigma.hpp"
 #include "results/grid_map.hpp"
 #include "results/measured_trials.hpp"
 #include "stats/stripe.hpp"
@@ -55,6 +57,7 @@ struct WaveCounts {
 };
 
 /// Counts trials as they come; integers only, so that no order can matter. Keeps the measured ones for the curves.
+/// Waves come in their order.
 class Statistics {
   public:
     /// \param spec outlives it
@@ -66,6 +69,8 @@ class Statistics {
     void add(BlockRows const& block);
     [[nodiscard]] std::vector<BodyStatistics> const& bodies() const { return bodies_; }
     [[nodiscard]] WaveCounts const& waves() const { return waves_; }
+    /// How much the waves differ, where targets are drawn.
+    [[nodiscard]] std::optional<AchievedSigma> achieved_sigma() const { return sigma_.achieved(waves_.missed); }
     /// Do limit states hang on what models have to say of their own?
     [[nodiscard]] bool reads_own() const { return judge_.reads_own(); }
     /// Those trials whose waves were added too.
@@ -76,6 +81,7 @@ class Statistics {
     void count_after_record(TrialRow const& row, BodyStatistics& body) const;
 
     WaveCounts waves_;
+    SigmaCount sigma_;
     MeasuredTrials measured_;
     double duration_s_ = never;                       ///< of the first wave
     std::map<std::int64_t, double> other_durations_;  ///< of waves unlike it, by id

@@ -69,6 +69,8 @@ class TargetSpectrum {
     [[nodiscard]] TargetSpectrum shaped(SpectrumShape shape) const;
     /// The model's period for one that the target was stated at [s].
     [[nodiscard]] double model_period_s(double stated_s) const { return stated_s * time_scale_; }
+    /// The period that the target was stated at for one of the model's [s].
+    [[nodiscard]] double stated_period_s(double model_s) const { return model_s / time_scale_; }
     /// Carried to another damping ratio. \throws InputError for an energy target, which the rules do not speak of.
     [[nodiscard]] TargetSpectrum at_damping(double damping, DampingRule rule) const;
 

@@ -90,6 +90,16 @@ std::string rare_campaign() {
            "[rare]\nmethod='subset'\nreplicates=4\n";
 }
 
+// Targets drawn in parts, and Sa at periods and over a band.
+std::string varying_campaign() {
+    return "seed=7\n[waves]\nsource='spectrum-compatible'\ncount=2\nduration='20.48 s'\ntime_step='0.02 s'\n"
+           "[waves.target]\nspectrum='mlit-ch1'\n[waves.envelope]\nrise=2\nlevel_end=10\nend=18\n"
+           "[waves.variability]\nbetween=0.3\nwithin=0.5\ncorrelation='baker-jayaram-2008'\n"
+           "[[bodies]]\nname='block'\nmass='12.6 t'\nbase_width='0.9 m'\ncentre_height='1.045 m'\n"
+           "inertia='uniform-block'\n[levels]\nmeasure='pga'\nvalues=[6]\n"
+           "[measures]\nsa_periods=[1, 3]\nsa_band=[1, 3]\n";
+}
+
 TEST_F(Format, OneVersionHasOneTableOfColumns) {
     run(campaign_on_points(2) + "[measures]\nboth_radius_units=true\n[[limits]]\nname='touches'\nquantity='peak_slip'\n"
                                 "above='0.1 m'\n",
@@ -105,8 +115,9 @@ TEST_F(Format, ThePageOfColumnsIsTheFilesOwn) {
                                 "above='0.1 m'\n",
         "c.h5");
     run(rare_campaign(), "rare.h5");
+    run(varying_campaign(), "varying.h5");
     ASSERT_EQ(execute(folder, {"/bin/sh", "-c", "gzip -dc '" OVERTURN_GOLDEN "/results-4.h5.gz' > grid.h5"}).code, 0);
-    auto const page = overturn(folder, {"list", "columns", "c.h5", "rare.h5", "grid.h5", "--markdown"});
+    auto const page = overturn(folder, {"list", "columns", "c.h5", "rare.h5", "varying.h5", "grid.h5", "--markdown"});
     ASSERT_EQ(page.code, 0) << page.err;
 
     auto const path = std::filesystem::path(OVERTURN_GOLDEN) / "../../src/store/COLUMNS.md";

@@ -93,6 +93,10 @@ TEST_F(Spectra, CurvesSayByWhatTheirWavesDiffer) {
         EXPECT_NE(run.out.find("waves differ by " + words), std::string::npos) << run.out;
         auto const fit = json::parse(overturn(folder, {"fit", "w.h5", "--json"}).out);
         EXPECT_TRUE(fit["variability"].get<std::string>().starts_with(words)) << fit["variability"];
+        bool const drawn = words.starts_with("targets");
+        EXPECT_EQ(fit["sigma"].is_null(), !drawn);
+        EXPECT_EQ(run.out.find("achieved sd of ln (stated of Sa), over 2 targets: pga ") != std::string::npos, drawn);
+        EXPECT_EQ(drawn ? fit["sigma"]["measures"][0]["stated"] : json(0.6), 0.6);
         std::filesystem::remove(folder / "w.h5");
     }
 }

@@ -49,7 +49,8 @@ Moments moments(TargetVariability const& varies, double a_s, double b_s, int dra
 
 double error_of(double rho, int draws) { return (1 - rho * rho) / std::sqrt(draws); }
 
-// Sums over 1000 targets within four standard errors of the model's: rho(1 s, 2 s) 0.749, rho(3 s, 4 s) 0.895.
+// Sums over 1000 targets within four standard errors of the model's. What campaigns store of them:
+// campaign/varying_waves_test.cpp.
 TEST(TargetVariability, SumsOfAThousandTargetsAreThoseOfTheModel) {
     auto const varies = read("sigma = 0.6\ncorrelation = 'baker-jayaram-2008'");
     constexpr int draws = 1000;
@@ -119,6 +120,35 @@ TEST(TargetVariability, TargetsOfAnEventShareItsPart) {
     constexpr double share = 0.16 / 0.41;
     EXPECT_NEAR(squares, 0.41, 4 * 0.41 * std::sqrt(2.0 / events));
     EXPECT_NEAR((sum - first * second) / squares, share, 4 * error_of(share, events));
+}
+
+// What is told of the parts makes up what is told of the whole, at every period; each is standard normal, and apart
+// from the other, within four standard errors.
+TEST(TargetVariability, PartsMakeUpTheWhole) {
+    auto const varies = read(
+        "between = 0.4\nwithin = [['0.1 s', 0.3], ['10 s', 0.7]]\ntargets_per_event = 2\n"
+        "correlation = 'baker-jayaram-2008'");
+    constexpr int events = 1000;
+    double squares = 0, own_squares = 0, products = 0;
+    for (std::uint64_t event = 0; event < events; ++event) {
+        auto const first = varies.draw(4, 2 * event);
+        auto const second = varies.draw(4, 2 * event + 1);
+        EXPECT_EQ(first.epsilon_between, second.epsilon_between);
+        EXPECT_NE(first.epsilon_within, second.epsilon_within);
+        for (std::size_t i = 0; i < epsilon_periods_s.size(); ++i) {
+            double const within = 0.5 + 0.2 * std::log10(epsilon_periods_s[i]);
+            EXPECT_NEAR(std::hypot(0.4, within) * first.epsilon[i],
+                        0.4 * first.epsilon_between[i] + within * first.epsilon_within[i], 1e-12)
+                << epsilon_periods_s[i] << " s";
+        }
+        constexpr std::size_t at_1s = 3;
+        squares += first.epsilon_between[at_1s] * first.epsilon_between[at_1s] / events;
+        own_squares += first.epsilon_within[at_1s] * first.epsilon_within[at_1s] / events;
+        products += first.epsilon_between[at_1s] * first.epsilon_within[at_1s] / events;
+    }
+    EXPECT_NEAR(squares, 1, 4 * std::sqrt(2.0 / events));
+    EXPECT_NEAR(own_squares, 1, 4 * std::sqrt(2.0 / events));
+    EXPECT_NEAR(products, 0, 4 / std::sqrt(events));
 }
 
 TEST(TargetVariability, WavesOfATargetShareItAndSeedsDiffer) {

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include "results/analysis_table.hpp"
 #include "results/criterion_verdict.hpp"
 #include "results/statistics.hpp"
 #include "support/campaigns.hpp"
@@ -93,6 +94,18 @@ TEST_F(AnalysisOfRows, LevelsAreStripesAndWavesAreResampled) {
     ASSERT_EQ(levels.fit.quotes.size(), 4U);
     EXPECT_EQ(levels.fit.quotes[1].quote.intensity, 9);
     EXPECT_EQ(levels.fit.quotes[1].trials, 40);
+}
+
+// What a curve over another measure than the levels' hangs on is said once beneath a table of several.
+TEST_F(AnalysisOfRows, CurvesOverOtherMeasuresAreOfTheDesign) {
+    fill();
+    auto const fits = analyse(spec, statistics, {})[1].fragility;
+    auto const all = fragility_table(fits, 0.95);
+    std::string const said = "note: over measures other than pga, P is that of this campaign's scaled waves";
+
+    EXPECT_NE(all.find(said), std::string::npos) << all;
+    EXPECT_EQ(all.find(said), all.rfind(said));
+    EXPECT_EQ(fragility_table({fits.front()}, 0.95).find("measures other"), std::string::npos);
 }
 
 /// V_WES and ouV_E are one multiple of each other in these rows: same beta, same rank, medians apart by the factor.

@@ -78,6 +78,8 @@ void describe_drawn(WaveRow& row, DrawnTarget const& drawn) {
     row.target = static_cast<std::int64_t>(drawn.number);
     row.event = static_cast<std::int64_t>(drawn.event);
     row.epsilon = drawn.epsilon;
+    row.epsilon_between = drawn.epsilon_between;
+    row.epsilon_within = drawn.epsilon_within;
 }
 
 void describe_check(PreparedWave& wave, WaveCheck const& check) {

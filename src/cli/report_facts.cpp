@@ -1,0 +1,68 @@
+#include "cli/report_facts.hpp"
+
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "campaign/validated_range.hpp"
+#include "cli/json_values.hpp"
+
+namespace overturn::cli {
+namespace {
+
+std::string effects_text(CampaignSpec const& spec) {
+    switch (spec.effects.mode) {
+        case EffectMode::automatic:
+            return "auto: what each scene calls for"
+                   + (spec.effects.include == 0
+                          ? std::string()
+                          : fmt::format("; {} in every trial, for the limit states that only they can answer",
+                                        names_of_effects(spec.effects.include)));
+        case EffectMode::none:
+            return "none: plain rocking";
+        case EffectMode::forced:
+            break;
+    }
+    return "forced: " + text_of(spec.effects);
+}
+
+// What was run: all that was planned, or less of a campaign that ended once it was precise enough.
+std::string ran_text(std::int64_t ran, std::int64_t planned) {
+    return ran == planned ? fmt::format("{}", ran)
+                          : fmt::format("{} of {} planned: it ended early, precise enough", ran, planned);
+}
+
+}  // namespace
+
+Json facts_of(CampaignSpec const& spec, Plan const& plan, Statistics const& statistics) {
+    auto facts = Json::array();
+    auto const add = [&](char const* name, std::string value) { facts.push_back({name, std::move(value)}); };
+    auto const& levels = spec.levels.levels;
+    auto const waves = statistics.waves().waves;
+    add("waves", fmt::format("{} ({})", ran_text(waves, plan.waves()), spec.source->describe()));
+    add("waves differ by", spec.source->variability());
+    if (auto const sigma = statistics.achieved_sigma()) {
+        add("by how much", sigma->text());
+    }
+    add("validated range", validated_range_text(spec));
+    add("acceptance of waves", spec.source->acceptance());
+    add("levels", fmt::format("{} of {}, {:.6g} to {}{}", levels.size(), spec.levels.measure_name(),
+                              spec.levels.shown(levels.front().value), spec.levels.text(levels.back().value),
+                              spec.levels.independent_waves ? ", each with waves of its own"
+                                                            : ", the same waves scaled to each"));
+    add("trials", ran_text(waves * plan.trials_per_wave(), plan.trials()));
+    add("effects", effects_text(spec));
+    for (std::size_t l = 1; l < spec.limits.size(); ++l) {
+        add("limit state", fmt::format("{}: {}", spec.limits[l].name, definition_of(spec.limits[l], spec.limits)));
+    }
+    add("integration",
+        fmt::format("Taylor series of order {}, {} a sample, tolerance {:.1g}", spec.accuracy.rocking.taylor_order,
+                    spec.accuracy.rocking.substeps, spec.accuracy.rocking.step_tolerance));
+    add("T0, T1",
+        fmt::format("R in {}", spec.measures.radius_unit == RadiusUnit::centimetre ? "centimetres" : "metres"));
+    return facts;
+}
+
+}  // namespace overturn::cli

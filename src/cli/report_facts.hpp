@@ -1,0 +1,15 @@
+/// What was asked of a campaign, as a report lists it.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "campaign/campaign_spec.hpp"
+#include "campaign/plan.hpp"
+#include "results/statistics.hpp"
+
+namespace overturn::cli {
+
+/// Pairs of what is meant and what was asked for, or run of it.
+[[nodiscard]] nlohmann::ordered_json facts_of(CampaignSpec const& spec, Plan const& plan, Statistics const& statistics);
+
+}  // namespace overturn::cli

@@ -1,0 +1,95 @@
+// Requirement R-709: beside the sigma that was stated of drawn targets stands the one that the campaign's waves have.
+#include "results/achieved_sigma.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "spectra/period_correlation.hpp"
+#include "support/campaigns.hpp"
+
+namespace overturn {
+namespace {
+
+// Matched from 0.04 s to 5 s of a model whose time runs half as fast.
+CampaignSpec campaign(std::string const& variability, std::string const& more = "") {
+    return testing::campaign_from(
+        "[waves]\nsource='spectrum-compatible'\ncount=4\nduration='20.48 s'\ntime_step='0.02 s'\n"
+        "[waves.target]\nspectrum='mlit-ch1'\ntime_scale=0.5\nlongest='5 s'\n"
+        "[waves.envelope]\nshape='jennings'\nrise='2 s'\nlevel_end='10 s'\nend='18 s'\n"
+        + (variability.empty() ? "" : "[waves.variability]\ncorrelation='baker-jayaram-2008'\n" + variability) + more
+        + testing::type_b + testing::levels("values=[6]\n") + "[measures]\nsa_periods=[0.5, 5, 6]\n");
+}
+
+// Waves of ln PGA 0.3 and -0.3 in turn, of ln Sa 0.6 and -0.6; two to a target, four to an event.
+SigmaCount counted(CampaignSpec const& spec, int waves) {
+    SigmaCount count(spec);
+    for (int i = 0; i < waves; ++i) {
+        double const side = i % 2 == 0 ? 0.3 : -0.3;
+        WaveRow row;
+        row.target = i / 2;
+        row.event = i / 4;
+        row.pga_mps2 = 5 * std::exp(side);
+        row.sa_mps2 = {std::exp(2 * side), 7 * std::exp(2 * side), std::exp(2 * side), 0};
+        count.add(row);
+        row.failed = 1;
+        row.pga_mps2 = 0;
+        count.add(row);
+    }
+    return count;
+}
+
+TEST(AchievedSigma, StandsBesideTheStatedOneOfItsPeriod) {
+    auto const spec = campaign("sigma=[['0.1 s', 0.4], ['10 s', 0.8]]\nper_target=2\n");
+    auto const told = counted(spec, 40).achieved(3);
+    ASSERT_TRUE(told);
+    EXPECT_EQ(told->waves, 40);
+    EXPECT_EQ(told->independent, 20);
+    EXPECT_FALSE(told->of_events);
+    ASSERT_EQ(told->measures.size(), 4U);
+    double const of_forty = std::sqrt(40.0 / 39);
+    for (std::size_t i = 0; i < 4; ++i) {
+        auto const& m = told->measures[i];
+        EXPECT_NEAR(m.achieved, (i == 0 ? 0.3 : 0.6) * of_forty, 1e-12) << m.label;
+        EXPECT_NEAR(m.error, m.achieved / std::sqrt(2 * 19.0), 1e-12) << m.label;
+    }
+    EXPECT_EQ(told->measures[0].name, "pga");
+    EXPECT_NEAR(told->measures[0].period_s, 0.04, 1e-12);
+    EXPECT_NEAR(*told->measures[0].stated, 0.4, 1e-12) << "below 0.1 s it is that of 0.1 s";
+    EXPECT_NEAR(*told->measures[1].stated, 0.6, 1e-12) << "0.5 s of the model is 1 s of the target";
+    EXPECT_NEAR(*told->measures[2].stated, 0.8, 1e-12);
+    EXPECT_FALSE(told->measures[3].stated) << "not matched at 6 s";
+    EXPECT_EQ(told->text(),
+              "achieved sd of ln (stated of Sa), over 20 targets: pga 0.304 +- 0.049 (0.4 at 0.04 s, the shortest "
+              "matched), sa(0.5 s) 0.608 +- 0.099 (0.6), sa(5 s) 0.608 +- 0.099 (0.8), sa(6 s) 0.608 +- 0.099 (not "
+              "matched there); 3 of 40 waves missed match_tolerance");
+}
+
+TEST(AchievedSigma, EventsCountWherePartsAreStated) {
+    auto const spec = campaign("between=0.3\nwithin=0.4\nper_target=2\ntargets_per_event=2\n");
+    auto const told = counted(spec, 40).achieved(0);
+    ASSERT_TRUE(told);
+    EXPECT_EQ(told->independent, 10);
+    EXPECT_NEAR(*told->measures[1].stated, 0.5, 1e-12);
+    EXPECT_NE(told->text().find("over 10 events"), std::string::npos);
+    EXPECT_FALSE(counted(spec, 4).achieved(0)) << "one event scatters about nothing";
+}
+
+// Given Sa at a period, targets scatter as normals do given another one: not at all there.
+TEST(AchievedSigma, AConditionTakesFromWhatIsStated) {
+    auto const spec = campaign("sigma=0.6\nconditional={period=1, epsilon=1}\n");
+    auto const told = counted(spec, 8).achieved(0);
+    ASSERT_TRUE(told);
+    EXPECT_EQ(*told->measures[1].stated, 0);
+    double const rho = baker_jayaram_2008(10, 1);
+    EXPECT_NEAR(*told->measures[2].stated, 0.6 * std::sqrt(1 - rho * rho), 1e-12);
+}
+
+TEST(AchievedSigma, NothingIsSaidWhereNoneIsStatedOfTheWaves) {
+    EXPECT_FALSE(counted(campaign(""), 8).achieved(0)) << "one target";
+    EXPECT_FALSE(counted(campaign("sigma=0.6\n", "[waves.aftershock]\npause=5\n"), 8).achieved(0)) << "two shocks";
+}
+
+}  // namespace
+}  // namespace overturn
