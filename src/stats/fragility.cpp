@@ -172,7 +172,8 @@ FragilityData FragilityData::of_stripes(std::span<Stripe const> stripes) {
     data.points = points_of(stripes);
     for (auto const& stripe : stripes) {
         if (auto const open = stripe.trials - stripe.decided(); open > 0) {
-            data.open_points.push_back({std::log(stripe.amplitude), 0, 0, static_cast<double>(open)});
+            data.open_points.push_back(
+                {std::log(stripe.amplitude), 0, 0, static_cast<double>(open), static_cast<double>(stripe.alike)});
         }
     }
     return data;
@@ -188,7 +189,7 @@ FragilityData FragilityData::of_trials(std::vector<SingleTrial> trials, bool wav
     }
     data.open_points = points_of(open, most_cells);
     for (auto& point : data.open_points) {
-        point = {point.log_intensity, 0, 0, point.trials};
+        point = {point.log_intensity, 0, 0, point.trials, static_cast<double>(alike)};
     }
     if (!data.points.empty()) {
         data.points.back().undecided = static_cast<double>(lost) + static_cast<double>(open.size());
@@ -231,7 +232,7 @@ std::vector<FragilityPoint> with_undecided(FragilityData const& data, bool falle
     for (auto const& open : data.open_points) {
         auto at = std::ranges::find(points, open.log_intensity, &FragilityPoint::log_intensity);
         if (at == points.end()) {
-            at = points.insert(at, {open.log_intensity, 0, 0, 0});
+            at = points.insert(at, {open.log_intensity, 0, 0, 0, open.alike});
         }
         at->trials += open.undecided;
         at->overturned += fallen ? open.undecided : 0;

@@ -176,6 +176,7 @@ void ResultsReader::rows(TableSpec const& spec, std::int64_t length, std::int64_
     std::vector<std::int64_t> values(count);
     for (auto const& column : spec.columns) {
         auto const name = spec.group + "/" + column.name;
+        validate(has(name), "results file: has no {} {}", name, advice);
         auto const dataset = open_numbers(file_, name);
         auto const stored = length_of(dataset);
         validate(stored == length, "results file: {} has {} rows, the campaign {} {}", name, stored, length, advice);

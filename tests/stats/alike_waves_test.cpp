@@ -163,6 +163,15 @@ TEST(AlikeWaves, TrueCurvesAreSeldomRejected) {
     EXPECT_GT(one_by_one, repetitions / 2);
 }
 
+/// A level at which nothing was decided is a stripe of groups too once its trials are taken as fallen or standing.
+TEST(AlikeWaves, UndecidedStripesAreGroupsToo) {
+    std::vector<Stripe> const stripes{{.amplitude = 2, .trials = 100, .overturned = 10, .alike = 10},
+                                      {.amplitude = 4, .trials = 100, .undecided = 100, .alike = 10}};
+    for (auto const& point : with_undecided(FragilityData::of_stripes(stripes), true)) {
+        EXPECT_EQ(point.alike, 10) << std::exp(point.log_intensity);
+    }
+}
+
 TEST(AlikeWaves, WordsSayThatGroupsCountAsOne) {
     auto const fit =
         fit_of({{.amplitude = 2, .trials = 200, .alike = 10}, {.amplitude = 4, .trials = 200, .alike = 10}});

@@ -371,6 +371,8 @@ TEST_F(Results, RowsAreReadByTheTableThatWroteThem) {
     other.columns[1].type = FieldType::category;
     other.columns[1].categories = numbered({"one"});
     expect_input_error([&] { reader.rows(other, row_count, 0, bytes); }, "trials/wave holds no names");
+    other.columns[0].name = "epsilon_7s";
+    expect_input_error([&] { reader.rows(other, row_count, 0, bytes); }, "has no trials/epsilon_7s", "of this program");
 }
 
 TEST_F(Results, ReaderRefusesOtherFormats) {
