@@ -192,6 +192,7 @@ Json fragility_json(std::string const& body, MeasuredFragility const& measured, 
               {"limit", measured.limit},
               {"measure", measured.name},
               {"label", measured.label},
+              {"depends_on_levels", !measured.of_levels},
               {"identifiable", fit.identifiable()}};
     add_curve(json, fit);
     json["units"] = measured.units;

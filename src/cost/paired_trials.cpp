@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
+#include <utility>
 
 #include <gsl/gsl_cdf.h>
 
@@ -18,6 +21,9 @@ PairedTrials::PairedTrials(CampaignSpec const& spec, Plan const& plan, std::span
             design_basis_ = level.value;
         }
     }
+    std::ranges::transform(waves, std::back_inserter(groups_), [&](PreparedWave const& wave) {
+        return wave.number / static_cast<std::int64_t>(spec.source->waves_alike());
+    });
     auto const together = static_cast<std::size_t>(waves_together(plan));
     auto const each = ladder.own_bytes();
     auto const per_wave = static_cast<std::size_t>(plan.trials_per_wave());
@@ -89,7 +95,23 @@ struct Flips {
     }
 };
 
-// Exact, two-sided: each of n waves that differ went either way with the same chance.
+// How many groups of waves that share what was drawn went rather one way, and the other.
+std::pair<std::int64_t, std::int64_t> ways_of(std::span<LimitOutcomes const> before,
+                                              std::span<LimitOutcomes const> after,
+                                              std::span<std::int64_t const> groups, std::size_t limit) {
+    std::map<std::int64_t, Flips> all;
+    for (std::size_t wave = 0; wave < before.size(); ++wave) {
+        all[groups[wave]].add(before.subspan(wave, 1), after.subspan(wave, 1), limit);
+    }
+    std::pair<std::int64_t, std::int64_t> ways;
+    for (auto const& [group, flips] : all) {
+        ways.first += flips.passed > flips.no_longer ? 1 : 0;
+        ways.second += flips.passed < flips.no_longer ? 1 : 0;
+    }
+    return ways;
+}
+
+// Exact, two-sided: each of n that differ went either way with the same chance.
 double p_value(std::int64_t one_way, std::int64_t other_way) {
     auto const n = static_cast<unsigned>(one_way + other_way);
     auto const fewer = static_cast<unsigned>(std::min(one_way, other_way));
@@ -110,12 +132,15 @@ Shift PairedTrials::shift_from(PairedTrials const& before, std::size_t body, std
     shift.passed = all.passed;
     shift.no_longer = all.no_longer;
     if (design_basis_ && before.design_basis_) {
+        auto const& was = before.levels_.at(*before.design_basis_)[body];
+        auto const& is = levels_.at(*design_basis_)[body];
         Flips there;
-        there.add(before.levels_.at(*before.design_basis_)[body], levels_.at(*design_basis_)[body], limit);
+        there.add(was, is, limit);
+        auto const [one_way, other_way] = ways_of(was, is, groups_, limit);
         shift.at_design_basis = counts(body, limit, design_basis_);
         shift.design_passed = there.passed;
         shift.design_no_longer = there.no_longer;
-        shift.design_p_value = p_value(there.passed, there.no_longer);
+        shift.design_p_value = p_value(one_way, other_way);
     }
     return shift;
 }

@@ -164,7 +164,7 @@ class Report:
             "measures", lambda path: fragility_figures.measures(self.results, self.fits, path), "intensity measures compared")
         self.section("criterion", "The energy criterion on trial", table(
             head, rows, "False safe: measure below V_Ereq, yet overturned. False alarm: above it, yet stood."),
-            *parts, "<h3>Which measure predicts best</h3>" if compared else "", compared)
+            *parts, *(("<h3>Which measure predicts best</h3>", compared, limit_sections.of_the_levels(self)) if compared else ()))
 
     @staticmethod
     def answer(bin_):

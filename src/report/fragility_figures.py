@@ -66,7 +66,7 @@ def draw_family(axes, results, fit):
 
 
 def draw_stripes(axes, results, mine, floor, colour=INK):
-    """Shares with their exact intervals; on a logarithmic axis a triangle at the upper bound where nothing was seen."""
+    """Shares with their intervals; on a logarithmic axis a triangle at the upper bound where nothing was seen."""
     amplitude, _ = results.in_units(numbers(mine, "amplitude"))
     p, lower, upper = (numbers(mine, key) for key in ("probability", "lower", "upper"))
     shown = np.isfinite(p) & (p > floor)
@@ -94,11 +94,11 @@ def level_axis(axes, results, stripes, floor):
 
 
 def fragility(results, bodies, fits, stripes, what, path):
-    """A row a body: stripes with their exact intervals, the lognormal curve, the isotonic estimate, design basis and HCLPF,
+    """A row a body: stripes with their intervals, the lognormal curve, the isotonic estimate, design basis and HCLPF,
     over a linear axis and, for the tail, over a logarithmic one."""
     style.use()
     figure, panels = plt.subplots(len(bodies), 2, figsize=(5.8, 0.1 + 2.1 * len(bodies)), squeeze=False, layout="constrained")
-    handles = {"stripe, exact interval": Line2D([], [], color=INK, marker="o", ms=3.4, lw=0.8)}
+    handles = {"stripe with its interval": Line2D([], [], color=INK, marker="o", ms=3.4, lw=0.8)}
     for row, body in zip(panels, bodies):
         mine = [s for s in stripes if s["body"] == body.name]
         fit = fits.get((body.name, results.measure))
@@ -236,7 +236,7 @@ def measures(results, fits, path):
     names = [name for name in MEASURES if any((body.name, name) in fits for body in results.bodies)]
     figure, (left, right) = plt.subplots(1, 2, figsize=(5.6, 0.8 + 0.34 * len(names)), sharey=True,
                                          layout="constrained")
-    drawn = 0
+    drawn, hollow = 0, False
     for b, (body, (colour, _)) in enumerate(zip(results.bodies, style.looks(len(results.bodies)))):
         for n, name in enumerate(names):
             fit = fits.get((body.name, name))
@@ -244,7 +244,10 @@ def measures(results, fits, path):
             if fit and fit["identifiable"]:
                 low, high = fit["beta_interval"]
                 reach = [[fit["beta"] - low], [(high if high is not None else fit["beta"]) - fit["beta"]]]
-                left.errorbar(fit["beta"], y, xerr=np.abs(reach), fmt="o", ms=4, color=colour, elinewidth=0.9, capsize=2)
+                rejected = "poor-fit" in fit["flags"]
+                left.errorbar(fit["beta"], y, xerr=np.abs(reach), fmt="o", ms=4, color=colour, mfc="white" if rejected else colour,
+                              elinewidth=0.9, capsize=2)
+                hollow = hollow or rejected
                 drawn += 1
             if fit and fit.get("rank_area") is not None:
                 low, high = fit["rank_interval"]
@@ -255,8 +258,11 @@ def measures(results, fits, path):
     left.set(xlabel="beta of the fit", title="dispersion: less is better")
     left.set_xlim(left=0)
     right.set(xlabel="AUC", title="rank: more is better", xlim=(0.45, 1.02))
-    style.legend_below(figure, [Line2D([], [], color=colour, marker="o", ls="") for colour, _ in style.looks(len(results.bodies))],
-                       [style.literal(body.name) for body in results.bodies])
+    handles = {style.literal(body.name): Line2D([], [], color=colour, marker="o", ls="")
+               for body, (colour, _) in zip(results.bodies, style.looks(len(results.bodies)))}
+    if hollow:
+        handles["the data reject the curve"] = Line2D([], [], color=INK, marker="o", mfc="white", ls="")
+    style.legend_below(figure, list(handles.values()), list(handles))
     if drawn:
         style.save(figure, path)
     else:

@@ -135,6 +135,12 @@ def together(report, limit):
                  table(head, rows) + paragraphs([f"φ pooled over levels: {pooled}"]))]
 
 
+def of_the_levels(report):
+    """What curves over other measures than the levels' are of."""
+    return paragraphs([f"Over measures other than {report.results.measure}, curves and ranks are those of this campaign's scaled waves given the "
+                       "measure: they depend on which levels were run, and on how many waves each."])
+
+
 def curves(report, limit):
     """Figure, fits, quoted probabilities, warnings and stripes of one limit state."""
     fits, stripes, did = report.fits_of(limit), report.stripes[limit], passed(limit)
@@ -160,12 +166,12 @@ def curves(report, limit):
     bodies = len(report.results.bodies)
     many = bodies > fragility_figures.MOST_COMPARED
     ranked = [[f["body"], f["measure"], value_of(f["median"], 4), f["units"], value_of(f["beta"], 3), value_of(f["rank_area"], 3),
-               interval(f["rank_interval"], 3)] for f in fits.values()]
+               interval(f["rank_interval"], 3), ", ".join(f["flags"]) or "none"] for f in fits.values()]
     over_all = [] if limit == OVERTURNING or report.fit["grid"] else [
         report.figure(f"measures-{limit}", lambda path: fragility_figures.measures(report.results, fits, path),
                       f"intensity measures compared by {what}"),
-        fold("curves over every measure, and how each ranks the trials (AUC)",
-             table(["body", "over", "median", "", "beta", "rank", "interval"], ranked))]
+        of_the_levels(report), fold("curves over every measure, and how each ranks the trials (AUC)",
+             table(["body", "over", "median", "", "beta", "rank", "interval", "flags"], ranked))]
     return [paragraphs([f"{bodies} bodies: no more than {fragility_figures.MOST_COMPARED} are drawn in one picture."]) if many else "",
             report.figure(f"{name}-compared", lambda path: fragility_figures.compared(report.results, fits, stripes, what, path),
                           f"probability of {what} of all bodies"),

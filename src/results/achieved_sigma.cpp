@@ -15,8 +15,9 @@ SigmaCount::SigmaCount(CampaignSpec const& spec) : of_events_(spec.source->draws
     }
     auto const take = [&](FragilityMeasure measure, double period_s) {
         bool const matched = sigma->matched.from_s <= period_s && period_s <= sigma->matched.to_s;
-        sums_.push_back({{name_of(measure, spec), label_of(measure, spec), period_s,
-                          matched ? std::optional(sigma->at(period_s)) : std::nullopt}});
+        sums_.emplace_back();
+        sums_.back().of = {name_of(measure, spec), label_of(measure, spec), period_s,
+                           matched ? std::optional(sigma->at(period_s)) : std::nullopt};
     };
     take(FragilityMeasure::pga, sigma->matched.from_s);
     for (std::size_t i = 0; i < spec.measures.sa_periods_s.size(); ++i) {
@@ -28,35 +29,53 @@ void SigmaCount::add(WaveRow const& row) {
     if (sums_.empty() || row.failed != 0) {
         return;
     }
-    ++waves_;
     auto const one = of_events_ ? row.event : row.target;
-    if (waves_ == 1 || one != last_) {
-        ++independent_;
-        last_ = one;
+    if (in_group_ > 0 && one != last_) {
+        close_group();
     }
-    add(0, row.pga_mps2);
+    last_ = one;
+    ++waves_;
+    ++in_group_;
+    sums_[0].group.add(std::log(row.pga_mps2), in_group_);
     for (std::size_t i = 1; i < sums_.size(); ++i) {
-        add(i, row.sa_mps2[i - 1]);
+        sums_[i].group.add(std::log(row.sa_mps2[i - 1]), in_group_);
     }
 }
 
-void SigmaCount::add(std::size_t place, double value) {
-    auto& sum = sums_[place];
-    double const deviation = std::log(value) - sum.mean;
-    sum.mean += deviation / static_cast<double>(waves_);
-    sum.squares += deviation * (std::log(value) - sum.mean);
+void SigmaCount::Moments::add(double value, std::int64_t count) {
+    double const deviation = value - mean;
+    mean += deviation / static_cast<double>(count);
+    squares += deviation * (value - mean);
+}
+
+void SigmaCount::close_group() {
+    ++independent_;
+    in_group_ = 0;
+    for (auto& sum : sums_) {
+        sum.within += sum.group.squares;
+        sum.means.add(sum.group.mean, independent_);
+        sum.group = {};
+    }
 }
 
 std::optional<AchievedSigma> SigmaCount::achieved(std::int64_t missed) const {
-    if (sums_.empty() || independent_ < 2) {
-        return std::nullopt;
+    auto whole = *this;
+    if (in_group_ > 0) {
+        whole.close_group();
     }
+    return sums_.empty() || whole.independent_ < 2 ? std::nullopt : std::optional(whole.of_whole_groups(missed));
+}
+
+AchievedSigma SigmaCount::of_whole_groups(std::int64_t missed) const {
+    auto const waves = static_cast<double>(waves_);
+    auto const groups = static_cast<double>(independent_);
     AchievedSigma all{waves_, independent_, of_events_, missed, {}};
     for (auto const& sum : sums_) {
         all.measures.push_back(sum.of);
         auto& measure = all.measures.back();
-        measure.achieved = std::sqrt(sum.squares / static_cast<double>(waves_ - 1));
-        measure.error = measure.achieved / std::sqrt(2 * static_cast<double>(independent_ - 1));
+        double const within = waves_ > independent_ ? sum.within / (waves - groups) : 0;
+        measure.achieved = std::sqrt(sum.means.squares / (groups - 1) + within * (1 - groups / waves));
+        measure.error = measure.achieved / std::sqrt(2 * (groups - 1));
     }
     return all;
 }

@@ -18,7 +18,9 @@ struct AchievedMeasure {
     double period_s = 0;
     std::optional<double> stated;  ///< standard deviation of ln Sa of the targets, as a condition leaves it; none: not
                                    ///< matched there
-    double achieved = 0;           ///< standard deviation of ln of the measure
+    /// Standard deviation of ln of the measure, by its parts between and within targets or events: what these have in
+    /// common is not counted short where they are few.
+    double achieved = 0;
     /// Its standard error of lognormal waves, achieved / sqrt(2 (independent - 1)): too large where what those of one
     /// target or event have of their own counts too.
     double error = 0;
@@ -45,15 +47,21 @@ class SigmaCount {
     [[nodiscard]] std::optional<AchievedSigma> achieved(std::int64_t missed) const;
 
   private:
+    struct Moments {  // Welford (1962)
+        double mean = 0, squares = 0;
+        void add(double value, std::int64_t count);
+    };
     struct Sum {
         AchievedMeasure of;
-        double mean = 0, squares = 0;  // of deviations from the mean (Welford 1962)
+        Moments group, means;  // of the target or event that is being added, and of those before
+        double within = 0;     // squares about the means of those before
     };
-    void add(std::size_t place, double value);
+    void close_group();
+    [[nodiscard]] AchievedSigma of_whole_groups(std::int64_t missed) const;
 
     bool of_events_;
     std::vector<Sum> sums_;  // PGA first, then Sa at the campaign's periods; empty where nothing is stated
-    std::int64_t waves_ = 0, independent_ = 0, last_ = 0;
+    std::int64_t waves_ = 0, independent_ = 0, in_group_ = 0, last_ = 0;
 };
 
 }  // namespace overturn

@@ -186,6 +186,7 @@ class Analyst {
                                               bool levels) const {
         MeasuredFragility result;
         result.limit = spec_.limits[limit].name;
+        result.of_levels = levels;
         result.measure = measure;
         result.name = name_of(measure, spec_);
         result.label = label_of(measure, spec_);

@@ -77,29 +77,33 @@ std::string where_text(MeasuredFragility const& m, SeenBound const& seen) {
 
 // The exact bound that is left where the curve speaks of less than the trials hold.
 std::string bound_text(MeasuredFragility const& m, QuotedProbability const& q) {
-    if (!q.bound && q.least <= *q.curve) {
-        return "no bound (no curve describes the data, and P does not rise throughout)";
+    if (!q.bound && has(m.fit.flags, FragilityFlag::non_monotone)) {
+        return "no bound (P falls somewhere, beyond chance, so that nothing tried elsewhere bounds it)";
     }
     auto const why = fmt::format(
         "a P below {:.2g}, a tenth of one in the trials there or next above, is not theirs to tell", q.least);
     if (!q.bound) {
         return fmt::format("no bound (no trial there or above; {})", why);
     }
-    return fmt::format("below {:.3g} ({} at {}; {})", q.bound->probability.upper, counts_text(*q.bound),
-                       where_text(m, *q.bound), why);
+    return fmt::format("below {:.3g} ({} at {}{}; {})", q.bound->probability.upper, counts_text(*q.bound),
+                       where_text(m, *q.bound), q.bound->units > q.trials ? ", if P does not fall" : "", why);
 }
 
-// Behind an interval of a proportion.
-std::string exact_text(double alike) {
-    return alike > 1 ? fmt::format(" counting {:g} trials as one", alike) : std::string(" exact");
+// Behind bounds by what was seen, there or elsewhere.
+std::string exact_text(QuotedProbability const& q, double alike) {
+    if (q.bounds.lower == 0 && q.bounds.upper == 1) {
+        return {};
+    }
+    auto const how = alike > 1 ? fmt::format(" counting {:g} trials as one", alike) : std::string(" exact");
+    return how + (q.pooled || q.source == QuotedProbability::Source::neighbours ? " if P does not fall" : "");
 }
 
 std::string neighbours_text(MeasuredFragility const& m, Neighbours const& n) {
     std::vector<std::string> seen;
     for (auto const* side : {&n.below, &n.above}) {
         if (side->units > 0) {
-            seen.push_back(fmt::format("{:g} of {:g} {}at {}", side->overturned, side->units,
-                                       seen.empty() ? "seen " : "", where_text(m, *side)));
+            seen.push_back(
+                fmt::format("{} {}at {}", counts_text(*side), seen.empty() ? "seen " : "", where_text(m, *side)));
         }
     }
     return fmt::format(", {}", fmt::join(seen, " and "));
@@ -124,15 +128,16 @@ std::string quote_line(MeasuredFragility const& m, QuotedProbability const& q) {
     auto const p = q.probability ? fmt::format("{:.3g}", *q.probability)
                    : q.curve     ? std::string("between")
                                  : std::string("not identifiable");
-    auto const rejected = q.curve && q.probability != q.curve
-                              ? fmt::format(" (the curve's {} is not believed)", curve_text(q.least, *q.curve))
-                              : std::string();
+    bool const differs =
+        q.curve && (!q.probability || fmt::format("{:.2g}", *q.probability) != curve_text(q.least, *q.curve));
+    auto const rejected =
+        differs ? fmt::format(" (the curve's {} is not believed)", curve_text(q.least, *q.curve)) : std::string();
     auto const seen = q.trials > 0                     ? stripe_text(m, q)
                       : q.source == Source::neighbours ? neighbours_text(m, *q.neighbours)
                                                        : std::string();
     auto const bounds = q.source == Source::none ? std::string("no bound")
                                                  : fmt::format("[{:.3g}, {:.3g}]{}", q.bounds.lower, q.bounds.upper,
-                                                               q.source != Source::curve ? exact_text(m.fit.alike)
+                                                               q.source != Source::curve ? exact_text(q, m.fit.alike)
                                                                : has(m.fit.flags, FragilityFlag::poor_fit)
                                                                    ? " by a curve that does not describe the data"
                                                                    : std::string());
@@ -236,8 +241,8 @@ std::string fragility_table(std::vector<MeasuredFragility> const& fits, double c
     }
     if (std::any_of(fits.begin() + 1, fits.end(), [](auto const& m) { return m.fit.identifiable(); })) {
         text += fmt::format(
-            "  note: over measures other than {}, P is that of this campaign's scaled waves given the measure: it "
-            "depends on which levels were run, and on how many waves each\n",
+            "  note: over measures other than {}, curves and ranks are those of this campaign's scaled waves given the "
+            "measure: they depend on which levels were run, and on how many waves each\n",
             fits.front().label);
     }
     text += split_line(fits.front());

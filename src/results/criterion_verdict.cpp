@@ -60,16 +60,16 @@ void judge_price(CriterionVerdict& verdict, CriterionStudy const& study, double 
     if (price.of == 0) {
         return;
     }
-    constexpr double mostly = 0.5;
-    bool const dear = price.value() > mostly;
+    constexpr double half = 0.5;
+    bool const dear = price.interval.lower > half;
+    bool const cheap = price.interval.upper < half;
+    auto const* const share = dear ? "more than half" : cheap ? "fewer than half" : "more or fewer than half";
     auto text = fmt::format(
-        "{} than half of its alarms are false: of {} trials that V_WES calls unsafe, {} stood ({}; "
-        "{:g} %: {})",
-        dear                      ? "more"
-        : price.value() == mostly ? "no more"
-                                  : "fewer",
-        price.of, price.count, percent(price.value()), 100 * confidence, ends(price));
-    (dear ? verdict.against : verdict.supports).push_back(std::move(text));
+        "{} of its alarms at these levels are false{}: of {} trials that V_WES calls unsafe, {} stood "
+        "({}; {:g} %: {})",
+        share, dear || cheap ? "" : " (so few trials cannot tell)", price.of, price.count, percent(price.value()),
+        100 * confidence, ends(price));
+    (dear ? verdict.against : cheap ? verdict.supports : verdict.open).push_back(std::move(text));
     if (study.first_overturning) {
         verdict.open.push_back(fmt::format(
             "margin: half of the waves that overturned the body first did so at V_WES / V_Ereq above {:.3g}, 5 % below "
@@ -103,6 +103,15 @@ std::optional<Interval> ratio_of_betas(FragilityFit const& a, FragilityFit const
     return middle_of(ratios, confidence, {0, std::numeric_limits<double>::infinity()});
 }
 
+// Which of two curves the data reject: its beta is that of no lognormal.
+std::string rejected_text(MeasuredFragility const& own, MeasuredFragility const& other) {
+    auto const poor = [](MeasuredFragility const& m) { return has(m.fit.flags, FragilityFlag::poor_fit); };
+    return poor(own) && poor(other) ? "; neither curve describes the data"
+           : poor(own) || poor(other)
+               ? fmt::format("; the curve over {} does not describe the data", poor(own) ? "V_WES" : other.label)
+               : std::string();
+}
+
 constexpr char const* not_testable =
     "not testable with waves of one target or density: phases alone tell them apart, no event, path or site does "
     "([waves.variability] or records do)";
@@ -128,11 +137,12 @@ void compare_dispersion(CriterionVerdict& verdict, BodyAnalysis const& body, dou
         bool const better = ratio && ratio->upper < 1;
         bool const worse = ratio && ratio->lower > 1;
         auto& list = better ? verdict.supports : worse ? verdict.against : verdict.open;
+        auto const rejected = rejected_text(*own, other);
         auto const paired = ratio ? fmt::format(", ratio {:.3g} [{:.3g}, {:.3g}] with waves resampled in pairs",
                                                 beta / theirs, ratio->lower, ratio->upper)
                                   : std::string();
-        list.push_back(fmt::format("dispersion: beta is {:.3g} over V_WES and {:.3g} over {}{}{}", beta, theirs,
-                                   other.label, paired,
+        list.push_back(fmt::format("dispersion: beta is {:.3g} over V_WES and {:.3g} over {}{}{}{}", beta, theirs,
+                                   other.label, paired, rejected,
                                    better || worse ? "" : " (no difference beyond what the sample leaves open)"));
     }
 }

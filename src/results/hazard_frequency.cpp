@@ -131,6 +131,7 @@ BodyFrequency frequency_of(FragilityFit const& fit, FragilityData const& stripes
     LognormalFragility const composite{median, std::hypot(fit.beta_r(), fit.beta_u)};
     made.mean = annual_frequency(hazard, composite);
     made.interval = interval_of_mean(fit, hazard, confidence);
+    made.few_waves = has(fit.flags, FragilityFlag::few_waves) ? fit.waves : 0;
     made.poor = has(fit.flags, FragilityFlag::poor_fit) || has(fit.flags, FragilityFlag::no_five_percent_point);
     if (made.poor || fit.undecided > 0) {  // with all of them fallen, or standing, it may not describe the data
         made.interval = hull(made.interval, made.seen);
@@ -245,6 +246,12 @@ std::string frequency_table(CampaignSpec const& spec, std::vector<BodyFrequency>
                 "levels, of "
                 "which they say no more than of the lowest. State lower levels, or the hazard curve from there on\n",
                 name, f.seen_below_levels, f.seen.upper);
+        }
+        if (f.few_waves > 0) {
+            text += fmt::format(
+                "  note: {}: the curve's interval comes from resampling {} independent waves, or groups of "
+                "them, and is too short\n",
+                name, f.few_waves);
         }
         if (f.poor) {
             text += fmt::format(

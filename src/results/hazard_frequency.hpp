@@ -25,7 +25,8 @@ struct BodyFrequency {
     /// Of that mean, from refits to resampled waves or trials, with undecided trials as either extreme; where the curve
     /// does not describe the data, or might not with them, as far as the stripes alone allow too.
     Interval interval;
-    bool poor = false;  ///< the curve does not describe the data
+    bool poor = false;           ///< the curve does not describe the data
+    std::int64_t few_waves = 0;  ///< independent ones, where they are too few to resample; else 0
     /// Where beta_U is known: the frequency by the curves at 5, 50 and 95 % confidence, median exp(-+1.645 beta_U).
     struct Fractiles {
         double low = 0, median = 0, high = 0;

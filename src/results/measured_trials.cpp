@@ -143,8 +143,7 @@ std::vector<CriterionTrial> MeasuredTrials::criterion_trials(std::int64_t body, 
     list.reserve(trials_.size());
     for (auto const& trial : trials_) {
         if (trial.body == body && trial.decided) {
-            list.push_back(
-                {trial.value(measure) / trial.v_ereq_mps, together(trial.wave), trial.overturned(), trial.uplifted});
+            list.push_back({trial.value(measure) / trial.v_ereq_mps, trial.wave, trial.overturned(), trial.uplifted});
         }
     }
     return list;

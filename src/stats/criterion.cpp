@@ -58,7 +58,7 @@ CriterionStudy study_criterion(std::span<CriterionTrial const> trials, double co
     study.safe_uplifted_but_overturned = share_of(c.false_safe, uplifted, confidence, alike);
     auto const by_waves = [&](std::map<std::int64_t, bool> const& waves) {
         auto const fell = std::count_if(waves.begin(), waves.end(), [](auto const& w) { return w.second; });
-        return share_of(fell, static_cast<std::int64_t>(waves.size()), confidence);
+        return share_of(fell, static_cast<std::int64_t>(waves.size()), confidence, alike);
     };
     study.waves_safe_but_overturned = by_waves(safe_wave_fell);
     study.waves_safe_uplifted_but_overturned = by_waves(uplifted_wave_fell);

@@ -51,7 +51,7 @@ struct CriterionStudy {
     std::optional<RatioQuantiles> first_overturning;  ///< of each wave the lowest ratio that overturned
     std::optional<RatioQuantiles> highest_standing;   ///< of each wave the highest ratio that stood
 };
-/// \param alike so many waves share what was drawn, and are one `wave` of the trials
+/// \param alike so many waves share what was drawn, and count as one in intervals
 [[nodiscard]] CriterionStudy study_criterion(std::span<CriterionTrial const> trials, double confidence,
                                              std::int64_t alike = 1);
 

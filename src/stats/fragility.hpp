@@ -92,7 +92,8 @@ struct SeenBound {
     double from = 0, to = 0;           ///< intensities
     double units = 0, overturned = 0;  ///< trials; distinct waves where single trials share them; no units: none there
     Interval probability;
-    double alike = 1;  ///< so many units share what was drawn
+    double alike = 1;       ///< so many units share what was drawn
+    bool of_waves = false;  ///< units are distinct waves, or groups of those that share what was drawn
 };
 
 /// The nearest stripes (or tenths of the single trials) on either side of an intensity; outside all, on one.

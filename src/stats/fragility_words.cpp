@@ -147,7 +147,8 @@ std::string grid_text(std::int64_t waves) {
 }
 
 std::string counts_text(SeenBound const& seen) {
-    return fmt::format("{:g} of {:g}{}", seen.overturned, seen.units, alike_text(seen.alike));
+    return fmt::format("{:g} of {:g}{}", seen.overturned, seen.units,
+                       seen.of_waves ? " independent waves" : alike_text(seen.alike));
 }
 
 std::string name_of(FragilityState state, Passing passing) {
@@ -238,8 +239,9 @@ std::vector<std::string> warnings_of(FragilityFit const& fit, IntensityUnit cons
                fmt::format("{:g} trials have no verdict and are left out of the curve{}", fit.undecided,
                            fit.identifiable() ? "; its intervals hold with all of them standing and all fallen" : ""));
     }
-    add_if(FragilityFlag::few_waves, fmt::format("{} {} only: intervals from resampling them are too short", fit.waves,
-                                                 fit.alike > 1 ? "groups of waves" : "waves"));
+    add_if(FragilityFlag::few_waves, fmt::format("{} {} only: intervals from resampling them are too short (of ten "
+                                                 "they hold in 90 % instead of 95, of five in 84)",
+                                                 fit.waves, fit.alike > 1 ? "groups of waves" : "waves"));
     add_if(
         FragilityFlag::waves_left_out,
         fmt::format("resampled, and fitted but for stripes, are the first {} waves: the million trials that are held",

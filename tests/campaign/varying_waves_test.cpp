@@ -179,6 +179,11 @@ TEST(VaryingWaves, WavesOfATargetAreResampledTogetherAndThatIsSaid) {
         groups.insert(trial.wave);
         waves.insert(trial.id);
     }
+    std::set<std::int64_t> judged;
+    for (auto const& trial : statistics.measured().criterion_trials(0, FragilityMeasure::v_wes)) {
+        judged.insert(trial.wave);
+    }
+    EXPECT_EQ(judged, (std::set<std::int64_t>{0, 1, 2, 3})) << "the criterion is judged wave by wave";
     EXPECT_EQ(groups, (std::set<std::int64_t>{0, 1}));
     EXPECT_EQ(waves, (std::set<std::int64_t>{0, 1, 2, 3}));
     bool said = false;

@@ -109,6 +109,22 @@ TEST_F(SensitivityOfUplift, MovesTheMedianAsTheThreshold) {
     }
 }
 
+/// of two waves to a target one that moves alone may not be told from chance as two of their own could.
+TEST_F(SensitivityOfUplift, CountsTargetsWhereWavesShareThem) {
+    auto varying = text;
+    varying.replace(varying.find("match='none'"), 12, "match='each'\nmatch_tolerance=0.3");
+    varying.insert(varying.find("[[bodies]]"), "[waves.variability]\nsigma=0.05\ncorrelation='none'\nper_target=8\n");
+    auto const of_targets = study_sensitivity(input_from(varying), 0, [](double, double) {});
+    bool any = false;
+    for (auto const& row : of_targets.rows) {
+        for (auto const& end : row.ends) {
+            EXPECT_GE(end ? end->design_p_value : 1, 0.5) << "two targets: 2 / 2^2";
+            any = any || (end && end->design_passed + end->design_no_longer > 2);
+        }
+    }
+    EXPECT_TRUE(any) << "nothing to tell by";
+}
+
 TEST_F(SensitivityOfUplift, MassHasNone) {
     for (auto const& end : row("bodies[0].mass").ends) {
         EXPECT_EQ(end->flips(), 0);

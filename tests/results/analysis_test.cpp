@@ -101,7 +101,8 @@ TEST_F(AnalysisOfRows, CurvesOverOtherMeasuresAreOfTheDesign) {
     fill();
     auto const fits = analyse(spec, statistics, {})[1].fragility;
     auto const all = fragility_table(fits, 0.95);
-    std::string const said = "note: over measures other than pga, P is that of this campaign's scaled waves";
+    std::string const said =
+        "note: over measures other than pga, curves and ranks are those of this campaign's scaled waves";
 
     EXPECT_NE(all.find(said), std::string::npos) << all;
     EXPECT_EQ(all.find(said), all.rfind(said));
@@ -192,8 +193,10 @@ TEST_F(AnalysisOfRows, TheVerdictFollowsTheCounts) {
     EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.open, "nothing overturned"));
     trial(0, 2, Verdict::overturned, 4.5, 3.0);
     EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.supports, "none of 1 uplifted trials"));
-    EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.supports,
-                      "fewer than half of its alarms are false: of 1 trials that V_WES calls unsafe, 0 stood"));
+    EXPECT_TRUE(
+        holds(analyse(spec, statistics, {})[1].verdict.open,
+              "more or fewer than half of its alarms at these levels are false (so few trials cannot tell): of 1 "
+              "trials that V_WES calls unsafe, 0 stood"));
     trial(0, 1, Verdict::overturned, 3, 1.2);
     EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.against,
                       "1 of 2 uplifted trials that V_WES < V_Ereq calls safe"));
@@ -202,6 +205,18 @@ TEST_F(AnalysisOfRows, TheVerdictFollowsTheCounts) {
     EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.against,
                       "1 of 2 uplifted trials that V_WES < V_Ereq calls safe"))
         << "what never left the ground is not counted";
+    for (std::int64_t w = 2; w < 8; ++w) {
+        wave(w, 2, 1);
+        trial(w, 2, Verdict::overturned, 4.5, 3.0);
+    }
+    EXPECT_TRUE(
+        holds(analyse(spec, statistics, {})[1].verdict.supports, "fewer than half of its alarms at these levels"));
+    for (std::int64_t w = 8; w < 40; ++w) {
+        wave(w, 2, 1);
+        trial(w, 2, Verdict::rocked, 4.5, 3.0);
+    }
+    EXPECT_TRUE(
+        holds(analyse(spec, statistics, {})[1].verdict.against, "more than half of its alarms at these levels"));
 }
 
 // Dispersions are compared replicate by replicate; waves matched to one spectrum cannot tell measures apart at
@@ -232,6 +247,15 @@ TEST_F(AnalysisOfRows, DispersionsAreComparedInPairs) {
         }
     }
     EXPECT_NE(all(verdict_on(body, 0.95)).find("over pgv, ratio 1 [1, 1]"), std::string::npos);
+
+    // A beta of a curve that the data reject is said to be one.
+    EXPECT_EQ(compared.find("does not describe the data"), std::string::npos) << compared;
+    for (auto& measured : body.fragility) {
+        if (measured.measure == FragilityMeasure::pgv) {
+            measured.fit.flags |= bit(FragilityFlag::poor_fit);
+        }
+    }
+    EXPECT_NE(all(verdict_on(body, 0.95)).find("; the curve over pgv does not describe the data"), std::string::npos);
 }
 
 }  // namespace

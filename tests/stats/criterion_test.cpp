@@ -54,6 +54,21 @@ TEST(CriterionStudy, CountsWhatUplifted) {
     expect_share(study.waves_safe_uplifted_but_overturned, 1, 2);
 }
 
+// of waves that share what was drawn each is a wave, with its own first overturning; intervals count groups.
+TEST(CriterionStudy, WavesThatAreAlikeAreWavesStill) {
+    std::vector<CriterionTrial> trials;
+    for (std::int64_t wave = 0; wave < 40; ++wave) {
+        trials.push_back({0.9, wave, false});
+        trials.push_back({2 + 0.01 * static_cast<double>(wave), wave, true});
+    }
+    auto const alone = study_criterion(trials, 0.95);
+    auto const alike = study_criterion(trials, 0.95, 8);
+    EXPECT_EQ(alike.first_overturning->count, 40);
+    EXPECT_EQ(alike.first_overturning->median, alone.first_overturning->median);
+    EXPECT_EQ(alike.waves_safe_uplifted_but_overturned.of, 40);
+    EXPECT_EQ(alike.waves_safe_uplifted_but_overturned.interval.upper, clopper_pearson(0, 5, 0.95).upper);
+}
+
 TEST(CriterionStudy, NothingOverturnedHasNoQuantiles) {
     auto const study = study_criterion(std::vector<CriterionTrial>{{0.5, 1, false}}, 0.95);
 

@@ -214,10 +214,19 @@ TEST(Tail, OutsideTheStripesAPoorCurveTellsNothing) {
     EXPECT_EQ(fit.quotes[1].bounds.upper, 1);
     EXPECT_EQ(fit.quotes[1].neighbours->above.units, 0) << "nothing was tried there";
 
-    auto const falling = fit_of(table_of({{2, 500, 10}, {3, 500, 400}, {4, 500, 100}, {6, 500, 450}}), {{8, 2}});
+    // P fell once: it may fall again, and nothing tried elsewhere bounds it.
+    auto const falling =
+        fit_of(table_of({{2, 500, 10}, {3, 500, 400}, {4, 500, 100}, {6, 500, 450}}), {{8, 2}, {3.5, 1}, {1, 0.5}});
     ASSERT_TRUE(falling.identifiable() && has(falling.flags, FragilityFlag::non_monotone));
-    EXPECT_FALSE(falling.quotes[0].probability);
-    EXPECT_EQ(falling.quotes[0].source, QuotedProbability::Source::none) << "P fell once: it may fall again";
+    auto const down = fit_of(table_of({{2, 100, 90}, {4, 100, 60}, {6, 100, 20}}), {{5, 1}, {8, 2}, {1, 0.5}});
+    ASSERT_FALSE(down.identifiable());
+    for (auto const& fit : {falling, down}) {
+        for (auto const& quoted : fit.quotes) {
+            EXPECT_FALSE(quoted.probability) << quoted.quote.intensity;
+            EXPECT_EQ(quoted.source, QuotedProbability::Source::none) << quoted.quote.intensity;
+            EXPECT_FALSE(quoted.bound) << quoted.quote.intensity;
+        }
+    }
 }
 
 /// The same of single trials: tenths of them on either side, by waves, of which the upper end counts those with any

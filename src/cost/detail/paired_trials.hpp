@@ -33,6 +33,7 @@ class PairedTrials {
     using Stripe = std::vector<LimitOutcomes>;
     std::map<double, std::vector<Stripe>> levels_;  ///< by amplitude, then body
     std::optional<double> design_basis_;
+    std::vector<std::int64_t> groups_;  ///< of each wave of the sample: those of one share what was drawn
 };
 
 }  // namespace overturn::cost

@@ -29,17 +29,16 @@ void quote_neighbours(QuotedProbability& quoted) {
     quoted.bounds = quoted.neighbours->bounds();
 }
 
-// What was seen on either side, if anything was; outside all only where P does not fall beyond chance.
+// What was seen on either side, if anything was. Nothing where P falls beyond chance, or these two say so by
+// themselves.
 std::optional<Neighbours> neighbours_of(double intensity, FragilityFit const& fit, FragilityData const& data,
                                         double confidence) {
     bool const pools = may_pool(fit, data);
-    auto const below = seen_up_to(intensity, data, pools, confidence);
-    auto const above = seen_from(intensity, data, pools, confidence);
-    bool const between = below && above;
-    bool const rises = !has(fit.flags, FragilityFlag::non_monotone);
-    return between || (rises && (below || above))
-               ? std::optional(Neighbours{below.value_or(SeenBound{}), above.value_or(SeenBound{})})
-               : std::nullopt;
+    Neighbours const near{seen_up_to(intensity, data, pools, confidence).value_or(SeenBound{}),
+                          seen_from(intensity, data, pools, confidence).value_or(SeenBound{})};
+    bool const rises = !has(fit.flags, FragilityFlag::non_monotone) && near.bounds().lower <= near.bounds().upper;
+    bool const any = near.below.units + near.above.units > 0;
+    return rises && any ? std::optional(near) : std::nullopt;
 }
 
 // A tenth of one in the independent trials right there, or at the nearest intensities from there on; in all where there
@@ -103,8 +102,11 @@ void quote_curve(QuotedProbability& quoted, FragilityFit const& fit, FragilityDa
         quoted.probability = quoted.overturned / quoted.trials;
         quoted.in_tail = false;
     }
-    auto const from = seen_from(at, data, may_pool(fit, data), confidence);
+    auto from = seen_from(at, data, may_pool(fit, data), confidence);
     quoted.least = least_share(quoted, fit, from);
+    if (has(fit.flags, FragilityFlag::non_monotone) && quoted.trials == 0) {
+        from.reset();  // it bounds a P that does not fall
+    }
     bool const nothing_near = quoted.trials == 0 && !quoted.neighbours;
     if (nothing_near && poor && p >= quoted.least) {
         quoted.neighbours = neighbours_of(at, fit, data, confidence);

@@ -51,8 +51,13 @@ SeenBound seen_by_waves(std::span<SingleTrial const> trials, bool fallen, double
     auto const passed = std::ranges::count_if(waves, [](auto const& wave) { return wave.second; });
     auto const units = static_cast<std::int64_t>(waves.size());
     auto const [lowest, highest] = std::ranges::minmax(trials, {}, &SingleTrial::intensity);
-    return {lowest.intensity, highest.intensity, static_cast<double>(units), static_cast<double>(passed),
-            clopper_pearson(passed, units, confidence)};
+    return {lowest.intensity,
+            highest.intensity,
+            static_cast<double>(units),
+            static_cast<double>(passed),
+            clopper_pearson(passed, units, confidence),
+            1,
+            true};
 }
 
 // The nearest tenth of the trials on one side.
