@@ -4,8 +4,8 @@
 #
 #   bash campaigns/paper.sh [--out FOLDER] [--records FOLDER] [--quick]
 #
-# --out: where results and page go (default: paper, in the folder you are in); results that are complete there are taken as
-# they are. --records: recorded waves, laid out as campaigns/records_one_axis.toml says; without it that part is left out
+# --out: where results and page go (default: paper, in the folder you are in); results that are complete there, and of the
+# same program, campaign, waves and records (NAME.asked), are taken as they are. --records: recorded waves, laid out as campaigns/records_one_axis.toml says; without it that part is left out
 # and said. --quick: few waves, to see that it works; its numbers mean nothing.
 # What remains there, some 20 MB (quick 8): the page and its data (paper.html, paper.json), the figures, steady.csv, and of
 # each study the results, the fits and what was printed.
@@ -38,16 +38,23 @@ launch=()
 
 mkdir -p "$out"
 
-# study NAME CAMPAIGN WAVES [--set key=value ...]: OUT/NAME.h5, unless it is there and complete.
+# All that a study's numbers hang on, as one number.
+asked() {
+    { "$overturn" --version; printf '%s\n' "$@"; cat "$campaigns/$1.toml" "$campaigns"/bodies/*.toml
+      [ "$1" != records_one_axis ] || find "$records" -type f -print0 | sort -z | xargs -0 cat; } | sha256sum
+}
+# study NAME CAMPAIGN WAVES [--set key=value ...]: OUT/NAME.h5, unless it is there, complete and what is asked.
 study() {
-    local name=$1 campaign=$2 waves=$3
+    local name=$1 campaign=$2 waves=$3 same
     shift 3
-    "$overturn" status "$out/$name.h5" > /dev/null 2>&1 && return
-    rm -rf "$out/$name.h5" "$out/$name.h5.parts" "$out/$name.runtime.json"
     [ -z "$quick" ] || [ "$waves" = all ] || set -- "$@" --set "waves.count=$waves"
+    same=$(asked "$campaign" "$@")
+    [ "$(cat "$out/$name.asked" 2> /dev/null)" = "$same" ] && "$overturn" status "$out/$name.h5" > /dev/null 2>&1 && return
+    rm -rf "$out/$name.h5" "$out/$name.h5.parts" "$out/$name.runtime.json" "$out/$name.asked"
     echo "paper: $name"
     "${launch[@]}" "$overturn" run "$campaigns/$campaign.toml" -o "$out/$name.h5" "$@" > "$out/$name.txt" 2> "$out/$name.said" ||
         { cat "$out/$name.said" >&2; exit 1; }
+    echo "$same" > "$out/$name.asked"
 }
 # Beside every study: its fits as JSON.
 fit() { "$overturn" fit "$out/$1.h5" --json > "$out/$1.json"; }
@@ -67,6 +74,7 @@ for name in one_axis published horizontal_vertical sinusoids axes; do fit "$name
 few=100
 [ -z "$quick" ] || few=3
 "$overturn" spectra "$campaigns/one_axis_types_a_b.toml" --waves $few --velocities kine --plot "$out/figure_7.svg" --json > "$out/figure_7.json"
+rm -f "$out"/figure_8.*
 if [ -n "$records" ]; then
     study records records_one_axis all --set "waves.folder=$(cd "$records" && pwd)"
     fit records
@@ -95,5 +103,5 @@ done
     "$overturn" replay "$out/published.h5" --trial "$trial" --velocities kine --plot "$out/$name.svg" > /dev/null
 done
 
-"$python" -B "$campaigns/paper_page.py" "$out" ${quick:+--quick}
+"$python" -B "$campaigns/paper_page.py" "$out" --program "$("$overturn" --version | head -1)" ${quick:+--quick}
 echo "paper: $out/paper.html"

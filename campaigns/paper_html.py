@@ -13,8 +13,8 @@ import matplotlib.pyplot as plt  # noqa: E402
 
 
 class Page:
-    def __init__(self, folder, quick):
-        self.folder, self.quick, self.items = folder, quick, []
+    def __init__(self, folder, quick, program=""):
+        self.folder, self.quick, self.program, self.items = folder, quick, program, []
 
     def save(self, figure, name):
         """Equal data give equal bytes."""
@@ -54,4 +54,5 @@ class Page:
                 svg = (self.folder / name).read_text(encoding="utf-8")
                 out.write(svg[svg.index("<svg"):] + "\n")
             out.write("</section>\n")
+        out.write(f"<p>Made by {html.escape(self.program)}.</p>\n" if self.program else "")
         return out.getvalue()

@@ -63,7 +63,7 @@ class Pair:
         self.alike = self.way == 0 and all(bounds(count, self.waves, 2 * UNSURE)[1] <= ALIKE for count in (self.more, self.fewer))
 
     def counts(self):
-        return f"{self.fell[1]} instead of {self.fell[0]} of {self.trials}; more in {self.more} waves, fewer in {self.fewer}"
+        return f"{self.fell[1]} instead of {self.fell[0]} of {self.trials}; more in {self.more} wave{'' if self.more == 1 else 's'}, fewer in {self.fewer}"
 
 
 def compared(pairs, here, there):

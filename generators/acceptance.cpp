@@ -25,8 +25,8 @@ std::span<config::Entry<AcceptanceRule> const> acceptance_rules() {
         config::Entry<AcceptanceRule>{"none", "waves are reported on, none is refused", {}},
         config::Entry<AcceptanceRule>{
             "srp-3.7.1",
-            "spectrum clauses of US NRC SRP 3.7.1, option 1, approach 2 (not its power spectral density, duration, "
-            "V/A and AD/V2), and 5 % over [T0, T1]",
+            "spectrum clauses of US NRC SRP 3.7.1, option 1, approach 2 (not its power spectral density, strong-motion "
+            "duration, V/A and AD/V2), and 5 % over [T0, T1]",
             {.largest_time_step_s = 0.01,
              .shortest_duration_s = 20,
              .lowest_ratio = 0.90,

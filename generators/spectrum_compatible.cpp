@@ -48,7 +48,9 @@ constexpr config::Keys compatible_keys{
     config::integer_key("match_iterations", 1, 1000, "iterations of matching at most")
         .otherwise(40)
         .only("match = each"),
-    config::word_key<acceptance_rules>("acceptance", "rule that every wave must meet").otherwise("none"),
+    config::word_key<acceptance_rules>(
+        "acceptance", "rule that every wave must meet; srp-3.7.1: the spectrum clauses of its option 1, approach 2")
+        .otherwise("none"),
     config::word_key<line_amplitudes>("amplitudes", "what of each spectral line is random")
         .otherwise_said("fixed; of match = ensemble gaussian")
         .only("there is no seed"),

@@ -1,5 +1,6 @@
 #include "cli/report_facts.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -8,6 +9,7 @@
 
 #include "campaign/validated_range.hpp"
 #include "cli/json_values.hpp"
+#include "generators/acceptance.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -47,7 +49,10 @@ Json facts_of(CampaignSpec const& spec, Plan const& plan, Statistics const& stat
         add("by how much", sigma->text());
     }
     add("validated range", validated_range_text(spec));
-    add("acceptance of waves", spec.source->acceptance());
+    auto const rule =
+        std::ranges::find(acceptance_rules(), spec.source->acceptance(), &config::Entry<AcceptanceRule>::name);
+    add("acceptance of waves", rule == acceptance_rules().end() ? spec.source->acceptance()
+                                                                : fmt::format("{}: {}", rule->name, rule->summary));
     add("levels", fmt::format("{} of {}, {:.6g} to {}{}", levels.size(), spec.levels.measure_name(),
                               spec.levels.shown(levels.front().value), spec.levels.text(levels.back().value),
                               spec.levels.independent_waves ? ", each with waves of its own"

@@ -40,16 +40,21 @@ void judge_safety(CriterionVerdict& verdict, CriterionStudy const& study, double
             tried.count, tried.of, percent(tried.value()), 100 * confidence, ends(tried), waves.count, waves.of));
         return;
     }
+    constexpr double most = 0.1;  // share of waves: a bound above it shows little
+    bool const shown = study.at_overturning && waves.interval.upper <= most;
     auto text = fmt::format(
-        "conservative here: none of {} uplifted trials that V_WES < V_Ereq calls safe overturned ({} more never left "
-        "the "
-        "ground and tell nothing); by their {} waves at most {} of waves would ({:g} %)",
+        "{}none of {} uplifted trials that V_WES < V_Ereq calls safe overturned ({} more never left the ground and "
+        "tell nothing); by their {} waves at most {} of waves would ({:g} %)",
+        shown                  ? "conservative here: "
+        : study.at_overturning ? "too few waves to call it conservative: "
+                               : "",
         tried.of, share.of - tried.of, waves.of, percent(waves.interval.upper), 100 * confidence);
-    (study.at_overturning ? verdict.supports : verdict.open).push_back(std::move(text));
+    (shown ? verdict.supports : verdict.open).push_back(std::move(text));
     if (study.at_overturning) {
-        verdict.supports.push_back(fmt::format(
-            "the lowest V_WES / V_Ereq at which a trial overturned is {:.3g} (of these waves: more may go below)",
-            study.at_overturning->lowest));
+        (shown ? verdict.supports : verdict.open)
+            .push_back(fmt::format(
+                "the lowest V_WES / V_Ereq at which a trial overturned is {:.3g} (of these waves: more may go below)",
+                study.at_overturning->lowest));
     } else {
         verdict.open.emplace_back("nothing overturned: how conservative V_WES is cannot be told from these trials");
     }

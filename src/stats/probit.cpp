@@ -9,6 +9,8 @@
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_sf_erf.h>
 
+#include "stats/detail/gsl_quiet.hpp"
+
 namespace overturn {
 namespace {
 
@@ -100,20 +102,29 @@ int both(gsl_vector const* line, void* data, gsl_vector* f, gsl_matrix* jacobian
     return GSL_SUCCESS;
 }
 
-// -(l + ln det I / 2), with the expected information of a probit, n phi^2 / (Phi (1 - Phi)) at each point.
+// -(l + ln det I / 2), with the expected information of a probit, n phi^2 / (Phi (1 - Phi)) at each point. Its
+// determinant is taken about the weighted mean, where no two large numbers leave a small one: a point far from all
+// others has next to no weight.
 double penalised(gsl_vector const* line, void* data) {
     auto const& of = *static_cast<Scaled const*>(data);
-    double likelihood = 0, i00 = 0, i01 = 0, i11 = 0;
+    auto const z = [&](FragilityPoint const& point) {
+        return gsl_vector_get(line, 0) + gsl_vector_get(line, 1) * of.u(point);
+    };
+    auto const weight = [&](FragilityPoint const& point) {
+        return point.trials * hazard(z(point)) * hazard(-z(point));
+    };
+    double likelihood = 0, weights = 0, moment = 0;
     for (auto const& point : of.points) {
-        double const u = of.u(point);
-        double const z = gsl_vector_get(line, 0) + gsl_vector_get(line, 1) * u;
-        likelihood += log_likelihood(point, z);
-        double const weight = point.trials * hazard(z) * hazard(-z);
-        i00 += weight;
-        i01 += weight * u;
-        i11 += weight * u * u;
+        likelihood += log_likelihood(point, z(point));
+        weights += weight(point);
+        moment += weight(point) * of.u(point);
     }
-    double const determinant = i00 * i11 - i01 * i01;
+    double spread = 0;
+    for (auto const& point : of.points) {
+        double const apart = of.u(point) - moment / weights;
+        spread += weight(point) * apart * apart;
+    }
+    double const determinant = weights * spread;
     return determinant > 0 ? -(likelihood + std::log(determinant) / 2) : GSL_POSINF;
 }
 
@@ -201,6 +212,7 @@ std::optional<ProbitLine> ProbitSolver::fit(std::span<FragilityPoint const> poin
 }
 
 std::optional<ProbitLine> fit_penalised(std::span<FragilityPoint const> points) {
+    GslQuiet const quiet;  // where the penalty is infinite a simplex says so and is made smaller
     auto data = scaled(points);
     Vector const start(gsl_vector_alloc(2));
     Vector const reach(gsl_vector_alloc(2));
@@ -218,6 +230,12 @@ std::optional<ProbitLine> fit_penalised(std::span<FragilityPoint const> points) 
     double before = std::numeric_limits<double>::infinity();
     for (int begin = 0; begin < most_starts; ++begin) {
         int status = gsl_multimin_fminimizer_set(simplex.get(), &function, start.get(), reach.get());
+        constexpr int most_halvings = 60;
+        for (int halving = 0; halving < most_halvings && status != GSL_SUCCESS; ++halving) {
+            gsl_vector_set(start.get(), 1, gsl_vector_get(start.get(), 1) / 2);
+            gsl_vector_scale(reach.get(), 0.5);
+            status = gsl_multimin_fminimizer_set(simplex.get(), &function, start.get(), reach.get());
+        }
         for (int step = 0;
              step < most_steps && status == GSL_SUCCESS && gsl_multimin_fminimizer_size(simplex.get()) > size; ++step) {
             status = gsl_multimin_fminimizer_iterate(simplex.get());

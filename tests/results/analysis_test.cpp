@@ -192,18 +192,27 @@ TEST_F(AnalysisOfRows, TheVerdictFollowsTheCounts) {
     trial(0, 0, Verdict::rocked, 1.5, 1.0);
     EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.open, "nothing overturned"));
     trial(0, 2, Verdict::overturned, 4.5, 3.0);
-    EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.supports, "none of 1 uplifted trials"));
+    EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.open,
+                      "too few waves to call it conservative: none of 1 uplifted trials"));
+    EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.open, "the lowest V_WES / V_Ereq at which"));
+    for (std::int64_t w = 100; w < 140; ++w) {
+        wave(w, 2, 1);
+        trial(w, 0, Verdict::rocked, 1.5, 1.0);
+    }
+    EXPECT_TRUE(
+        holds(analyse(spec, statistics, {})[1].verdict.supports, "conservative here: none of 41 uplifted trials"));
+    EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.supports, "the lowest V_WES / V_Ereq at which"));
     EXPECT_TRUE(
         holds(analyse(spec, statistics, {})[1].verdict.open,
               "more or fewer than half of its alarms at these levels are false (so few trials cannot tell): of 1 "
               "trials that V_WES calls unsafe, 0 stood"));
     trial(0, 1, Verdict::overturned, 3, 1.2);
     EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.against,
-                      "1 of 2 uplifted trials that V_WES < V_Ereq calls safe"));
+                      "1 of 42 uplifted trials that V_WES < V_Ereq calls safe"));
     wave(1, 2, 1);
     trial(1, 0, Verdict::at_rest, 1.5, 1.0);
     EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.against,
-                      "1 of 2 uplifted trials that V_WES < V_Ereq calls safe"))
+                      "1 of 42 uplifted trials that V_WES < V_Ereq calls safe"))
         << "what never left the ground is not counted";
     for (std::int64_t w = 2; w < 8; ++w) {
         wave(w, 2, 1);
