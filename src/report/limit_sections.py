@@ -165,12 +165,14 @@ def curves(report, limit):
     what = "overturning" if limit == OVERTURNING else f"exceeding {limit}"
     bodies = len(report.results.bodies)
     many = bodies > fragility_figures.MOST_COMPARED
-    ranked = [[f["body"], f["label"], value_of(f["median"], 4), f["units"], value_of(f["beta"], 3), interval(f["beta_interval"], 3), value_of(f["rank_area"], 3),
-               interval(f["rank_interval"], 3), ", ".join(f["flags"]) or "none"] for f in fits.values()]
+    ranked = [[f["body"], f["label"], value_of(f["median"], 4), f["units"], value_of(f["beta"], 3), interval(f["beta_interval"], 3),
+               value_of(f["rank_area"], 3), interval(f["rank_interval"], 3), ", ".join(f["flags"]) or "none"] for f in fits.values()]
     over_all = [] if report.fit["grid"] else [
-        "" if limit == OVERTURNING else report.figure(f"measures-{limit}", lambda path: fragility_figures.measures(report.results, fits, path),
-                      f"intensity measures compared by {what}"),
-        of_the_levels(report), fold("curves over every measure, and how each ranks the trials (AUC)",
+        "" if limit == OVERTURNING else report.figure(  # the criterion's section has that of overturning
+            f"measures-{limit}", lambda path: fragility_figures.measures(report.results, fits, path),
+            f"intensity measures compared by {what}"),
+        of_the_levels(report),
+        fold("curves over every measure, and how each ranks the trials (AUC)",
              table(["body", "over", "median", "", "beta", "interval", "rank", "interval", "flags"], ranked))]
     return [paragraphs([f"{bodies} bodies: no more than {fragility_figures.MOST_COMPARED} are drawn in one picture."]) if many else "",
             report.figure(f"{name}-compared", lambda path: fragility_figures.compared(report.results, fits, stripes, what, path),

@@ -49,12 +49,12 @@ void judge_safety(CriterionVerdict& verdict, CriterionStudy const& study, double
         : study.at_overturning ? "too few waves to call it conservative: "
                                : "",
         tried.of, share.of - tried.of, waves.of, percent(waves.interval.upper), 100 * confidence);
-    (shown ? verdict.supports : verdict.open).push_back(std::move(text));
+    auto& list = shown ? verdict.supports : verdict.open;
+    list.push_back(std::move(text));
     if (study.at_overturning) {
-        (shown ? verdict.supports : verdict.open)
-            .push_back(fmt::format(
-                "the lowest V_WES / V_Ereq at which a trial overturned is {:.3g} (of these waves: more may go below)",
-                study.at_overturning->lowest));
+        list.push_back(fmt::format(
+            "the lowest V_WES / V_Ereq at which a trial overturned is {:.3g} (of these waves: more may go below)",
+            study.at_overturning->lowest));
     } else {
         verdict.open.emplace_back("nothing overturned: how conservative V_WES is cannot be told from these trials");
     }

@@ -12,10 +12,19 @@ namespace overturn {
 namespace {
 
 constexpr double decade = 0.1;
-// Stripes of levels that share no waves, and that do not contradict a P that rises.
+
+// Where P falls beyond chance, what was seen elsewhere bounds nothing.
+bool may_rise(FragilityFit const& fit) { return !has(fit.flags, FragilityFlag::non_monotone); }
+
+// Stripes of levels that share no waves.
 bool may_pool(FragilityFit const& fit, FragilityData const& data) {
-    return data.kind == FragilityData::Kind::stripes && !data.waves_shared
-           && !has(fit.flags, FragilityFlag::non_monotone);
+    return data.kind == FragilityData::Kind::stripes && !data.waves_shared && may_rise(fit);
+}
+
+// The curve is not to be believed here, and nothing else tells P.
+void withhold(QuotedProbability& quoted) {
+    quoted.probability.reset();
+    quoted.in_tail = false;
 }
 
 void quote_stripe(QuotedProbability& quoted) {
@@ -36,7 +45,7 @@ std::optional<Neighbours> neighbours_of(double intensity, FragilityFit const& fi
     bool const pools = may_pool(fit, data);
     Neighbours const near{seen_up_to(intensity, data, pools, confidence).value_or(SeenBound{}),
                           seen_from(intensity, data, pools, confidence).value_or(SeenBound{})};
-    bool const rises = !has(fit.flags, FragilityFlag::non_monotone) && near.bounds().lower <= near.bounds().upper;
+    bool const rises = may_rise(fit) && near.bounds().lower <= near.bounds().upper;
     bool const any = near.below.units + near.above.units > 0;
     return rises && any ? std::optional(near) : std::nullopt;
 }
@@ -104,15 +113,14 @@ void quote_curve(QuotedProbability& quoted, FragilityFit const& fit, FragilityDa
     }
     auto from = seen_from(at, data, may_pool(fit, data), confidence);
     quoted.least = least_share(quoted, fit, from);
-    if (has(fit.flags, FragilityFlag::non_monotone) && quoted.trials == 0) {
-        from.reset();  // it bounds a P that does not fall
+    if (!may_rise(fit) && quoted.trials == 0) {
+        from.reset();
     }
     bool const nothing_near = quoted.trials == 0 && !quoted.neighbours;
     if (nothing_near && poor && p >= quoted.least) {
         quoted.neighbours = neighbours_of(at, fit, data, confidence);
         if (!quoted.neighbours) {
-            quoted.probability.reset();
-            quoted.in_tail = false;
+            withhold(quoted);
             return;
         }
     }
@@ -121,15 +129,13 @@ void quote_curve(QuotedProbability& quoted, FragilityFit const& fit, FragilityDa
         bool const excluded = p < ends.lower || p > ends.upper;
         if (poor || excluded) {
             quote_neighbours(quoted);
-            quoted.probability.reset();
-            quoted.in_tail = false;
+            withhold(quoted);
             return;
         }
     }
     if (*quoted.probability < quoted.least) {
         quoted.bound = from;
-        quoted.probability.reset();
-        quoted.in_tail = false;
+        withhold(quoted);
         quoted.source = from ? QuotedProbability::Source::stripe : QuotedProbability::Source::none;
         quoted.bounds = {0, from ? from->probability.upper : 1};
     } else if (quoted.source == QuotedProbability::Source::none) {
