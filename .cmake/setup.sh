@@ -10,10 +10,10 @@ packages=(g++ cmake ninja-build git ca-certificates libopenmpi-dev openmpi-bin l
 for wish in "$@"; do
     case $wish in
         tests) packages+=(python3-h5py python3-numpy python3-matplotlib python3-jsonschema  # another reading of our files; figures
-                          python3-xarray python3-netcdf4 python3-h5netcdf hdf5-tools  # and further ones
+                          python3-pandas python3-xarray python3-netcdf4 python3-h5netcdf hdf5-tools  # and further ones
                           slurmctld slurmd slurm-client slurm-wlm-basic-plugins munge  # a cluster to test on
                           qemu-user) ;;  # other CPUs to test on
-        ci) packages+=(clang-format clang-tidy libbenchmark-dev libboost-dev  # and what benchmarks compare with
+        ci) packages+=(ccache clang-format clang-tidy libbenchmark-dev libboost-dev  # and what benchmarks compare with
                        libmpich-dev  # another MPI to build with
                        chromium groff-base) ;;  # pages and the manual as others see them
         *) echo "setup: '$wish' (unknown). Use tests or ci" >&2; exit 2 ;;
