@@ -34,7 +34,7 @@ section() {
     for verb in $verbs; do section "$verb"; done
     printf '.SH EXIT STATUS\n.TP\n.B 0\ndone\n.TP\n.B 2\nbad input: one line, file:line:col: problem (why) what to do\n'
     printf '.TP\n.B 3\nstopped early and resumable\n.TP\n.B 4\nfit: the curves that the file holds are other ones\n.TP\n.B 1\nanything else\n'
-    printf '.SH ENVIRONMENT\n.TP\n.B OVERTURN_PYTHON\nthe Python that draws figures; default: /usr/bin/python3, else python3 from PATH\n'
+    printf '.SH ENVIRONMENT\n.TP\n.B OVERTURN_PYTHON\nthe Python that draws figures; default: /usr/bin/python3, else python3 from PATH; PYTHONPATH and PYTHONHOME are not looked at\n'
 } > "$manual"
 
 # Options that a verb takes, long and short.

@@ -5,8 +5,10 @@ file(WRITE "${OVERTURN_ROOMS_FILE}" "")
 
 add_library(overturn_options INTERFACE)
 # Contracting a*b+c differently in two places would break bit-equality between ranks, builds and kernels.
+# Paths below the source tree: what is built does not depend on where the tree lies.
+target_compile_options(overturn_options INTERFACE "-ffile-prefix-map=${PROJECT_SOURCE_DIR}/=")
 target_compile_options(overturn_options INTERFACE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-                                                  -Wsign-conversion -Wno-sign-conversion)
+                                                  -Wno-sign-conversion)
 target_compile_definitions(overturn_options INTERFACE OVERTURN_CHECKED=$<BOOL:${OVERTURN_CHECKED}>)
 if(OVERTURN_WERROR)
   target_compile_options(overturn_options INTERFACE -Werror)
@@ -24,7 +26,7 @@ set(CMAKE_VERIFY_INTERFACE_HEADER_SETS ON)
 
 # Other people's headers, parsed once instead of in every file: `base` by all rooms; `light`, with JSON, by those that
 # read, keep and write around the work, whose time goes into compiling: they are optimised less. Every file still
-# includes what it uses: .ci/run lets clang-tidy and the check of lone headers read them without these.
+# includes what it uses: .ci/run reads each alone without these (.ci/read.py).
 set(OVERTURN_BASE_HEADERS <algorithm> <array> <chrono> <cmath> <cstdint> <cstring> <filesystem> <functional> <map> <memory>
     <numbers> <optional> <span> <string> <string_view> <utility> <vector> <fmt/format.h> <fmt/ranges.h>)
 foreach(kind base light)

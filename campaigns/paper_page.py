@@ -93,8 +93,7 @@ class Paper(Page):
         rows = [["body", "overturned", "of", "V_WES (R in cm) called safe and fell", "of safe ones that uplifted"]]
         for c in self.json("records")["criterion"]:
             if c["measure"] == "v_wes" and c["radius_unit"] == "cm":
-                safe = c["safe_uplifted_but_overturned"]
-                rows.append([c["body"], *study.fell(c["body"]), safe["count"], safe["of"]])
+                rows.append([c["body"], *study.fell(c["body"]), c["false_safe_share_uplifted_count"], c["false_safe_share_uplifted_of"]])
         self.item("Table 3, figure 8: 17 recorded waves, time times 0.632",
                   f"{told['waves']} records at hand: V_E at most {max(told['v_e_mps']['highest']) / KINE:.0f} kine", UNKNOWN,
                   "which records they were is known of El Centro and JMA Kobe only; baselines are ours", ["figure_8.svg"], rows)
@@ -104,8 +103,12 @@ class Paper(Page):
         alpha = study.number("type-a", "alpha")
         rows = [["Hz", "ours, rad", "ours linearised, rad", "Eq. 1, rad", "ours apart", "linearised apart"]]
         drawn, full, linearised, late, below = [], [], [], [], []
-        for line in self.json("sinusoids")["grid"]:
-            hertz, eq1 = line["frequency_hz"], line["steady_rotation_ratio"][1]
+        told = self.json("sinusoids")
+        levels = {}  # of each body and wave, rising
+        for row in told["grid_by_level"]:
+            levels.setdefault((row["body"], row["wave"]), []).append(row["steady_rotation_ratio"])
+        for line in told["grid"]:
+            hertz, eq1 = line["frequency_hz"], levels[line["body"], line["wave"]][1]
             closed = math.nan if eq1 is None else alpha * eq1
             ours, linear = (steady[name, line["wave"]] for name in ("sinusoids", "sinusoids_linear"))
             drawn.append((hertz, ours, linear, closed))
@@ -233,9 +236,10 @@ class Paper(Page):
         rows, safe = [["body", "unit of R", "V_WES called safe, of what uplifted", "of these fell", "lowest V_WES / V_Ereq that fell"]], {}
         for c in self.json("one_axis")["criterion"]:
             if c["measure"].startswith("v_wes") and c["body"] in ("type-a", "type-b"):
-                told, fell = c["safe_uplifted_but_overturned"], c["ratio_at_overturning"]
-                safe.setdefault(c["radius_unit"], []).append((told["count"], told["of"], c["waves_safe_uplifted_but_overturned"]["upper"]))
-                rows.append([c["body"], c["radius_unit"], told["of"], told["count"], f"{fell['lowest']:.2f}" if fell else "none fell"])
+                count, of = (c[f"false_safe_share_uplifted_{part}"] for part in ("count", "of"))
+                lowest = c["ratio_at_overturning_lowest"]
+                safe.setdefault(c["radius_unit"], []).append((count, of, c["false_safe_share_waves_uplifted_upper"]))
+                rows.append([c["body"], c["radius_unit"], of, count, "none fell" if lowest is None else f"{lowest:.2f}"])
         why = []
         for unit, counts in safe.items():
             count, of = (sum(column) for column in list(zip(*counts))[:2])

@@ -21,6 +21,8 @@ class Study:
         self.bodies = [name for name, _ in sorted(bodies.items(), key=lambda item: item[1])]
         ends, self.body = self.trials["verdict"][()], self.trials["body"][()]
         self.is_ = {name: ends == value for name, value in kinds.items()}
+        if "slid-and-rocked" in self.is_:  # here it is asked whether a body rocked, slid or not
+            self.is_["rocked"] = self.is_["rocked"] | self.is_["slid-and-rocked"]
         self.amplitude = self.trials["amplitude"][()]
 
     def column(self, name):

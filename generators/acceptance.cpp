@@ -3,20 +3,40 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
 namespace overturn {
 namespace {
 
+struct ClauseText {
+    char const* name;
+    char const* remedy;
+};
+constexpr auto* follow = "State a longer duration or level part of the envelope, or more match_iterations";
 // The order is that of stored bits: never change it, only add.
-constexpr std::array clause_texts{"time step",         "duration",      "judged to",    "lowest ratio",
-                                  "adjacent below",    "highest ratio", "SI ratio",     "cov of the ratio",
-                                  "error of the mean", "worst decade",  "end velocity", "component correlation",
-                                  "rocking band"};
+constexpr std::array clause_texts{
+    ClauseText{"time step", "State waves.time_step as the rule asks"},
+    ClauseText{"duration", "State a longer waves.duration"},
+    ClauseText{"judged to", "State waves.target.longest up to the target's last period, or 10 s"},
+    ClauseText{"lowest ratio", follow},
+    ClauseText{"adjacent below", follow},
+    ClauseText{"highest ratio", follow},
+    ClauseText{"SI ratio", follow},
+    ClauseText{"cov of the ratio", follow},
+    ClauseText{"error of the mean", follow},
+    ClauseText{"worst decade", follow},
+    ClauseText{"end velocity", "State an envelope that ends before the wave does"},
+    ClauseText{"component correlation", "State no correlation above 0.16, or a longer duration"},
+    ClauseText{"rocking band", "State waves.target.longest beyond T1 of every body, or a longer duration"}};
 
-Clause at_most(std::size_t name, double figure, double limit) { return {clause_texts.at(name), figure, limit, false}; }
-Clause at_least(std::size_t name, double figure, double limit) { return {clause_texts.at(name), figure, limit, true}; }
+Clause at_most(std::size_t name, double figure, double limit) {
+    return {clause_texts.at(name).name, figure, limit, false, {}};
+}
+Clause at_least(std::size_t name, double figure, double limit) {
+    return {clause_texts.at(name).name, figure, limit, true, {}};
+}
 
 }  // namespace
 
@@ -49,13 +69,24 @@ std::string Clause::text() const {
                        passed() ? "pass" : "fail");
 }
 
-std::vector<std::string> clause_names() { return {clause_texts.begin(), clause_texts.end()}; }
+std::vector<std::string> clause_names() {
+    std::vector<std::string> names;
+    std::ranges::transform(clause_texts, std::back_inserter(names), &ClauseText::name);
+    return names;
+}
+
+std::vector<std::string> clause_remedies() {
+    std::vector<std::string> remedies;
+    std::ranges::transform(clause_texts, std::back_inserter(remedies), &ClauseText::remedy);
+    return remedies;
+}
 
 std::int64_t failed_clauses(std::span<Clause const> clauses) {
     std::int64_t bits = 0;
     for (auto const& clause : clauses) {
-        auto const* const found = std::find_if(clause_texts.begin(), clause_texts.end(),
-                                               [&](char const* name) { return clause.name.starts_with(name); });
+        auto const* const found = std::find_if(clause_texts.begin(), clause_texts.end(), [&](ClauseText const& text) {
+            return clause.name.starts_with(text.name);
+        });
         if (!clause.passed() && found != clause_texts.end()) {
             bits |= std::int64_t{1} << (found - clause_texts.begin());
         }

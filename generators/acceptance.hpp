@@ -1,6 +1,7 @@
 /// Named rules that say whether an artificial wave may stand for its target, clause by clause.
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <string>
@@ -28,6 +29,17 @@ struct AcceptanceRule {
     [[nodiscard]] bool enabled() const { return lowest_ratio > 0; }
 };
 
+/// How waves are held to a rule.
+struct Acceptance {
+    std::string rule = "none";
+    std::int64_t most_drawn = 1;  ///< so many waves are drawn at most for each one that is asked for
+    bool uses_refused = false;    ///< measured motions that miss the rule are tried all the same
+
+    [[nodiscard]] bool asked() const { return rule != "none"; }
+    /// Are waves that miss the rule no trials?
+    [[nodiscard]] bool refuses() const { return asked() && !uses_refused; }
+};
+
 /// srp-3.7.1: US NRC NUREG-0800, section 3.7.1 rev. 4 (2014), option 1, approach 2: time step at most 0.01 s, at least
 /// 20 s, and at 100 frequencies a decade from 0.1 Hz to 50 Hz, 5 % damping: nowhere more than 10 % below the target, no
 /// more than 9 adjacent frequencies below it, nowhere more than 30 % above. japan: nowhere below 0.85, spectral
@@ -45,7 +57,8 @@ struct Clause {
     std::string name;
     double figure = 0;
     double limit = 0;
-    bool at_least = false;  ///< the figure must not be below its limit, else not above
+    bool at_least = false;       ///< the figure must not be below its limit, else not above
+    std::string component = {};  ///< whose spectrum it is about; empty: the wave as a whole
 
     [[nodiscard]] bool passed() const { return at_least ? figure >= limit : figure <= limit; }
     /// "lowest ratio 0.953 (at least 0.9): pass"
@@ -54,6 +67,8 @@ struct Clause {
 
 /// Names of all clauses there can be, in the order of the bits of failed_clauses.
 [[nodiscard]] std::vector<std::string> clause_names();
+/// What to do where waves miss one, in the same order.
+[[nodiscard]] std::vector<std::string> clause_remedies();
 /// Bit n: the clause called clause_names()[n] is among `clauses` and did not pass.
 [[nodiscard]] std::int64_t failed_clauses(std::span<Clause const> clauses);
 

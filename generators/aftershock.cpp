@@ -35,7 +35,7 @@ class MainshockAndAftershock : public WaveSource {
     [[nodiscard]] GeneratedWave make_unjudged(std::uint64_t seed, std::uint64_t wave) const override {
         return joined(shocks_->make_unjudged(seed, wave), shocks_->make_unjudged(seed, of_aftershock(wave)));
     }
-    [[nodiscard]] std::string acceptance() const override { return shocks_->acceptance(); }
+    [[nodiscard]] Acceptance acceptance() const override { return shocks_->acceptance(); }
     [[nodiscard]] std::string variability() const override { return shocks_->variability(); }
     [[nodiscard]] bool draws_targets() const override { return shocks_->draws_targets(); }
     [[nodiscard]] bool draws_events() const override { return shocks_->draws_events(); }

@@ -108,7 +108,7 @@ class FilteredNoise : public WaveSource {
     }
     [[nodiscard]] bool of_one_spectrum() const override { return true; }
     [[nodiscard]] std::string variability() const override {
-        return "noise of one power density: no event, path or site differs";
+        return "random noise of one power spectral density; event, path and site do not vary";
     }
 
   private:

@@ -15,10 +15,19 @@ MatchFigures match_figures(std::span<double const> periods_s, std::span<double c
             continue;
         }
         double const misfit = std::abs(ratios[i] - 1);
-        figures.lowest_ratio = count > 0 ? std::min(figures.lowest_ratio, ratios[i]) : ratios[i];
-        figures.highest_ratio = std::max(figures.highest_ratio, ratios[i]);
+        if (count == 0 || ratios[i] < figures.lowest_ratio) {
+            figures.lowest_ratio = ratios[i];
+            figures.lowest_period_s = periods_s[i];
+        }
+        if (ratios[i] > figures.highest_ratio) {
+            figures.highest_ratio = ratios[i];
+            figures.highest_period_s = periods_s[i];
+        }
         below = ratios[i] < 1 ? below + 1 : 0;
-        figures.longest_below = std::max(figures.longest_below, below);
+        if (below > figures.longest_below) {
+            figures.longest_below = below;
+            figures.longest_below_to_s = periods_s[i];
+        }
         count += 1;
         sum += ratios[i];
         squares += ratios[i] * ratios[i];

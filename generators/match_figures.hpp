@@ -16,8 +16,11 @@ struct MatchFigures {
     double cov = 0;                  ///< standard deviation of the ratio over its mean [-]
     double below_fraction = 0;       ///< share of periods where the wave stays below its target [-]
     double lowest_ratio = 0;         ///< [-]
+    double lowest_period_s = 0;      ///< where [s]
     double highest_ratio = 0;        ///< [-]
+    double highest_period_s = 0;     ///< where [s]
     int longest_below = 0;           ///< most adjacent periods below the target
+    double longest_below_to_s = 0;   ///< the longest of them [s]
 };
 
 /// Figures of computed/target ratios at periods within [from, to].

@@ -23,14 +23,14 @@ constexpr std::array<config::Entry<BaselineMethod>, 3> plain_methods{
      {"mean", "without its mean acceleration", BaselineMethod::mean},
      {"polynomial", "without the polynomial that fits its displacement", BaselineMethod::polynomial}}};
 
-constexpr std::array<config::Entry<FilterPhase>, 2> phases{
+constexpr std::array<config::Entry<FilterPhase>, 2> filter_phases{
     {{"zero", "forwards and backwards", FilterPhase::zero}, {"causal", "forwards only", FilterPhase::causal}}};
 
 constexpr config::Keys high_pass_keys{
     config::number_key("high_pass", Dimension::frequency, config::Range::positive(), "corner of the filter"),
     config::integer_key("order", lowest_order, highest_order, "of the Butterworth filter")
         .otherwise(RecordBaseline{}.order),
-    config::word_key<phases>("phase", "in which direction it runs").otherwise("zero")};
+    config::word_key<filter_phases>("phase", "in which direction it runs").otherwise("zero")};
 
 void take_mean_off(std::vector<double>& a) {
     double const mean = std::accumulate(a.begin(), a.end(), 0.0) / static_cast<double>(a.size());
@@ -182,7 +182,7 @@ RecordBaseline read_baseline(config::Table const& table) {
     RecordBaseline baseline{.method = BaselineMethod::high_pass};
     baseline.corner_hz = filter.number(high_pass_keys["high_pass"]);
     baseline.order = static_cast<int>(filter.integer(high_pass_keys["order"]));
-    baseline.phase = filter.choice<FilterPhase>(high_pass_keys["phase"], phases);
+    baseline.phase = filter.choice<FilterPhase>(high_pass_keys["phase"], filter_phases);
     filter.finish();
     return baseline;
 }
@@ -199,6 +199,9 @@ void correct_record(GroundMotion& motion, RecordBaseline const& baseline) {
     validate(!filtered || 4 * baseline.corner_hz * motion.time_step_s < 1,
              "high-pass at {} Hz on a time step of {} s (must be below a quarter of the sampling frequency). Lower it",
              baseline.corner_hz, motion.time_step_s);
+    validate(!filtered || baseline.corner_hz * motion.duration_s() >= 1,
+             "high-pass at {} Hz of {:.4g} s (below {:.4g} Hz, 1 / duration, a record holds no whole period). Raise it",
+             baseline.corner_hz, motion.duration_s(), 1 / motion.duration_s());
     for (auto* component : {&motion.horizontal_mps2, &motion.transverse_mps2, &motion.vertical_mps2}) {
         if (component->empty()) {
             continue;

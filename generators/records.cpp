@@ -13,7 +13,9 @@
 #include "generators/detail/axes.hpp"
 #include "generators/detail/record_keys.hpp"
 #include "generators/detail/recorded_waves.hpp"
+#include "generators/detail/sa_change.hpp"
 #include "generators/record_baseline.hpp"
+#include "motion/intensity.hpp"
 #include "motion/resample.hpp"
 #include "motion/station.hpp"
 
@@ -47,6 +49,8 @@ Request read_request(config::Table const& table) {
     request.record.may_be_resampled = true;
     request.record.unit_key = R"(unit = "gal", "g" or "m/s2")";
     request.record.unit_conflict = "Leave it out; where other files need it, give each a [[waves.records]] of its own";
+    request.record.columns = table.text(reading_keys["columns"]);
+    request.record.columns_key = R"(columns = "{}")";
     request.record.component = table.text(reading_keys["component"]);
     request.record.components = table.choice(reading_keys["components"], component_choices());
     request.coarsening = table.choice<Coarsening>(reading_keys["resample"], coarsenings);
@@ -89,9 +93,16 @@ void scale(Record& record, double factor) {
 
 // Before components are mixed or scaled, and after they have their common length: what is cut off would drift again.
 void correct(config::Table const& table, Record& record, RecordBaseline const& baseline) {
-    if (baseline.method != BaselineMethod::none) {
-        table.located("baseline", [&] { correct_record(record.motion, baseline); });
-        record.label += ", " + baseline.says();
+    if (baseline.method == BaselineMethod::none) {
+        return;
+    }
+    auto const before = record.motion;
+    table.located("baseline", [&] { correct_record(record.motion, baseline); });
+    record.label += ", " + baseline.says();
+    double const pga = peak_of(before.horizontal_mps2);
+    constexpr double worth_a_word = 0.01;
+    if (std::abs(peak_of(record.motion.horizontal_mps2) - pga) > worth_a_word * pga) {
+        record.label += fmt::format(" ({})", changes_text(before, record.motion));
     }
 }
 
@@ -131,11 +142,18 @@ Record read_motion(config::Table const& table, std::string_view key, std::string
                    StationFiles& files) {
     return table.located(key, [&] {
         auto placed = files.read(name, request.record);
+        if (!placed.unread.empty()) {
+            placed.says += fmt::format(" ({} of its lines of text not understood: overturn spectrum lists them)",
+                                       placed.unread.size());
+        }
         auto const step = request.record.time_step_s;
         if (!step || same_step(*step, placed.motion.time_step_s)) {
             return Record{std::move(placed.motion), std::move(placed.says), placed.direction, 0, {}, {}, {}};
         }
         auto resampled = resample(placed.motion, *step, request.coarsening);
+        if (*step > placed.motion.time_step_s) {
+            resampled.says += sa_change_text(placed.motion, resampled.motion);
+        }
         return Record{std::move(resampled.motion),
                       fmt::format("{}, {}", placed.says, resampled.says),
                       placed.direction,

@@ -21,10 +21,15 @@ constexpr std::array line_amplitudes{
     config::Entry<LineAmplitudes>{"fixed", "random phases only", LineAmplitudes::fixed},
     config::Entry<LineAmplitudes>{"gaussian", "random phases and amplitudes", LineAmplitudes::gaussian},
 };
+constexpr std::array refused_seeds{
+    config::Entry<bool>{"left-out", "they are reported and not tried", false},
+    config::Entry<bool>{"used", "they are reported and tried all the same", true},
+};
 
 constexpr config::Keys matched_target_keys{
     config::number_key("longest", Dimension::time, {.low = 0.2, .high = 20},
-                       "longest period that is matched; waves hold next to nothing beyond 1.5 times it")
+                       "longest period that is matched; waves hold next to nothing beyond 1.5 times it (of seeds 3 "
+                       "times, if the duration allows)")
         .otherwise_said("the least of 10 s, the target's last period and the duration")};
 constexpr config::KeyTable matched_target_table{
     .meaning = "the response spectrum that waves follow", .keys = matched_target_keys.all, .also = {&target_table}};
@@ -51,6 +56,13 @@ constexpr config::Keys compatible_keys{
     config::word_key<acceptance_rules>(
         "acceptance", "rule that every wave must meet; srp-3.7.1: the spectrum clauses of its option 1, approach 2")
         .otherwise("none"),
+    config::integer_key("most_drawn", 1, 1000,
+                        "waves that are drawn at most for each of count, until count of them meet acceptance")
+        .otherwise(10)
+        .only("there is acceptance and no seed"),
+    config::word_key<refused_seeds>("refused", "what becomes of seeds whose match misses acceptance")
+        .otherwise("left-out")
+        .only("there are acceptance and seed"),
     config::word_key<line_amplitudes>("amplitudes", "what of each spectral line is random")
         .otherwise_said("fixed; of match = ensemble gaussian")
         .only("there is no seed"),
@@ -82,7 +94,8 @@ std::optional<FurtherTarget> read_further(config::Table const& waves, ComponentK
     std::optional<TargetSpectrum> target;
     if (table.has("target")) {
         auto const own = table.child(matched_component_keys["target"]);
-        target = read_target(own, files);
+        auto const beside = waves.child(compatible_keys["target"]);
+        target = read_target(own, files, files.are_before_format_5() ? nullptr : &beside);
         own.finish();
     } else {
         target = horizontal.scaled(read_ratio(table));
@@ -118,10 +131,24 @@ void read_seeds(config::Table const& waves, InputFiles& files, CompatibleRequest
     request.input.envelope = {.shape = EnvelopeShape::constant};
 }
 
+void read_acceptance(config::Table const& waves, CompatibleRequest& request) {
+    auto& acceptance = request.acceptance;
+    acceptance.rule = waves.text(compatible_keys["acceptance"]);
+    bool const seeds = waves.has("seed");
+    if (waves.has("most_drawn") && (!acceptance.asked() || seeds)) {
+        waves.fail("most_drawn", "without waves to be drawn until acceptance is met. Leave it out");
+    }
+    if (waves.has("refused") && !(acceptance.asked() && seeds)) {
+        waves.fail("refused", "without seeds and acceptance (drawn waves that miss it are drawn anew). Leave it out");
+    }
+    acceptance.most_drawn = seeds ? 1 : waves.integer(compatible_keys["most_drawn"]);
+    acceptance.uses_refused = seeds && waves.choice<bool>(compatible_keys["refused"], refused_seeds);
+}
+
 void read_match(config::Table const& waves, CompatibleRequest& request) {
     auto& input = request.input;
     request.match = waves.choice<Match>(compatible_keys["match"], matches);
-    request.rule_name = waves.text(compatible_keys["acceptance"]);
+    read_acceptance(waves, request);
     input.rule = waves.choice(compatible_keys["acceptance"], acceptance_rules());
     if (request.match == Match::each) {
         input.tolerance = waves.number(compatible_keys["match_tolerance"]);
@@ -179,6 +206,9 @@ std::unique_ptr<WaveSource> make_spectrum_compatible(config::Table const& waves,
     double const duration = input.time_step_s * static_cast<double>(input.samples - 1);
     input.longest_s = read_longest(target, input.target, duration);
     target.finish();
+    // A measured motion's own slow lines are kept as far as they can come to rest within it.
+    constexpr double beyond = 2;
+    input.kept_to_s = request.seeds.empty() ? 0 : std::min(beyond * input.longest_s, duration / beyond);
     read_match(waves, request);
     read_varying_targets(waves, files, request);
     if (request.seeds.empty()) {

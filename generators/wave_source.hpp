@@ -83,8 +83,8 @@ class WaveSource {
     /// Of a source whose n-th wave is the n-th point of a grid of periods: these [s]. Its waves are no random sample,
     /// so that shares of them are no probabilities. Nothing of all others.
     [[nodiscard]] virtual std::optional<std::vector<double>> grid_periods_s() const { return std::nullopt; }
-    /// The rule its waves must meet, "none" if any will do.
-    [[nodiscard]] virtual std::string acceptance() const { return "none"; }
+    /// The rule its waves must meet; without one any will do.
+    [[nodiscard]] virtual Acceptance acceptance() const { return {}; }
     /// What makes its waves differ from each other, in a line that goes beside every curve drawn from them.
     [[nodiscard]] virtual std::string variability() const = 0;
     /// Has every wave a target of its own (GeneratedWave::drawn)?
@@ -105,6 +105,8 @@ class WaveSource {
     [[nodiscard]] virtual std::optional<ComparedPeriods> compared_periods() const { return std::nullopt; }
     /// How a measured wave ends; nothing of waves that were not measured. \throws InputError as make
     [[nodiscard]] virtual std::optional<Drift> drift(std::uint64_t /*wave*/) const { return std::nullopt; }
+    /// The measured motion that the match of a wave began with; null of all others.
+    [[nodiscard]] virtual GroundMotion const* began_with(std::uint64_t /*wave*/) const { return nullptr; }
     /// What the campaign calls a measured wave: its file. Empty of all others.
     [[nodiscard]] virtual std::string name(std::uint64_t /*wave*/) const { return {}; }
     /// One line on what it makes.

@@ -11,7 +11,7 @@ namespace overturn {
 
 SpectrumCompatible::SpectrumCompatible(CompatibleRequest request, std::vector<FurtherTarget> const& further)
     : rule_(request.input.rule),
-      rule_name_(std::move(request.rule_name)),
+      acceptance_(std::move(request.acceptance)),
       match_(request.match),
       time_step_s_(request.input.time_step_s),
       variability_(std::move(request.variability)),
@@ -46,7 +46,7 @@ void SpectrumCompatible::summarise(SpectrumMatcherInput const& input) {
         fmt::format("{} samples of {} s, target {} at {} % damping to {:g} s, {}", input.samples, time_step_s_,
                     target.name(), 100 * target.damping(), input.longest_s, how.at(static_cast<std::size_t>(match_)));
     summary_ += variability_ ? fmt::format(" to a target of its own: {}", variability_->describe()) : "";
-    summary_ += rule_.enabled() ? " by " + rule_name_ : "";
+    summary_ += rule_.enabled() ? " by " + acceptance_.rule : "";
     if (constexpr double rounding = 1e-9; input.longest_s > stated_to_s_ * (1 + rounding)) {
         summary_ += fmt::format(", beyond its end at {:g} s on at constant displacement", stated_to_s_);
     }
@@ -60,13 +60,13 @@ std::string SpectrumCompatible::variability() const {
     }
     switch (match_) {
         case Match::each:
-            return fmt::format("{} alone: every wave has the one target's spectrum", phases);
+            return fmt::format("{} only; every wave is matched to the same target spectrum", phases);
         case Match::ensemble:
-            return "noise about one median spectrum: no event, path or site differs";
+            return "random noise about one median spectrum; event, path and site do not vary";
         case Match::none:
             break;
     }
-    return "noise about one spectrum, which is not centred on the target: no event, path or site differs";
+    return "random noise about one spectrum, which is not centred on the target; event, path and site do not vary";
 }
 
 std::optional<StatedSigma> SpectrumCompatible::stated_sigma() const {
@@ -224,8 +224,9 @@ void SpectrumCompatible::add_clauses(Part const& part, MatchReport const& match,
                                                .intensity_ratio = match.intensity_ratio,
                                                .judged_to_s = part.input.longest_s,
                                                .defined_to_s = part.defined_to_s})) {
+        clause.component = part.kind.name;
         if (part.kind.place != horizontal_kind.place) {
-            clause.name += std::string(", ") + part.kind.name;
+            clause.name += ", " + clause.component;
         }
         clauses.push_back(std::move(clause));
     }

@@ -36,7 +36,7 @@ struct FurtherTarget {
 struct CompatibleRequest {
     SpectrumMatcherInput input;
     Match match = Match::each;
-    std::string rule_name = "none";
+    Acceptance acceptance = {};
     std::optional<TargetVariability> variability = {};
     std::vector<GroundMotion> seeds = {};
     std::vector<std::string> seed_labels = {};
@@ -56,6 +56,9 @@ class SpectrumCompatible : public WaveSource {
     [[nodiscard]] std::optional<std::uint64_t> available() const override {
         return seeds_.empty() ? std::nullopt : std::optional<std::uint64_t>(seeds_.size());
     }
+    [[nodiscard]] GroundMotion const* began_with(std::uint64_t wave) const override {
+        return wave < seeds_.size() ? &seeds_[wave] : nullptr;
+    }
     [[nodiscard]] std::string describe() const override { return summary_; }
     [[nodiscard]] std::string variability() const override;
     [[nodiscard]] bool draws_targets() const override { return variability_.has_value(); }
@@ -67,7 +70,7 @@ class SpectrumCompatible : public WaveSource {
     [[nodiscard]] std::uint64_t waves_alike() const override {
         return variability_ ? variability_->input().per_target * variability_->input().targets_per_event : 1;
     }
-    [[nodiscard]] std::string acceptance() const override { return rule_name_; }
+    [[nodiscard]] Acceptance acceptance() const override { return acceptance_; }
     /// What lies beyond the target's own first and last period is compared with nothing that anybody stated.
     [[nodiscard]] std::optional<ComparedPeriods> compared_periods() const override {
         return ComparedPeriods{stated_from_s_, std::min(parts_.front().input.longest_s, stated_to_s_)};
@@ -98,7 +101,7 @@ class SpectrumCompatible : public WaveSource {
     void add_clauses(Part const& part, MatchReport const& match, std::vector<Clause>& clauses) const;
 
     AcceptanceRule rule_;
-    std::string rule_name_;
+    Acceptance acceptance_;
     Match match_;
     double time_step_s_;
     std::optional<TargetVariability> variability_;

@@ -113,6 +113,18 @@ Lines NoiseLines::analyse(std::span<double const> acceleration_mps2) const {
     return lines;
 }
 
+Lines NoiseLines::products(std::span<double const> weights, std::size_t count) const {
+    std::vector<double> padded(fft_.length(), 0.0);
+    std::ranges::copy(weights, padded.begin());
+    Lines lines(amplitude_.size());
+    fft_.analyse(padded, lines);  // 2 / length sum weights exp(-i w t)
+    lines.resize(count);
+    for (auto& line : lines) {
+        line = std::conj(line) * (static_cast<double>(fft_.length()) / 2);
+    }
+    return lines;
+}
+
 std::pair<double, double> NoiseLines::lowest_power(std::span<double const> acceleration_mps2) const {
     constexpr double from_hz = 0.3;
     constexpr double to_hz = 24;

@@ -51,6 +51,10 @@ class NoiseLines {
     /// The lines of a motion, cut or followed by silence to the length of these; no mean, long periods faded.
     [[nodiscard]] Lines analyse(std::span<double const> acceleration_mps2) const;
 
+    /// sum_n weights_n exp(i w_k t_n) of the lines k below `count`: what a line of amplitude 1 adds to a weighted sum
+    /// of the samples that it makes. \pre no more weights than length()
+    [[nodiscard]] Lines products(std::span<double const> weights, std::size_t count) const;
+
     /// Lowest ratio of a wave's power to what its lines' density leads to expect, both averaged over 20 % of frequency
     /// to either side, from 0.3 Hz to 24 Hz; first the ratio, then where [Hz].
     [[nodiscard]] std::pair<double, double> lowest_power(std::span<double const> acceleration_mps2) const;

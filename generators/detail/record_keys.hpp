@@ -23,6 +23,8 @@ inline constexpr config::Keys reading_keys{
     config::number_key("time_step", Dimension::time, config::Range::positive(),
                        "where the files do not state it; else the step to which they are resampled")
         .optional(),
+    config::text_key("columns", R"(what the columns of tables are, where their names do not say it: "time,h1,h2,v")")
+        .optional(),
     config::text_key("component", R"(which one of a file that holds several: "EW", "NS", ...)").optional(),
     config::word_key<component_choices>("components", "which further components are taken").otherwise("file"),
     config::word_key<coarsenings>("resample", "to which time steps").otherwise("finer"),

@@ -90,7 +90,7 @@ void rescale_peaks(std::span<PeakDisplacement> peaks, std::span<double const> be
 SpectrumMatcher::SpectrumMatcher(SpectrumMatcherInput input)
     : input_(checked(std::move(input))),
       noise_({.target = input_.target,
-              .longest_s = input_.longest_s,
+              .longest_s = std::max(input_.longest_s, input_.kept_to_s),
               .time_step_s = input_.time_step_s,
               .samples = input_.samples,
               .envelope = input_.envelope,
@@ -220,6 +220,11 @@ void SpectrumMatcher::step(Lines& lines, Probed& wave, std::vector<double>& enve
         return;
     }
     constexpr int cautious_iterations = 3;  // enough for a mean misfit of 5 %
+    constexpr int usual_iterations = 4;     // what meets a rule with its phases as drawn mostly has by then
+    if (input_.rule.enabled() && iteration >= steps.plain + usual_iterations) {
+        wave.probe->step_slow(lines, wave.peaks, wave.ratios, envelope, input_.rule, noise_);
+        return;
+    }
     wave.probe->step(lines, wave.peaks, wave.ratios, envelope, input_.rule,
                      iteration < steps.plain + cautious_iterations ? LineGains::Trust::little : LineGains::Trust::much);
 }

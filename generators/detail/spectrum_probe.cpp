@@ -27,7 +27,8 @@ SpectrumProbe::SpectrumProbe(JudgedPeriods judged, std::vector<std::size_t> chos
       chosen_(std::move(chosen)),
       time_step_s_(noise.time_step_s()),
       sweep_(judged_.at(chosen_), damping, time_step_s_),
-      gains_(judged_.at(chosen_), damping, noise.spacing_radps(), noise.first(), noise.count()) {
+      gains_(judged_.at(chosen_), damping, noise.spacing_radps(), noise.first(), noise.count()),
+      slow_(judged_.at(chosen_), damping, noise) {
     OVERTURN_EXPECT(!chosen_.empty() && chosen_.front() == 0 && chosen_.back() + 1 == judged_.period_s.size());
 }
 
@@ -68,16 +69,38 @@ double SpectrumProbe::governing_ratio(std::span<double const> ratios, std::size_
     return answer;
 }
 
+std::vector<double> SpectrumProbe::wanted(std::span<double const> ratios, AcceptanceRule const& rule) const {
+    std::vector<double> goals(chosen_.size());
+    for (std::size_t c = 0; c < chosen_.size(); ++c) {
+        goals[c] = rule.aim / governing_ratio(ratios, c, rule);
+    }
+    return goals;
+}
+
+std::vector<double> SpectrumProbe::strength(std::span<PeakDisplacement const> peaks,
+                                            std::span<double const> envelope) const {
+    std::vector<double> at_peak(chosen_.size());
+    for (std::size_t c = 0; c < chosen_.size(); ++c) {
+        auto const sample = static_cast<std::size_t>(peaks[c].time_s / time_step_s_);
+        at_peak[c] = envelope[std::min(sample, envelope.size() - 1)];
+    }
+    return at_peak;
+}
+
 void SpectrumProbe::step(Lines& lines, std::span<PeakDisplacement const> peaks, std::span<double const> ratios,
                          std::span<double const> envelope, AcceptanceRule const& rule, LineGains::Trust trust) const {
-    std::vector<double> wanted(chosen_.size());
-    std::vector<double> strength(chosen_.size());
+    gains_.apply(lines, peaks, strength(peaks, envelope), wanted(ratios, rule), trust);
+}
+
+void SpectrumProbe::step_slow(Lines& lines, std::span<PeakDisplacement const> peaks, std::span<double const> ratios,
+                              std::span<double const> envelope, AcceptanceRule const& rule,
+                              NoiseLines const& noise) const {
+    auto goals = wanted(ratios, rule);
+    slow_.apply(lines, peaks, goals, envelope, noise);
     for (std::size_t c = 0; c < chosen_.size(); ++c) {
-        wanted[c] = rule.aim / governing_ratio(ratios, c, rule);
-        auto const sample = static_cast<std::size_t>(peaks[c].time_s / time_step_s_);
-        strength[c] = envelope[std::min(sample, envelope.size() - 1)];
+        goals[c] = judged_.period_s[chosen_[c]] < LongPeriodStep::from_s ? goals[c] : 1;
     }
-    gains_.apply(lines, peaks, strength, wanted, trust);
+    gains_.apply(lines, peaks, strength(peaks, envelope), goals, LineGains::Trust::much);
 }
 
 }  // namespace overturn

@@ -9,6 +9,7 @@
 
 #include "generators/acceptance.hpp"
 #include "generators/detail/line_gains.hpp"
+#include "generators/detail/long_period_step.hpp"
 #include "generators/detail/noise_lines.hpp"
 #include "spectra/peak_response.hpp"
 
@@ -41,8 +42,14 @@ class SpectrumProbe {
     /// beside it \param envelope the wave's, per sample
     void step(Lines& lines, std::span<PeakDisplacement const> peaks, std::span<double const> ratios,
               std::span<double const> envelope, AcceptanceRule const& rule, LineGains::Trust trust) const;
+    /// The same, for slow oscillators by LongPeriodStep, and for the others by amplitudes.
+    void step_slow(Lines& lines, std::span<PeakDisplacement const> peaks, std::span<double const> ratios,
+                   std::span<double const> envelope, AcceptanceRule const& rule, NoiseLines const& noise) const;
 
   private:
+    [[nodiscard]] std::vector<double> wanted(std::span<double const> ratios, AcceptanceRule const& rule) const;
+    [[nodiscard]] std::vector<double> strength(std::span<PeakDisplacement const> peaks,
+                                               std::span<double const> envelope) const;
     [[nodiscard]] double governing_ratio(std::span<double const> ratios, std::size_t c,
                                          AcceptanceRule const& rule) const;
 
@@ -51,6 +58,7 @@ class SpectrumProbe {
     double time_step_s_;
     PeakResponse sweep_;
     LineGains gains_;
+    LongPeriodStep slow_;
 };
 
 }  // namespace overturn

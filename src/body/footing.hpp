@@ -13,7 +13,8 @@ enum class BaseShape { square, round, polygon };
 
 struct BasePlan {
     static constexpr int points_across = 11;  ///< a flat bed
-    static constexpr int points_around = 32;  ///< a round rim
+    static constexpr int points_around =
+        64;  ///< a round rim where it stands as points: on a pad that yields, in a plane
 
     BaseShape shape = BaseShape::square;
     /// x in the rocking plane, y across it, from the body's axis; of a polygon only, which is convex [m]
@@ -21,7 +22,10 @@ struct BasePlan {
     /// w: of the stiffness, on both corners of the rocking plane together [-]. 1: corners alone. Empty: a flat, evenly
     /// bedded base, whose corners stand for half a cell each.
     std::optional<double> corner_share = 1;
-    int points = points_across;  ///< evenly spread from corner to corner; of a round base: round its rim
+    int points = points_across;  ///< evenly spread from corner to corner; of a round base round its rim, 0: continuous
+
+    /// A round base whose rim presses along its whole length, without points and so without directions.
+    [[nodiscard]] bool continuous() const { return shape == BaseShape::round && points == 0; }
 };
 
 /// Body, pallet and pad as one mass on one bed of springs: an assumption.

@@ -1,5 +1,6 @@
 #include "body/reserve_energy.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -29,9 +30,10 @@ RockingCapacity rocking_capacity(RigidBody const& body, double rotation_rad) {
             std::isfinite(gamma) ? gamma / std::hypot(two_pi, gamma) : 1};
 }
 
-double sliding_capacity_mps2(double friction, double gravity_mps2) {
+double sliding_capacity_mps2(double friction, double vertical_mps2, double gravity_mps2) {
     OVERTURN_EXPECT(friction > 0);
-    return 2 * friction * gravity_mps2;
+    constexpr double at_once = 0.4;  // of the vertical peak, with the horizontal one
+    return std::max(0.0, 2 * friction * (gravity_mps2 - at_once * vertical_mps2));
 }
 
 double sliding_distance_m(double capacity_mps2, double frequency_hz) {

@@ -8,9 +8,8 @@ namespace overturn {
 namespace {
 
 void check(SimilarityLaw const& law) {
-    for (auto const& [value, name] :
-         {std::pair{law.length, "length ratio"}, std::pair{law.mass_factor, "mass factor"},
-          std::pair{law.stiffness_factor, "stiffness factor"}, std::pair{law.area_factor, "area factor"}}) {
+    for (auto const& [value, name] : {std::pair{law.length, "length ratio"}, std::pair{law.mass_factor, "mass factor"},
+                                      std::pair{law.stiffness_factor, "stiffness factor"}}) {
         validate(value > 0 && std::isfinite(value), "{} of {} (must be positive and finite). State model / prototype",
                  name, value);
     }

@@ -8,6 +8,7 @@
 
 #include "campaign/detail/body_keys.hpp"
 #include "campaign/detail/footing_spec.hpp"
+#include "campaign/detail/friction_spec.hpp"
 #include "campaign/detail/gyration.hpp"
 #include "campaign/detail/parts_spec.hpp"
 #include "campaign/detail/placement_spec.hpp"
@@ -81,33 +82,6 @@ void set_mass(BodyInput& stated, double mass_kg) {
     stated.mass_kg = mass_kg;
 }
 
-// friction = number | distribution | { static = number | distribution, kinetic = number or kinetic_ratio = number }
-void read_friction(Table const& table, BodySpec& spec) {
-    if (table.kind("friction") != Kind::table || table.child(body_keys["friction"]).has("distribution")) {
-        spec.scatter.friction = read_distribution(table, body_keys["friction"]);
-        double const mu = spec.scatter.friction->centre();
-        spec.friction = Friction{mu, mu};
-        return;
-    }
-    auto const given = table.child(body_keys["friction"]);
-    auto const held = read_distribution(given, friction_keys["static"]);
-    if (given.has("kinetic_ratio")) {
-        double const ratio = given.number(friction_keys["kinetic_ratio"]);
-        spec.friction = Friction{held.centre(), ratio * held.centre()};
-    } else if (held.scatters()) {
-        given.fail("static", "scatters (a fixed kinetic value would not follow it). State kinetic_ratio");
-    } else {
-        spec.friction = Friction{held.centre(), given.number(friction_keys["kinetic"])};
-    }
-    given.finish();
-    if (spec.friction->kinetic_coefficient > spec.friction->static_coefficient) {
-        given.fail("kinetic",
-                   fmt::format("{} above static {} (a sliding base would hold better than a resting one). Swap them?",
-                               spec.friction->kinetic_coefficient, spec.friction->static_coefficient));
-    }
-    spec.scatter.friction = held;
-}
-
 void read_restitution(Table const& table, BodySpec& spec) {
     spec.stated.restitution.reset();
     spec.scatter.restitution.reset();
@@ -173,6 +147,10 @@ void read_uncertain(Table const& table, BodySpec& spec) {
     read_footing(table, spec.stated_footing);
     spec.axes = static_cast<int>(table.integer(body_keys["axes"], {.otherwise = spec.axes}));
     table.finish();
+}
+
+// Only when all is read does it stand: a squat body has no restitution of Housner's to fall back on.
+void settle(Table const& table, BodySpec& spec) {
     spec.body = table.located("", [&] { return scaled(spec.stated, spec.scaling); });
     validate_draws(table, spec);
     validate_placement(table, spec);
@@ -184,7 +162,10 @@ BodySpec read_stated(Table const& table, std::string name) {
     auto stated = read_shape(table, parts);
     stated.gravity_mps2 = table.number(body_keys["gravity"]);
     auto const scaling = read_scaling(table);
-    auto const body = table.located("", [&] { return scaled(stated, scaling); });
+    constexpr double any = 0.5;
+    auto unsettled = stated;
+    unsettled.restitution = any;
+    auto const body = table.located("", [&] { return scaled(unsettled, scaling); });
     BodySpec spec{std::move(name), stated, scaling, body, {}, {}, 3, {}, {}, {}};
     spec.parts = with_lengths(std::move(parts), length_factor(scaling));
     read_uncertain(table, spec);
@@ -226,17 +207,23 @@ DrawnBody with(BodySpec const& spec, Values const& values) {
 
 BodySpec read_body(Table const& table, InputFiles& files) {
     if (!table.has("file")) {
-        return read_stated(table, table.text(body_keys["name"], "body"));
+        auto spec = read_stated(table, table.text(body_keys["name"], "body"));
+        settle(table, spec);
+        return spec;
     }
     auto const file = table.text(bodies_keys["file"]);
     auto const name = table.text(body_keys["name"]);
     auto const inner =
         table.named_document(table.located("file", [&]() -> std::string const& { return files.read(file); }), file);
     auto spec = read_stated(inner, inner.text(body_keys["name"], "body"));
+    if (!table.has("restitution")) {
+        settle(inner, spec);  // what is wrong with the file alone is told there
+    }
     if (!name.empty()) {
         spec.name = name;
     }
     read_uncertain(table, spec);
+    settle(table, spec);
     return spec;
 }
 

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/campaign_spec.hpp"
+#include "campaign/unsound.hpp"
+#include "campaign/withdrawn_keys.hpp"
 #include "store/sha256.hpp"
 
 namespace overturn {
@@ -135,7 +137,10 @@ CampaignInput load_campaign(std::filesystem::path const& path, std::span<std::st
              "{}: {} bytes (a results file can carry {}). Move long tables into files that the campaign names",
              path.string(), input.text.size(), longest);
     InputFiles files(path.has_parent_path() ? path.parent_path() : std::filesystem::path("."));
-    refuse_drifting_levels(input, parse_campaign(input, files));
+    auto const spec = parse_campaign(input, files);
+    refuse_drifting_levels(input, spec);
+    refuse_unsound(input, spec);
+    refuse_withdrawn_keys(input);
     input.files = files.contents();
     return input;
 }

@@ -25,6 +25,9 @@ struct CampaignInput {
     std::string machine = overturn::machine();
     /// With what: a library or a compiler of another version may give other last bits.
     std::string libraries = overturn::library_versions() + ", " + overturn::compiler();
+    /// Of a results file up to format 4, which is read as programs did then: a trial that overturned passed the limits
+    /// that it had passed before it fell, targets without a unit were in SI, unnamed columns told by their place.
+    bool before_format_5 = false;
 
     /// SHA-256 of text, settings and files; neither the name nor program, machine and libraries count.
     [[nodiscard]] std::string sha256() const;

@@ -48,17 +48,32 @@ void read_sa(Table const& table, MeasureSpec& m) {
     }
 }
 
+void read_curves(Table const& table, MeasureSpec& m) {
+    if (!table.has("curves")) {
+        return;
+    }
+    table.located("curves", [&] {
+        for (auto const& name : table.texts(measure_keys["curves"])) {
+            auto const* const measure = config::find_entry<Measure>(curve_measures, name, "measure").value;
+            validate(std::ranges::find(m.curves, measure) == m.curves.end(), "'{}' twice. Remove one", name);
+            m.curves.push_back(measure);
+        }
+    });
+}
+
 // Levels by Sa measure it: what they scale by is stored with every wave.
-void measure_levels(Table const& root, LevelSpec const& levels, MeasureSpec& m) {
-    if (levels.measure == LevelMeasure::sa_average && !m.sa_band) {
+void measure_levels(Table const& root, LevelSpec& levels, MeasureSpec& m) {
+    if (levels.measure == measure_named("sa_average") && !m.sa_band) {
         root.child("levels").fail("measure",
                                   "sa-average without measures.sa_band (the periods it is averaged over). "
                                   "State it");
     }
-    if (levels.measure != LevelMeasure::sa) {
+    if (!levels.measure->period) {
         return;
     }
     auto const place = std::ranges::lower_bound(m.sa_periods_s, levels.sa_period_s);
+    levels.measure =
+        sa_measure(std::min(static_cast<std::size_t>(place - m.sa_periods_s.begin()), most_sa_periods - 1));
     if (place != m.sa_periods_s.end() && *place == levels.sa_period_s) {
         return;
     }
@@ -82,7 +97,9 @@ MeasureSpec read_measures(Table const& table) {
         }
     }
     m.window = table.choice<WindowReading>(measure_keys["window"], window_readings);
+    m.movement = {table.number(measure_keys["slid_from"]), table.number(measure_keys["rocked_from"])};
     read_sa(table, m);
+    read_curves(table, m);
     table.finish();
     return m;
 }
@@ -126,10 +143,10 @@ std::vector<BodySpec> read_bodies(Table const& root, InputFiles& files) {
 
 // PGV and PGD of a record whose baseline drifts are not the ground's.
 void check_drift(Table const& levels, LevelSpec const& spec, WaveSource const& source, std::int64_t waves) {
-    if (spec.measure != LevelMeasure::pgv && spec.measure != LevelMeasure::pgd) {
+    if (!spec.measure->drifts) {
         return;
     }
-    if (auto const why = source.pgd_drift(); spec.measure == LevelMeasure::pgd && !why.empty()) {
+    if (auto const why = source.pgd_drift(); spec.measure == measure_named("pgd") && !why.empty()) {
         levels.fail("measure", fmt::format("pgd of waves that drift ({}). Scale by pga or pgv", why));
     }
     for (std::int64_t wave = 0; wave < waves; ++wave) {
@@ -163,6 +180,7 @@ void read_source(Table const& root, Table const& waves, InputFiles& files, Campa
 
 // Effects that are forced need what they speak of.
 void check_forced_effects(Table const& effects, CampaignSpec const& spec) {
+    auto const ladder = effects.located("include", [&] { return std::make_unique<Ladder>(spec.effects); });
     for (auto const& body : spec.bodies) {
         bool const in_plane = has(spec.effects.include, Effect::contact) && !has(spec.effects.include, Effect::spatial);
         if (in_plane && body.footing.base.shape == BaseShape::polygon) {
@@ -176,11 +194,17 @@ void check_forced_effects(Table const& effects, CampaignSpec const& spec) {
                                      "slips). Add friction to the body",
                                      body.name));
         }
+        auto const unable = ladder->impossible({body.body, body.friction, body.footing, body.axes});
+        if (unable != 0 && body.planar_key() == nullptr) {
+            effects.fail("include", fmt::format("{} forced on '{}' (no model can simulate it of this body: the usual "
+                                                "pad does not hold it upright). State its base or pad",
+                                                names_of_effects(unable), body.name));
+        }
     }
 }
 
 void check_quality(Table const& root, CampaignSpec const& spec) {
-    if (!spec.measures.wave_quality && spec.source->acceptance() != "none") {
+    if (!spec.measures.wave_quality && spec.source->acceptance().asked()) {
         root.child("measures")
             .fail("wave_quality",
                   "false beside waves.acceptance (a rule judges the quality of every "
@@ -238,6 +262,7 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
     spec.accuracy = read_accuracy(accuracy);
     spec.measures = read_measures(root.child_or_empty(campaign_keys["measures"]));
     measure_levels(root, spec.levels, spec.measures);
+    spec.measures.movement.by_model = input.before_format_5;
     check_quality(root, spec);
     waves.located("acceptance", [&] { validate_bands(*spec.source, spec.bodies, spec.measures.radius_unit); });
     spec.measures.panel_phase_rad = accuracy.number(accuracy_keys["panel_phase"]);
@@ -249,7 +274,7 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
                               spec.is_grid()                  ? WavesOfLevels::grid
                               : spec.levels.independent_waves ? WavesOfLevels::independent
                                                               : WavesOfLevels::shared,
-                              spec.effects);
+                              !input.before_format_5, spec.effects);
     check_reachable(root, spec.limits, spec.bodies);
     check_planar_limits(root, spec);
     check_pulses(root, spec);
@@ -266,6 +291,7 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
 
 CampaignSpec parse_campaign(CampaignInput const& input) {
     InputFiles files(input.files);
+    files.read_as_before_format_5(input.before_format_5);
     return parse_campaign(input, files);
 }
 

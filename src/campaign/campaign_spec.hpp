@@ -21,6 +21,19 @@
 namespace overturn {
 
 /// How the energy measures are read; an option because the original's unit of R is not printed.
+/// From when on a body that stands counts as having moved, whatever model ran: what a pad gives way elastically is not
+/// rocking, what a base creeps is no slip.
+struct MovementSpec {
+    double slip_m = 1e-3;    ///< largest slip of the base
+    double uplift_m = 1e-3;  ///< largest rise of the edge of the base, its width times the sine of the tilt
+
+    bool by_model = false;  ///< instead as each model has it, as in results files up to format 4
+
+    /// Of a trial that stands; other verdicts stay. \param may_slip has it friction? What a base that holds fast rolls
+    /// or walks is no slip
+    [[nodiscard]] Verdict verdict(Response const& response, RigidBody const& body, bool may_slip) const;
+};
+
 struct MeasureSpec {
     RadiusUnit radius_unit = RadiusUnit::centimetre;
     bool energy = true;              ///< V_WES and ouV_E of every wave and body
@@ -31,6 +44,8 @@ struct MeasureSpec {
     /// Pseudo-acceleration at 5 % damping of every wave: at these periods [s], and its geometric mean over a band
     std::vector<double> sa_periods_s = {};
     std::optional<PeriodBand> sa_band = {};
+    std::vector<Measure> curves = {};  ///< over which there are curves too
+    MovementSpec movement = {};
 };
 
 struct CampaignSpec {

@@ -4,26 +4,25 @@
 #include <array>
 #include <cmath>
 
+#include "campaign/rows.hpp"
+
 namespace overturn {
 namespace {
 
-using Measure = LevelMeasureEntry;
+// Sa once: its period is a key of its own.
+constexpr bool is_level(IntensityMeasure const& entry) { return !entry.level.empty() && entry.period.value_or(0) == 0; }
 
-constexpr std::array measure_entries{
-    config::Entry<Measure>{"pga", "peak horizontal acceleration", {LevelMeasure::pga, Dimension::acceleration}},
-    config::Entry<Measure>{"pgv", "peak horizontal velocity", {LevelMeasure::pgv, Dimension::velocity}},
-    config::Entry<Measure>{"pgd", "peak horizontal displacement", {LevelMeasure::pgd, Dimension::length}},
-    config::Entry<Measure>{"vector-pga",
-                           "peak length of the horizontal acceleration, of both components together",
-                           {LevelMeasure::vector_pga, Dimension::acceleration}},
-    config::Entry<Measure>{"sa",
-                           "pseudo-acceleration at levels.period, 5 % damping, of the horizontal component",
-                           {LevelMeasure::sa, Dimension::acceleration}},
-    config::Entry<Measure>{"sa-average",
-                           "geometric mean of the pseudo-acceleration over measures.sa_band",
-                           {LevelMeasure::sa_average, Dimension::acceleration}},
-    config::Entry<Measure>{"factor", "a plain factor on the wave as it is", {LevelMeasure::factor, Dimension::none}},
-};
+constexpr auto measure_entries = [] {
+    constexpr auto count = static_cast<std::size_t>(std::ranges::count_if(intensity_measures, is_level));
+    std::array<config::Entry<Measure>, count> entries{};
+    std::size_t next = 0;
+    for (auto const& entry : intensity_measures) {
+        if (is_level(entry)) {
+            entries.at(next++) = {entry.level, entry.meaning, &entry};
+        }
+    }
+    return entries;
+}();
 
 constexpr std::array independence{
     config::Entry<bool>{"shared", "every level scales the same waves", false},
@@ -105,13 +104,9 @@ void name_level(std::vector<Level>& levels, double value, LevelClass purpose) {
     }
 }
 
-config::Entry<Measure> const& entry_of(LevelMeasure measure) {
-    return *std::ranges::find(measure_entries, measure, [](auto const& entry) { return entry.value.measure; });
-}
-
 }  // namespace
 
-std::span<config::Entry<LevelMeasureEntry> const> level_measures() { return measure_entries; }
+std::span<config::Entry<Measure> const> level_measures() { return measure_entries; }
 
 std::string name_of(LevelClass purpose) {
     switch (purpose) {
@@ -130,44 +125,19 @@ std::int64_t Level::key() const {
     return std::llround(value * millionths);
 }
 
-std::string LevelSpec::measure_name() const { return std::string(entry_of(measure).name); }
+std::string LevelSpec::measure_name() const { return std::string(measure->level); }
 
-Dimension LevelSpec::dimension() const { return entry_of(measure).value.dimension; }
+Dimension LevelSpec::dimension() const { return measure->dimension; }
 
-std::string LevelSpec::units() const {
-    auto const symbol = si_symbol(dimension());
-    return symbol.empty() ? "1" : std::string(symbol);
-}
+std::string LevelSpec::units() const { return measure->units(); }
 
 std::string LevelSpec::text(double value) const {
     auto const unit = shown_units();
     return unit == "1" ? fmt::format("{:.6g}", shown(value)) : fmt::format("{:.6g} {}", shown(value), unit);
 }
 
-std::optional<double> LevelSpec::scale(Level const& level, Intensity const& wave) const {
-    double base = 1;
-    switch (measure) {
-        case LevelMeasure::pga:
-            base = wave.pga_mps2;
-            break;
-        case LevelMeasure::pgv:
-            base = wave.pgv_mps;
-            break;
-        case LevelMeasure::pgd:
-            base = wave.pgd_m;
-            break;
-        case LevelMeasure::vector_pga:
-            base = wave.vector_pga_mps2;
-            break;
-        case LevelMeasure::sa:
-            base = wave.sa_mps2;
-            break;
-        case LevelMeasure::sa_average:
-            base = wave.sa_average_mps2;
-            break;
-        case LevelMeasure::factor:
-            break;
-    }
+std::optional<double> LevelSpec::scale(Level const& level, WaveRow const& wave) const {
+    double const base = unscaled(measure, wave, {});
     return base > 0 ? std::optional(level.value / base) : std::nullopt;
 }
 
@@ -176,24 +146,24 @@ constinit config::KeyTable const levels_table{.meaning = "the levels that waves 
 LevelSpec read_levels(config::Table const& table) {
     table.may_have(levels_table);
     LevelSpec spec;
-    auto const chosen = table.choice<Measure>(level_keys["measure"], measure_entries);
-    spec.measure = chosen.measure;
-    if (spec.measure == LevelMeasure::sa) {
+    spec.measure = table.choice<Measure>(level_keys["measure"], measure_entries);
+    auto const dimension = spec.dimension();
+    if (spec.measure->period) {
         spec.sa_period_s = table.number(level_keys["period"]);
     }
     spec.independent_waves = table.choice<bool>(level_keys["waves"], independence);
     // Named levels alone make a campaign too.
     if (table.has("values") || !(table.has("design_basis") || table.has("beyond_design"))) {
-        for (double const value : read_values(table, chosen.dimension)) {
+        for (double const value : read_values(table, dimension)) {
             spec.levels.push_back({value, LevelClass::ordinary});
         }
     }
-    auto const basis = table.maybe_number(level_keys["design_basis"], {.dimension = chosen.dimension});
+    auto const basis = table.maybe_number(level_keys["design_basis"], {.dimension = dimension});
     if (basis) {
         name_level(spec.levels, *basis, LevelClass::design_basis);
     }
     if (table.has("beyond_design")) {
-        for (double const value : table.numbers(level_keys["beyond_design"], {.dimension = chosen.dimension})) {
+        for (double const value : table.numbers(level_keys["beyond_design"], {.dimension = dimension})) {
             if (basis && value <= *basis) {
                 table.fail("beyond_design", fmt::format("{} (not above design_basis {}). Raise it", value, *basis));
             }
@@ -203,7 +173,7 @@ LevelSpec read_levels(config::Table const& table) {
     for (auto const* key : {"values", "design_basis", "beyond_design"}) {
         if (auto const unit = table.unit_at(key); spec.stated_unit.empty() && !unit.empty()) {
             spec.stated_unit = unit;
-            spec.stated_unit_si = unit_factor(unit, chosen.dimension);
+            spec.stated_unit_si = unit_factor(unit, dimension);
         }
     }
     table.finish();

@@ -8,23 +8,16 @@
 
 #include <fmt/format.h>
 
+#include "campaign/intensity_measure.hpp"
 #include "config/table.hpp"
-#include "motion/intensity.hpp"
 
 namespace overturn {
-
-/// What a level's value measures on the scaled wave; `factor` multiplies the wave as it is.
-enum class LevelMeasure { pga, pgv, pgd, vector_pga, factor, sa, sa_average };
 
 /// What a level is for.
 enum class LevelClass : std::uint8_t { ordinary = 0, design_basis = 1, beyond_design = 2 };
 
-/// A level measure and the dimension of its values.
-struct LevelMeasureEntry {
-    LevelMeasure measure;
-    Dimension dimension;
-};
-[[nodiscard]] std::span<config::Entry<LevelMeasureEntry> const> level_measures();
+/// The measures that levels may be stated by, under the words of levels.measure.
+[[nodiscard]] std::span<config::Entry<Measure> const> level_measures();
 
 struct Level {
     double value = 0;  ///< SI
@@ -35,17 +28,17 @@ struct Level {
 };
 
 struct LevelSpec {
-    LevelMeasure measure = LevelMeasure::pga;
-    std::vector<Level> levels;       ///< rising
-    double sa_period_s = 0;          ///< where the measure is Sa
-    bool independent_waves = false;  ///< every level has waves of its own
-    std::string stated_unit = {};    ///< in which the values are written; empty: as bare numbers, or pure ones
-    double stated_unit_si = 1;       ///< SI value of one of it
+    Measure measure = measure_named("pga");  ///< Sa: at the place of its period among measures.sa_periods
+    std::vector<Level> levels;               ///< rising
+    double sa_period_s = 0;                  ///< where the measure is Sa
+    bool independent_waves = false;          ///< every level has waves of its own
+    std::string stated_unit = {};            ///< in which the values are written; empty: as bare numbers, or pure ones
+    double stated_unit_si = 1;               ///< SI value of one of it
 
     [[nodiscard]] std::string measure_name() const;
     /// The same for people: "sa(3 s)".
     [[nodiscard]] std::string measure_label() const {
-        return measure == LevelMeasure::sa ? fmt::format("sa({:g} s)", sa_period_s) : measure_name();
+        return measure->period ? fmt::format("sa({:g} s)", sa_period_s) : measure_name();
     }
     [[nodiscard]] Dimension dimension() const;
     [[nodiscard]] std::string units() const;
@@ -53,8 +46,8 @@ struct LevelSpec {
     [[nodiscard]] std::string shown_units() const { return stated_unit.empty() ? units() : stated_unit; }
     [[nodiscard]] double shown(double value) const { return value / stated_unit_si; }
     [[nodiscard]] std::string text(double value) const;
-    /// The factor that brings a wave of this intensity to `level`; empty if the wave's measure is zero.
-    [[nodiscard]] std::optional<double> scale(Level const& level, Intensity const& wave) const;
+    /// The factor that brings a wave to `level`; empty if the wave's measure is zero.
+    [[nodiscard]] std::optional<double> scale(Level const& level, WaveRow const& wave) const;
 };
 
 /// What [levels] may state.

@@ -23,6 +23,12 @@ std::vector<config::Word> quantity_words() {
     return words;
 }
 
+enum class Falls { pass, excluded };
+
+constexpr std::array fall_kinds{
+    config::Entry<Falls>{"passes", "a trial that overturned has passed the limit, whatever it did before", Falls::pass},
+    config::Entry<Falls>{"excluded", "its response up to the fall is compared", Falls::excluded}};
+
 constexpr config::Range half_widths{.low = 0, .high = 0.5, .low_open = true};
 constexpr config::Keys precision_keys{config::number_key("target_half_width", Dimension::none, half_widths,
                                                          "of the interval of every P; a run stops when it is reached")
@@ -40,6 +46,9 @@ constexpr config::Keys limit_keys{
     config::number_key("below", Dimension::none, config::Range::positive(), "passed where it is smaller")
         .in_unit_of("quantity")
         .only("quantity is stated, and no above"),
+    config::word_key<fall_kinds>("overturned", "what a trial that overturned counts as")
+        .otherwise("passes")
+        .only("quantity is stated"),
     config::texts_key("any", "limit states before this one, any of which passes it")
         .only("there is no quantity and no all"),
     config::texts_key("all", "limit states before this one, all of which pass it")
@@ -129,8 +138,16 @@ void call_for(Table const& table, LimitQuantity const& quantity, EffectRequest& 
                                        quantity.name, names_of_effects(quantity.needs)));
 }
 
-void read_threshold(Table const& table, LimitState& limit, EffectRequest& effects) {
+void read_threshold(Table const& table, LimitState& limit, bool falls_pass, EffectRequest& effects) {
     limit.quantity = read_quantity(table);
+    if (limit.quantity.is_of_the_fall() && table.has("overturned")) {
+        table.fail("overturned", fmt::format("beside '{}' (which only bodies that overturned have). Leave it out",
+                                             limit.quantity.name));
+    }
+    limit.falls_pass = limit.quantity.is_of_the_fall() ? false
+                       : table.has("overturned")
+                           ? table.choice<Falls>(limit_keys["overturned"], fall_kinds) == Falls::pass
+                           : falls_pass;
     auto const& key = table.has("below") ? limit_keys["below"] : limit_keys["above"];
     limit.rule = table.has("below") ? LimitState::Rule::below : LimitState::Rule::above;
     if (table.has("above") && table.has("below")) {
@@ -158,7 +175,7 @@ void read_parts(Table const& table, config::Key const& joined, LimitState& limit
     }
 }
 
-LimitState read_limit(Table const& table, std::span<LimitState const> before, EffectRequest& effects) {
+LimitState read_limit(Table const& table, std::span<LimitState const> before, bool falls_pass, EffectRequest& effects) {
     LimitState limit;
     limit.name = read_name(table, before);
     std::vector<char const*> stated;
@@ -173,7 +190,7 @@ LimitState read_limit(Table const& table, std::span<LimitState const> before, Ef
                         what, limit.name));
     }
     if (table.has("quantity")) {
-        read_threshold(table, limit, effects);
+        read_threshold(table, limit, falls_pass, effects);
     } else {
         read_parts(table, table.has("any") ? limit_keys["any"] : limit_keys["all"], limit, before);
     }
@@ -188,7 +205,7 @@ constinit config::KeyTable const limit_table{
     .meaning = "a limit state beside overturning", .keys = limit_keys.all, .also = {&precision_table}};
 
 std::vector<LimitState> read_limits(config::Table const& root, config::Table const& statistics, WavesOfLevels waves,
-                                    EffectRequest& effects) {
+                                    bool falls_pass, EffectRequest& effects) {
     auto const common = read_target(statistics, waves, {});
     std::vector<LimitState> limits(1);
     limits.front().name = overturning_limit;
@@ -200,7 +217,7 @@ std::vector<LimitState> read_limits(config::Table const& root, config::Table con
         if (limits.size() == most_limits) {
             table.fail("name", fmt::format("more than {} limit states in one campaign. Split it", most_limits - 1));
         }
-        auto limit = read_limit(table, limits, effects);
+        auto limit = read_limit(table, limits, falls_pass, effects);
         limit.target = read_target(table, waves, common);
         table.finish();
         limits.push_back(std::move(limit));

@@ -19,10 +19,10 @@ extern config::KeyTable const precision_table;  ///< what a campaign may stop at
 
 /// Reads [[limits]], behind overturning, which is always there. Targets that a limit does not state are those of
 /// [statistics].
-/// \param statistics [statistics], whose targets are read too \param effects gets what limits call for
-/// \throws InputError
+/// \param statistics [statistics], whose targets are read too \param falls_pass of limits that do not say what a trial
+/// that overturned counts as \param effects gets what limits call for \throws InputError
 [[nodiscard]] std::vector<LimitState> read_limits(config::Table const& root, config::Table const& statistics,
-                                                  WavesOfLevels waves, EffectRequest& effects);
+                                                  WavesOfLevels waves, bool falls_pass, EffectRequest& effects);
 
 /// Why a body, as it is stated, cannot pass a limit: slip without friction, crush without a strength. "": it can.
 [[nodiscard]] std::string unreachable(LimitState const& limit, BodySpec const& body);

@@ -68,6 +68,7 @@ std::string definition_of(LimitState const& limit, std::span<LimitState const> l
         return limit.quantity.units == "1" ? fmt::format("{:.6g}", limit.threshold)
                                            : fmt::format("{:.6g} {}", limit.threshold, limit.quantity.units);
     };
+    auto const* const without = limit.falls_pass || limit.quantity.is_of_the_fall() ? "" : " without overturning";
     auto const names = [&] {
         std::string text;
         for (auto const place : limit.of) {
@@ -77,9 +78,9 @@ std::string definition_of(LimitState const& limit, std::span<LimitState const> l
     };
     switch (limit.rule) {
         case LimitState::Rule::above:
-            return fmt::format("{} > {}", limit.quantity.name, with_units());
+            return fmt::format("{} > {}{}", limit.quantity.name, with_units(), without);
         case LimitState::Rule::below:
-            return fmt::format("{} < {}", limit.quantity.name, with_units());
+            return fmt::format("{} < {}{}", limit.quantity.name, with_units(), without);
         case LimitState::Rule::any:
             return "any of " + names();
         case LimitState::Rule::all:
@@ -125,17 +126,20 @@ double LimitJudge::value_of(std::size_t limit, TrialRow const& row, std::span<st
 
 double LimitJudge::nearness(std::size_t limit, TrialRow const& row, std::span<std::byte const> own) const {
     auto const& state = limits_[limit];
+    constexpr double beyond = 1.0000001;
+    bool const fell = entry_of(row.verdict).fell;
     double const size = std::abs(value_of(limit, row, own));
+    // fmax: what is not known of a trial that fell decides nothing.
+    double const least = fell && state.falls_pass ? std::max(row.peak_rotation_ratio, beyond) : never;
     switch (state.rule) {
-        case LimitState::Rule::overturning: {
-            constexpr double beyond = 1.0000001;
-            bool const fell = entry_of(row.verdict).fell;
+        case LimitState::Rule::overturning:
             return fell ? std::max(row.peak_rotation_ratio, beyond) : std::min(row.peak_rotation_ratio, 1.0);
-        }
         case LimitState::Rule::above:
-            return state.threshold > 0 ? size / state.threshold : size > 0 ? std::numeric_limits<double>::max() : size;
+            return std::fmax(least, state.threshold > 0 ? size / state.threshold
+                                    : size > 0          ? std::numeric_limits<double>::max()
+                                                        : size);
         case LimitState::Rule::below:
-            return size > 0 ? state.threshold / size : std::numeric_limits<double>::max();
+            return std::fmax(least, size > 0 ? state.threshold / size : std::numeric_limits<double>::max());
         case LimitState::Rule::any:
         case LimitState::Rule::all:
             break;
@@ -167,7 +171,9 @@ LimitOutcomes LimitJudge::judge(TrialRow const& row, std::span<std::byte const> 
                 break;
             case LimitState::Rule::above:
             case LimitState::Rule::below:
-                if (double const value = value_of(l, row, own); !std::isnan(value)) {
+                if (end.fell && limit.falls_pass) {
+                    set(l, true);
+                } else if (double const value = value_of(l, row, own); !std::isnan(value)) {
                     set(l, exceeds(limit, value));
                 }
                 break;

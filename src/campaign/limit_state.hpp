@@ -23,6 +23,9 @@ struct LimitQuantity {
     /// quantity is unknown.
     EffectMask needs = 0;
     bool of_every_model = true;  ///< else one of those that only some models know (ModelTraits::fields)
+
+    /// Of how a body lands that has overturned: a fall passes such a limit by its own figure only.
+    [[nodiscard]] bool is_of_the_fall() const { return name.starts_with("landing_"); }
 };
 
 /// All of them: what every model answers, then what contact and spatial add. Times and properties of the base are none.
@@ -33,8 +36,11 @@ struct LimitState {
 
     std::string name;
     Rule rule = Rule::overturning;
-    LimitQuantity quantity;       ///< of above and below
-    double threshold = 0;         ///< likewise [SI]
+    LimitQuantity quantity;  ///< of above and below
+    double threshold = 0;    ///< likewise [SI]
+    /// Of above and below: a trial that overturned has passed it, whatever it did before. Else its response up to the
+    /// fall is compared, and the definition says "without overturning".
+    bool falls_pass = true;
     std::vector<std::size_t> of;  ///< of any and all: places in the campaign's list, all before this one's
     PrecisionTarget target;       ///< met, together with all others, before all waves are done, it ends the campaign
 
@@ -46,7 +52,7 @@ struct LimitState {
 /// The name of the one that is always there, the first.
 inline constexpr char const* overturning_limit = "overturning";
 
-/// "peak_slip > 0.3 m"; "any of touches, overturning".
+/// "peak_slip > 0.3 m"; "peak_slip > 0.3 m without overturning"; "any of touches, overturning".
 [[nodiscard]] std::string definition_of(LimitState const& limit, std::span<LimitState const> limits);
 
 /// What one trial says of all limit states: a bit each, in their order.

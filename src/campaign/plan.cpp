@@ -15,6 +15,20 @@ constexpr std::int64_t most_block_trials = 1 << 16U;  // in a block of several w
 constexpr std::int64_t unmeasured_block = 128;        // waves at least: 0.2 ms each, a commit takes 1 ms to 6 ms
 constexpr std::int64_t most_blocks = 1 << 20U;        // files, 1024 in a folder
 
+std::int64_t groups_of(CampaignSpec const& spec) {
+    return spec.levels.independent_waves ? static_cast<std::int64_t>(spec.levels.levels.size()) : 1;
+}
+
+// Waves of one level, or that all levels share, of which none is drawn beyond.
+std::int64_t may_be_drawn(CampaignSpec const& spec) {
+    auto const acceptance = spec.source->acceptance();
+    if (!acceptance.refuses()) {
+        return spec.wave_count;
+    }
+    auto const available = spec.source->available();
+    return available ? static_cast<std::int64_t>(*available) : spec.wave_count * acceptance.most_drawn;
+}
+
 // Looks at a target come at the ends of blocks, so that a campaign which has one keeps them short, and their ends where
 // they are. Else a block is no longer than a rank, and the one that merges, can hold many of.
 std::int64_t waves_per_block(std::int64_t waves, std::int64_t trials_per_wave, CampaignSpec const& spec) {
@@ -29,36 +43,92 @@ std::int64_t waves_per_block(std::int64_t waves, std::int64_t trials_per_wave, C
 
 Plan::Plan(CampaignSpec const& spec)
     : independent_(spec.levels.independent_waves),
-      waves_per_level_(spec.wave_count),
-      waves_(independent_ ? spec.wave_count * static_cast<std::int64_t>(spec.levels.levels.size()) : spec.wave_count),
+      count_(spec.wave_count),
+      drawn_per_group_(may_be_drawn(spec)),
+      chosen_per_group_(count_),
+      waves_(drawn_per_group_ * groups_of(spec)),
       bodies_(static_cast<std::int64_t>(spec.bodies.size())),
       levels_per_wave_(independent_ ? 1 : static_cast<std::int64_t>(spec.levels.levels.size())),
-      block_size_(waves_per_block(waves_, bodies_ * levels_per_wave_, spec)),
+      block_size_(waves_per_block(count_ * groups_of(spec), bodies_ * levels_per_wave_, spec)),
       own_bytes_(static_cast<std::int64_t>(Ladder(spec.effects, spec.accuracy).own_bytes())) {
     for (auto const& level : spec.levels.levels) {
         level_keys_.push_back(level.key());
     }
 }
 
-std::uint64_t Plan::wave_id(std::int64_t wave) const {
-    if (!independent_) {
-        return static_cast<std::uint64_t>(wave);
-    }
-    auto const key = level_keys_.at(static_cast<std::size_t>(wave / waves_per_level_));
-    return static_cast<std::uint64_t>(key * ids_per_level + wave % waves_per_level_);
+Plan Plan::chosen(std::vector<std::int64_t> numbers, std::int64_t count) const {
+    OVERTURN_EXPECT(std::ranges::is_sorted(numbers));
+    auto plan = *this;
+    plan.waves_ = static_cast<std::int64_t>(numbers.size());
+    plan.numbers_ = std::move(numbers);
+    plan.chosen_per_group_ = count;
+    return plan;
 }
 
+Plan Plan::without_refusals() const {
+    if (drawn_per_group_ == count_) {
+        return *this;
+    }
+    std::vector<std::int64_t> numbers;
+    for (std::int64_t group = 0; group < groups(); ++group) {
+        for (std::int64_t n = 0; n < count_; ++n) {
+            numbers.push_back(group * drawn_per_group_ + n);
+        }
+    }
+    return chosen(std::move(numbers), count_);
+}
+
+std::int64_t Plan::number(std::int64_t wave) const {
+    return numbers_ ? numbers_->at(static_cast<std::size_t>(wave)) : wave;
+}
+
+bool Plan::has(std::int64_t number) const {
+    return numbers_ ? std::ranges::binary_search(*numbers_, number) : number < waves_;
+}
+
+std::int64_t Plan::drawn_until(std::int64_t group) const {
+    auto const end = (group + 1) * drawn_per_group_;
+    if (!numbers_) {
+        return std::min(end, waves_);
+    }
+    auto const first = std::ranges::lower_bound(*numbers_, group * drawn_per_group_);
+    auto const last = std::ranges::lower_bound(*numbers_, end);
+    return last - first < chosen_per_group_ ? end : *(last - 1) + 1;
+}
+
+std::int64_t Plan::number_of(std::int64_t wave_id) const {
+    if (!independent_) {
+        return wave_id;
+    }
+    auto const level = std::ranges::find(level_keys_, wave_id / ids_per_level) - level_keys_.begin();
+    return level * drawn_per_group_ + wave_id % ids_per_level;
+}
+
+std::int64_t Plan::groups() const { return independent_ ? static_cast<std::int64_t>(level_keys_.size()) : 1; }
+
+std::uint64_t Plan::wave_id(std::int64_t wave) const {
+    auto const drawn = number(wave);
+    if (!independent_) {
+        return static_cast<std::uint64_t>(drawn);
+    }
+    auto const key = level_keys_.at(static_cast<std::size_t>(drawn / drawn_per_group_));
+    return static_cast<std::uint64_t>(key * ids_per_level + drawn % drawn_per_group_);
+}
+
+// Waves drawn beyond `count`, in the place of refused ones, are sliced anew, `count` at a time.
 DrawnFor Plan::drawn_for(CampaignSpec const& spec, std::int64_t wave) const {
-    auto const group = independent_ ? level_keys_.at(static_cast<std::size_t>(wave / waves_per_level_)) : 0;
+    auto const drawn = number(wave) % drawn_per_group_;
+    auto const key = independent_ ? level_keys_.at(static_cast<std::size_t>(number(wave) / drawn_per_group_)) : 0;
+    constexpr unsigned above_keys = 48;
     return {.seed = spec.seed,
             .wave = wave_id(wave),
             .sampling = spec.sampling,
-            .place = static_cast<std::uint64_t>(wave % waves_per_level_),
-            .count = static_cast<std::uint64_t>(waves_per_level_),
-            .group = static_cast<std::uint64_t>(group)};
+            .place = static_cast<std::uint64_t>(drawn % count_),
+            .count = static_cast<std::uint64_t>(count_),
+            .group = static_cast<std::uint64_t>(key) ^ static_cast<std::uint64_t>(drawn / count_) << above_keys};
 }
 
-std::int64_t Plan::first_level(std::int64_t wave) const { return independent_ ? wave / waves_per_level_ : 0; }
+std::int64_t Plan::first_level(std::int64_t wave) const { return independent_ ? number(wave) / drawn_per_group_ : 0; }
 
 Plan::Waves Plan::waves_of_block(std::int64_t block) const {
     auto const first = block * block_size_;
@@ -71,9 +141,10 @@ store::BlockRange Plan::blocks_of(Part part) const {
 }
 
 Plan Plan::first(std::int64_t blocks) const {
-    OVERTURN_EXPECT(!independent_ && blocks >= 0 && blocks <= this->blocks());
+    OVERTURN_EXPECT(!independent_ && !numbers_ && blocks >= 0 && blocks <= this->blocks());
     auto cut = *this;
     cut.waves_ = std::min(waves_, blocks * block_size_);
+    cut.chosen_per_group_ = std::min(count_, cut.waves_);
     return cut;
 }
 

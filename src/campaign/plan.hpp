@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,8 @@ struct Part {
     [[nodiscard]] bool is_whole() const { return of == 1; }
 };
 
-/// Waves are counted from 0 over the whole campaign; trials likewise, wave by wave, then body, then level.
+/// Waves are counted from 0 over the whole campaign; trials likewise, wave by wave, then body, then level. Where waves
+/// are held to a rule the plan of the campaign is of all that may be drawn; of the accepted ones is chosen().
 class Plan {
   public:
     explicit Plan(CampaignSpec const& spec);
@@ -30,6 +32,31 @@ class Plan {
     [[nodiscard]] std::int64_t block_size() const { return block_size_; }
     /// Of what models have to say of their own about a trial (Ladder::own_bytes).
     [[nodiscard]] std::int64_t own_bytes() const { return own_bytes_; }
+
+    /// The same campaign with these of its waves only, rising, `count` of each group or all that could be had. Its own
+    /// first wave is the first of them.
+    [[nodiscard]] Plan chosen(std::vector<std::int64_t> numbers, std::int64_t count) const;
+    /// The same where a rule refuses none: for sizes and times before anything is drawn.
+    [[nodiscard]] Plan without_refusals() const;
+    /// Which of the waves that may be drawn the plan's wave is.
+    [[nodiscard]] std::int64_t number(std::int64_t wave) const;
+    /// Is the one of that number among the plan's waves?
+    [[nodiscard]] bool has(std::int64_t number) const;
+    /// One past the last number of a group that was drawn for the plan's waves.
+    [[nodiscard]] std::int64_t drawn_until(std::int64_t group) const;
+    /// Waves that the campaign asks for in all, whatever had to be drawn for them.
+    [[nodiscard]] std::int64_t asked() const { return count_ * groups(); }
+    /// How many waves of each group the plan was to have; fewer than count() where the campaign ended early.
+    [[nodiscard]] std::int64_t chosen_per_group() const { return chosen_per_group_; }
+    /// Which group a number is of.
+    [[nodiscard]] std::int64_t group_of(std::int64_t number) const { return number / drawn_per_group_; }
+    /// Of the wave with that identity. \pre there is one
+    [[nodiscard]] std::int64_t number_of(std::int64_t wave_id) const;
+    /// One of waves that all levels share, or one for each level.
+    [[nodiscard]] std::int64_t groups() const;
+    [[nodiscard]] std::int64_t drawn_per_group() const { return drawn_per_group_; }
+    /// Waves of a group that the campaign asks for.
+    [[nodiscard]] std::int64_t count() const { return count_; }
 
     /// The wave's identity in every random stream. With independent waves those of a level are Level::key 10^9 + 0, 1,
     /// 2,
@@ -61,7 +88,11 @@ class Plan {
   private:
     bool independent_;
     std::vector<std::int64_t> level_keys_;
-    std::int64_t waves_per_level_, waves_, bodies_, levels_per_wave_, block_size_, own_bytes_;
+    std::int64_t count_;            ///< waves asked for, shared or per level
+    std::int64_t drawn_per_group_;  ///< that may be drawn, shared or per level
+    std::int64_t chosen_per_group_;
+    std::int64_t waves_, bodies_, levels_per_wave_, block_size_, own_bytes_;
+    std::optional<std::vector<std::int64_t>> numbers_;  ///< of chosen waves
 };
 
 }  // namespace overturn

@@ -34,7 +34,7 @@ constexpr config::Keys rare_keys{
         .otherwise(RareSpec{}.max_runs)};
 
 void check_levels(config::Table const& root, LevelSpec const& levels) {
-    if (levels.measure != LevelMeasure::factor) {
+    if (levels.measure != measure_named("factor")) {
         root.child("levels").fail(
             "measure",
             fmt::format("{} beside [rare] (each wave would be scaled to its own value, and no estimator does "

@@ -20,6 +20,36 @@ void add_each(Fields& fields, std::string const& name, std::string const& units,
     }
 }
 
+// One field per measure that has a column, under the measure's name.
+template <auto Member> void add_measures(Fields& fields, bool (IntensityMeasure::*has)() const, std::string_view of) {
+    std::size_t place = 0;
+    for (auto const& entry : intensity_measures) {
+        if ((entry.*has)()) {
+            fields.push_back({std::string(entry.name), entry.units(), fmt::format("{}{}", entry.meaning, of),
+                              FieldType::real, offset_of<Member>() + place++ * sizeof(double)});
+        }
+    }
+}
+
+// How a further component follows its target.
+template <auto Member> void add_match(Fields& fields, std::string const& component) {
+    auto const add = [&](char const* name, char const* units, char const* what, std::size_t offset) {
+        fields.push_back({fmt::format("{}_match_{}", component, name), units,
+                          fmt::format("{} of the {} component", what, component), FieldType::real,
+                          offset_of<Member>() + offset});
+    };
+    using C = ComponentMatch;
+    add("lowest_ratio", "1", "min of computed / target", offset_of<&C::lowest_ratio>());
+    add("lowest_period", "s", "where it is lowest:", offset_of<&C::lowest_period_s>());
+    add("highest_ratio", "1", "max of computed / target", offset_of<&C::highest_ratio>());
+    add("highest_period", "s", "where it is highest:", offset_of<&C::highest_period_s>());
+    add("longest_below", "1", "most adjacent periods below the target, 100 a decade,", offset_of<&C::longest_below>());
+    add("longest_below_to", "s", "the longest of these periods", offset_of<&C::longest_below_to_s>());
+    add("si_ratio", "1", "spectral intensity over that of the target", offset_of<&C::si_ratio>());
+    add("ratio_cov", "1", "coefficient of variation of computed / target", offset_of<&C::ratio_cov>());
+    add("mean_ratio", "1", "mean of computed / target", offset_of<&C::mean_ratio>());
+}
+
 std::vector<std::string> at_told_periods(std::string_view what) {
     std::vector<std::string> descriptions;
     descriptions.reserve(epsilon_periods_s.size());
@@ -32,8 +62,8 @@ std::vector<std::string> at_told_periods(std::string_view what) {
 Fields fields_of_waves() {
     using W = WaveRow;
     Fields fields{
-        field<&W::id>("id", "1", "identity of the wave in every random stream"),
-        field<&W::failed>("failed", "1", "1: the wave could not be made"),
+        field<&W::id>("id", "1", "identity of the wave in every random stream").always(),
+        field<&W::failed>("failed", "1", "1: the wave could not be made").always(),
         field<&W::duration_s>("duration", "s", "from the first to the last sample"),
         field<&W::pga_mps2>("pga", "m/s2", "peak horizontal acceleration"),
         field<&W::pgv_mps>("pgv", "m/s", "peak horizontal velocity"),
@@ -57,6 +87,10 @@ Fields fields_of_waves() {
                                          "max misfit over the long periods, 1 s and above"),
         field<&W::match_lowest_ratio>("match_lowest_ratio", "1", "min of computed / target"),
         field<&W::match_highest_ratio>("match_highest_ratio", "1", "max of computed / target"),
+        field<&W::match_lowest_period_s>("match_lowest_period", "s", "where the min of computed / target lies"),
+        field<&W::match_highest_period_s>("match_highest_period", "s", "where the max of computed / target lies"),
+        field<&W::match_longest_below_to_s>("match_longest_below_to", "s",
+                                            "longest of the adjacent periods below the target"),
         field<&W::match_longest_below>("match_longest_below", "1",
                                        "most adjacent periods below the target, 100 a decade"),
         field<&W::match_worst_decade>("match_worst_decade", "1", "largest mean misfit over any decade of periods"),
@@ -87,16 +121,25 @@ Fields fields_of_waves() {
                                        "bit mask of clauses not met, from bit 0: time step, duration, judged to, "
                                        "lowest ratio, adjacent below, highest ratio, SI ratio, cov of the ratio, error "
                                        "of the mean, worst decade, end velocity, component correlation, rocking band"),
+        field<&W::horizontal_failures>("horizontal_failures", "1",
+                                       "those of them that the horizontal component's spectrum does not meet"),
+        field<&W::transverse_failures>("transverse_failures", "1",
+                                       "those of them that the transverse component's spectrum does not meet"),
+        field<&W::vertical_failures>("vertical_failures", "1",
+                                     "those of them that the vertical component's spectrum does not meet"),
         field<&W::target>("target", "1", "number of the drawn target: waves that share one are alike"),
         field<&W::event>("event", "1", "number of the event whose part the drawn target shares"),
         field<&W::sa_average_mps2>("sa_average", "m/s2",
                                    "geometric mean of the pseudo-acceleration spectrum over measures.sa_band")};
+    add_match<&W::transverse_match>(fields, "transverse");
+    add_match<&W::vertical_match>(fields, "vertical");
     add_each<&W::epsilon>(fields, "epsilon", "1",
                           at_told_periods("standard deviations of the drawn target above the median"));
     add_each<&W::epsilon_between>(fields, "epsilon_between", "1",
                                   at_told_periods("between-event standard deviations of its event's part of it"));
     add_each<&W::epsilon_within>(fields, "epsilon_within", "1",
                                  at_told_periods("within-event standard deviations of its own part of it"));
+    add_measures<&W::measured>(fields, &IntensityMeasure::has_wave_column, "");
     add_each<&W::sa_mps2>(fields, "sa", "m/s2", std::vector<std::string>(most_sa_periods, "pseudo-acceleration"));
     return fields;
 }
@@ -129,10 +172,10 @@ template <> Fields const& fields_of<TrialRow>() {
     using T = TrialRow;
     static auto const fields = [] {
         Fields all{
-            field<&T::wave>("wave", "1", "id of the wave, as in /waves/id"),
-            field<&T::body>("body", "1", "the body, numbered in the campaign's order from 0"),
-            field<&T::level>("level", "1", "number of the level, rising from 0"),
-            field<&T::amplitude>("amplitude", "1", "value of the level (attribute level_measure of the file)"),
+            field<&T::wave>("wave", "1", "id of the wave, as in /waves/id").always(),
+            field<&T::body>("body", "1", "the body, numbered in the campaign's order from 0").always(),
+            field<&T::level>("level", "1", "number of the level, rising from 0").always(),
+            field<&T::amplitude>("amplitude", "1", "value of the level (attribute level_measure of the file)").always(),
             field<&T::scale>("scale", "1", "factor on the wave that brings it to the level"),
             field<&T::mass_kg>("mass", "kg", "mass as drawn for the wave"),
             field<&T::centre_height_m>("centre_height", "m", "height of the centre of gravity as drawn for the wave"),
@@ -147,6 +190,7 @@ template <> Fields const& fields_of<TrialRow>() {
             field<&T::v_ereq_mps>("v_ereq", "m/s", "limit velocity sqrt(2 g (R - h)) of the body"),
             field<&T::v_wes_safe>("v_wes_safe", "1", "1: V_WES < V_Ereq says it does not overturn"),
             field<&T::ou_v_e_safe>("ou_v_e_safe", "1", "1: ouV_E < V_Ereq says it does not overturn")};
+        add_measures<&T::measured>(all, &IntensityMeasure::has_trial_column, ", at this level");
         auto const response = fields_of_base<TrialRow, Response>();
         all.insert(all.end(), response.begin(), response.end());
         return all;

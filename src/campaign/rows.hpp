@@ -5,16 +5,29 @@
 #include <array>
 #include <cstdint>
 
+#include "campaign/intensity_measure.hpp"
 #include "generators/drawn_target.hpp"
 #include "response/response.hpp"
 
 namespace overturn {
 
-/// How many periods of the user's own a campaign measures Sa at.
-inline constexpr std::size_t most_sa_periods = 4;
-
 /// Does a wave meet waves.acceptance? Stored: never renumber.
 enum class Accepted : std::int64_t { no = 0, yes = 1, not_asked = 2 };
+
+/// Values of measures of which none is known yet.
+template <std::size_t count> [[nodiscard]] consteval std::array<double, count> unknown() {
+    std::array<double, count> values{};
+    values.fill(never);
+    return values;
+}
+
+/// How a component follows its target, where a rule looks; all 0 without a target.
+struct ComponentMatch {
+    double lowest_ratio = 0, lowest_period_s = 0;
+    double highest_ratio = 0, highest_period_s = 0;
+    double longest_below = 0, longest_below_to_s = 0;
+    double si_ratio = 0, ratio_cov = 0, mean_ratio = 0;
+};
 
 /// One wave, as generated or read, before any scaling.
 struct WaveRow {
@@ -29,10 +42,13 @@ struct WaveRow {
     double match_mean_ratio = 0, match_ratio_cov = 0;
     double match_long_mean_misfit = 0, match_long_max_misfit = 0;
     double match_lowest_ratio = 0, match_highest_ratio = 0;
+    double match_lowest_period_s = 0, match_highest_period_s = 0;
     std::int64_t match_longest_below = 0;
+    double match_longest_below_to_s = 0;
     double match_worst_decade = 0, si_ratio = 0, psd_lowest_ratio = 0, psd_lowest_hz = 0;
     double transverse_match_mean_misfit = 0, transverse_match_worst_decade = 0;
     double vertical_match_mean_misfit = 0, vertical_match_worst_decade = 0;
+    ComponentMatch transverse_match{}, vertical_match{};
     double duration_5_75_s = 0, duration_5_95_s = 0;
     double residual_velocity_mps = 0, residual_displacement_m = 0;
     double correlation = 0;
@@ -41,8 +57,11 @@ struct WaveRow {
     Epsilons epsilon{}, epsilon_between{}, epsilon_within{};
     std::array<double, most_sa_periods> sa_mps2{};
     double sa_average_mps2 = 0;
+    std::array<double, wave_measures> measured = unknown<wave_measures>();  ///< in the order of intensity_measures
     Accepted accepted = Accepted::not_asked;
     std::int64_t acceptance_failures = 0;
+    std::int64_t horizontal_failures = 0, transverse_failures = 0,
+                 vertical_failures = 0;  ///< the part of them that their spectra miss
 };
 
 /// The energy measures of one wave for one body, before any scaling, and its match where that body rocks.
@@ -60,6 +79,7 @@ struct TrialRow : Response {
     double static_friction = never, kinetic_friction = never;
     double v_wes_mps = never, ou_v_e_mps = never, v_ereq_mps = 0;
     std::int64_t v_wes_safe = 0, ou_v_e_safe = 0;
+    std::array<double, trial_measures> measured = unknown<trial_measures>();  ///< of the scaled wave, in that order
 };
 
 template <> [[nodiscard]] Fields const& fields_of<WaveRow>();

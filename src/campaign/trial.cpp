@@ -56,6 +56,7 @@ PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64
         if (judged) {
             describe_check(prepared, check_wave(generated, spec.bodies, spec.measures.radius_unit));
         }
+        prepared.tried = is_tried(spec.source->acceptance(), prepared.row);
         describe_match(prepared.row, generated);
         if (generated.drawn) {
             describe_drawn(prepared.row, *generated.drawn);
@@ -70,11 +71,30 @@ PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64
     prepared.chunks = ChunkExtremes(prepared.motion.horizontal_mps2, prepared.motion.vertical_mps2);
     prepared.intensity = intensity_of(prepared.motion);
     describe_motion(prepared.row, prepared.motion, prepared.intensity);
-    measure_sa(spec, prepared);
+    measure_sa(spec.measures, prepared);
     for (std::size_t b = 0; spec.measures.energy && b < spec.bodies.size(); ++b) {
         measure_energy(spec.measures, prepared.motion, prepared.bodies[b].body.radius_m(), prepared.measures[b]);
     }
     return prepared;
+}
+
+Verdict MovementSpec::verdict(Response const& response, RigidBody const& body, bool may_slip) const {
+    bool const stands = response.verdict == Verdict::at_rest || response.verdict == Verdict::slid
+                        || response.verdict == Verdict::rocked;
+    if (!stands || by_model) {
+        return response.verdict;
+    }
+    bool const slid = may_slip && response.peak_slip_m > 0 && response.peak_slip_m >= slip_m;
+    double const uplift_of_edge_m = 2 * body.half_width_m() * std::sin(response.peak_rotation_rad);
+    bool const rocked = uplift_of_edge_m > 0 && uplift_of_edge_m >= uplift_m;
+    return slid && rocked ? Verdict::slid_and_rocked
+           : slid         ? Verdict::slid
+           : rocked       ? Verdict::rocked
+                          : Verdict::at_rest;
+}
+
+bool is_tried(Acceptance const& acceptance, WaveRow const& row) {
+    return row.accepted == Accepted::yes || !acceptance.refuses();
 }
 
 namespace {
@@ -96,15 +116,15 @@ TrialRow open_row(CampaignSpec const& spec, PreparedWave const& wave, std::int64
         row.kinetic_friction = drawn.friction->kinetic_coefficient;
     }
     row.v_ereq_mps = drawn.body.limit_velocity_mps();
-    bool const refused = wave.row.accepted == Accepted::no;
-    bool const usable = wave.row.failed == 0 && !refused;
-    auto const scale = usable ? spec.levels.scale(at, wave.intensity) : std::nullopt;
+    bool const usable = wave.row.failed == 0 && wave.tried;
+    auto const scale = usable ? spec.levels.scale(at, wave.row) : std::nullopt;
     if (scale) {
         row.scale = *scale;
+        measure_scaled(spec.measures.curves, wave.motion, row);
         return row;
     }
     static_cast<Outcome&>(row) = unknown_outcome(wave.row.failed != 0 ? FailureReason::wave_failed
-                                                 : refused            ? FailureReason::wave_not_accepted
+                                                 : !wave.tried        ? FailureReason::wave_not_accepted
                                                                       : FailureReason::wave_cannot_be_scaled);
     return row;
 }
@@ -118,8 +138,10 @@ Scene scene_of(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t 
     return {drawn.body, drawn.friction, stated.footing, stated.axes};
 }
 
-void close_row(TrialRow& row, PreparedWave const& wave, Response const& response) {
+void close_row(CampaignSpec const& spec, TrialRow& row, PreparedWave const& wave, Response const& response) {
     static_cast<Response&>(row) = response;
+    auto const& drawn = wave.bodies[static_cast<std::size_t>(row.body)];
+    row.verdict = spec.measures.movement.verdict(response, drawn.body, drawn.friction.has_value());
     auto const& measures = wave.measures.at(static_cast<std::size_t>(row.body));
     if (std::isnan(measures.v_wes_max_mps)) {
         return;
@@ -153,7 +175,7 @@ TrialRows run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int
         if (observer != nullptr) {
             ladder.show(at, response, *observer);
         }
-        close_row(row, wave, response);
+        close_row(spec, row, wave, response);
     }
     return trial;
 }
@@ -205,7 +227,7 @@ bool append_trials(CampaignSpec const& spec, Plan const& plan, std::span<Prepare
                 seconds);
         for (std::size_t i = 0; i < count; ++i) {
             auto const& [row, wave] = places[first + i];
-            close_row(rows[row], *wave, responses[i]);
+            close_row(spec, rows[row], *wave, responses[i]);
             std::copy_n(own.begin() + static_cast<std::ptrdiff_t>(i * each), each,
                         trials.own.begin() + static_cast<std::ptrdiff_t>(row * each));
         }

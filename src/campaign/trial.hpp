@@ -9,6 +9,7 @@
 #include "campaign/campaign_spec.hpp"
 #include "campaign/plan.hpp"
 #include "campaign/rows.hpp"
+#include "motion/intensity.hpp"
 #include "response/registry.hpp"
 
 namespace overturn {
@@ -24,6 +25,7 @@ struct PhaseSeconds {
 /// A wave with everything that is computed once for it.
 struct PreparedWave {
     std::int64_t number = 0;
+    bool tried = true;  ///< is_tried: else there is nothing to respond to
     GroundMotion motion;
     Intensity intensity;
     WaveRow row;
@@ -35,6 +37,9 @@ struct PreparedWave {
 /// Makes and measures a wave. A wave that cannot be made is a failed one, not an exception.
 [[nodiscard]] PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64_t wave,
                                         PhaseSeconds& seconds);
+
+/// Does the wave count, by the rule that waves are held to? What could not be made meets none.
+[[nodiscard]] bool is_tried(Acceptance const& acceptance, WaveRow const& row);
 
 /// Rows of trials, and for each the record of what models have to say of their own (Ladder::own_parts).
 struct TrialRows {

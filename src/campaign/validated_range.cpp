@@ -38,7 +38,7 @@ std::vector<std::string> outside_validated_range(CampaignSpec const& spec) {
         std::vector<std::string> outside;
         add_outside(outside, of_alpha, body.body.alpha_rad(), body.body.alpha_rad());
         add_outside(outside, of_p, body.body.p_radps(), body.body.p_radps());
-        if (spec.levels.measure == LevelMeasure::pgv) {
+        if (spec.levels.measure == measure_named("pgv")) {
             add_outside(outside, of_pgv, spec.levels.levels.front().value, spec.levels.levels.back().value);
         }
         if (body.friction) {

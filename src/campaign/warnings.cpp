@@ -6,9 +6,12 @@
 
 #include <fmt/format.h>
 
-#include "campaign/detail/gyration.hpp"
+#include "campaign/detail/kept_of_seeds.hpp"
+#include "campaign/detail/plausible.hpp"
+#include "campaign/detail/scaled_records.hpp"
 #include "campaign/limit_spec.hpp"
 #include "campaign/plan.hpp"
+#include "campaign/trial.hpp"
 #include "core/units.hpp"
 
 namespace overturn {
@@ -40,7 +43,7 @@ void add_drifts(CampaignSpec const& spec, Lines& lines) {
     constexpr double mostly = 0.5;
     each_drift(spec, [&](std::int64_t wave, Drift const& drift) {
         bool const away = std::abs(drift.end_displacement_m) > mostly * drift.pgd_m;
-        if (spec.levels.measure == LevelMeasure::pgd && away && !told) {
+        if (spec.levels.measure == measure_named("pgd") && away && !told) {
             told = true;
             lines.push_back(
                 fmt::format("record {} {}: levels by pgd scale by what it is left at, fling or drift. State "
@@ -72,16 +75,16 @@ void add_targets(CampaignSpec const& spec, Lines& lines) {
 
 void add_first_wave(CampaignSpec const& spec, Lines& lines) {
     constexpr double implausible_mps2 = 10 * g0;
-    try {
-        Plan const plan(spec);
-        auto const wave = spec.source->make(spec.seed, plan.wave_id(0));
-        double const peak = peak_of(wave.motion.horizontal_mps2);
+    PhaseSeconds seconds;
+    auto const wave = prepare_wave(spec, Plan(spec), 0, seconds);
+    if (wave.row.failed == 0) {
+        double const peak = wave.row.pga_mps2;
         if (peak > implausible_mps2) {
             lines.push_back(
                 fmt::format("wave 0 peaks at {:.4g} g before any scaling (no ground has shaken so). Check the "
                             "unit of its target or amplitude",
                             peak / g0));
-        } else if (spec.levels.measure == LevelMeasure::factor) {
+        } else if (spec.levels.measure == measure_named("factor")) {
             double const highest = spec.levels.levels.back().value;
             constexpr double weakest_mps2 = 0.1;
             if (peak * highest > implausible_mps2) {
@@ -96,9 +99,12 @@ void add_first_wave(CampaignSpec const& spec, Lines& lines) {
                                 100 * peak * highest, highest));
             }
         }
-    } catch (InputError const&) {
-        return;  // its trials will say why
-    }
+        for (auto& line : implausible_wave(spec, wave.row, wave.motion)) {
+            lines.push_back(std::move(line));
+        }
+        auto const more = warnings_of_effects(spec, wave, Ladder(spec.effects, spec.accuracy));
+        lines.insert(lines.end(), more.begin(), more.end());
+    }  // else its trials will say why
 }
 
 void add_rare(CampaignSpec const& spec, Lines& lines) {
@@ -112,26 +118,14 @@ void add_rare(CampaignSpec const& spec, Lines& lines) {
 
 // Beyond anything felt, by a factor of some two: a unit was left out.
 void add_levels(LevelSpec const& levels, Lines& lines) {
-    struct Bound {
-        LevelMeasure measure;
-        double most;
-        std::string_view unit;  ///< that users of this measure mean
-        double unit_si;
-        std::string_view known;
-    };
-    static constexpr std::array bounds{
-        Bound{LevelMeasure::pga, 10 * g0, "gal", 0.01, "the strongest records stay below 5 g"},
-        Bound{LevelMeasure::vector_pga, 10 * g0, "gal", 0.01, "the strongest records stay below 5 g"},
-        Bound{LevelMeasure::pgv, 10, "kine", 0.01, "the strongest records stay below 4 m/s"},
-        Bound{LevelMeasure::pgd, 30, "cm", 0.01, "the strongest records stay below 10 m"}};
-    auto const* const bound = std::ranges::find(bounds, levels.measure, &Bound::measure);
+    auto const& bound = levels.measure->plausible;
     double const highest = levels.levels.back().value;
-    if (bound != bounds.end() && highest > bound->most) {
+    if (bound.most > 0 && highest > bound.most) {
         lines.push_back(
             fmt::format("levels up to {} {:g} {} = {:g} {} ({}; a bare number is SI). Write \"{:g} {}\" if "
                         "that was meant",
-                        levels.measure_name(), highest, levels.units(), highest / bound->unit_si, bound->unit,
-                        bound->known, highest, bound->unit));
+                        levels.measure_name(), highest, levels.units(), highest / bound.unit_si, bound.unit,
+                        bound.known, highest, bound.unit));
     }
 }
 
@@ -182,25 +176,31 @@ std::string warning_of_alike_waves(CampaignSpec const& spec) {
                    alike);
 }
 
-std::vector<std::string> warnings_of(BodySpec const& body) {
+std::string warning_of_no_slip(BodySpec const& body, EffectRequest const& effects) {
+    bool const stuck = body.friction && effects.mode == EffectMode::forced && !has(effects.include, Effect::sliding);
+    return stuck ? fmt::format(
+               "{} states friction, and its effects ({}) leave sliding out: it does not slip. Add "
+               "sliding if it may",
+               body.name, names_of_effects(effects.include))
+                 : std::string();
+}
+
+std::vector<std::string> warnings_of_effects(CampaignSpec const& spec, PreparedWave const& wave, Ladder const& ladder) {
     Lines lines;
-    auto const& b = body.body;
-    double const share = gyration_share(b);
-    constexpr double largest = 1.2;
-    if (share < least_gyration_share || share > largest) {
-        lines.push_back(
-            fmt::format("{}: inertia {:.4g} kg m2 is a radius of gyration of {:.3g} m, {:.2g} of R = {:.3g} m "
-                        "(0.58 for a uniform block). Check its unit, or write \"uniform-block\"",
-                        body.name, b.inertia_kgm2(), share * b.radius_m(), share, b.radius_m()));
-    }
-    double const box_m3 = 8 * b.half_width_m() * b.half_width_m() * b.centre_height_m();
-    double const density = b.mass_kg() / box_m3;
-    constexpr double lightest = 20, heaviest = 23000;  // foam, and beyond the heaviest metals
-    if (density < lightest || density > heaviest) {
-        lines.push_back(
-            fmt::format("{}: mass {:.4g} kg in a box of {:.3g} m3 is {:.3g} kg/m3 (concrete 2400, steel "
-                        "7850). Check its unit: \"{:g} t\"?",
-                        body.name, b.mass_kg(), box_m3, density, b.mass_kg()));
+    auto const scale = spec.levels.scale(spec.levels.levels.back(), wave.row);
+    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+        auto const& body = spec.bodies[b];
+        Scene const scene{wave.bodies[b].body, wave.bodies[b].friction, body.footing, body.axes};
+        auto const lost = scale ? ladder.left_out({scene, wave.motion, *scale}) : 0;
+        if (lost != 0) {
+            lines.push_back(
+                fmt::format("{} calls for {} beside effects with which no model holds it: trials leave it out (reason "
+                            "left-out). State effects.include, or another body, to choose what is simulated",
+                            body.name, names_of_effects(lost)));
+        }
+        if (auto line = warning_of_no_slip(body, spec.effects); !line.empty()) {
+            lines.push_back(std::move(line));
+        }
     }
     return lines;
 }
@@ -229,9 +229,18 @@ bool ends_inside(ComparedPeriods const& judged, PeriodBand const& band) {
 std::vector<std::string> warnings_of(CampaignSpec const& spec) {
     Lines lines;
     add_drifts(spec, lines);
+    if (auto scaled = warning_of_scaled_records(spec); !scaled.empty()) {
+        lines.push_back(std::move(scaled));
+    }
+    if (auto lost = warning_of_lost_periods(spec); !lost.empty()) {
+        lines.push_back(std::move(lost));
+    }
     add_targets(spec, lines);
     add_first_wave(spec, lines);
     add_levels(spec.levels, lines);
+    for (auto& line : implausible_statements(spec)) {
+        lines.push_back(std::move(line));
+    }
     if (auto alike = warning_of_alike_waves(spec); !alike.empty()) {
         lines.push_back(std::move(alike));
     }

@@ -46,7 +46,7 @@ Json input_json(InputValue const& input) {
             {"basis", config::name_of(input.basis)},
             {"source", or_null(!input.source.empty(), input.source)},
             {"range", or_null(!input.range.empty(), input.range)},
-            {"si", input.number ? number(*input.number) : Json(nullptr)},
+            {"si", output::json_of(input.number ? output::Cell(*input.number) : output::Cell())},
             {"units", or_null(input.number.has_value(), si_symbol(input.dimension))},
             {"file", or_null(of_file, input.file)},
             {"line", or_null(of_file, input.span.line)},

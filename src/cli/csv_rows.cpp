@@ -25,9 +25,38 @@ std::vector<CsvCell> cells_of(std::string_view line, char separator) {
     return cells;
 }
 
+/// Parted by blanks; what stands in brackets belongs to the cell before it: "sa(1 s) [g]".
+std::vector<CsvCell> cells_between_blanks(std::string_view line) {
+    constexpr std::string_view blanks = " \t";
+    std::vector<CsvCell> cells;
+    for (auto begin = line.find_first_not_of(blanks); begin != std::string_view::npos;) {
+        int depth = 0;
+        auto end = begin;
+        for (; end < line.size() && (depth > 0 || blanks.find(line[end]) == std::string_view::npos); ++end) {
+            depth += line[end] == '(' || line[end] == '[' ? 1 : line[end] == ')' || line[end] == ']' ? -1 : 0;
+        }
+        bool const bracket = (line[begin] == '(' || line[begin] == '[') && !cells.empty();
+        auto const from = bracket ? static_cast<std::size_t>(cells.back().column - 1) : begin;
+        if (bracket) {
+            cells.pop_back();
+        }
+        cells.push_back({line.substr(from, end - from), static_cast<int>(from) + 1});
+        begin = line.find_first_not_of(blanks, end);
+    }
+    return cells;
+}
+
 char separator_of(std::string_view header) {
     auto const first = header.find_first_of(",;\t");
-    return first == std::string_view::npos ? ',' : header[first];
+    bool const blanks = first == std::string_view::npos && cells_between_blanks(header).size() > 1;
+    return blanks ? ' ' : first == std::string_view::npos ? ',' : header[first];
+}
+
+/// Cells beyond those of the header, all whole: "0,2,40,1" below three names.
+bool may_be_decimal_commas(std::vector<CsvCell> const& cells, std::size_t wanted, char separator) {
+    return separator == ',' && cells.size() > wanted && std::ranges::all_of(cells, [](CsvCell const& cell) {
+               return cell.text.find_first_not_of("0123456789+->") == std::string_view::npos;
+           });
 }
 
 }  // namespace
@@ -45,7 +74,10 @@ std::optional<std::vector<CsvCell>> CsvRows::next_cells() {
     while (auto line = lines_.next()) {
         auto const content = line->substr(0, line->find('#'));
         auto const separator = separator_.value_or(separator_of(content));
-        auto cells = cells_of(content, separator);
+        auto cells = separator == ' ' ? cells_between_blanks(content) : cells_of(content, separator);
+        if (cells.empty()) {
+            continue;
+        }
         if (cells.size() > 1 || !cells.front().text.empty()) {
             separator_ = separator;
             return cells;
@@ -58,9 +90,16 @@ std::optional<std::vector<CsvCell>> CsvRows::next() {
     auto cells = next_cells();
     if (cells && cells->size() != header_.size()) {
         fail(cells->back(),
-             fmt::format("{} columns (the header has {}). Complete or shorten the row", cells->size(), header_.size()));
+             fmt::format("{} columns (the header has {}{}). Complete or shorten the row", cells->size(), header_.size(),
+                         may_be_decimal_commas(*cells, header_.size(), separator_.value_or(','))
+                             ? "; are there decimal commas?"
+                             : ""));
     }
     return cells;
+}
+
+std::string_view CsvRows::why_no_number(CsvCell const& cell) {
+    return std::ranges::count(cell.text, ',') == 1 ? "a decimal comma, not a decimal point" : "not a number";
 }
 
 void CsvRows::fail(CsvCell const& cell, std::string const& message) const {

@@ -1,4 +1,5 @@
-/// Tables that people write by hand or export: rows of cells parted by commas, semicolons or tabs, below a header.
+/// Tables that people write by hand or export: rows of cells parted by commas, semicolons, tabs or blanks, below a
+/// header.
 #pragma once
 
 #include <optional>
@@ -16,8 +17,8 @@ struct CsvCell {
     int column = 0;  ///< where it begins, from 1
 };
 
-/// A table row by row. The header's first separator parts all rows; blank lines and what follows # do not count; no
-/// cell holds a separator.
+/// A table row by row. The header's first separator parts all rows, blanks if it has none; empty lines and what follows
+/// # do not count; no cell holds a separator.
 class CsvRows {
   public:
     /// Reads the header. \param text outlives the cells \param file for messages, outlives this
@@ -28,6 +29,9 @@ class CsvRows {
     [[nodiscard]] std::vector<CsvCell> const& header() const { return header_; }
     /// The next row, of as many cells as the header, or nothing after the last. \throws InputError
     [[nodiscard]] std::optional<std::vector<CsvCell>> next();
+
+    /// What a cell is that was to be a number: one with a decimal comma, or none.
+    [[nodiscard]] static std::string_view why_no_number(CsvCell const& cell);
 
     /// \throws InputError at a cell of the row handed out last, or of the header before any
     [[noreturn]] void fail(CsvCell const& cell, std::string const& message) const;

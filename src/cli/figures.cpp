@@ -43,7 +43,7 @@ report::WaveFigure campaign_wave_figure(CampaignInput const& input, CampaignSpec
     figure.target = target_of(input);
     if (figure.target) {
         figure.damping = figure.target->damping();
-        if (spec.source->acceptance() == "srp-3.7.1") {
+        if (spec.source->acceptance().rule == "srp-3.7.1") {
             figure.bands = {report::srp_acceptance_band()};
         }
     }

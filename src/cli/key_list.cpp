@@ -7,6 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "campaign/withdrawn_keys.hpp"
+#include "core/wrapped.hpp"
+
 namespace overturn::cli {
 namespace {
 
@@ -15,27 +18,11 @@ using config::Form;
 using config::Key;
 using config::PlacedTable;
 
-constexpr std::size_t columns = 100;
 constexpr std::size_t name_width = 27;  // of the longest key, with two blanks before it and one behind
 
-// `text` in lines of at most `columns`, those after the first indented; the first begins behind `begun`.
-std::string wrapped(std::string begun, std::string_view text) {
-    std::size_t used = begun.size();
-    bool fresh = true;
-    while (!text.empty()) {
-        auto const end = std::min(text.find(' '), text.size());
-        auto const word = text.substr(0, end);
-        if (!fresh && used + 1 + word.size() > columns) {
-            begun += "\n" + std::string(name_width, ' ');
-            used = name_width;
-            fresh = true;
-        }
-        begun += fresh ? std::string(word) : fmt::format(" {}", word);
-        used += word.size() + (fresh ? 0 : 1);
-        fresh = false;
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return begun + "\n";
+// `text` behind `begun`, its further lines below the names' meaning.
+std::string beside(std::string begun, std::string_view text) {
+    return wrapped(text, name_width, line_width, std::move(begun));
 }
 
 bool has_default(Key const& key) {
@@ -88,12 +75,12 @@ std::string keys_text(std::span<PlacedTable const> tables) {
     std::string text;
     for (auto const& placed : tables) {
         text += text.empty() ? "" : "\n";
-        text += wrapped("", title_of(placed));
-        text += wrapped("  ", std::string(placed.table->meaning));
-        for (auto const* key : placed.table->every_key()) {
-            text += wrapped(fmt::format("  {:<{}}", key->name, name_width - 2),
-                            fmt::format("{}; {}", takes_in(*placed.table, *key), absent_text(*key)));
-            text += wrapped(std::string(name_width, ' '), meaning_text(*key));
+        text += beside("", title_of(placed));
+        text += beside("  ", std::string(placed.table->meaning));
+        for (auto const* key : told_keys(*placed.table)) {
+            text += beside(fmt::format("  {:<{}}", key->name, name_width - 2),
+                           fmt::format("{}; {}", takes_in(*placed.table, *key), absent_text(*key)));
+            text += beside(std::string(name_width, ' '), meaning_text(*key));
         }
     }
     return text;
@@ -112,7 +99,7 @@ std::string keys_markdown(std::span<PlacedTable const> tables) {
         text += fmt::format("\n## {}\n\n{}\n\n| key | takes | default | meaning |\n|---|---|---|---|\n",
                             placed.places.front().path.empty() ? "The file itself" : "`" + title_of(placed) + "`",
                             placed.table->meaning);
-        for (auto const* key : placed.table->every_key()) {
+        for (auto const* key : told_keys(*placed.table)) {
             text += fmt::format("| `{}` | {} | {} | {} |\n", key->name, takes_in(*placed.table, *key),
                                 default_text(*key), meaning_text(*key));
         }
@@ -128,7 +115,7 @@ Json keys_json(std::span<PlacedTable const> tables) {
             table["places"].push_back(
                 {{"path", path}, {"list", is_list}, {"where", condition.empty() ? Json(nullptr) : Json(condition)}});
         }
-        for (auto const* key : placed.table->every_key()) {
+        for (auto const* key : told_keys(*placed.table)) {
             table["keys"].push_back(json_of(*key));
         }
         all.push_back(std::move(table));

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/withdrawn_keys.hpp"
 #include "cli/key_list.hpp"
 
 namespace overturn::cli {
@@ -176,7 +177,7 @@ class SchemaWriter {
     [[nodiscard]] Json object(KeyTable const& table) {
         Json properties;
         auto required = Json::array();
-        for (auto const* key : table.every_key()) {
+        for (auto const* key : told_keys(table)) {
             properties[std::string(key->name)] = property(*key);
             if (key->absent.kind == Default::Kind::required && key->where.empty()) {
                 required.push_back(key->name);

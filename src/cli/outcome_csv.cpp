@@ -177,7 +177,7 @@ class Reader {
 
 // Outcomes are of motions as they were measured.
 std::size_t level_as_measured(std::string const& file, CampaignSpec const& spec) {
-    if (spec.levels.measure == LevelMeasure::factor && !spec.levels.independent_waves) {
+    if (spec.levels.measure == measure_named("factor") && !spec.levels.independent_waves) {
         for (std::size_t l = 0; l < spec.levels.levels.size(); ++l) {
             if (spec.levels.levels[l].value == 1) {
                 return l;

@@ -15,6 +15,7 @@
 #include "cli/shown_trials.hpp"
 #include "core/input_files.hpp"
 #include "model/verdict.hpp"
+#include "results/stored_names.hpp"
 #include "results/telling_trials.hpp"
 
 namespace overturn::cli {
@@ -24,7 +25,7 @@ constexpr std::size_t most_histories = 12;
 
 // How the file's trials ended, by their numbers.
 struct Ends {
-    std::vector<std::int64_t> verdicts;
+    std::vector<Verdict> verdicts;
     std::vector<double> peaks;
 };
 
@@ -43,7 +44,7 @@ std::vector<std::int64_t> false_safe_trials(Specimen const& specimen, std::size_
         if (static_cast<std::size_t>(trial) >= ends.verdicts.size()) {
             break;  // it ended early
         }
-        auto const& end = entry_of(static_cast<Verdict>(ends.verdicts[static_cast<std::size_t>(trial)]));
+        auto const& end = entry_of(ends.verdicts[static_cast<std::size_t>(trial)]);
         if (specimen.outcomes[w] == Outcome::fell && end.decided && !end.fell) {
             wrong.push_back(trial);
         }
@@ -56,7 +57,7 @@ std::vector<std::int64_t> false_safe_trials(Specimen const& specimen, std::size_
 // Histories of them, shared fairly among the specimens, and in words which.
 void add_histories(Json& json, Outcomes const& outcomes, CampaignSpec const& spec, Plan const& plan,
                    store::ResultsReader const& file) {
-    Ends const ends{file.integers("trials/verdict"), file.reals("trials/peak_rotation_ratio")};
+    Ends const ends{stored_verdicts(file), file.reals("trials/peak_rotation_ratio")};
     std::vector<std::vector<std::int64_t>> wrong;
     std::vector<std::size_t> counts;
     for (auto const& specimen : outcomes.specimens) {

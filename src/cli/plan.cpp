@@ -8,50 +8,27 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "campaign/block_rows.hpp"
 #include "campaign/validated_range.hpp"
 #include "campaign/warnings.hpp"
 #include "cli/assumptions_told.hpp"
+#include "cli/plan_sizes.hpp"
 #include "cli/velocity_unit.hpp"
 #include "cli/verbs.hpp"
 #include "contact/matching.hpp"
 #include "core/elapsed.hpp"
-#include "results/schema.hpp"
-#include "results/shown_levels.hpp"
+#include "output/shown_levels.hpp"
+#include "output/stripe_text.hpp"
 #include "results/statistics.hpp"
-#include "results/stripe_table.hpp"
 #include "runner/progress.hpp"
-#include "store/shards.hpp"
 
 namespace overturn::cli {
 namespace {
 
-std::int64_t file_bytes(CampaignInput const& input, CampaignSpec const& spec, Plan const& plan) {
-    auto const width = [](store::TableSpec const& table) {
-        std::int64_t bytes = table.numbers_rows() ? 8 : 0;
-        for (auto const& column : table.columns) {
-            bytes += column.type == FieldType::category ? 1 : 8;
-        }
-        return bytes;
-    };
-    constexpr std::int64_t overhead = 400'000;  // groups, attributes and statistics of a small campaign
-    auto bytes = overhead + plan.trials() * width(trial_table(spec)) + plan.waves() * width(wave_table(spec));
-    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
-        bytes += plan.waves() * width(measure_table(spec, b));
-    }
-    for (auto const& table : own_tables(Ladder(spec.effects, spec.accuracy))) {
-        bytes += plan.trials() * width(table);
-    }
-    for (auto const& [name, content] : input.files) {
-        bytes += static_cast<std::int64_t>(content.size());
-    }
-    return bytes;
-}
-
 std::string base_text(BasePlan const& base) {
     switch (base.shape) {
         case BaseShape::round:
-            return fmt::format("round base, {} points on its rim", base.points);
+            return base.continuous() ? std::string("round base on its continuous rim")
+                                     : fmt::format("round base, {} points on its rim", base.points);
         case BaseShape::polygon:
             return fmt::format("polygon of {} corners", base.corners_m.size());
         case BaseShape::square:
@@ -134,11 +111,6 @@ void print_limits(CampaignSpec const& spec) {
     }
 }
 
-std::string count_of_folders(std::int64_t blocks) {
-    auto const folders = (blocks + store::blocks_in_a_folder - 1) / store::blocks_in_a_folder;
-    return folders == 1 ? std::string("one folder") : fmt::format("{} folders", folders);
-}
-
 struct PlanOptions {
     std::string campaign;
     std::vector<std::string> settings;
@@ -174,12 +146,12 @@ void print_bodies(std::vector<BodySpec> const& bodies, VelocityUnit const& unit)
 }
 
 void print_levels(LevelSpec const& levels) {
-    for (auto const place : shown_levels(levels)) {
+    for (auto const place : output::shown_levels(levels)) {
         auto const& level = levels.levels[place];
         fmt::print("level     {} {}{}\n", levels.measure_name(), levels.text(level.value),
                    level.purpose == LevelClass::ordinary ? "" : "  " + name_of(level.purpose));
     }
-    if (auto const more = left_out_levels(levels); !more.empty()) {
+    if (auto const more = output::left_out_levels(levels); !more.empty()) {
         fmt::print("levels    {}", more);
     }
 }
@@ -200,39 +172,38 @@ void print_scene(CampaignSpec const& spec, Plan const& plan, VelocityUnit const&
     }
     fmt::print("{}", assumptions_lines(spec));
     fmt::print("trials    {} in {} blocks of {} waves\n", plan.trials(), plan.blocks(), plan.block_size());
+    fmt::print("{}", memory_lines(spec, plan));
 }
 
 // A timed probe: a few waves, spread over the campaign, whole. \return seconds of all waves on one rank
 double print_probe(CampaignSpec const& spec, Plan const& plan) {
-    constexpr std::int64_t most_probes = 4;
-    auto const probes = std::min(most_probes, plan.waves());
+    bool const refuses = spec.source->acceptance().refuses();
+    auto const probes = std::min<std::int64_t>(refuses ? 16 : 4, plan.asked());
     PhaseSeconds seconds;
     TrialRows trials;
     WaveCounts waves;
     auto const begin = Clock::now();
     for (std::int64_t i = 0; i < probes; ++i) {
-        auto const wave = i * plan.waves() / probes;
+        auto const wave = plan.without_refusals().number(i * plan.asked() / probes);
         auto const prepared = prepare_wave(spec, plan, wave, seconds);
         append_trials(spec, plan, std::span(&prepared, 1), trials, seconds);
-        waves.add(prepared.row);
+        if (is_tried(spec.source->acceptance(), prepared.row)) {
+            waves.add(prepared.row);
+        } else {
+            ++waves.refused;
+        }
     }
     double const each = seconds_since(begin) / static_cast<double>(probes);
     auto const n = static_cast<double>(probes);
     fmt::print("probe     {:.1f} ms a wave: {:.1f} to make it, {:.1f} to measure it, {:.1f} for its {} trials\n",
                1e3 * each, 1e3 * seconds.waves / n, 1e3 * seconds.measures / n,
                1e3 * (each - (seconds.waves + seconds.measures) / n), plan.trials_per_wave());
-    if (auto const text = waves.text(spec.source->acceptance()); !text.empty()) {
+    if (auto const text = waves.text(spec.source->acceptance(), spec.confidence); !text.empty()) {
         fmt::print("probed    {}\n", text);
     }
-    fmt::print("rungs     {}\n", rung_costs(seconds));
-    return each * static_cast<double>(plan.waves());
-}
-
-void print_sizes(CampaignInput const& input, CampaignSpec const& spec, Plan const& plan) {
-    fmt::print("file      about {:.2f} MB\n", static_cast<double>(file_bytes(input, spec, plan)) / 1e6);
-    auto const bytes = static_cast<double>(BlockRows::packed_size(plan, 0));
-    fmt::print("parts     {} files of {:.1f} kB, {:.2f} MB, in {} until they are merged\n", plan.blocks(), bytes / 1e3,
-               bytes * static_cast<double>(plan.blocks()) / 1e6, count_of_folders(plan.blocks()));
+    fmt::print("rungs     {}\n", output::rung_costs(seconds));
+    double const drawn_for_each = refuses ? n / static_cast<double>(std::max<std::int64_t>(1, waves.waves)) : 1;
+    return each * drawn_for_each * static_cast<double>(plan.asked());
 }
 
 int plan_campaign(PlanOptions const& options) {
@@ -242,10 +213,10 @@ int plan_campaign(PlanOptions const& options) {
     auto const spec = parse_campaign(input);
     Plan const plan(spec);
     if (options.json) {
-        return print_plan_json(spec, plan);
+        return print_plan_json(spec, plan.without_refusals());
     }
     fmt::print("{}\n", spec.title.empty() ? path : spec.title);
-    print_scene(spec, plan, options.unit);
+    print_scene(spec, plan.without_refusals(), options.unit);
     double const all = print_probe(spec, plan);
     if (spec.rare) {
         fmt::print(
@@ -256,7 +227,7 @@ int plan_campaign(PlanOptions const& options) {
     auto const cores = std::max(1U, std::thread::hardware_concurrency());
     fmt::print("time      about {} on one rank, {} on the {} cores here\n", duration_text(all),
                duration_text(all / cores), cores);
-    print_sizes(input, spec, plan);
+    fmt::print("{}", size_lines(input, spec, plan.without_refusals()));
     return done;
 }
 

@@ -58,7 +58,7 @@ int replay(ReplayOptions const& options) {
         fmt::print("{}", again.text);
         return print_difference(options, file, again.different, fmt::format("row {}", options.trial));
     }
-    Plan const plan(spec);
+    auto const plan = plan_in(file, spec);
     auto const trials = static_cast<std::int64_t>(file.integers("trials/verdict").size());  // fewer than planned, maybe
     validate(options.trial >= 0 && options.trial < trials,
              "--trial {} (the file has trials 0 to {}). Choose one of them", options.trial, trials - 1);
@@ -76,8 +76,8 @@ int replay(ReplayOptions const& options) {
     auto const& row = trial.rows.front();
     if (!options.plot.empty()) {
         auto const place = static_cast<std::size_t>(body);
-        auto const title = fmt::format("{}, trial {}: wave {} at {}, {}", spec.bodies[place].name, options.trial, wave,
-                                       spec.levels.text(row.amplitude), entry_of(row.verdict).name);
+        auto const title = fmt::format("{}, trial {}: wave {} at {}, {}", spec.bodies[place].name, options.trial,
+                                       plan.number(wave), spec.levels.text(row.amplitude), entry_of(row.verdict).name);
         MeasureSpec const* const measures = spec.measures.energy ? &spec.measures : nullptr;
         draw_history(kept,
                      {title, spec.bodies[place], prepared.bodies[place].body, prepared.motion, row.scale, measures},
@@ -86,18 +86,19 @@ int replay(ReplayOptions const& options) {
             print_note("{}: without V_WES (the campaign states [measures] energy = false)\n", options.plot);
         }
     }
-    fmt::print("trial {}: wave number {} (id {}), body {}, {} {}\n", options.trial, wave, row.wave,
+    fmt::print("trial {}: wave number {} (id {}), body {}, {} {}\n", options.trial, plan.number(wave), row.wave,
                spec.bodies[static_cast<std::size_t>(body)].name, spec.levels.measure_name(),
                spec.levels.text(row.amplitude));
     bool const known = !std::isnan(row.peak_rotation_rad);
     auto const when = std::isnan(row.time_of_peak_s) ? std::string() : fmt::format(" at {:.3f} s", row.time_of_peak_s);
     if (known) {
-        fmt::print("verdict {}, peak rotation {:.6g} rad ({:.4f} alpha){}, {} impacts\n", entry_of(row.verdict).name,
-                   row.peak_rotation_rad, row.peak_rotation_ratio, when, row.impacts);
+        fmt::print("verdict {}, peak rotation {:.6g} rad = {:.4g} deg ({:.4f} alpha){}, {} impacts\n",
+                   entry_of(row.verdict).name, row.peak_rotation_rad, row.peak_rotation_rad * 180 / pi,
+                   row.peak_rotation_ratio, when, row.impacts);
     } else {
         fmt::print("verdict {} ({})\n", entry_of(row.verdict).name, entry_of(row.failure).summary);
     }
-    return print_difference(options, file, differing_columns(spec, stored, trial),
+    return print_difference(options, file, differing_columns(file, spec, stored, trial),
                             fmt::format("trial {}", options.trial));
 }
 

@@ -12,11 +12,13 @@
 
 #include "campaign/warnings.hpp"
 #include "campaign/withheld_inputs.hpp"
+#include "cli/assumptions_told.hpp"
+#include "cli/campaign_hazard.hpp"
 #include "cli/figures.hpp"
-#include "cli/fit_json.hpp"
+#include "cli/fit_options.hpp"
 #include "cli/json_values.hpp"
 #include "cli/outcome_report.hpp"
-#include "cli/rare_json.hpp"
+#include "cli/rare_waves_json.hpp"
 #include "cli/report_bodies.hpp"
 #include "cli/report_facts.hpp"
 #include "cli/shown_trials.hpp"
@@ -24,13 +26,18 @@
 #include "cli/velocity_unit.hpp"
 #include "cli/verbs.hpp"
 #include "core/print_note.hpp"
+#include "output/answer.hpp"
+#include "output/campaign_tables.hpp"
+#include "output/fit_json.hpp"
+#include "output/stripe_text.hpp"
+#include "output/summary_tables.hpp"
 #include "report/cost_page.hpp"
 #include "report/figure.hpp"
 #include "response/registry.hpp"
 #include "results/analysis.hpp"
 #include "results/rare_results.hpp"
 #include "results/recount.hpp"
-#include "results/stripe_table.hpp"
+#include "results/stored_names.hpp"
 #include "results/telling_trials.hpp"
 #include "runner/runtime_file.hpp"
 #include "store/durable.hpp"
@@ -41,7 +48,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ReportOptions {
-    std::string file, page, figures, outcomes;
+    std::string file, page, figures, outcomes, hazard;
     double beta_u = 0;
     VelocityUnit unit;
     std::optional<double> confidence;  ///< none: the campaign's
@@ -51,12 +58,12 @@ struct ReportOptions {
 // The first wave, and the one that overturned anything at the lowest level: usually the ones to look at.
 std::vector<std::int64_t> telling_waves(store::ResultsReader const& file, Plan const& plan) {
     std::vector<std::int64_t> waves{0};
-    auto const ends = file.integers("trials/verdict");
+    auto const ends = stored_verdicts(file);
     std::int64_t lowest = 0;
     std::optional<std::int64_t> worst;
     for (std::size_t t = 0; t < ends.size(); ++t) {
         auto const trial = plan.trial(static_cast<std::int64_t>(t));
-        if (entry_of(static_cast<Verdict>(ends[t])).fell && (!worst || trial.level < lowest)) {
+        if (entry_of(ends[t]).fell && (!worst || trial.level < lowest)) {
             worst = trial.wave;
             lowest = trial.level;
         }
@@ -74,8 +81,8 @@ Json waves_of(CampaignInput const& input, CampaignSpec const& spec, Plan const& 
         try {
             auto const made = spec.source->make(spec.seed, plan.wave_id(wave));
             auto figure = campaign_wave_figure(input, spec, made);
-            figure.title =
-                fmt::format("Wave {}{}", wave, wave == 0 ? "" : ": overturned something at the lowest level of all");
+            figure.title = fmt::format("Wave {}{}", plan.number(wave),
+                                       wave == 0 ? "" : ": overturned something at the lowest level of all");
             figures.push_back(report::wave_data(figure));
         } catch (InputError const&) {
             continue;  // a wave that cannot be made is a failed row, and counted as such
@@ -113,7 +120,7 @@ Json cost_lines(Json const& runtime, fs::path const& path) {
     for (auto const& rank : runtime.at("ranks")) {
         ranks.push_back(rank.dump());
     }
-    lines.push_back(rung_costs(sum_of_rungs(ranks)));
+    lines.push_back(output::rung_costs(sum_of_rungs(ranks)));
     return lines;
 }
 
@@ -157,7 +164,7 @@ void check_places(ReportOptions const& options) {
 // What the page says of the waves in words.
 Json notes_of(CampaignSpec const& spec, Statistics const& statistics) {
     auto notes = Json::array();
-    if (auto const said = statistics.waves().text(spec.source->acceptance()); !said.empty()) {
+    if (auto const said = statistics.waves().text(spec.source->acceptance(), spec.confidence); !said.empty()) {
         notes.push_back(said);
     }
     for (auto const& line : ends_of_records(spec)) {
@@ -169,13 +176,46 @@ Json notes_of(CampaignSpec const& spec, Statistics const& statistics) {
     return notes;
 }
 
+Json answer_of(output::Answered const& of) {
+    constexpr std::size_t most_rows = 60;
+    auto const sheet = output::answer_sheet(of, most_rows);
+    return {{"title", sheet.title},
+            {"head", sheet.head},
+            {"rows", sheet.rows},
+            {"left_out", sheet.left_out},
+            {"depends", sheet.dependence}};
+}
+
 void add_rare(store::ResultsReader const& file, CampaignSpec const& spec, Json& data) {
     data["rare"] = Json::object();
     if (spec.rare) {
-        data["fit"]["rare"] = rare_json(spec, read_rare_estimates(file, spec));
+        data["fit"].update(output::json_of(output::rare_tables(spec, read_rare_estimates(file, spec))));
         for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
             data["rare"][spec.bodies[b].name] = rare_waves_json(rare_waves(file, spec, b));
         }
+    }
+}
+
+// What holds of the page whatever the trials did.
+Json begun(ReportOptions const& options, CampaignSpec const& spec) {
+    Json data;
+    data["file"] = hexadecimal(fs::absolute(options.file).string());
+    data["figures"] = options.figures.empty() ? "" : hexadecimal(fs::absolute(options.figures).string());
+    data["bodies"] = Json::array();
+    for (auto const& body : spec.bodies) {
+        data["bodies"].push_back(body.name);
+    }
+    data["parts"] = outlines_of(spec);
+    data["placements"] = placements_of(spec);
+    data["velocity_unit"] = options.unit.json();
+    return data;
+}
+
+void add_stated_facts(ReportOptions const& options, double confidence, Json& data) {
+    data["confidence"] = confidence;
+    data["facts"].push_back({"confidence", fmt::format("{:g} %", 100 * confidence)});
+    if (options.beta_u > 0) {
+        data["facts"].push_back({"beta_U as stated", fmt::format("{:g}", options.beta_u)});
     }
 }
 
@@ -188,31 +228,28 @@ int write_report(ReportOptions const& options) {
     fetch_withheld(input, options.file);
     auto const spec = parse_campaign(input);
     bool const changed = options.unverified.warn_if_changed(file, options.file);
-    Plan const plan(spec);
+    auto const plan = plan_in(file, spec);
     auto const statistics = recount(file, spec);
-    Json data;
-    data["file"] = hexadecimal(fs::absolute(options.file).string());
-    data["figures"] = options.figures.empty() ? "" : hexadecimal(fs::absolute(options.figures).string());
-    data["bodies"] = Json::array();
-    for (auto const& body : spec.bodies) {
-        data["bodies"].push_back(body.name);
-    }
+    auto data = begun(options, spec);
     double const confidence = options.confidence.value_or(spec.confidence);
     auto analysis = analyse(spec, statistics, {.confidence = confidence, .beta_u = options.beta_u, .band_points = 61});
     tell_velocities(analysis, options.unit.measures());
-    data["parts"] = outlines_of(spec);
-    data["placements"] = placements_of(spec);
-    data["velocity_unit"] = options.unit.json();
-    data["fit"] = fit_json(spec, statistics, analysis, confidence, WarningUnits::as_written);
+    data["fit"] = output::fit_json(spec, statistics, analysis, confidence, output::WarningUnits::as_written);
+    data["fit"]["assumptions"] = assumptions_json(spec);
     auto const telling = telling_trials(spec, file);
-    data["fit"]["telling_trials"] = telling_json(spec, telling);
+    data["fit"]["telling_trials"] = output::json_of(output::telling_trial_table(spec, telling));
     add_rare(file, spec, data);
     data["unverified"] = changed;
     data["facts"] = facts_of(spec, plan, statistics);
-    data["facts"].push_back({"confidence", fmt::format("{:g} %", 100 * confidence)});
-    if (options.beta_u > 0) {
-        data["facts"].push_back({"beta_U as stated", fmt::format("{:g}", options.beta_u)});
-    }
+    add_stated_facts(options, confidence, data);
+    auto const frequencies = options.hazard.empty()
+                                 ? std::vector<BodyFrequency>{}
+                                 : add_frequencies(options.hazard, spec, statistics, analysis, confidence, data);
+    data["answer"] = answer_of({.spec = spec,
+                                .statistics = statistics,
+                                .analysis = analysis,
+                                .confidence = confidence,
+                                .frequencies = frequencies});
     data["waves"] = waves_of(input, spec, plan, file);
     data["spectra"] = spectra_of(input, spec);
     data["wave_notes"] = notes_of(spec, statistics);
@@ -241,6 +278,8 @@ void add_report(CommandLine& line) {
     verb.takes("--outcomes", options->outcomes,
                "what became of real bodies under these motions (wave, motion, a column of 0 and 1 named as a body)",
                "TABLE.csv");
+    verb.takes("--hazard", options->hazard,
+               "annual frequency by this hazard curve: '<measure> [unit], annual_exceedance' (csv)");
     verb.takes("--beta-u", options->beta_u, "lognormal standard deviation of what is not known of the body");
     verb.takes("--confidence", options->confidence, "of the intervals; default: the campaign's");
     options->unverified.offered_by(verb);

@@ -43,21 +43,21 @@ Json facts_of(CampaignSpec const& spec, Plan const& plan, Statistics const& stat
     auto const add = [&](char const* name, std::string value) { facts.push_back({name, std::move(value)}); };
     auto const& levels = spec.levels.levels;
     auto const waves = statistics.waves().waves;
-    add("waves", fmt::format("{} ({})", ran_text(waves, plan.waves()), spec.source->describe()));
+    add("waves", fmt::format("{} ({})", ran_text(waves, plan.asked()), spec.source->describe()));
     add("waves differ by", spec.source->variability());
     if (auto const sigma = statistics.achieved_sigma()) {
         add("by how much", sigma->text());
     }
     add("validated range", validated_range_text(spec));
     auto const rule =
-        std::ranges::find(acceptance_rules(), spec.source->acceptance(), &config::Entry<AcceptanceRule>::name);
-    add("acceptance of waves", rule == acceptance_rules().end() ? spec.source->acceptance()
+        std::ranges::find(acceptance_rules(), spec.source->acceptance().rule, &config::Entry<AcceptanceRule>::name);
+    add("acceptance of waves", rule == acceptance_rules().end() ? spec.source->acceptance().rule
                                                                 : fmt::format("{}: {}", rule->name, rule->summary));
     add("levels", fmt::format("{} of {}, {:.6g} to {}{}", levels.size(), spec.levels.measure_name(),
                               spec.levels.shown(levels.front().value), spec.levels.text(levels.back().value),
                               spec.levels.independent_waves ? ", each with waves of its own"
                                                             : ", the same waves scaled to each"));
-    add("trials", ran_text(waves * plan.trials_per_wave(), plan.trials()));
+    add("trials", ran_text(waves * plan.trials_per_wave(), plan.asked() * plan.trials_per_wave()));
     add("effects", effects_text(spec));
     for (std::size_t l = 1; l < spec.limits.size(); ++l) {
         add("limit state", fmt::format("{}: {}", spec.limits[l].name, definition_of(spec.limits[l], spec.limits)));

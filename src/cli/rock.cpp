@@ -106,8 +106,8 @@ void print_text(BodySpec const& spec, PlacedRecord const& record, Drift const& d
     if (std::isnan(r.peak_rotation_rad)) {
         return;  // no model ran it: the error says why
     }
-    fmt::print("peak rotation    {:.6g} rad = {:.4f} alpha, {}\n", r.peak_rotation_rad, r.peak_rotation_ratio,
-               time_text(r.time_of_peak_s));
+    fmt::print("peak rotation    {:.6g} rad = {:.4g} deg = {:.4f} alpha, {}\n", r.peak_rotation_rad,
+               r.peak_rotation_rad * 180 / pi, r.peak_rotation_ratio, time_text(r.time_of_peak_s));
     fmt::print("peak energy      {:.4f} of that of critical uplift\n", r.peak_energy_ratio);
     fmt::print("V_resp           {}\n", unit.text(r.response_velocity_mps));
     fmt::print("first uplift     {}, {} impacts\n", time_text(r.first_uplift_s), r.impacts);
@@ -151,10 +151,23 @@ int rock(RockOptions const& options) {
                  options.body, key, dearer ? "the effects contact or spatial" : "a transverse component");
     }
     Ladder const ladder(request);
+    auto const unable = ladder.impossible(scene);
+    validate(unable == 0,
+             "{}: effects {} (no model can simulate {} of this body{}). Leave it out, or state what it needs",
+             options.body, options.effects, names_of_effects(unable),
+             has(unable, Effect::sliding) ? ": it states no friction" : "");
+    if (auto const line = warning_of_no_slip(spec, request); !line.empty()) {
+        note_warnings({line});
+    }
     std::vector<std::byte> own(ladder.own_bytes());
     SceneTrial const trial{scene, motion, options.scale};
+    if (auto const lost = ladder.left_out(trial); lost != 0) {
+        note_warnings({fmt::format("{} calls for {} beside effects with which no model holds it: it is left out",
+                                   spec.name, names_of_effects(lost))});
+    }
     std::optional<HistoryFile> history;
-    auto const response = ladder.respond(trial, own);
+    auto response = ladder.respond(trial, own);
+    response.verdict = MovementSpec{}.verdict(response, spec.body, spec.friction.has_value());
     if (!options.history.empty()) {
         history.emplace(options.history);
         ladder.show(trial, response, *history);

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "cli/collective.hpp"
-#include "cli/velocity_unit.hpp"
+#include "cli/text_choice.hpp"
 #include "cli/verbs.hpp"
 #include "cli/walltime.hpp"
 #include "core/error.hpp"
@@ -21,7 +21,7 @@ struct RunVerbOptions {
     std::vector<std::string> settings;
     std::optional<std::string> max_walltime;  // given and empty is no wish to leave it out
     std::optional<std::string> part;
-    VelocityUnit unit;
+    TextChoice text;
     bool resume = false;
 };
 
@@ -69,10 +69,10 @@ std::filesystem::path output_of(RunVerbOptions const& options) {
 }
 
 int run(RunVerbOptions const& options, parallel::Communicator const& comm) {
-    auto const velocities = options.unit.measures();
+    auto const text = options.text.options();
     auto const input = load_campaign_everywhere(options.campaign, options.settings, comm);
     RunOptions run_options;
-    run_options.velocities = velocities;
+    run_options.text = text;
     run_options.output = output_of(options);
     run_options.resume = options.resume;
     if (options.max_walltime) {
@@ -96,7 +96,7 @@ void add_run(CommandLine& line) {
     verb.takes("--max-walltime", options->max_walltime,
                "stop in time to be resumed, \"50 min\", 01:00:00, 1-00:00:00; a bare number is seconds");
     verb.takes("--part", options->part, "I/N: only the I-th of N parts, for array jobs; merge puts them together");
-    options->unit.offered_by(verb);
+    options->text.offered_by(verb);
     verb.does([options] {
         stop_on_signals();  // what came earlier, or comes while MPI starts or records are read, is not lost
         return on_all_ranks([&](auto const& comm) { return run(*options, comm); });

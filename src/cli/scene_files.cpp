@@ -15,6 +15,7 @@ void add_record_options(Verb& verb, RecordOptions& options) {
     verb.takes("--unit", options.unit, "unit of the accelerations: g, gal, m/s2; required for columns");
     verb.takes("--time-step", options.time_step, "for files that state none, e.g. \"0.01 s\"");
     verb.takes("--format", options.format, "record format, see overturn list; default: by the content");
+    verb.takes("--columns", options.columns, "what a table's columns are where names do not say it, e.g. time,h1,h2,v");
     verb.takes("--component", options.component, "what goes into the rocking plane, e.g. EW");
     verb.takes("--components", options.components, "file, horizontal, or station: also the files beside it");
     verb.takes("--baseline", options.baseline, "none, mean, polynomial, or \"high-pass 0.05 Hz\"");
@@ -30,6 +31,7 @@ PlacedRecord load_motion(RecordOptions const& options) {
         request.time_step_s = parse_quantity(options.time_step, Dimension::time);
     }
     request.format = options.format.empty() ? "auto" : options.format;
+    request.columns = options.columns;
     request.component = options.component;
     request.components = config::find_entry(component_choices(), options.components, "--components").value;
     auto const baseline = parse_baseline(options.baseline);
@@ -51,7 +53,9 @@ nlohmann::ordered_json record_json(PlacedRecord const& record) {
             {"time_step_s", record.motion.time_step_s},
             {"samples", record.motion.samples()},
             {"duration_s", record.motion.duration_s()},
-            {"used", record.says}};
+            {"used", record.says},
+            {"claims", record.claims},
+            {"not_understood", record.unread}};
 }
 
 void note_warnings(std::vector<std::string> const& lines) {

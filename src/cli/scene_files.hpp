@@ -18,12 +18,13 @@ struct RecordOptions {
     std::string unit;                 ///< "gal"
     std::string time_step;            ///< "0.01 s"
     std::string format;               ///< a name of record_formats()
+    std::string columns;              ///< "time,h1,h2,v"
     std::string component;            ///< which one goes into the rocking plane
     std::string components = "file";  ///< which others are used, by a name of component_choices()
     std::string baseline = "none";    ///< as parse_baseline takes it
 };
 
-/// Declares --unit, --time-step, --format, --component, --components, --baseline.
+/// Declares --unit, --time-step, --format, --columns, --component, --components, --baseline.
 void add_record_options(Verb& verb, RecordOptions& options);
 
 /// Says on stderr what was used if that is more than the file named. \throws InputError

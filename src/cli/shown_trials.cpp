@@ -15,6 +15,7 @@
 #include "cli/json_values.hpp"
 #include "cli/trial_history.hpp"
 #include "response/registry.hpp"
+#include "results/stored_names.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -28,11 +29,11 @@ std::vector<std::optional<std::int64_t>> nearest_misses(CampaignSpec const& spec
                                                         store::ResultsReader const& file) {
     std::vector<std::optional<std::int64_t>> nearest(spec.bodies.size());
     std::vector<double> highest(spec.bodies.size(), 0);
-    auto const ends = file.integers("trials/verdict");
+    auto const ends = stored_verdicts(file);
     auto const peaks = file.reals("trials/peak_rotation_ratio");
     auto const effects = file.integers("trials/effects");
     for (std::size_t t = 0; t < ends.size(); ++t) {
-        auto const& end = entry_of(static_cast<Verdict>(ends[t]));
+        auto const& end = entry_of(ends[t]);
         auto const body = static_cast<std::size_t>(plan.trial(static_cast<std::int64_t>(t)).body);
         bool const on_points = has(static_cast<EffectMask>(effects[t]), Effect::contact);
         if (on_points && end.moved && end.decided && !end.fell && peaks[t] > highest[body]) {
@@ -94,9 +95,9 @@ ShownTrials histories_of(CampaignSpec const& spec, Plan const& plan, std::span<C
         auto const& row = trial.rows.front();
         auto const& stated = spec.bodies[static_cast<std::size_t>(body)];
         auto const record = spec.source->name(plan.wave_id(wave));
-        auto const title = fmt::format("{}, trial {} ({}): wave {}{} at {}, {}", stated.name, number, words, wave,
-                                       record.empty() ? "" : ", " + record, spec.levels.text(row.amplitude),
-                                       entry_of(row.verdict).name);
+        auto const title = fmt::format("{}, trial {} ({}): wave {}{} at {}, {}", stated.name, number, words,
+                                       plan.number(wave), record.empty() ? "" : ", " + record,
+                                       spec.levels.text(row.amplitude), entry_of(row.verdict).name);
         MeasureSpec const* const measures = spec.measures.energy ? &spec.measures : nullptr;
         shown.drawn.push_back(history_data(
             kept,

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include <nlohmann/json.hpp>
-
 #include "campaign/plan.hpp"
+#include "campaign/wave_check.hpp"
 #include "cli/figures.hpp"
+#include "cli/json_values.hpp"
 #include "core/error.hpp"
 #include "spectra/band_rule.hpp"
 #include "spectra/input_energy.hpp"
@@ -17,7 +17,6 @@
 namespace overturn::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Rows = std::vector<std::vector<double>>;  // by wave, by period
 
 SpectrumBand band_of(Rows const& rows) {
@@ -74,9 +73,14 @@ SpectraOfWaves spectra_of_waves(CampaignInput const& input, CampaignSpec const& 
     }
     Plan const plan(spec);
     Rows psa, v_e, targets;
-    for (std::int64_t number = 0; number < std::min(count, plan.waves()); ++number) {
+    auto const most = static_cast<std::size_t>(std::min(count, plan.asked()));
+    bool const refuses = spec.source->acceptance().refuses();
+    for (std::int64_t number = 0; number < plan.waves() && all.waves.size() + all.left_out < most; ++number) {
         try {
             auto const made = spec.source->make(spec.seed, plan.wave_id(number));
+            if (refuses && !all_passed(check_wave(made, spec.bodies, spec.measures.radius_unit).clauses)) {
+                continue;  // no trial, so no part of what trials see
+            }
             auto const& a = made.motion.horizontal_mps2;
             double const step = made.motion.time_step_s;
             psa.push_back(response_spectrum(a, step, all.period_s, all.damping).psa_mps2);

@@ -104,6 +104,12 @@ void print_record_text(PlacedRecord const& record, Measures const& m, double dam
                        std::optional<BodyEnergy> const& energy, VelocityUnit const& unit) {
     auto const& symbol = unit.symbol;
     fmt::print("read as {}\n", record.read_as());
+    for (auto const& claim : record.claims) {
+        fmt::print("by its text, {}\n", claim);
+    }
+    for (auto const& line : record.unread) {
+        fmt::print("not understood, {}\n", line);
+    }
     fmt::print("PGA {:.6g} m/s2 = {:.2f} gal, PGV {:.5g} {}, PGD {:.5g} m, Arias {:.5g} m/s\n", m.intensity.pga_mps2,
                100 * m.intensity.pga_mps2, unit.of(m.intensity.pgv_mps), symbol, m.intensity.pgd_m,
                m.intensity.arias_mps);

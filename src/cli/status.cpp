@@ -4,12 +4,14 @@
 
 #include <fmt/format.h>
 
-#include "campaign/block_rows.hpp"
+#include "campaign/accepted_waves.hpp"
 #include "campaign/plan.hpp"
 #include "cli/failed_trials.hpp"
 #include "cli/verbs.hpp"
+#include "results/missed_clauses.hpp"
 #include "results/recount.hpp"
 #include "results/statistics.hpp"
+#include "results/stored_names.hpp"
 #include "runner/merge.hpp"
 #include "runner/output_place.hpp"
 #include "store/format_versions.hpp"
@@ -23,15 +25,18 @@ int status_of_file(std::string const& path, Unverified const& unverified) {
     store::ResultsReader const file(path, unverified.trust());
     auto const spec = parse_campaign(input_of(file));
     bool const changed = unverified.warn_if_changed(file, path);
-    auto const verdicts = file.integers("trials/verdict");
-    auto const waves = recount(file, spec).waves().text(file.text("wave_acceptance"));
-    auto const done_waves = static_cast<std::int64_t>(file.integers("waves/id").size());
-    auto const planned = Plan(spec).waves();
+    auto const verdicts = stored_verdicts(file);
+    auto const counted = recount(file, spec);
+    auto const waves = counted.waves().text(spec.source->acceptance(), spec.confidence);
+    auto const done_waves = counted.waves().waves;
+    Plan const drawn(spec);
+    auto const planned = spec.has_target() ? drawn.asked() : done_waves;
     fmt::print("{}: complete{}, {} trials of '{}'{}{}{}\n", path, changed ? " but edited or damaged" : "",
                verdicts.size(), file.text("title"), waves.empty() ? "" : "; ", waves,
                done_waves < planned ? fmt::format("; precise enough after {} of {} waves", done_waves, planned)
                                     : std::string());
-    auto const reasons = file.integers("trials/failure");
+    fmt::print("{}", missed_clauses_text(counted.missed_clauses()));
+    auto const reasons = file.named("trials/failure", field_named(fields_of<TrialRow>(), "failure").categories);
     FailedTrials failed(spec);
     auto const ids = file.integers("waves/id");
     bool const judged = spec.measures.wave_quality;
@@ -43,7 +48,7 @@ int status_of_file(std::string const& path, Unverified const& unverified) {
         failed.know(row);
     }
     for (std::size_t i = 0; i < verdicts.size(); ++i) {
-        if (static_cast<Verdict>(verdicts[i]) == Verdict::failed) {
+        if (verdicts[i] == Verdict::failed) {
             TrialRow row;
             row.verdict = Verdict::failed;
             row.failure = static_cast<FailureReason>(reasons.at(i));
@@ -61,23 +66,31 @@ int status_of_file(std::string const& path, Unverified const& unverified) {
 void print_so_far(CampaignSpec const& spec, Plan const& plan, store::ShardFolder const& shards,
                   std::vector<std::int64_t> const& committed) {
     WaveCounts waves;
+    MissedClauses missed;
     FailedTrials failed(spec);
+    auto const acceptance = spec.source->acceptance();
+    auto const each = plan.trials_per_wave();
     for (auto const block : committed) {
         auto const [first, count] = plan.waves_of_block(block);
         auto const rows = BlockRows::unpack(shards.read(block), plan, count);
-        for (auto const& row : rows.waves) {
+        for (std::int64_t w = 0; w < count; ++w) {
+            auto const& row = rows.waves[static_cast<std::size_t>(w)];
+            if (!is_tried(acceptance, row)) {
+                ++waves.refused;
+                missed.add(row);
+                continue;
+            }
             waves.add(row);
             failed.know(row);
-        }
-        auto number = first * plan.trials_per_wave();
-        for (auto const& row : rows.trials.rows) {
-            failed.add(number++, row);
+            for (auto t = w * each; t < (w + 1) * each; ++t) {
+                failed.add(first * each + t, rows.trials.rows[static_cast<std::size_t>(t)]);
+            }
         }
     }
-    if (auto const text = waves.text(spec.source->acceptance()); !text.empty()) {
+    if (auto const text = waves.text(acceptance, spec.confidence); !text.empty()) {
         fmt::print("{} so far\n", text);
     }
-    fmt::print("{}", failed.text());
+    fmt::print("{}{}", missed_clauses_text(missed), failed.text());
 }
 
 int status(std::string const& path, Unverified const& unverified) {
@@ -93,14 +106,13 @@ int status(std::string const& path, Unverified const& unverified) {
     store::ShardFolder const shards(path, input.block_key());
     auto const committed = sound_blocks(shards, plan, {0, plan.blocks()});
     print_so_far(spec, plan, shards, committed);
-    std::vector<std::int64_t> left;
-    for (std::int64_t block = 0; block < plan.blocks(); ++block) {
-        if (!std::binary_search(committed.begin(), committed.end(), block)) {
-            left.push_back(block);
-        }
-    }
-    auto const progress = fmt::format("{}: not complete, {} of {} blocks are done, {} left", path, committed.size(),
-                                      plan.blocks(), left.size());
+    AcceptedWaves waves(spec, plan);
+    take_rows(waves, plan, shards, committed);
+    auto const left = waves.wanted(plan.count());
+    auto const progress = waves.needs_rows() ? fmt::format("{}: not complete, {} blocks are done, at least {} left",
+                                                           path, committed.size(), left.size())
+                                             : fmt::format("{}: not complete, {} of {} blocks are done, {} left", path,
+                                                           committed.size(), plan.blocks(), left.size());
     if (store::Claim::held(shards.folder())) {
         fmt::print("{}; a run is under way\n", progress);
     } else if (left.empty() && spec.rare) {

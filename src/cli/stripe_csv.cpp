@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "cli/csv_rows.hpp"
+#include "cli/named_column.hpp"
 #include "config/suggestion.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
@@ -17,26 +19,76 @@ namespace {
 enum Field : std::size_t { amplitude, trials, overturned, failed, fields };
 constexpr std::array<char const*, fields> names{"amplitude", "trials", "overturned", "failed"};
 
+struct Alias {
+    std::string_view name;
+    Field field;
+};
+// Of other programs and papers, in lower case.
+constexpr auto aliases = std::to_array<Alias>({{"im", amplitude},
+                                               {"iml", amplitude},
+                                               {"intensity", amplitude},
+                                               {"level", amplitude},
+                                               {"pga", amplitude},
+                                               {"pgv", amplitude},
+                                               {"sa", amplitude},
+                                               {"num_gms", trials},
+                                               {"num_gm", trials},
+                                               {"n", trials},
+                                               {"num_trials", trials},
+                                               {"n_trials", trials},
+                                               {"num_records", trials},
+                                               {"num_collapse", overturned},
+                                               {"num_collapses", overturned},
+                                               {"collapses", overturned},
+                                               {"n_collapse", overturned},
+                                               {"failures", overturned},
+                                               {"num_overturned", overturned},
+                                               {"fell", overturned},
+                                               {"num_failed", failed}});
+// Of one trial: did it fall?
+constexpr auto verdicts = std::to_array<std::string_view>({"collapse", "collapsed", "fell", "overturned", "failure"});
+
+/// The field that a name in lower case is another word for, or the name itself.
+std::string field_of(std::string const& bare) {
+    auto const* const alias = std::ranges::find(aliases, std::string_view(bare), &Alias::name);
+    return alias == aliases.end() ? bare : names.at(alias->field);
+}
+
+bool is_verdict(std::string const& bare) {
+    return std::ranges::find(verdicts, std::string_view(bare)) != verdicts.end();
+}
+
 class Reader {
   public:
     Reader(std::string const& text, std::string const& file)
         : rows_(text, file, "Begin with amplitude,trials,overturned") {}
 
-    [[nodiscard]] std::vector<Stripe> stripes() {
+    [[nodiscard]] StripeTable table() {
         read_header(rows_.header());
         while (auto const cells = rows_.next()) {
             read_row(*cells);
+        }
+        for (auto const& [level, stripe] : single_) {
+            stripes_.push_back(stripe);
         }
         if (stripes_.empty()) {
             rows_.fail("no stripe (a header alone). Add rows");
         }
         std::sort(stripes_.begin(), stripes_.end(),
                   [](Stripe const& a, Stripe const& b) { return a.amplitude < b.amplitude; });
-        return std::move(stripes_);
+        return {std::move(stripes_), std::move(called_), std::move(measure_), std::move(unit_)};
     }
 
   private:
     void read_row(std::vector<CsvCell> const& cells) {
+        if (verdict_) {
+            double const level = positive(cells[*place_[amplitude]]);
+            auto& stripe = single_[level];
+            stripe.amplitude = level;
+            ++stripe.trials;
+            stripe.overturned += fell(cells[*verdict_]) ? 1 : 0;
+            return;
+        }
         add({.amplitude = positive(cells[*place_[amplitude]]),
              .trials = count(cells[*place_[trials]]),
              .overturned = count(cells[*place_[overturned]]),
@@ -45,31 +97,75 @@ class Reader {
     }
 
     void read_header(std::vector<CsvCell> const& cells) {
-        std::vector<std::string> const known(names.begin(), names.end());
-        for (std::size_t c = 0; c < cells.size(); ++c) {
-            auto const name = std::find(known.begin(), known.end(), lowered(cells[c].text));
-            if (name == known.end()) {
-                rows_.fail(cells[c], fmt::format("column {} (unknown). {}", in_quotes(cells[c].text),
-                                                 config::suggestion(lowered(cells[c].text), known)));
+        bool const counts = std::ranges::any_of(cells, [](CsvCell const& cell) {
+            return field_of(lowered(named_column(cell.text).bare)) == names[trials];
+        });
+        for (auto const& cell : cells) {
+            auto const place = static_cast<std::size_t>(&cell - cells.data());
+            auto const column = named_column(cell.text);
+            bool const verdict = column.unit.empty() && is_verdict(lowered(column.bare));
+            if (verdict && !counts) {
+                take_verdict(cell, place);
+            } else {
+                take_column(cell, column, place);
             }
-            auto& place = place_.at(static_cast<std::size_t>(name - known.begin()));
-            if (place) {
-                rows_.fail(cells[c], fmt::format("column '{}' twice (which one counts?). Remove one", *name));
-            }
-            place = c;
         }
         for (auto const field : {amplitude, trials, overturned}) {
-            if (!place_.at(field)) {
+            if (!place_.at(field) && !(verdict_ && field != amplitude)) {
                 rows_.fail(cells.back(),
                            fmt::format("no column '{}' (the fit needs it). Add it to the header", names.at(field)));
             }
         }
+        if (verdict_ && (place_[failed] || place_[overturned])) {
+            rows_.fail(cells[*verdict_],
+                       "beside a column of counts (without a column of trials each row is one trial). Add the trials, "
+                       "or keep one of these columns");
+        }
+    }
+
+    void take_verdict(CsvCell const& cell, std::size_t place) {
+        if (verdict_) {
+            rows_.fail(cell, "a second column of verdicts (which one counts?). Remove one");
+        }
+        verdict_ = place;
+    }
+
+    void take_column(CsvCell const& cell, NamedColumn const& column, std::size_t at) {
+        std::vector<std::string> const known(names.begin(), names.end());
+        auto const field = field_of(lowered(column.bare));
+        auto const name = std::find(known.begin(), known.end(), field);
+        if (name == known.end() || !(column.unit.empty() || field == names[amplitude])) {
+            rows_.fail(cell, fmt::format("column {} (unknown). {}", in_quotes(cell.text),
+                                         config::suggestion(lowered(cell.text), known)));
+        }
+        auto& place = place_.at(static_cast<std::size_t>(name - known.begin()));
+        if (place) {
+            rows_.fail(cell, fmt::format("column '{}' twice (which one counts?). Remove one", *name));
+        }
+        place = at;
+        if (field == names[amplitude]) {
+            called_ = cell.text;
+            unit_ = column.unit;
+            measure_ = column.measure();
+        }
+    }
+
+    [[nodiscard]] bool fell(CsvCell const& cell) const {
+        auto const word = lowered(cell.text);
+        bool const yes = word == "1" || word == "yes" || word == "true";
+        if (!yes && word != "0" && word != "no" && word != "false") {
+            rows_.fail(cell, fmt::format("{} (without a column of trials each row is one, which fell, 1, or stood, 0). "
+                                         "Write 1 or 0, or add the trials",
+                                         in_quotes(cell.text)));
+        }
+        return yes;
     }
 
     [[nodiscard]] double value(CsvCell const& cell) const {
         double number = 0;
         if (!parse_number(cell.text, number)) {
-            rows_.fail(cell, fmt::format("{} (not a number). Write one, without a unit", in_quotes(cell.text)));
+            rows_.fail(cell, fmt::format("{} ({}). Write one, without a unit", in_quotes(cell.text),
+                                         CsvRows::why_no_number(cell)));
         }
         return number;
     }
@@ -112,12 +208,14 @@ class Reader {
     CsvRows rows_;
     std::array<std::optional<std::size_t>, fields> place_;
     std::vector<Stripe> stripes_;
+    std::optional<std::size_t> verdict_;  ///< where each row is a trial
+    std::map<double, Stripe> single_;     ///< of such rows, by amplitude
+    std::string called_ = names[amplitude];
+    std::string measure_, unit_;
 };
 
 }  // namespace
 
-std::vector<Stripe> parse_stripes(std::string const& text, std::string const& file) {
-    return Reader(text, file).stripes();
-}
+StripeTable parse_stripes(std::string const& text, std::string const& file) { return Reader(text, file).table(); }
 
 }  // namespace overturn::cli

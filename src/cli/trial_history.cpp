@@ -54,8 +54,8 @@ Json outline_of(BodySpec const& body) {
             }
             break;
         case BaseShape::round:
-            for (int i = 0; i < base.points; ++i) {
-                double const angle = 2 * pi * i / base.points;
+            for (int i = 0, count = base.continuous() ? BasePlan::points_around : base.points; i < count; ++i) {
+                double const angle = 2 * pi * i / count;
                 outline.push_back({b * std::cos(angle), b * std::sin(angle)});
             }
             break;

@@ -2,6 +2,7 @@
 
 #include "cli/verbs.hpp"
 #include "core/print_note.hpp"
+#include "results/stored_names.hpp"
 
 namespace overturn::cli {
 
@@ -11,6 +12,9 @@ bool Unverified::warn_if_changed(store::ResultsReader const& file, std::string c
         print_note(
             "overturn: {}: NOT as it was written (edited, damaged or never sealed); read as it is, with --unverified\n",
             path);
+    }
+    if (auto const unknown = unknown_verdicts(file); !unknown.empty()) {
+        print_note("overturn: {}: {} (another program wrote the file)\n", path, unknown);
     }
     return changed;
 }

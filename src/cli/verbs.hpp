@@ -16,8 +16,8 @@ struct Unverified {
         verb.takes("--unverified", wished, "read a file that was edited or damaged since overturn wrote it, as it is");
     }
     [[nodiscard]] store::Trust trust() const { return wished ? store::Trust::unverified : store::Trust::sealed; }
-    /// Says that a file is not as it was written, and that what follows is read from it as it is. \return whether it is
-    /// so
+    /// Says that a file is not as it was written, and that what follows is read from it as it is; and which verdicts of
+    /// it this program does not know. \return whether it was changed
     [[nodiscard]] bool warn_if_changed(store::ResultsReader const& file, std::string const& path) const;
 };
 

@@ -73,11 +73,11 @@ std::string wave_report(CampaignSpec const& spec, GeneratedWave const& wave, Wav
     text += fmt::format("strong motion: {:.1f} s (5 to 75 %), {:.1f} s (5 to 95 %)\n", check.quality.duration_5_75_s,
                         check.quality.duration_5_95_s);
     for (auto const& clause : check.clauses) {
-        text += fmt::format("{}: {}\n", spec.source->acceptance(), clause.text());
+        text += fmt::format("{}: {}\n", spec.source->acceptance().rule, clause.text());
     }
     if (!check.clauses.empty()) {
-        text +=
-            fmt::format("{}: {}\n", spec.source->acceptance(), all_passed(check.clauses) ? "accepted" : "NOT accepted");
+        text += fmt::format("{}: {}\n", spec.source->acceptance().rule,
+                            all_passed(check.clauses) ? "accepted" : "NOT accepted");
     }
     return text;
 }
@@ -122,7 +122,7 @@ std::string wave_json(CampaignSpec const& spec, GeneratedWave const& wave, WaveC
             json[name] = match_json(*match);
         }
     }
-    Json acceptance{{"rule", spec.source->acceptance()}};
+    Json acceptance{{"rule", spec.source->acceptance().rule}};
     acceptance["accepted"] = check.clauses.empty() ? Json() : Json(all_passed(check.clauses));
     acceptance["clauses"] = Json::array();
     for (auto const& clause : check.clauses) {

@@ -89,6 +89,9 @@ class Table {
     /// The unit that is written at `key`, in its list or its table first; "" if none is, or the key is absent.
     [[nodiscard]] std::string unit_at(std::string_view key) const;
 
+    /// Is a number written at `key`, in its list or its table, without a unit? A `count` in a table is none.
+    [[nodiscard]] bool is_bare_at(std::string_view key) const;
+
     [[nodiscard]] std::int64_t integer(std::string_view key, std::int64_t low, std::int64_t high) const;
     [[nodiscard]] std::int64_t integer(std::string_view key, std::int64_t low, std::int64_t high,
                                        std::int64_t otherwise) const;

@@ -1,4 +1,5 @@
 // The side of a Table that watches: where keys stand, which are missing, which nobody read, in which unit they are.
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -74,7 +75,28 @@ std::string first_unit(toml::node const& node) {
     return unit;
 }
 
+bool holds_bare_number(toml::node const& node) {
+    if (auto const text = node.value_exact<std::string>()) {
+        double value = 0;
+        return parse_number(trimmed(*text), value);
+    }
+    if (auto const* list = node.as_array()) {
+        return std::any_of(list->begin(), list->end(), holds_bare_number);
+    }
+    if (auto const* table = node.as_table()) {
+        return std::any_of(table->begin(), table->end(), [](auto const& entry) {
+            return entry.first.str() != "count" && holds_bare_number(entry.second);
+        });
+    }
+    return node.is_number();
+}
+
 }  // namespace
+
+bool Table::is_bare_at(std::string_view key) const {
+    auto const* node = value_in(node_->table->get(key));
+    return node != nullptr && holds_bare_number(*node);
+}
 
 std::string Table::unit_at(std::string_view key) const {
     auto const* node = value_in(node_->table->get(key));

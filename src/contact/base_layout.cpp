@@ -24,9 +24,10 @@ void validate_pad(Pad const& pad) {
 
 // A rim as the rocking plane sees it: points on either side of the plane coincide in pairs, as one of twice the share.
 std::vector<ContactPoint> rim(int around, double radius_m) {
-    validate(around >= 16 && around <= 64 && around % 4 == 0,
-             "a round base of {} points (it takes 16 to 64, a multiple of 4). Take {}", around,
-             BasePlan::points_around);
+    validate(
+        around >= 16 && around <= 64 && around % 4 == 0,
+        "a round base of {} points (it takes 16 to 64, a multiple of 4). Leave them out: its rim is then continuous",
+        around);
     std::vector<ContactPoint> points;
     for (int i = around / 2; i >= 0; --i) {
         bool const edge = i == 0 || i == around / 2;
@@ -45,7 +46,7 @@ double area(BasePlan const& base, double half_width_m) {
 std::vector<ContactPoint> layout(BasePlan const& base, double half_width_m) {
     validate(base.shape != BaseShape::polygon, "a polygonal base (it has no bed in a plane). Simulate it in space");
     if (base.shape == BaseShape::round) {
-        return rim(base.points, half_width_m);
+        return rim(base.continuous() ? BasePlan::points_around : base.points, half_width_m);
     }
     validate(base.points >= 2 && base.points <= contact::most_points,
              "a base of {} points (it takes 2 to {}). Take 2 for corners, 11 for a flat bed", base.points,

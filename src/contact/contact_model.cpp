@@ -67,6 +67,9 @@ class ContactModel : public Model {
         constexpr double wild = 0.3;  // of alpha
         auto const& footing = *trial.footing;
         bool const on_corners = footing.base.shape == BaseShape::square && footing.base.corner_share == 1;
+        if (footing.base.continuous()) {
+            return {};  // space follows it
+        }
         if (!on_corners && footing.base.shape != BaseShape::polygon) {
             return {contact, of_base};
         }

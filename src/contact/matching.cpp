@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "contact/rim_law.hpp"
+
 namespace overturn {
 namespace {
 
@@ -122,13 +124,17 @@ double emergent_restitution(RigidBody const& body, BasePlan const& base, Pad con
     // swings less far.
     constexpr double quarters = 2.3;
     double const quarter_s = std::acosh(1 / (1 - start_share)) / body.p_radps();
-    std::array<double, 2> const calm{};
-    auto const out =
-        simulate_contact(block, {.horizontal_mps2 = calm, .vertical_mps2 = {}, .time_step_s = quarters * quarter_s},
-                         {.step_ratio = accuracy.step_ratio, .longest_after_s = 0, .rest_gate = false},
-                         leaning_start(block, start_share * alpha));
     auto const lifted = [&](double tilt) { return 2 * std::sin(alpha - tilt / 2) * std::sin(tilt / 2); };
-    return std::sqrt(lifted(std::max(0.0, -out.trough_rad)) / lifted(start_share * alpha));
+    double const start = start_share * alpha;
+    if (base.continuous()) {
+        double const swing = rim_swing_rad(block, start, quarters * quarter_s, accuracy.step_ratio);
+        return std::sqrt(lifted(swing) / lifted(start));
+    }
+    std::array<double, 2> const calm{};
+    auto const out = simulate_contact(
+        block, {.horizontal_mps2 = calm, .vertical_mps2 = {}, .time_step_s = quarters * quarter_s},
+        {.step_ratio = accuracy.step_ratio, .longest_after_s = 0, .rest_gate = false}, leaning_start(block, start));
+    return std::sqrt(lifted(std::max(0.0, -out.trough_rad)) / lifted(start));
 }
 
 MatchedFooting matched_footing(RigidBody const& body, Footing const& footing) {

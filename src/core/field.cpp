@@ -29,12 +29,18 @@ std::vector<Category> numbered(std::vector<std::string> names) {
 
 std::string Field::key() const {
     static std::map<std::string, std::string> const suffixes{
-        {"1", ""},         {"s", "_s"},         {"m", "_m"},       {"rad", "_rad"}, {"m/s", "_mps"},
-        {"m/s2", "_mps2"}, {"J/kg", "_jpkg"},   {"kg", "_kg"},     {"Hz", "_hz"},   {"N", "_n"},
-        {"Pa", "_pa"},     {"rad/s", "_radps"}, {"kg m2", "_kgm2"}};
+        {"1", ""},         {"s", "_s"},         {"m", "_m"},        {"rad", "_rad"},     {"m/s", "_mps"},
+        {"m/s2", "_mps2"}, {"J/kg", "_jpkg"},   {"kg", "_kg"},      {"Hz", "_hz"},       {"N", "_n"},
+        {"Pa", "_pa"},     {"rad/s", "_radps"}, {"kg m2", "_kgm2"}, {"1/a", "_per_year"}};
     auto const suffix = suffixes.find(units);
     OVERTURN_EXPECT(suffix != suffixes.end());
     return name + (suffix == suffixes.end() ? "" : suffix->second);
+}
+
+Field Field::always() const {
+    auto field = *this;
+    field.essential = true;
+    return field;
 }
 
 double real_at(std::span<std::byte const> row, Field const& field) { return value_at<double>(row, field); }

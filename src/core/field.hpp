@@ -25,6 +25,9 @@ struct Category {
     std::string name;
 };
 
+/// The value of a category whose name this program does not know: of a file that another program wrote.
+inline constexpr std::int64_t unknown_category = -1;
+
 /// The names of 0, 1, 2, ...
 [[nodiscard]] std::vector<Category> numbered(std::vector<std::string> names);
 
@@ -37,7 +40,12 @@ struct Field {
     FieldType type = FieldType::real;
     std::size_t offset = 0;                 ///< in the struct [bytes]
     std::vector<Category> categories = {};  ///< where type is category
+    std::int64_t absent = 0;  ///< what a file without this column has instead; of a real one it is always NaN
+    bool essential = false;   ///< no file is without it, and no value of it without meaning
+    std::vector<std::pair<std::string, std::string>> notes = {};  ///< further attributes of its column: name and text
 
+    /// The same, as a column that every file has.
+    [[nodiscard]] Field always() const;
     /// The name with its unit, as scripts know it from JSON: "peak_slip_m".
     [[nodiscard]] std::string key() const;
 };
@@ -63,8 +71,13 @@ template <auto Member, class Row = decltype(field_detail::row_of(Member))> [[nod
 template <auto Member> [[nodiscard]] Field field(std::string name, std::string units, std::string description) {
     using Value = decltype(field_detail::value_of(Member));
     static_assert(sizeof(Value) == sizeof(double));
+    using Row = decltype(field_detail::row_of(Member));
     auto const type = std::is_same_v<Value, double> ? FieldType::real : FieldType::integer;
-    return {std::move(name), std::move(units), std::move(description), type, offset_of<Member>(), {}};
+    std::int64_t absent = 0;
+    if constexpr (!std::is_same_v<Value, double>) {
+        absent = static_cast<std::int64_t>(Row{}.*Member);
+    }
+    return {std::move(name), std::move(units), std::move(description), type, offset_of<Member>(), {}, absent};
 }
 /// The line of a member whose values have names.
 template <auto Member>

@@ -25,6 +25,7 @@ enum class Purpose : std::uint64_t {
     rare_choice = 10,
     target_spectrum = 11,
     event_spectrum = 12,
+    shape_test = 13,
 };
 
 /// A Threefry4x64-20 counter stream (Salmon et al., SC'11) behind GSL's generator interface, so that every

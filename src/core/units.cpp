@@ -15,7 +15,11 @@ struct Unit {
     double si;
 };
 
-// The first symbol of each dimension is the SI one.
+constexpr double inch = 0.0254;       // m, exactly: international yard and pound agreement (1959)
+constexpr double pound = 0.45359237;  // kg, exactly: the same
+
+// The first symbol of each dimension is the SI one. Of a mass in units of force it is what weighs so much under
+// standard gravity; tonf is the metric one.
 constexpr std::array units{
     Unit{Dimension::time, "s", 1},
     Unit{Dimension::time, "ms", 1e-3},
@@ -25,22 +29,34 @@ constexpr std::array units{
     Unit{Dimension::length, "cm", 1e-2},
     Unit{Dimension::length, "km", 1e3},
     Unit{Dimension::length, "mm", 1e-3},
+    Unit{Dimension::length, "in", inch},
+    Unit{Dimension::length, "ft", 12 * inch},
     Unit{Dimension::mass, "kg", 1},
     Unit{Dimension::mass, "t", 1e3},
+    Unit{Dimension::mass, "lb", pound},
+    Unit{Dimension::mass, "kip", 1e3 * pound},  // what weighs so much under standard gravity
+    Unit{Dimension::mass, "kN", 1e3 / g0},
+    Unit{Dimension::mass, "tonf", 1e3},
     Unit{Dimension::inertia, "kg m2", 1},
     Unit{Dimension::inertia, "kg*m2", 1},
     Unit{Dimension::inertia, "t m2", 1e3},
     Unit{Dimension::inertia, "t*m2", 1e3},
+    Unit{Dimension::inertia, "lb ft2", pound * 144 * inch* inch},
+    Unit{Dimension::inertia, "kip ft2", 1e3 * pound * 144 * inch* inch},
     Unit{Dimension::velocity, "m/s", 1},
     Unit{Dimension::velocity, "cm/s", 1e-2},
     Unit{Dimension::velocity, "mm/s", 1e-3},
     Unit{Dimension::velocity, "kine", 1e-2},
+    Unit{Dimension::velocity, "in/s", inch},
+    Unit{Dimension::velocity, "ft/s", 12 * inch},
     Unit{Dimension::acceleration, "m/s2", 1},
     Unit{Dimension::acceleration, "m/s^2", 1},
     Unit{Dimension::acceleration, "cm/s2", 1e-2},
     Unit{Dimension::acceleration, "cm/s^2", 1e-2},
     Unit{Dimension::acceleration, "mm/s2", 1e-3},
     Unit{Dimension::acceleration, "gal", 1e-2},
+    Unit{Dimension::acceleration, "in/s2", inch},
+    Unit{Dimension::acceleration, "ft/s2", 12 * inch},
     Unit{Dimension::acceleration, "g", g0},
     Unit{Dimension::angle, "rad", 1},
     Unit{Dimension::angle, "deg", pi / 180},
@@ -49,6 +65,8 @@ constexpr std::array units{
     Unit{Dimension::pressure, "kPa", 1e3},
     Unit{Dimension::pressure, "MPa", 1e6},
     Unit{Dimension::pressure, "N/mm2", 1e6},
+    Unit{Dimension::pressure, "psi", pound* g0 / (inch * inch)},
+    Unit{Dimension::pressure, "ksi", 1e3 * pound* g0 / (inch * inch)},
 };
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }

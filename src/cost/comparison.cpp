@@ -18,7 +18,7 @@ Fate fate_of(TrialRow const& row) {
 }
 
 bool failed(TrialRow const& row) { return row.verdict == Verdict::failed; }
-bool rocked(TrialRow const& row) { return row.verdict == Verdict::rocked; }
+bool rocked(TrialRow const& row) { return row.verdict == Verdict::rocked || row.verdict == Verdict::slid_and_rocked; }
 
 double overturned_share(std::span<TrialRow const> rows) {
     std::int64_t decided = 0;

@@ -38,26 +38,6 @@ Setting one_key(std::string const& key, double value, std::string const& unit = 
     return {fmt::format("{:g}{}{}", value, unit.empty() ? "" : " ", unit), {key + "=" + stated}, value};
 }
 
-Knob step_knob(RockingAccuracy const& own) {
-    Knob knob{"step", "Taylor order and sub-steps of a wave sample", peak_error, "trial", Acts::trials, {}, {}};
-    for (int const order : taylor_orders) {
-        std::vector<int> substeps{1, 2, 4};
-        if (order == own.taylor_order && std::find(substeps.begin(), substeps.end(), own.substeps) == substeps.end()) {
-            substeps.push_back(own.substeps);
-        }
-        for (int const each : substeps) {
-            if (order == own.taylor_order && each == own.substeps) {
-                knob.here = knob.settings.size();
-            }
-            knob.settings.push_back(
-                {fmt::format("order {} x {}", order, each),
-                 {fmt::format("accuracy.taylor_order={}", order), fmt::format("accuracy.substeps={}", each)},
-                 static_cast<double>(order)});
-        }
-    }
-    return knob;
-}
-
 Knob real_knob(std::string name, std::string title, std::string const& key, std::vector<double> const& values,
                double own) {
     Knob knob{std::move(name), std::move(title), peak_error, "trial", Acts::trials, {}, {}};
@@ -227,12 +207,6 @@ Knob periods_knob() {
 std::vector<Knob> knobs_of(CampaignInput const& input, CampaignSpec const& spec) {
     auto const scenes = scenes_of(spec);
     std::vector<Knob> knobs;
-    knobs.push_back(step_knob(spec.accuracy.rocking));
-    knobs.push_back(real_knob("step_tolerance", "last series term, over alpha, at which a step is shortened",
-                              "accuracy.step_tolerance", {1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13},
-                              spec.accuracy.rocking.step_tolerance));
-    knobs.push_back(real_knob("settle", "bouncing speed, over p, below which a body settles", "accuracy.settle",
-                              {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7}, spec.accuracy.rocking.settle));
     if (scenes.yields()) {
         knobs.push_back(real_knob(contact_step, "step on compliant points, times the vertical mode's frequency",
                                   "accuracy.contact_step", {1.0, 0.6, 0.3, 0.15, 0.075},

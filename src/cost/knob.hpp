@@ -21,8 +21,8 @@ struct Setting {
 };
 
 struct Knob {
-    std::string name;   ///< "step": its group in files
-    std::string title;  ///< "order and sub-steps of the integrator"
+    std::string name;   ///< "effects": its group in files
+    std::string title;  ///< "effects, rung by rung"
     std::string error;  ///< what its error means
     std::string timed;  ///< what its time is for: "trial"
     Acts acts = Acts::trials;
@@ -33,8 +33,8 @@ struct Knob {
 /// The knobs this campaign has, each with the campaign's own position among its settings.
 [[nodiscard]] std::vector<Knob> knobs_of(CampaignInput const& input, CampaignSpec const& spec);
 
-/// What every trial is held against: order 12, 16 sub-steps, every tolerance near rounding; on compliant points the
-/// campaign's own step.
+/// What every trial is held against: order 12, 16 sub-steps, every tolerance near rounding, by keys that campaigns
+/// themselves no longer state; on compliant points the campaign's own step.
 [[nodiscard]] std::vector<std::string> reference_settings();
 
 /// The same with 12 sub-steps: it differs in rounding only, so what differs is what rounding does to rocking.

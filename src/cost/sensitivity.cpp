@@ -49,7 +49,7 @@ std::vector<std::vector<double>> drawn_weights(CampaignSpec const& spec, std::sp
 // What no verdict hangs on costs no time; a rule that refuses waves has to see their quality.
 void measure_nothing(CampaignSpec& spec) {
     spec.measures.energy = false;
-    spec.measures.wave_quality = spec.source->acceptance() != "none";
+    spec.measures.wave_quality = spec.source->acceptance().asked();
 }
 
 class SensitivityRunner {

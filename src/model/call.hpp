@@ -17,6 +17,7 @@ struct ReasonEntry {
 
 inline constexpr std::int64_t no_reason = 0;
 inline constexpr std::int64_t stated_reason = 1;
+inline constexpr std::int64_t left_out_reason = 100;
 
 /// Effects that a model finds acting on a trial.
 struct Call {

@@ -26,7 +26,7 @@ std::vector<Category> verdicts_of_all() {
 template <> Fields const& fields_of<Outcome>() {
     using O = Outcome;
     static Fields const fields{
-        category<&O::verdict>("verdict", "how the trial ended", verdicts_of_all()),
+        category<&O::verdict>("verdict", "how the trial ended", verdicts_of_all()).always(),
         category<&O::failure>("failure", "why a failed trial has no verdict", reasons()),
         field<&O::peak_rotation_rad>("peak_rotation", "rad", "max |theta|; pi/2 if overturned"),
         field<&O::peak_rotation_ratio>("peak_rotation_ratio", "1", "max |theta| / alpha"),
@@ -34,6 +34,17 @@ template <> Fields const& fields_of<Outcome>() {
         field<&O::peak_energy_ratio>("peak_energy_ratio", "1",
                                      "max of rocking energy over the energy of critical uplift m g (R - h)"),
         field<&O::overturn_time_s>("overturn_time", "s", "time of |theta| = pi/2; NaN: not overturned"),
+        field<&O::landing_spin_radps>(
+            "landing_spin", "rad/s", "angular velocity when an overturning body lies, at |theta| = pi/2; 0: it stands"),
+        field<&O::landing_velocity_mps>(
+            "landing_velocity", "m/s",
+            "velocity of the centre of gravity when it lies; NaN: after a flight that the model does not follow"),
+        field<&O::landing_top_mps>(
+            "landing_top_velocity", "m/s",
+            "velocity of the top when it lies: on the axis, at twice the height of the centre of "
+            "gravity; NaN as landing_velocity"),
+        field<&O::landing_energy_jpkg>("landing_energy", "J/kg",
+                                       "kinetic energy when it lies, over the mass; NaN as landing_velocity"),
         field<&O::first_uplift_s>("first_uplift", "s", "time of the first uplift; NaN: never"),
         field<&O::impacts>("impacts", "1", "base impacts, without the bouncing that settles"),
         field<&O::peak_impact_velocity_mps>(
@@ -51,7 +62,7 @@ template <> Fields const& fields_of<Outcome>() {
         field<&O::response_velocity_mps>(
             "v_resp", "m/s",
             "response velocity of the peak rotation: at most V_Ereq in the plane, more over a corner in space"),
-        field<&O::called>("effects_called", "1", "bit mask of effects that the monitors say would act"),
+        field<&O::called>("effects_called", "1", "bit mask of effects that the monitors say would act").always(),
         field<&O::steps>("steps", "1", "series evaluated")};
     return fields;
 }

@@ -17,6 +17,12 @@ struct Outcome {
     double time_of_peak_s = never;
     double peak_energy_ratio = 0;
     double overturn_time_s = never, first_uplift_s = never;
+    // Of a body that overturned, at a tilt of pi/2, where its side reaches the pad; 0: it does not. NaN: it left the
+    // ground under a model that does not follow its flight.
+    double landing_spin_radps = 0;    ///< angular velocity
+    double landing_velocity_mps = 0;  ///< of the centre of gravity
+    double landing_top_mps = 0;       ///< of the point of its axis at twice the height of the centre of gravity
+    double landing_energy_jpkg = 0;   ///< kinetic
     std::int64_t impacts = 0;
     double peak_impact_velocity_mps = 0;  ///< 2 b |omega| before an impact: the speed at which the far edge lands
     double friction_demand = 0, min_contact_force_ratio = 1;

@@ -10,7 +10,15 @@ namespace overturn {
 
 /// The ends that all models share. A model of its own kind may have more of them: further values, stated in its traits.
 /// Values are stored in results files: never renumber them.
-enum class Verdict : std::int64_t { at_rest = 0, slid = 1, rocked = 2, overturned = 3, contact_lost = 4, failed = 5 };
+enum class Verdict : std::int64_t {
+    at_rest = 0,
+    slid = 1,
+    rocked = 2,
+    overturned = 3,
+    contact_lost = 4,
+    failed = 5,
+    slid_and_rocked = 6
+};
 
 /// One line of the table of verdicts.
 struct VerdictEntry {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -47,8 +48,18 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
 /// "cm/sec/sec", "cm/s**2", "cm.s^-2" and "cm/s\xC2\xB2" are all "cm/s2".
 std::string plainly(std::string_view text) {
     auto plain = lowered(trimmed(text));
-    for (std::string_view const dropped : {"^", "**", "\xC2\xB7", " ", "."}) {
+    for (std::string_view const dropped : {"^", "**", "\xC2\xB7", " ", ".", "$", "{", "}", "(", ")"}) {
         replace_all(plain, dropped, "");
+    }
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 7> words{{{"per", "/"},
+                                                                                  {"squared", "2"},
+                                                                                  {"centi", "c"},
+                                                                                  {"meters", "m"},
+                                                                                  {"metres", "m"},
+                                                                                  {"meter", "m"},
+                                                                                  {"metre", "m"}}};
+    for (auto const& [word, sign] : words) {
+        replace_all(plain, word, sign);
     }
     replace_all(plain, "\xC2\xB2", "2");
     replace_all(plain, "\xE2\x88\x92", "-");

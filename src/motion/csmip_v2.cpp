@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -11,10 +12,24 @@
 namespace overturn {
 namespace {
 
-constexpr std::string_view data_follow = "points of accel data equally spaced at";
+// CSMIP's words, and those of Volume II of USC and Caltech.
+constexpr std::array data_follows{std::string_view("points of accel data equally spaced at"),
+                                  std::string_view("points of acc data equally spaced at")};
 constexpr std::string_view points_of = " points of ";
 constexpr std::string_view integrated = "accel, veloc and displ data";  // in the text of a channel that has all three
 constexpr FixedFormat data_format{8, 10};
+
+/// Where such words end in a line of lower case; npos if there are none.
+std::size_t behind_data_follow(std::string_view lower) {
+    for (auto const words : data_follows) {
+        if (auto const at = lower.find(words); at != std::string_view::npos) {
+            return at + words.size();
+        }
+    }
+    return std::string_view::npos;
+}
+
+bool begins_data(std::string_view lower) { return behind_data_follow(lower) != std::string_view::npos; }
 
 /// What the text lines before a channel's data say.
 struct Channel {
@@ -33,6 +48,10 @@ void read_channel_name(std::string_view line, Channel& channel) {
     auto const at = lowered(line).find("chan");  // capitals until some time after 2000
     auto const colon = line.find(':', std::min(at, line.size()));
     if (at == std::string_view::npos || colon == std::string_view::npos) {
+        auto const comp = lowered(line).find(" comp ");
+        constexpr std::size_t length = 6;
+        auto const behind = comp == std::string::npos ? std::string_view{} : trimmed(line.substr(comp + length));
+        channel.name = behind.substr(0, behind.find("   "));
         return;
     }
     channel.number = trimmed(line.substr(at + 4, colon - at - 4));
@@ -46,7 +65,8 @@ void read_peak(std::string_view line, Location const& where, Channel& channel) {
     auto const equals = line.find('=');
     auto const text = trimmed(line.substr(std::min(equals + 1, line.size())));
     double peak = 0;
-    if (lowered(line).find("cm/sec/sec") != std::string::npos
+    if ((lowered(line).find("cm/sec/sec") != std::string::npos
+         || lowered(line).find("cms/sec/sec") != std::string::npos)
         && parse_number(text.substr(0, text.find_first_of(" \t")), peak)) {
         channel.peak_gal = peak;
         channel.peak_line = where;
@@ -86,8 +106,8 @@ void check_whole(Channel const& channel, Location const& where) {
 /// The number in front of and the one behind `data_follow`.
 std::pair<std::size_t, double> read_size(std::string_view line, Location const& where) {
     auto const lower = lowered(line);
-    auto const at = lower.find(data_follow);
-    auto const after = trimmed(std::string_view(lower).substr(at + data_follow.size()));
+    auto const at = lower.find("points of");
+    auto const after = trimmed(std::string_view(lower).substr(behind_data_follow(lower)));
     double count = 0;
     double step = 0;
     constexpr double most = 1e9;
@@ -145,7 +165,7 @@ bool recognises_csmip_v2(std::string_view content) {
         if (!line) {
             return false;
         }
-        if (lowered(*line).find(data_follow) != std::string::npos) {
+        if (begins_data(lowered(*line))) {
             return true;
         }
     }
@@ -168,9 +188,9 @@ Recording read_csmip_v2(std::string_view content, RecordRequest const& request) 
             channel.blocks_promised = 3;
         } else if (lower.starts_with("peak acceleration")) {
             read_peak(*line, where, channel);
-        } else if (lower.find(data_follow) != std::string::npos) {
+        } else if (begins_data(lower)) {
             read_channel(*line, lines, channel, request, recording);
-        } else if (is_of(lower, "veloc") || is_of(lower, "displ")) {
+        } else if (is_of(lower, "vel") || is_of(lower, "dis")) {
             skip_block(*line, lines, request.name, channel);
         }
     }

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "core/error.hpp"
 #include "core/polynomial.hpp"
 #include "core/units.hpp"
@@ -49,6 +51,17 @@ Intensity intensity_of(GroundMotion const& motion) {
             std::max(intensity.vector_pga_mps2, std::hypot(motion.horizontal_mps2[i], motion.transverse_mps2[i]));
     }
     return intensity;
+}
+
+std::string changes_text(GroundMotion const& from, GroundMotion const& to) {
+    auto const before = intensity_of(from.horizontal_mps2, from.time_step_s);
+    auto const after = intensity_of(to.horizontal_mps2, to.time_step_s);
+    auto const change = [](double a, double b) {
+        constexpr double percent = 100;
+        return a > 0 ? fmt::format("{:+.3g} %", percent * (b - a) / a) : std::string("0 %");
+    };
+    return fmt::format("PGA {}, PGV {}, PGD {}", change(before.pga_mps2, after.pga_mps2),
+                       change(before.pgv_mps, after.pgv_mps), change(before.pgd_m, after.pgd_m));
 }
 
 }  // namespace overturn

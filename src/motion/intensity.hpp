@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "motion/ground_motion.hpp"
 
@@ -14,9 +15,6 @@ struct Intensity {
     double pgd_m = 0;            ///< max |d|, from rest; no baseline correction is made [m]
     double arias_mps = 0;        ///< pi / (2 g) * integral of a^2 dt, Arias (1970), g = g0 [m/s]
     double vector_pga_mps2 = 0;  ///< max length of the horizontal acceleration [m/s2]
-    /// Pseudo-acceleration at the period that levels are stated at, and its mean over a band, where a campaign asks for
-    /// them: a spectrum is no part of intensity_of [m/s2]
-    double sa_mps2 = 0, sa_average_mps2 = 0;
 };
 
 /// Exact for acceleration that is linear between samples: velocity is then piecewise quadratic and displacement
@@ -25,5 +23,8 @@ struct Intensity {
 [[nodiscard]] Intensity intensity_of(std::span<double const> acceleration_mps2, double time_step_s);
 /// The same of the horizontal component; vector_pga_mps2 of both.
 [[nodiscard]] Intensity intensity_of(GroundMotion const& motion);
+
+/// What became of the horizontal peaks: "PGA -4.67 %, PGV +0.02 %, PGD +0 %".
+[[nodiscard]] std::string changes_text(GroundMotion const& from, GroundMotion const& to);
 
 }  // namespace overturn

@@ -7,12 +7,17 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "motion/column_unit.hpp"
+#include "motion/detail/text_encoding.hpp"
+#include "motion/detail/text_row.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn {
 namespace {
 
 Pair parse_row(std::string_view row, std::string_view meaning) {
+    if (has_decimal_commas(row)) {
+        throw InputError(decimal_comma_said(row));
+    }
     auto const split = row.find_first_of(" \t,;");
     auto const second = row.substr(std::min(row.find_first_not_of(" \t,;", split), row.size()));
     Pair point;
@@ -21,11 +26,17 @@ Pair parse_row(std::string_view row, std::string_view meaning) {
     return point;
 }
 
-/// A line of names: its first field begins with a letter and is no "nan" or "inf".
-bool is_names(std::string_view row) {
+/// A line of text: its first field begins no number and is no "nan" or "inf".
+bool is_text(std::string_view row) {
     auto const first = lowered(row.substr(0, row.find_first_of(" \t,;(")));
-    bool const lettered = !first.empty() && ((first[0] >= 'a' && first[0] <= 'z') || first[0] == '"');
-    return lettered && first != "nan" && first != "inf" && first != "infinity";
+    auto const bare = first.substr(std::min(first.find_first_not_of("+-."), first.size()));
+    bool const numeric = !bare.empty() && bare[0] >= '0' && bare[0] <= '9';
+    return !bare.empty() && !numeric && bare != "nan" && bare != "inf" && bare != "infinity";
+}
+
+std::string without_quotes(std::string text) {
+    std::erase(text, '"');
+    return text;
 }
 
 /// Names are parted by a comma or semicolon, else by blanks; what follows a bracket's opening belongs to its name.
@@ -64,7 +75,9 @@ void take_comment(std::string_view comment, int line, PairTable& table) {
     bool const quantity = named.second_name.find_first_of("0123456789")
                           < named.second_name.size() - (bracketed ? unit.size() + 1 : unit.size());
     if (named.names_line > 0 && known && (bracketed || (unit.size() > 1 && !quantity))) {
-        table.first_name = named.first_name;
+        bool const words = comment.find_first_of(",;\t") == std::string_view::npos;  // "Sa in gal"
+        auto const length = unit_text_in_name(named.first_name).text.size();
+        table.first_name = words && named.first_name.size() > 1 && length == 0 ? std::string() : named.first_name;
         table.second_name = named.second_name;
         table.names_line = line;
     }
@@ -81,33 +94,40 @@ void keep_unit_of(PairTable const& said, PairTable& table) {
     }
 }
 
+void take_head(std::string_view text, bool comment, int number, PairTable& table) {
+    if (comment) {
+        take_comment(trimmed(text.substr(1)), number, table);
+        return;
+    }
+    auto const said = table;
+    take_names(text, number, table);
+    keep_unit_of(said, table);
+}
+
 }  // namespace
 
 PairTable read_pair_table(std::string_view content, std::string const& name, std::string_view meaning,
                           std::function<void(Pair const&, Pair const*)> const& check) {
     PairTable table;
     TextLines lines(content);
-    bool names_seen = false;
     while (auto const line = lines.next()) {
         auto const row = trimmed(line->substr(0, line->find_first_of("#!")));
-        if (row.empty()) {
-            auto const comment = trimmed(*line);
-            if (table.points.empty() && !names_seen && comment.size() > 1) {
-                take_comment(trimmed(comment.substr(1)), lines.number(), table);
+        bool const above = table.points.empty();
+        if (row.empty() || (above && is_text(row))) {
+            auto const text = without_quotes(decoded(trimmed(row.empty() ? *line : row)));
+            if (text.size() > 1 && table.head.size() < std::size_t(head_lines_at_most)) {
+                table.head.push_back({text, lines.number()});
             }
-            continue;
-        }
-        if (table.points.empty() && !names_seen && is_names(row)) {
-            names_seen = true;
-            auto const said = table;
-            take_names(row, lines.number(), table);
-            keep_unit_of(said, table);
+            if (above && text.size() > 1) {
+                take_head(text, row.empty(), lines.number(), table);
+            }
             continue;
         }
         try {
             auto const point = parse_row(row, meaning);
-            check(point, table.points.empty() ? nullptr : &table.points.back());
+            check(point, above ? nullptr : &table.points.back());
             table.points.push_back(point);
+            table.line.push_back(lines.number());
         } catch (InputError const& error) {
             throw InputError({name, lines.number()}, error.what());
         }

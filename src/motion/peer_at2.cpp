@@ -145,7 +145,9 @@ bool recognises_peer_at2(std::string_view content) {
         if (!line) {
             return false;
         }
-        if (lowered(*line).find("npts") != std::string::npos) {
+        auto const lower = lowered(*line);
+        auto const npts = lower.find("npts");
+        if (npts != std::string::npos && lower.find("dt", npts) != std::string::npos) {
             return true;
         }
     }

@@ -13,6 +13,7 @@ namespace overturn {
 namespace {
 
 // A new format: one file beside this one, one line here.
+// One that is a table under a head of its own is a TableFormat in a file beside this one, and a line here.
 constexpr std::array formats{
     config::Entry<RecordFormat>{"peer-at2",
                                 "PEER strong-motion AT2, new and old: NPTS and DT in the header, accelerations in g",
@@ -38,20 +39,41 @@ constexpr std::array formats{
                                 {&recognises_smc, &read_smc, &station_of_smc}},
     config::Entry<RecordFormat>{
         "cwa", "CWA (Taiwan): lines #Key: value, then time and three components in gal", {&recognises_cwa, &read_cwa}},
+    config::Entry<RecordFormat>{
+        "nsmn", "NSMN/AFAD (Turkey): text, then N-S, E-W and U-D in gal", {nullptr, nullptr, nullptr, &nsmn_table}},
+    config::Entry<RecordFormat>{"csmnc",
+                                "CSMNC (China): text with unit, count and step, then one component",
+                                {nullptr, nullptr, nullptr, &csmnc_table}},
+    config::Entry<RecordFormat>{
+        "bbp", "SCEC Broadband Platform .acc.bbp: time, N-S, E-W, U-D", {nullptr, nullptr, nullptr, &bbp_table}},
+    config::Entry<RecordFormat>{"earthscope",
+                                "EarthScope SLIST and TSPAIR ASCII of accelerations; counts and velocities are refused",
+                                {nullptr, nullptr, nullptr, &earthscope_table}},
+    config::Entry<RecordFormat>{"geonet",
+                                "GeoNet V1A and V2A (New Zealand): text, 100 numbers, then values in mm/s2",
+                                {&recognises_geonet, &read_geonet}},
+    config::Entry<RecordFormat>{"vol1",
+                                "BHRC (Iran) and RENADIC (Chile) V1: uncorrected values in G/10, three channels",
+                                {&recognises_vol1, &read_vol1}},
+    config::Entry<RecordFormat>{
+        "asa2", "ASA 2.0 (UNAM, Mexico): KEY : value lines, then columns in gal", {&recognises_asa2, &read_asa2}},
+    config::Entry<RecordFormat>{"bri-ac",
+                                "BRI .ac (Building Research Institute, Japan): date, channels, rate and samples, then "
+                                "each channel in gal",
+                                {&recognises_bri_ac, &read_bri_ac}},
     config::Entry<RecordFormat>{"refused",
-                                "CSMIP V1, GeoNet, BHRC V1: known, refused with what to do instead",
+                                "CSMIP V1 and V3, SAC as text, GSE: known, refused with what to do instead",
                                 {&recognises_unread, &refuse_unread}},
-    config::Entry<RecordFormat>{
-        "list", "values only, several to a line, with a stated unit and time step", {&recognises_list, &read_list}},
-    config::Entry<RecordFormat>{
-        "components",
-        "columns without a time: a_horizontal [, a_transverse] [, a_vertical], with a stated unit "
-        "and time step; only where their names say so or the format is stated",
-        {&recognises_components, &read_components}},
     config::Entry<RecordFormat>{"columns",
-                                "columns [time,] a_horizontal [, a_transverse] [, a_vertical] parted by commas, "
-                                "semicolons, blanks or tabs, with a stated unit",
+                                "columns under names, parted by commas, semicolons, blanks or tabs: a time and one to "
+                                "three components; or values alone, one or at least five to a line; unit and step as "
+                                "names and text say, or as stated",
                                 {&recognises_columns, &read_columns}},
+    config::Entry<RecordFormat>{"components",
+                                "columns of components without a time, only where stated",
+                                {&recognises_components, &read_components}},
+    config::Entry<RecordFormat>{
+        "list", "values in reading order, any number to a line, only where stated", {&recognises_list, &read_list}},
 };
 
 config::Entry<RecordFormat> const& format_of(std::string_view content, RecordRequest const& request) {
@@ -59,11 +81,11 @@ config::Entry<RecordFormat> const& format_of(std::string_view content, RecordReq
         return config::find_entry(record_formats(), request.format, "record format");
     }
     for (auto const& format : formats) {
-        if (format.value.recognises(content)) {
+        bool const table = format.value.table != nullptr;
+        if (table ? has_marks(content, *format.value.table) : format.value.recognises(content)) {
             return format;
         }
     }
-    check_not_nearly_columns(content, request);
     std::string known;
     for (auto const& format : formats) {
         known += known.empty() ? "" : ", ";
@@ -97,18 +119,13 @@ Recording read_recording(std::string_view content, RecordRequest const& request)
     }
     OVERTURN_EXPECT(!request.unit_mps2 || *request.unit_mps2 > 0);
     auto const& format = format_of(content, request);
-    auto recording = format.value.read(content, request);
+    auto const* const table = format.value.table;
+    auto recording = table != nullptr ? read_described(content, request, *table) : format.value.read(content, request);
     recording.format = format.name;
     for (auto const& component : recording.components) {
         check_believable_peak(component.acceleration_mps2, file);
     }
     return recording;
-}
-
-PlacedRecord read_placed(std::string_view content, RecordRequest const& request) {
-    auto placed = place(read_recording(content, request), request.component, request.components, {request.name});
-    validate_motion(placed.motion);
-    return placed;
 }
 
 std::string station_of_record(std::string_view head) {

@@ -1,6 +1,7 @@
 /// Recorded accelerograms: from the bytes of a file to what its station felt.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,10 +18,13 @@ struct RecordRequest {
     std::string format = "auto";             ///< a name of record_formats(), or "auto": decided by the content
     std::optional<double> unit_mps2 = {};    ///< SI value of one unit of the numbers, from unit_factor() [m/s2]
     std::optional<double> time_step_s = {};  ///< where the file states none [s]
-    std::string component = {};              ///< what goes into the rocking plane; empty: the first horizontal one
+    std::string columns = {};    ///< "time,h1,h2,v": what a table's columns are, where their names do not say it
+    std::string component = {};  ///< what goes into the rocking plane; empty: the first horizontal one
     ComponentChoice components = ComponentChoice::file;
+    bool by_place = false;  ///< unnamed columns behind the time: horizontal[, transverse][, vertical], as in old files
     bool may_be_resampled = false;               ///< a stated step other than the file's own is no contradiction
     std::string unit_key = "--unit gal|g|m/s2";  ///< how its user states the unit, for messages
+    std::string columns_key = "--columns {}";    ///< how its user states the columns, {} an example
     std::string unit_conflict = "Leave the stated unit out";  ///< what to do where the file says another
 };
 
@@ -29,13 +33,16 @@ struct RecordRequest {
 /// is missing or contradicts what the file says.
 [[nodiscard]] Recording read_recording(std::string_view content, RecordRequest const& request);
 
-/// The motion that the file holds, placed by place().
-/// \throws InputError as read_recording and place
-[[nodiscard]] PlacedRecord read_placed(std::string_view content, RecordRequest const& request);
-
 /// What files of one station, event and time have in common, from their headers alone; empty if `head`, the beginning
 /// of a file, does not say it or its format has several components to a file anyway.
 [[nodiscard]] std::string station_of_record(std::string_view head);
+
+/// A table under a head of its own: how it is recognised, and what its head leaves unsaid. Everything else are claims
+/// that any table's text makes.
+struct TableFormat {
+    std::array<std::string_view, 3> marks;  ///< in lower case: all stand in the first lines of text; "" counts not
+    double unit_mps2 = 0;                   ///< of all files of the format [m/s2]; 0: their text says it
+};
 
 using RecordReader = Recording (*)(std::string_view content, RecordRequest const& request);
 
@@ -44,6 +51,7 @@ struct RecordFormat {
     bool (*recognises)(std::string_view content);
     RecordReader read;
     std::string (*station)(std::string_view head) = nullptr;  ///< for station_of_record; may throw InputError
+    TableFormat const* table = nullptr;                       ///< in place of the two above where a description does
 };
 
 /// All formats, in the order in which "auto" asks them.

@@ -14,22 +14,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-bool is_one_of(std::string_view name, std::span<std::string_view const> names) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-// An azimuth, "90", "360 deg", or a bearing, "n10e".
-bool is_bearing(std::string_view name) {
-    constexpr double full_circle = 360;
-    if (name.size() > 2 && (name.front() == 'n' || name.front() == 's') && (name.back() == 'e' || name.back() == 'w')) {
-        name = name.substr(1, name.size() - 2);
-    } else if (name.ends_with("deg")) {
-        name = trimmed(name.substr(0, name.size() - 3));
-    }
-    double azimuth = 0;
-    return parse_number(name, azimuth) && azimuth >= 0 && azimuth <= full_circle;
-}
-
 bool is_vertical(Direction direction) { return direction == Direction::up || direction == Direction::down; }
 
 bool is_vertical(RecordComponent const& component) { return is_vertical(component.direction); }
@@ -52,15 +36,25 @@ std::string list_of(Names const& names) {
     return list;
 }
 
-// Takes the component called `name` out; spaces and case do not count.
+// Takes the component called `name` out; spaces and case do not count, nor what a column's name says beside it: "E-W"
+// is "E-W(cm/s/s)" where no other is.
 RecordComponent taken(Recording& recording, std::string_view name, Location const& where) {
     auto const plain = [](std::string_view text) {
         auto lower = lowered(text);
         std::erase(lower, ' ');
         return lower;
     };
-    auto const at = std::find_if(recording.components.begin(), recording.components.end(),
-                                 [&](RecordComponent const& c) { return plain(c.name) == plain(name); });
+    auto at = std::ranges::find_if(recording.components,
+                                   [&](RecordComponent const& c) { return plain(c.name) == plain(name); });
+    if (at == recording.components.end()) {
+        auto const wanted = component_named(name);
+        auto const alike = [&](RecordComponent const& c) {
+            auto const own = component_in(c.name);
+            return own.direction != Direction::unknown && own.direction == wanted.direction && own.axis == wanted.axis;
+        };
+        bool const one = std::ranges::count_if(recording.components, alike) == 1;
+        at = one ? std::ranges::find_if(recording.components, alike) : at;
+    }
     if (at == recording.components.end()) {
         auto const names = names_of(recording);
         throw InputError(where, fmt::format("component '{}' (not in the file). {}", name,
@@ -120,23 +114,6 @@ std::string cut_to_shortest(GroundMotion& motion) {
 
 }  // namespace
 
-Direction direction_of(std::string_view name) {
-    static constexpr std::array<std::string_view, 10> ups{"up", "ud",  "u-d",  "u",   "z",
-                                                          "v",  "ver", "vert", "vrt", "vertical"};
-    static constexpr std::array<std::string_view, 4> downs{"dwn", "down", "dn", "d"};
-    static constexpr std::array<std::string_view, 23> horizontals{"ns", "n-s", "sn", "ew", "e-w", "we",    "n",   "e",
-                                                                  "s",  "w",   "l",  "t",  "ln",  "tr",    "fn",  "fp",
-                                                                  "h1", "h2",  "x",  "y",  "h",   "north", "east"};
-    auto const lower = lowered(trimmed(name));
-    if (is_one_of(lower, ups)) {
-        return Direction::up;
-    }
-    if (is_one_of(lower, downs)) {
-        return Direction::down;
-    }
-    return is_one_of(lower, horizontals) || is_bearing(lower) ? Direction::horizontal : Direction::unknown;
-}
-
 std::span<config::Entry<ComponentChoice> const> component_choices() {
     static constexpr std::array entries{
         config::Entry<ComponentChoice>{"file", "every component that the file holds", ComponentChoice::file},
@@ -165,6 +142,8 @@ PlacedRecord place(Recording recording, std::string_view first, ComponentChoice 
     placed.motion.time_step_s = recording.time_step_s;
     placed.format = recording.format;
     placed.unit_mps2 = recording.unit_mps2;
+    placed.claims = std::move(recording.claims);
+    placed.unread = std::move(recording.unread);
     bool const single = recording.components.size() == 1;
     auto const names = names_of(recording);
     auto horizontal = first_horizontal(recording, first, where);
@@ -186,7 +165,7 @@ PlacedRecord place(Recording recording, std::string_view first, ComponentChoice 
                            [](RecordComponent const& c) { return c.direction == Direction::horizontal; });
     if (!recording.components.empty() || is_vertical(horizontal)) {
         throw InputError(where, fmt::format("components {} (which is horizontal and which vertical cannot be told). "
-                                            "Put those that are meant into columns time,a_horizontal[,a_vertical]",
+                                            "State the columns, or take those that are meant into a file of their own",
                                             list_of(names)));
     }
     if (!transverse.acceleration_mps2.empty()) {

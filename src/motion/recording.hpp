@@ -8,15 +8,10 @@
 
 #include "config/registry.hpp"
 #include "core/error.hpp"
+#include "motion/component_name.hpp"
 #include "motion/ground_motion.hpp"
 
 namespace overturn {
-
-/// Where a component points to, as far as its name tells.
-enum class Direction { unknown, horizontal, up, down };
-
-/// From what providers write: azimuths (90, "360 DEG"), N-S, EW, L, FN; UP, UD, Z, V; DWN, DOWN.
-[[nodiscard]] Direction direction_of(std::string_view name);
 
 struct RecordComponent {
     std::string name;  ///< as the file calls it; empty if it does not
@@ -28,8 +23,10 @@ struct RecordComponent {
 struct Recording {
     double time_step_s = 0;  ///< [s]
     std::vector<RecordComponent> components;
-    double unit_mps2 = 0;     ///< what one unit of the file's numbers was taken for [m/s2]
-    std::string format = {};  ///< as which it was read: a name of record_formats()
+    double unit_mps2 = 0;                  ///< what one unit of the file's numbers was taken for [m/s2]
+    std::string format = {};               ///< as which it was read: a name of record_formats()
+    std::vector<std::string> claims = {};  ///< what the file's text says and is used: "line 3: gal"
+    std::vector<std::string> unread = {};  ///< its lines of text that are not understood
 };
 
 /// Which components of a file become part of the motion.
@@ -50,6 +47,8 @@ struct PlacedRecord {
     std::vector<std::string> components = {};  ///< their names: horizontal, transverse, vertical, as far as present
     std::string format = {};                   ///< as which the file was read
     double unit_mps2 = 0;                      ///< what one unit of its numbers was taken for [m/s2]
+    std::vector<std::string> claims = {};      ///< as those of Recording
+    std::vector<std::string> unread = {};
 
     /// "knet, NS, gal, 0.01 s, 6000 samples, 59.99 s": what a reader can be checked by.
     [[nodiscard]] std::string read_as() const;

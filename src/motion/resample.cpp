@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "motion/intensity.hpp"
+#include "motion/low_pass.hpp"
 
 namespace overturn {
 namespace {
@@ -19,6 +21,20 @@ std::vector<double> along_lines(std::vector<double> const& values, double ratio,
         read[i] = values[before] + share * (values[after] - values[before]);
     }
     return read;
+}
+
+void read_coarsely(GroundMotion const& from, double time_step_s, std::size_t count, Resampled& made) {
+    auto const read = [&](std::vector<double> const& values) {
+        return values.empty() ? values : low_passed(values, from.time_step_s, time_step_s, count);
+    };
+    made.motion.horizontal_mps2 = read(from.horizontal_mps2);
+    made.motion.transverse_mps2 = read(from.transverse_mps2);
+    made.motion.vertical_mps2 = read(from.vertical_mps2);
+    auto const band = LowPass::for_step(time_step_s);
+    made.says = fmt::format(
+        "{} s read at {} s behind a low-pass (zero phase, up to {:.4g} Hz kept, 80 dB off from "
+        "{:.4g} Hz on), {}",
+        from.time_step_s, time_step_s, band.pass_hz, band.stop_hz, changes_text(from, made.motion));
 }
 
 /// `ratio` without the rounding of steps such as 0.01 that are no binary fractions.
@@ -39,8 +55,8 @@ Resampled resample(GroundMotion const& motion, double time_step_s, Coarsening co
              time_step_s);
     double const ratio = cleaned(time_step_s / motion.time_step_s);
     validate(ratio <= 1 || coarsening == Coarsening::accepted,
-             "time step {} s, longer than the record's {} s (what shakes faster would be folded). State resample = "
-             "\"coarser\" if that is meant",
+             "time step {} s, longer than the record's {} s (what shakes faster than the new grid is lost). "
+             "State resample = \"coarser\" if that is meant",
              time_step_s, motion.time_step_s);
     constexpr double slack = 1e-9;
     auto const count =
@@ -48,6 +64,10 @@ Resampled resample(GroundMotion const& motion, double time_step_s, Coarsening co
     validate(count > 1, "time step {} s (longer than the wave). Lower it", time_step_s);
     Resampled made;
     made.motion.time_step_s = time_step_s;
+    if (ratio > 1) {
+        read_coarsely(motion, time_step_s, count, made);
+        return made;
+    }
     made.motion.horizontal_mps2 = along_lines(motion.horizontal_mps2, ratio, count);
     made.motion.transverse_mps2 = along_lines(motion.transverse_mps2, ratio, count);
     made.motion.vertical_mps2 = along_lines(motion.vertical_mps2, ratio, count);

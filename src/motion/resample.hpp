@@ -7,7 +7,7 @@
 
 namespace overturn {
 
-/// May the new step be longer than the old one? What shakes faster than its grid can follow is then folded.
+/// May the new step be longer than the old one? What shakes faster than its grid can follow is then taken off.
 enum class Coarsening { refused, accepted };
 
 struct Resampled {
@@ -15,11 +15,11 @@ struct Resampled {
     std::string says;  ///< one line on what was done and what became of the peak
 };
 
-/// The wave's own straight lines between samples, read at multiples of `time_step_s`; nothing is filtered. Where the
-/// new step divides the old one this is the same function of time and no peak changes; otherwise corners between new
-/// samples are cut, and the line says by how much the horizontal peak fell. The last time is the last multiple within
-/// the wave. \throws InputError if the step is not positive, leaves fewer than two samples, or is longer without being
-/// accepted
+/// A shorter step reads the wave's own straight lines at multiples of `time_step_s`. Where the new step divides the old
+/// one this is the same function of time and no peak changes; otherwise corners between new samples are cut, and the
+/// line says by how much the horizontal peak fell. A longer one reads it behind a zero-phase low-pass (low_pass.hpp),
+/// and the line says what became of PGA, PGV and PGD. The last time is the last multiple within the wave. \throws
+/// InputError if the step is not positive, leaves fewer than two samples, or is longer without being accepted
 [[nodiscard]] Resampled resample(GroundMotion const& motion, double time_step_s, Coarsening coarsening);
 
 }  // namespace overturn

@@ -158,7 +158,12 @@ Recording read_smc(std::string_view content, RecordRequest const& request) {
     check_quantity(header, file);
     auto const count = count_of(header, file);
     double const rate = header.real(sampling_rate);
-    if (!(rate > 0 && rate < no_real)) {
+    if (rate >= no_real) {
+        throw InputError({file, text_lines + integer_lines + 1},
+                         "no rate in the header (an uncorrected record, whose values stand beside times of their own). "
+                         "Take the corrected file of the same record");
+    }
+    if (!(rate > 0)) {
         throw InputError(
             {file, text_lines + integer_lines + 1},
             fmt::format("{} samples a second (real-header value 2 must be above 0). Mend the header", rate));

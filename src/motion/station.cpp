@@ -71,6 +71,7 @@ Recording StationFiles::joined(std::string const& name, Recording own, RecordReq
 
 PlacedRecord StationFiles::read(std::string const& name, RecordRequest request) {
     request.name = name;
+    request.by_place = files_->are_before_format_5();
     auto recording = read_recording(files_->read(name), request);
     bool const alone = recording.components.size() == 1;
     if (request.components == ComponentChoice::station && alone) {

@@ -16,12 +16,20 @@ struct UnreadFormat {
 };
 
 constexpr std::array unread{
-    UnreadFormat{"uncorrected accelerogram", "uncorrected accelerogram (CSMIP V1 or GeoNet V1A",
+    UnreadFormat{"uncorrected accelerogram", "uncorrected accelerogram (CSMIP V1",
                  "Take the corrected V2 file of the same record"},
-    UnreadFormat{"corrected accelerogram", "corrected accelerogram of another layout than CSMIP V2's (GeoNet V2A",
+    UnreadFormat{"corrected accelerogram", "corrected accelerogram of a layout that is not known",
                  "Convert one component to columns and state the unit"},
-    UnreadFormat{"* vol1ds file", "BHRC V1 (uncorrected pairs in G/10",
-                 "Take corrected data, or convert one component to columns and state the unit"},
+    UnreadFormat{"response spectra", "response spectra (CSMIP V3; no motion is in them",
+                 "Take the V2 file of the same record"},
+    UnreadFormat{"* vol", "BHRC of a volume other than 1, or in another unit than G/10",
+                 "Convert one component to columns and state the unit"},
+    UnreadFormat{"-12345.0", "SAC, alphanumeric (-12345 stands for what is not known",
+                 "Convert it to columns time,a_horizontal in m/s2, for example with ObsPy"},
+    UnreadFormat{"wid2 ", "GSE 2 or IMS 1.0 waveforms, packed counts of an instrument",
+                 "Convert it to columns time,a_horizontal in m/s2, for example with ObsPy"},
+    UnreadFormat{"wid1 ", "GSE 1 waveforms, packed counts of an instrument",
+                 "Convert it to columns time,a_horizontal in m/s2, for example with ObsPy"},
     UnreadFormat{"#data:", "columns of CWA's layout without its rate (time, U, N, E",
                  "Bring the columns into the order time,a_horizontal,a_transverse,a_vertical without this line"},
 };

@@ -81,7 +81,7 @@ values = {from = "300 gal", to = "1500 gal", count = 7}
 
 // SHA-256 of the digests of all stored rows, by kind of machine: the same on every x86-64 CPU.
 std::string known_rows(std::string const& kind) {
-    return kind == "x86-64" ? "14784f2371a2ebf2e669a34ad53a4b2b775af88902cde3fbc7bf9c7458158ba3" : "";
+    return kind == "x86-64" ? "15da08c37644c868d8847b74a9bf97cc3fc25c30c8ebef55763889b0795f281c" : "";
 }
 
 CampaignInput campaign() {

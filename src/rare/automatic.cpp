@@ -61,7 +61,15 @@ class Choice {
         if (method == Method::crude) {
             crude(all);
         } else if (method == Method::pulse_mixture) {
-            mixture(all);
+            constexpr std::int64_t few = 200;
+            auto const places = parted(all, few);
+            crude(places.nearly_certain);
+            if (!places.others.empty()) {
+                mixture(places.others);
+            }
+            for (auto& made : made_) {
+                made.runs += few;
+            }
         } else {
             for (auto const f : all) {
                 subset(f);
@@ -98,6 +106,23 @@ class Choice {
         return std::any_of(made_.begin(), made_.end(), [](Estimate const& made) {
             return made.method == Method::pulse_mixture && made.state == State::trusted;
         });
+    }
+
+    // What nearly every wave passes has no rare failures to fit pulses to: plain trials tell it.
+    struct Parted {
+        Places nearly_certain, others;
+    };
+    Parted parted(Places const& all, std::int64_t trials) {
+        constexpr double nearly = 0.9;
+        DrawKey const key{.seed = request_.seed, .problem = request_for(0).problem, .phase = Phase::scout, .level = 98};
+        Named workers(workers_, "certain");
+        auto const counts = count_failures(problem_, factors_, key, 0, trials, "plain", workers);
+        Parted places;
+        for (auto const f : all) {
+            bool const most = static_cast<double>(counts[f].failed) >= nearly * static_cast<double>(trials);
+            (most ? places.nearly_certain : places.others).push_back(f);
+        }
+        return places;
     }
 
     // Plain trials at all factors; answers those that are common. \return the others

@@ -22,7 +22,8 @@ struct Record {
 
 /// Estimates at all factors of one limit state, in their order. \param method empty: crude where P >= 1e-2; the pulse
 /// mixture for what is rarer if the problem has a frame; what that cannot be trusted with, with pulses of its own; what
-/// is then left, and all of a problem without a frame, by subset simulation. \pre the request's problem is below 2^16
+/// is then left, and all of a problem without a frame, by subset simulation. The pulse mixture, where it is asked for,
+/// leaves to plain trials what nine in ten of 200 waves pass. \pre the request's problem is below 2^16
 [[nodiscard]] std::vector<Estimate> estimate(Problem const& problem, std::span<double const> factors,
                                              std::optional<Method> method, Request const& request, Workforce& workers,
                                              Record* record = nullptr);

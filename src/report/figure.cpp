@@ -20,7 +20,7 @@
 
 #include "core/error.hpp"
 #include "report/detail/figure_folder.hpp"
-#include "report/detail/scripts.hpp"
+#include "report/detail/package.hpp"
 
 namespace overturn::report {
 namespace {
@@ -148,17 +148,13 @@ namespace {
 // Runs a script within `folder`; the figure's place.
 fs::path drawn_in(FigureFolder const& folder, std::string_view script, nlohmann::ordered_json const& data,
                   std::string const& extension) {
-    std::string program;
-    for (auto const& each : scripts()) {
-        auto path = folder.write(each.name, each.text);
-        program = each.name == script ? std::move(path) : program;
-    }
-    OVERTURN_EXPECT(!program.empty());
     auto const input =
         folder.write("data.json", data.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     auto drawn = folder / ("figure" + extension);
     Stopped::check();
-    run_script({interpreter(), "-B", program, input, drawn.string()}, (folder / "errors").string());
+    // Isolated (-I): PYTHONPATH, PYTHONHOME and the folders of a user or of a cluster's modules are not looked at.
+    run_script({interpreter(), "-IB", draw_script().string(), std::string(script), input, drawn.string()},
+               (folder / "errors").string());
     return drawn;
 }
 

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <utility>
 
 #include "core/elapsed.hpp"
 #include "core/error.hpp"
+#include "response/detail/out_of_range.hpp"
 
 namespace overturn {
 namespace {
@@ -26,19 +26,6 @@ class Stopwatch {
   private:
     Clock::time_point last_ = Clock::now();
 };
-
-// Beyond a million g nothing here means anything, and products overflow without a sound.
-bool out_of_range(Excitation const& shaking, EffectMask simulated) {
-    constexpr double most_mps2 = 1e6 * g0;
-    double peak = std::isfinite(shaking.peak_mps2) ? shaking.peak_mps2 : peak_of(shaking.horizontal_mps2);
-    if (has(simulated, Effect::vertical)) {
-        peak = std::max(peak, peak_of(shaking.vertical_mps2));
-    }
-    if (has(simulated, Effect::spatial)) {
-        peak = std::max(peak, peak_of(shaking.transverse_mps2));
-    }
-    return !(std::abs(shaking.scale) * peak < most_mps2);
-}
 
 }  // namespace
 
@@ -67,11 +54,6 @@ struct Ladder::TrialState {
 struct Ladder::Ended {
     std::vector<std::unique_ptr<Checkpoints>> batches;
 };
-
-Footing const& Scene::on_corners() {
-    static Footing const footing;
-    return footing;
-}
 
 Ladder::Ladder(EffectRequest const& request, Accuracy const& accuracy, std::span<ModelEntry const> entries)
     : request_(request) {
@@ -197,14 +179,34 @@ void Ladder::run(std::size_t model, std::size_t from, std::vector<TrialState>& s
     }
 }
 
+// What was chosen, is possible, and is held by no model beside what was simulated.
+EffectMask Ladder::left_out(TrialState const& state) const {
+    return request_.mode == EffectMode::automatic
+               ? (state.called | request_.include) & state.possible & ~state.trial.simulated
+               : 0;
+}
+
+EffectMask Ladder::left_out(SceneTrial const& trial) const { return left_out(begin(trial)); }
+
+EffectMask Ladder::impossible(Scene const& scene) const {
+    GroundMotion const of_all{
+        .time_step_s = 1, .horizontal_mps2 = {0, 0}, .transverse_mps2 = {0, 0}, .vertical_mps2 = {0, 0}};
+    Scene const shaken{scene.body, scene.friction, scene.footing};
+    return request_.mode == EffectMode::forced ? request_.include & ~begin({shaken, of_all}).possible : 0;
+}
+
 // Why the trial ended on its model.
 std::int64_t Ladder::reason_of(TrialState const& state) const {
     if (request_.mode != EffectMode::automatic) {
         return stated_reason;
     }
-    auto const& reasons = models_[state.last]->traits().reasons;
+    auto const& traits = models_[state.last]->traits();
+    if ((left_out(state) & ~traits.always) != 0) {
+        return left_out_reason;
+    }
+    auto const& reasons = traits.reasons;
     auto const own = state.reasons[state.last];
-    if (own == no_reason && (models_[state.last]->traits().brings() & request_.include) != 0) {
+    if (own == no_reason && (traits.brings() & request_.include) != 0) {
         return stated_reason;
     }
     return state.last == 0 ? no_reason : own == no_reason && !reasons.empty() ? reasons.front().number : own;

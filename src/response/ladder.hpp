@@ -52,8 +52,9 @@ struct OwnPart {
 
 /// The models in order of their cost. A trial begins on the first that holds what it is known to need; each answer may
 /// call for effects that its model leaves out, and the trial goes on with the first model that holds them too, until
-/// one holds all that is called for and wanted. Where effects are forced, that is the first one. What is called for
-/// beside effects with which no model can hold it is left out, and said in Outcome::called.
+/// one holds all that is called for and wanted. Where effects are forced, that is the first one. Where no model holds
+/// together all that is called for, the effects of dearer models are left out: Outcome::called has them and
+/// Response::effects lacks them, and the reason is `left_out_reason`.
 class Ladder {
   public:
     /// \throws InputError if effects are forced that no model holds together
@@ -70,6 +71,11 @@ class Ladder {
     /// Shows the history of a trial on the model that gave `response`; of one that no model ran, its channels alone.
     void show(SceneTrial const& trial, Response const& response, Observer& observer) const;
 
+    /// Effects that this trial calls for from the start and that no model holds beside the others that it calls for.
+    [[nodiscard]] EffectMask left_out(SceneTrial const& trial) const;
+    /// Forced effects that no model can simulate of this body, whatever shakes it: slip without friction.
+    [[nodiscard]] EffectMask impossible(Scene const& scene) const;
+
     /// Of models that may run here and have quantities of their own.
     [[nodiscard]] std::vector<OwnPart> const& own_parts() const { return own_parts_; }
     [[nodiscard]] std::size_t own_bytes() const { return own_bytes_; }
@@ -85,6 +91,7 @@ class Ladder {
     void run(std::size_t model, std::size_t from, std::vector<TrialState>& states, std::span<std::byte> own,
              Ended& ended) const;
     void go_on(std::size_t model, TrialState& state) const;
+    [[nodiscard]] EffectMask left_out(TrialState const& state) const;
     [[nodiscard]] std::int64_t reason_of(TrialState const& state) const;
     [[nodiscard]] Response conclude(TrialState const& state) const;
 

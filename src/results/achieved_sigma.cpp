@@ -13,13 +13,13 @@ SigmaCount::SigmaCount(CampaignSpec const& spec) : of_events_(spec.source->draws
     if (!sigma) {
         return;
     }
-    auto const take = [&](FragilityMeasure measure, double period_s) {
+    auto const take = [&](Measure measure, double period_s) {
         bool const matched = sigma->matched.from_s <= period_s && period_s <= sigma->matched.to_s;
         sums_.emplace_back();
         sums_.back().of = {name_of(measure, spec), label_of(measure, spec), period_s,
                            matched ? std::optional(sigma->at(period_s)) : std::nullopt};
     };
-    take(FragilityMeasure::pga, sigma->matched.from_s);
+    take(measure_named("pga"), sigma->matched.from_s);
     for (std::size_t i = 0; i < spec.measures.sa_periods_s.size(); ++i) {
         take(sa_measure(i), spec.measures.sa_periods_s[i]);
     }

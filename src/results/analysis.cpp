@@ -91,8 +91,9 @@ class Analyst {
         } else {
             body.quantiles = level_quantiles(spec_, statistics_.measured(), b, options_.confidence);
         }
-        for (auto const measure : criteria_of(spec_)) {
-            auto const unit = is_other_unit(measure) ? other(spec_.measures.radius_unit) : spec_.measures.radius_unit;
+        for (auto const* const measure : criteria_of(spec_)) {
+            auto const unit =
+                !measure->other_unit_of.empty() ? other(spec_.measures.radius_unit) : spec_.measures.radius_unit;
             body.criterion.push_back(
                 {measure, unit,
                  study_criterion(statistics_.measured().criterion_trials(static_cast<std::int64_t>(b), measure),
@@ -111,7 +112,7 @@ class Analyst {
 
     /// At the levels' measure the trials are stripes; their waves are known for the bootstrap.
     [[nodiscard]] FragilityFit over_levels(std::size_t b, std::size_t limit) const {
-        return over_levels(b, limit, singles(b, FragilityMeasure::level, limit), request_of(b, limit, {}));
+        return over_levels(b, limit, singles(b, measure_named("level"), limit), request_of(b, limit, {}));
     }
 
   private:
@@ -127,7 +128,7 @@ class Analyst {
                                            FragilityRequest request) const {
         auto data = FragilityData::of_stripes(statistics_.bodies()[b].stripes_of(limit));
         data.trials = std::move(trials);
-        data.open = statistics_.measured().open(static_cast<std::int64_t>(b), FragilityMeasure::level, limit);
+        data.open = statistics_.measured().open(static_cast<std::int64_t>(b), measure_named("level"), limit);
         data.waves_shared = shared();
         data.waves_left_out = statistics_.measured().passed_by() > 0;
         request.quotes = quotes_of(spec_.levels);
@@ -153,14 +154,14 @@ class Analyst {
         return request;
     }
     [[nodiscard]] BootstrapKey bootstrap_of(std::size_t b) const { return {spec_.seed, b, options_.replicates}; }
-    [[nodiscard]] std::vector<SingleTrial> singles(std::size_t b, FragilityMeasure measure, std::size_t limit) const {
+    [[nodiscard]] std::vector<SingleTrial> singles(std::size_t b, Measure measure, std::size_t limit) const {
         return statistics_.measured().singles(static_cast<std::int64_t>(b), measure, limit);
     }
 
-    [[nodiscard]] FragilityFit over_measure(std::size_t b, std::size_t limit, FragilityMeasure measure,
+    [[nodiscard]] FragilityFit over_measure(std::size_t b, std::size_t limit, Measure measure,
                                             std::vector<SingleTrial> trials, FragilityRequest request) const {
         // V_Ereq is the limit of overturning and of nothing else.
-        if (measure == FragilityMeasure::v_wes_ratio && limit == 0) {
+        if (measure == measure_named("v_wes_ratio") && limit == 0) {
             request.quotes = {{1, 1}};
         }
         auto const& measured = statistics_.measured();
@@ -176,20 +177,20 @@ class Analyst {
         std::vector<MeasuredFragility> fits;
         auto const measures = measures_of(spec_);
         fits.reserve(measures.size());
-        for (auto const measure : measures) {
+        for (auto const* const measure : measures) {
             fits.push_back(fragility(b, limit, measure, measure == measures.front()));
         }
         return fits;
     }
 
-    [[nodiscard]] MeasuredFragility fragility(std::size_t b, std::size_t limit, FragilityMeasure measure,
-                                              bool levels) const {
+    [[nodiscard]] MeasuredFragility fragility(std::size_t b, std::size_t limit, Measure measure, bool levels) const {
         MeasuredFragility result;
         result.limit = spec_.limits[limit].name;
         result.of_levels = levels;
         result.measure = measure;
         result.name = name_of(measure, spec_);
         result.label = label_of(measure, spec_);
+        result.title = title_of(measure, spec_);
         result.units = units_of(measure, spec_.levels);
         result.told = printed_unit(result.units, spec_.levels);
         if (is_grid_) {
@@ -199,7 +200,7 @@ class Analyst {
             return result;
         }
         // The level itself, not the scaled wave's peak, which differs from it in the last digit.
-        auto trials = singles(b, levels ? FragilityMeasure::level : measure, limit);
+        auto trials = singles(b, levels ? measure_named("level") : measure, limit);
         result.split = split_by_draws(spec_, b, trials, bootstrap_of(b));
         result.drawn = spec_.bodies[b].scattering();
         constexpr int rank_replicates = 200;

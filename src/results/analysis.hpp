@@ -20,9 +20,10 @@ namespace overturn {
 /// A fit with what it is of.
 struct MeasuredFragility {
     std::string limit = overturning_limit;  ///< name of the limit state
-    FragilityMeasure measure = FragilityMeasure::pga;
+    Measure measure = measure_named("pga");
     std::string name;        ///< of the measure
     std::string label;       ///< the same, for people
+    std::string title;       ///< the same, on axes of figures
     std::string units;       ///< of the measure, SI
     IntensityUnit told;      ///< what it is printed in: the levels' unit where that measures the same
     std::string quote_base;  ///< what quoted multiples are of: "design-basis", "v_ereq"; empty without quotes
@@ -36,7 +37,7 @@ struct MeasuredFragility {
 
 /// One criterion of one body, measure < V_Ereq.
 struct MeasuredCriterion {
-    FragilityMeasure measure = FragilityMeasure::v_wes;
+    Measure measure = measure_named("v_wes");
     RadiusUnit radius_unit = RadiusUnit::centimetre;  ///< what R of T0 and T1 was taken in
     CriterionStudy study;
 };
@@ -58,8 +59,9 @@ struct LevelQuantiles {
     std::string units;
     std::size_t level = 0;
     double amplitude = 0;
-    std::int64_t trials = 0, unknown = 0;  ///< with a known value, and others
-    double fallen = 0;                     ///< what stands for a body that fell; infinite: nothing does
+    std::int64_t trials = 0, unknown = 0;  ///< with a known value, those that fell among them; and others
+    std::int64_t overturned = 0;           ///< of the known ones: above every other value
+    double fallen = 0;                     ///< what stands for a body that fell
     std::array<SampleQuantile, 3> quantiles;
 };
 
@@ -78,6 +80,10 @@ struct BodyAnalysis {
     /// the criterion there are counts alone, of the response nothing.
     std::optional<GridMap> grid;
 
+    /// The curves of the limit state of that place in the campaign; 0: overturning.
+    [[nodiscard]] std::vector<MeasuredFragility> const& curves_of(std::size_t limit) const {
+        return limit == 0 ? fragility : limits.at(limit - 1).fragility;
+    }
     /// The fit over the levels' own measure.
     [[nodiscard]] MeasuredFragility const& over_levels() const { return fragility.front(); }
 };

@@ -28,23 +28,22 @@ void judge_safety(CriterionVerdict& verdict, CriterionStudy const& study, double
     auto const& tried = study.safe_uplifted_but_overturned;
     auto const& waves = study.waves_safe_uplifted_but_overturned;
     if (tried.of == 0) {
-        verdict.open.push_back(fmt::format(
-            "none of {} trials that V_WES < V_Ereq calls safe uplifted: whether safe means safe was not tried",
-            share.of));
+        verdict.open.push_back(
+            fmt::format("not tested: none of the {} trials that V_WES < V_Ereq predicts safe uplifted", share.of));
         return;
     }
     if (tried.count > 0) {
         verdict.against.push_back(fmt::format(
-            "not conservative: {} of {} uplifted trials that V_WES < V_Ereq calls safe overturned ({}; {:g} "
-            "%: {}), in {} of their {} waves",
+            "not conservative: {} of {} trials that uplifted and were predicted safe overturned ({}; {:g} "
+            "%: {}), in {} of {} waves",
             tried.count, tried.of, percent(tried.value()), 100 * confidence, ends(tried), waves.count, waves.of));
         return;
     }
     constexpr double most = 0.1;  // share of waves: a bound above it shows little
     bool const shown = study.at_overturning && waves.interval.upper <= most;
     auto text = fmt::format(
-        "{}none of {} uplifted trials that V_WES < V_Ereq calls safe overturned ({} more never left the ground and "
-        "tell nothing); by their {} waves at most {} of waves would ({:g} %)",
+        "{}no false-safe prediction in {} trials that uplifted ({} that did not uplift are excluded) in {} waves: "
+        "false-safe rate < {} of waves ({:g} %)",
         shown                  ? "conservative here: "
         : study.at_overturning ? "too few waves to call it conservative: "
                                : "",
@@ -56,7 +55,7 @@ void judge_safety(CriterionVerdict& verdict, CriterionStudy const& study, double
             "the lowest V_WES / V_Ereq at which a trial overturned is {:.3g} (of these waves: more may go below)",
             study.at_overturning->lowest));
     } else {
-        verdict.open.emplace_back("nothing overturned: how conservative V_WES is cannot be told from these trials");
+        verdict.open.emplace_back("nothing overturned: these trials do not show how conservative V_WES is");
     }
 }
 
@@ -70,9 +69,9 @@ void judge_price(CriterionVerdict& verdict, CriterionStudy const& study, double 
     bool const cheap = price.interval.upper < half;
     auto const* const share = dear ? "more than half" : cheap ? "fewer than half" : "more or fewer than half";
     auto text = fmt::format(
-        "{} of its alarms at these levels are false{}: of {} trials that V_WES calls unsafe, {} stood "
+        "{} of its alarms at these levels are false{}: of {} trials predicted unsafe, {} did not overturn "
         "({}; {:g} %: {})",
-        share, dear || cheap ? "" : " (so few trials cannot tell)", price.of, price.count, percent(price.value()),
+        share, dear || cheap ? "" : " (too few trials)", price.of, price.count, percent(price.value()),
         100 * confidence, ends(price));
     (dear ? verdict.against : cheap ? verdict.supports : verdict.open).push_back(std::move(text));
     if (study.first_overturning) {
@@ -87,13 +86,13 @@ void judge_price(CriterionVerdict& verdict, CriterionStudy const& study, double 
 void judge_unit(CriterionVerdict& verdict, MeasuredCriterion const& criterion) {
     auto const& share = criterion.study.safe_but_overturned;
     if (share.of > 0) {
-        verdict.open.push_back(fmt::format(
-            "unit of R: with R in {} in T0 and T1, {} of {} trials that V_WES < V_Ereq calls safe overturned",
-            name_of(criterion.radius_unit), share.count, share.of));
+        verdict.open.push_back(
+            fmt::format("unit of R: with R in {} in T0 and T1, {} of {} trials predicted safe overturned",
+                        name_of(criterion.radius_unit), share.count, share.of));
     }
 }
 
-bool is_v_wes(MeasuredFragility const& m) { return m.measure == FragilityMeasure::v_wes; }
+bool is_v_wes(MeasuredFragility const& m) { return m.measure == measure_named("v_wes"); }
 
 // Of two measures' dispersions, waves resampled for both alike: nothing where no pair of replicates holds both.
 std::optional<Interval> ratio_of_betas(FragilityFit const& a, FragilityFit const& b, double confidence) {
@@ -118,8 +117,8 @@ std::string rejected_text(MeasuredFragility const& own, MeasuredFragility const&
 }
 
 constexpr char const* not_testable =
-    "not testable with waves of one target or density: phases alone tell them apart, no event, path or site does "
-    "([waves.variability] or records do)";
+    "cannot be assessed: all waves share one target spectrum or density and differ only in phase. Use "
+    "[waves.variability] or recorded motions";
 
 // V_WES against PGA, PGV and ouV_E: is anything simpler at least as good?
 void compare_dispersion(CriterionVerdict& verdict, BodyAnalysis const& body, double confidence) {
@@ -133,7 +132,7 @@ void compare_dispersion(CriterionVerdict& verdict, BodyAnalysis const& body, dou
         return;
     }
     for (auto const& other : body.fragility) {
-        if (is_v_wes(other) || other.measure == FragilityMeasure::v_wes_ratio || !other.fit.identifiable()) {
+        if (is_v_wes(other) || other.measure == measure_named("v_wes_ratio") || !other.fit.identifiable()) {
             continue;
         }
         double const beta = own->fit.line->beta();
@@ -148,7 +147,7 @@ void compare_dispersion(CriterionVerdict& verdict, BodyAnalysis const& body, dou
                                   : std::string();
         list.push_back(fmt::format("dispersion: beta is {:.3g} over V_WES and {:.3g} over {}{}{}{}", beta, theirs,
                                    other.label, paired, rejected,
-                                   better || worse ? "" : " (no difference beyond what the sample leaves open)"));
+                                   better || worse ? "" : " (no significant difference)"));
     }
 }
 
@@ -158,15 +157,15 @@ void compare_rank(CriterionVerdict& verdict, BodyAnalysis const& body) {
         return;
     }
     for (auto const& other : body.fragility) {
-        if (is_v_wes(other) || other.measure == FragilityMeasure::v_wes_ratio) {
+        if (is_v_wes(other) || other.measure == measure_named("v_wes_ratio")) {
             continue;
         }
         bool const better = own->rank_interval.lower > other.rank_area;
         bool const worse = other.rank_interval.lower > own->rank_area;
         auto& list = better ? verdict.supports : worse ? verdict.against : verdict.open;
-        list.push_back(fmt::format("rank: V_WES puts what overturned above what stood in {} of pairs, {} in {}{}",
+        list.push_back(fmt::format("rank: V_WES is higher for the trial that overturned in {} of pairs, {} in {}{}",
                                    percent(own->rank_area), other.label, percent(other.rank_area),
-                                   better || worse ? "" : " (no difference beyond what the sample leaves open)"));
+                                   better || worse ? "" : " (no significant difference)"));
     }
 }
 
@@ -175,10 +174,10 @@ void compare_rank(CriterionVerdict& verdict, BodyAnalysis const& body) {
 CriterionVerdict verdict_on(BodyAnalysis const& body, double confidence) {
     CriterionVerdict verdict;
     for (auto const& criterion : body.criterion) {
-        if (criterion.measure == FragilityMeasure::v_wes) {
+        if (criterion.measure == measure_named("v_wes")) {
             judge_safety(verdict, criterion.study, confidence);
             judge_price(verdict, criterion.study, confidence);
-        } else if (criterion.measure == FragilityMeasure::v_wes_other_unit) {
+        } else if (criterion.measure == measure_named("v_wes_other_unit")) {
             judge_unit(verdict, criterion);
         }
     }

@@ -54,11 +54,11 @@ double GridMap::value(std::optional<std::size_t> level) const { return level ? l
 double steady_rotation_ratio(LevelSpec const& levels, double level, double period_s, RigidBody const& body) {
     double const omega = 2 * pi / period_s;
     double amplitude = never;
-    if (levels.measure == LevelMeasure::pga) {
+    if (levels.measure == measure_named("pga")) {
         amplitude = level;
-    } else if (levels.measure == LevelMeasure::pgv) {
+    } else if (levels.measure == measure_named("pgv")) {
         amplitude = level * omega;
-    } else if (levels.measure == LevelMeasure::pgd) {
+    } else if (levels.measure == measure_named("pgd")) {
         amplitude = level * omega * omega;
     }
     if (body.lopsided() || std::isnan(amplitude) || amplitude <= body.uplift_acceleration_mps2()) {

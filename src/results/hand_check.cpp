@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include <fmt/format.h>
@@ -24,13 +25,18 @@ std::vector<GroundMotion> unit_motions(CampaignSpec const& spec) {
     Plan const plan(spec);
     std::vector<GroundMotion> motions;
     PhaseSeconds seconds;
-    for (std::int64_t wave = 0; wave < std::min(most_checked_waves, plan.waves()); ++wave) {
+    auto const most = static_cast<std::size_t>(std::min(most_checked_waves, plan.asked()));
+    for (std::int64_t wave = 0; wave < plan.waves() && motions.size() < most; ++wave) {
         auto prepared = prepare_wave(spec, plan, wave, seconds);
-        auto const scale =
-            prepared.row.failed == 0 ? spec.levels.scale({1, LevelClass::ordinary}, prepared.intensity) : std::nullopt;
+        auto const scale = prepared.row.failed == 0 && prepared.tried
+                               ? spec.levels.scale({1, LevelClass::ordinary}, prepared.row)
+                               : std::nullopt;
         if (scale) {
-            for (double& a : prepared.motion.horizontal_mps2) {
-                a *= *scale;
+            auto& motion = prepared.motion;
+            for (auto* component : {&motion.horizontal_mps2, &motion.transverse_mps2, &motion.vertical_mps2}) {
+                for (double& a : *component) {
+                    a *= *scale;
+                }
             }
             motions.push_back(std::move(prepared.motion));
         }
@@ -38,14 +44,19 @@ std::vector<GroundMotion> unit_motions(CampaignSpec const& spec) {
     return motions;
 }
 
-// Per unit of the level, the fractile of pseudo-acceleration at every period [m/s2].
+// Per unit of the level, the fractile of pseudo-acceleration at every period [m/s2]; of two horizontal components their
+// vector, as if both peaked at once.
 std::vector<double> demand(std::vector<GroundMotion> const& motions, std::span<double const> periods_s,
                            double damping) {
     std::vector<std::vector<double>> by_period(periods_s.size());
     for (auto const& motion : motions) {
         auto const spectrum = response_spectrum(motion.horizontal_mps2, motion.time_step_s, periods_s, damping);
+        auto const across =
+            motion.transverse_mps2.empty()
+                ? std::vector<double>(periods_s.size())
+                : response_spectrum(motion.transverse_mps2, motion.time_step_s, periods_s, damping).psa_mps2;
         for (std::size_t p = 0; p < periods_s.size(); ++p) {
-            by_period[p].push_back(spectrum.psa_mps2[p]);
+            by_period[p].push_back(std::hypot(spectrum.psa_mps2[p], across[p]));
         }
     }
     std::vector<double> fractiles;
@@ -80,21 +91,21 @@ void check_sliding(HandCheck& check, double friction, double level, std::vector<
     constexpr std::size_t count = 120;
     auto const periods = log_periods(shortest_s, longest_s, count);
     auto const asked = demand(motions, periods, sliding_damping);
-    double const capacity = sliding_capacity_mps2(friction);
-    check.sliding_m = 0;
-    for (std::size_t p = periods.size(); p-- > 0;) {
+    std::vector<double> peaks;
+    peaks.reserve(motions.size());
+    for (auto const& motion : motions) {
+        peaks.push_back(level * peak_of(motion.vertical_mps2));
+    }
+    std::ranges::sort(peaks);
+    double const capacity = sliding_capacity_mps2(friction, quantile(peaks, fractile));
+    check.sliding_m = capacity > 0 ? 0 : std::numeric_limits<double>::infinity();
+    for (std::size_t p = periods.size(); p-- > 0 && capacity > 0;) {
         if (level * asked[p] >= capacity) {
             check.sliding_frequency_hz = 1 / periods[p];
             check.sliding_m = sliding_distance_m(capacity, check.sliding_frequency_hz);
             return;
         }
     }
-}
-
-std::string further_components(GroundMotion const& motion) {
-    bool const transverse = !motion.transverse_mps2.empty();
-    bool const vertical = !motion.vertical_mps2.empty();
-    return transverse && vertical ? "transverse and vertical" : transverse ? "transverse" : vertical ? "vertical" : "";
 }
 
 }  // namespace
@@ -110,7 +121,7 @@ std::vector<HandCheck> hand_checks(CampaignSpec const& spec) {
         HandCheck check;
         check.body = body.name;
         check.waves = static_cast<std::int64_t>(motions.size());
-        check.left_out = further_components(motions.front());
+        check.left_out = motions.front().vertical_mps2.empty() ? "" : "vertical";
         check_rocking(check, body.body, motions);
         if (body.friction && basis != spec.levels.levels.end()) {
             check_sliding(check, body.friction->kinetic_coefficient, basis->value, motions);
@@ -118,34 +129,6 @@ std::vector<HandCheck> hand_checks(CampaignSpec const& spec) {
         checks.push_back(check);
     }
     return checks;
-}
-
-std::string hand_check_text(CampaignSpec const& spec, std::vector<HandCheck> const& checks) {
-    if (checks.empty()) {
-        return {};
-    }
-    auto text = fmt::format(
-        "\nby hand: reserve energy as in ASCE/SEI 43-05 Appendix A (from recollection), 84 % spectrum of the first {} "
-        "waves\n",
-        checks.front().waves);
-    if (!checks.front().left_out.empty()) {
-        text += fmt::format("  the waves' {} component is left out of it, which is unsafe\n", checks.front().left_out);
-    }
-    for (auto const& check : checks) {
-        auto const level =
-            fmt::format("{:.4g} {}", spec.levels.shown(check.overturning_level), spec.levels.shown_units());
-        text += fmt::format(
-            "  {}: overturns above {} {} (the spectrum at {:.3g} Hz, {:.3g} % damping; tilt {:.2f} alpha)", check.body,
-            spec.levels.measure_label(), level, check.rocking.frequency_hz, 100 * check.rocking.damping,
-            check.rocking.rotation_rad
-                / spec.bodies[static_cast<std::size_t>(&check - checks.data())].body.alpha_rad());
-        if (check.sliding_m) {
-            text += *check.sliding_m > 0 ? fmt::format("; slides {:.2g} m at the design basis", *check.sliding_m)
-                                         : std::string("; does not slide at the design basis");
-        }
-        text += "\n";
-    }
-    return text;
 }
 
 }  // namespace overturn

@@ -1,5 +1,5 @@
-/// What engineers would say by hand, beside what was simulated: a conservative deterministic (CDFM) cross-check by the
-/// approximate methods of ASCE/SEI 43-05, Appendix A (body/reserve_energy.hpp), on the campaign's own waves.
+/// What engineers would say by hand, beside what was simulated: a cross-check by energy balances
+/// (body/reserve_energy.hpp) under the 84 % spectrum of the campaign's own waves.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ namespace overturn {
 struct HandCheck {
     std::string body;
     std::int64_t waves = 0;  ///< the campaign's first, whose spectra's 84 % fractile is the demand
-    std::string left_out;    ///< components of these waves that the method as it stands here knows nothing of
+    std::string left_out;    ///< components of these waves that the overturning level knows nothing of
     /// The level at which the spectrum asks as much as the body can give at `rocking` and more at any other rotation:
     /// it overturns beyond [SI of the levels' measure]
     double overturning_level = 0;
@@ -24,11 +24,8 @@ struct HandCheck {
     double sliding_frequency_hz = 0;
 };
 
-/// Of the bodies as stated, undrawn, under the horizontal component: others that the waves have are left out, which is
-/// unsafe, and said. Empty where waves are a grid or none can be
-/// scaled.
+/// Of the bodies as stated, undrawn. Overturning under a vertical component leaves it out, which is unsafe, and said.
+/// Empty where waves are a grid or none can be scaled.
 [[nodiscard]] std::vector<HandCheck> hand_checks(CampaignSpec const& spec);
-
-[[nodiscard]] std::string hand_check_text(CampaignSpec const& spec, std::vector<HandCheck> const& checks);
 
 }  // namespace overturn

@@ -4,54 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
-
-#include "motion/column_unit.hpp"
-#include "motion/pair_table.hpp"
-#include "motion/text_lines.hpp"
 #include "stats/quantile.hpp"
 
 namespace overturn {
 namespace {
-
-// The unit that the first column's name states, none of a pure number; the name itself has to be the levels' measure,
-// and the second column's the mean number of exceedances in a year.
-IntensityUnit unit_of(PairTable const& table, LevelSpec const& levels, Location const& where) {
-    auto const measure = levels.measure_label();
-    auto const name = lowered(table.first_name);
-    auto const behind = name.substr(std::min(measure.size(), name.size()));
-    if (!name.starts_with(measure)
-        || (!behind.empty() && std::string_view(" _\t([").find(behind[0]) == std::string::npos)) {
-        throw InputError(where, fmt::format("hazard over '{}' (the levels are {}). State it over {}", table.first_name,
-                                            measure, measure));
-    }
-    auto const frequency = lowered(table.second_name);
-    if (frequency != "annual_exceedance" && frequency != "annual_exceedance [1/a]"
-        && frequency != "annual_exceedance (1/a)") {
-        throw InputError(
-            where, fmt::format("'{}' (must be annual_exceedance [1/a]: exceedances in a year; of a return period its "
-                               "inverse, of a probability in t years -ln(1 - p) / t). Convert it",
-                               table.second_name));
-    }
-    auto const dimension = levels.dimension();
-    if (dimension == Dimension::none) {
-        return {};
-    }
-    auto const column = "a" + behind;
-    auto const unit = unit_of_values(column, dimension);
-    if (!unit) {
-        throw InputError(
-            where, fmt::format("'{}' states no unit of {} (one of {}). Write for example '{} [{}]'", table.first_name,
-                               name_of(dimension), accepted_units(dimension), measure, si_symbol(dimension)));
-    }
-    return {std::string(unit_text_in_name(column).text), *unit};
-}
-
-std::string intensity_text(double intensity, HazardCurve const& hazard, LevelSpec const& levels) {
-    auto const& stated = hazard.stated();
-    return stated.symbol.empty() ? levels.text(intensity)
-                                 : fmt::format("{:.6g} {}", stated.of(intensity), stated.symbol);
-}
 
 double whole(AnnualFrequency const& frequency) { return frequency.annual + frequency.beyond_least; }
 
@@ -59,33 +15,39 @@ LognormalFragility curve_of(Replicate const& refit, double beside) {
     return {std::exp(refit.log_median), std::hypot(refit.beta, beside)};
 }
 
+// Of the upper end of a motion's frequency, where nothing is known of a refit's curve.
+double all_motions(HazardCurve const& hazard) { return hazard.points().front().annual_exceedance; }
+
 // Refits without a curve bound nothing: neither how often it is passed nor how seldom.
-Interval interval_of(std::span<Replicate const> refits, double beside, HazardCurve const& hazard, double confidence) {
-    std::vector<double> frequencies;
-    double const all = hazard.points().front().annual_exceedance;
+Interval interval_of(std::span<Replicate const> refits, double beside, HazardCurve const& hazard,
+                     TriedRange const& tried, double confidence) {
+    std::vector<double> low;
+    std::vector<double> high;
+    double const all = all_motions(hazard);
     std::size_t open = 0;
     for (auto const& refit : refits) {
         if (std::isnan(refit.log_median) || std::isnan(refit.beta)) {
             ++open;
         } else {
-            frequencies.push_back(whole(annual_frequency(hazard, curve_of(refit, beside))));
+            auto const bounds = frequency_bounds(hazard, curve_of(refit, beside), tried);
+            low.push_back(bounds.least());
+            high.push_back(bounds.most());
         }
     }
-    auto low = frequencies;
-    auto high = frequencies;
     low.insert(low.end(), open, 0.0);
     high.insert(high.end(), open, all);
     return {middle_of(low, confidence, {0, all}).lower, middle_of(high, confidence, {0, all}).upper};
 }
 
 // Whatever trials without a verdict would have done.
-Interval interval_of_mean(FragilityFit const& fit, HazardCurve const& hazard, double confidence) {
+Interval interval_of_fit(FragilityFit const& fit, HazardCurve const& hazard, TriedRange const& tried,
+                         double confidence) {
     // What was drawn is in the refits; what was stated stands beside.
     double const beside = std::sqrt(std::max(0.0, fit.beta_u * fit.beta_u - fit.beta_u_drawn * fit.beta_u_drawn));
-    auto ends = interval_of(fit.refits, beside, hazard, confidence);
+    auto ends = interval_of(fit.refits, beside, hazard, tried, confidence);
     for (auto const& refits : fit.extreme_refits) {
-        ends = hull(ends, refits.empty() ? Interval{0, hazard.points().front().annual_exceedance}
-                                         : interval_of(refits, beside, hazard, confidence));
+        ends = hull(ends, refits.empty() ? Interval{0, all_motions(hazard)}
+                                         : interval_of(refits, beside, hazard, tried, confidence));
     }
     return ends;
 }
@@ -106,7 +68,7 @@ bool has_further_components(CampaignSpec const& spec) {
 // further components, on a base that gives way, of a body that scatters or leans, no level is known to be too weak.
 double nothing_below(CampaignSpec const& spec, BodySpec const& body) {
     bool const rigid = !body.footing.stated && body.scattering().empty() && body.body.initial_tilt_rad() == 0;
-    if (spec.levels.measure != LevelMeasure::pga || !rigid || has_further_components(spec)) {
+    if (spec.levels.measure != measure_named("pga") || !rigid || has_further_components(spec)) {
         return 0;
     }
     double const slips = body.friction ? body.body.gravity_mps2() * body.friction->static_coefficient
@@ -114,25 +76,50 @@ double nothing_below(CampaignSpec const& spec, BodySpec const& body) {
     return std::min(body.body.uplift_acceleration_mps2(), slips);
 }
 
+// What follows from the curve alone, by its median, beta_R and beta_U.
+void add_curve(BodyFrequency& made, LognormalFragility const& mean, HazardCurve const& hazard,
+               TriedRange const& tried) {
+    made.mean = annual_frequency(hazard, mean);
+    made.bounds = frequency_bounds(hazard, mean, tried);
+    made.continued = continued_frequency(hazard, mean);
+    made.wide = widest_piece(hazard, mean);
+}
+
+void add_fractiles(BodyFrequency& made, double median, double beta_r, double beta_u, HazardCurve const& hazard) {
+    constexpr double score = 1.6448536269514722;
+    auto const at = [&](double scores) {
+        return whole(annual_frequency(hazard, {median * std::exp(scores * beta_u), beta_r}));
+    };
+    made.fractiles = {at(score), at(0), at(-score)};
+}
+
+}  // namespace
+
+double BodyFrequency::extrapolated() const { return mean ? std::max(0.0, whole(*mean) - bounds.within) : 0; }
+
 BodyFrequency frequency_of(FragilityFit const& fit, FragilityData const& stripes, HazardCurve const& hazard,
-                           double confidence, double nothing) {
+                           double confidence, double nothing_below) {
     BodyFrequency made;
-    made.nothing_below = nothing;
+    made.nothing_below = nothing_below;
+    made.lowest = fit.lowest;
+    made.highest = fit.highest;
     auto const seen = [&](double none_up_to) {
         return hull(annual_frequency_seen(hazard, with_undecided(stripes, false), confidence, none_up_to),
                     annual_frequency_seen(hazard, with_undecided(stripes, true), confidence, none_up_to));
     };
-    made.seen = seen(nothing);
-    made.seen_below_levels = made.seen.upper - seen(std::max(nothing, fit.lowest)).upper;
+    made.seen = seen(nothing_below);
+    made.seen_below_levels = made.seen.upper - seen(std::max(nothing_below, fit.lowest)).upper;
     if (!fit.identifiable()) {
         return made;
     }
     double const median = std::exp(fit.line->log_median());
     LognormalFragility const composite{median, std::hypot(fit.beta_r(), fit.beta_u)};
-    made.mean = annual_frequency(hazard, composite);
-    made.interval = interval_of_mean(fit, hazard, confidence);
+    // Levels that decided anything may lie outside of the hazard curve although all of them do not.
+    TriedRange const tried{std::min(fit.lowest, hazard.last()), std::max(fit.highest, hazard.first()), nothing_below};
+    add_curve(made, composite, hazard, tried);
+    made.interval = hull(interval_of_fit(fit, hazard, tried, confidence), {made.bounds.least(), made.bounds.most()});
     made.few_waves = has(fit.flags, FragilityFlag::few_waves) ? fit.waves : 0;
-    made.poor = has(fit.flags, FragilityFlag::poor_fit) || has(fit.flags, FragilityFlag::no_five_percent_point);
+    made.poor = has(fit.flags, FragilityFlag::poor_fit) || has(fit.flags, FragilityFlag::five_percent_doubtful);
     if (made.poor || fit.undecided > 0) {  // with all of them fallen, or standing, it may not describe the data
         made.interval = hull(made.interval, made.seen);
     }
@@ -140,40 +127,21 @@ BodyFrequency frequency_of(FragilityFit const& fit, FragilityData const& stripes
         made.shares = shares_of(hazard, composite, fit.lowest, fit.highest);
     }
     if (fit.beta_u > 0) {
-        constexpr double score = 1.6448536269514722;
-        auto const at = [&](double scores) {
-            return whole(annual_frequency(hazard, {median * std::exp(scores * fit.beta_u), fit.beta_r()}));
-        };
-        made.fractiles = {at(score), at(0), at(-score)};
+        add_fractiles(made, median, fit.beta_r(), fit.beta_u, hazard);
     }
     return made;
 }
 
-}  // namespace
-
-HazardCurve parse_hazard(std::string_view content, std::string const& name, LevelSpec const& levels) {
-    auto const table =
-        read_pair_table(content, name, "intensity and annual exceedance", [](Pair const& point, Pair const* before) {
-            (void)HazardCurve({before != nullptr ? HazardPoint{before->first, before->second}
-                                                 : HazardPoint{point.first / 2, point.second * 2},
-                               {point.first, point.second}});
-        });
-    Location const where{name, table.names_line};
-    if (table.names_line == 0) {
-        throw InputError(Location{name, 1}, fmt::format("no line of names (what is exceeded, in which unit?). Begin "
-                                                        "with '{} [{}], annual_exceedance'",
-                                                        levels.measure_name(), levels.shown_units()));
+BodyFrequency frequency_of_stated(double median, double beta_r, double beta_u, HazardCurve const& hazard) {
+    BodyFrequency made;
+    made.stated = true;
+    made.highest = std::numeric_limits<double>::infinity();
+    add_curve(made, {median, std::hypot(beta_r, beta_u)}, hazard, {made.lowest, made.highest, 0});
+    made.interval = {made.bounds.least(), made.bounds.most()};
+    if (beta_u > 0) {
+        add_fractiles(made, median, beta_r, beta_u, hazard);
     }
-    auto unit = unit_of(table, levels, where);
-    std::vector<HazardPoint> points;
-    for (auto const& [intensity, annual] : table.points) {
-        points.push_back({intensity * unit.si, annual});
-    }
-    if (points.size() < 2) {
-        throw InputError(where, fmt::format("hazard curve of {} point{} (at least two). Add some", points.size(),
-                                            points.size() == 1 ? "" : "s"));
-    }
-    return HazardCurve(std::move(points), std::move(unit));
+    return made;
 }
 
 std::vector<BodyFrequency> frequencies_of(CampaignSpec const& spec, Statistics const& statistics,
@@ -191,84 +159,6 @@ std::vector<BodyFrequency> frequencies_of(CampaignSpec const& spec, Statistics c
         }
     }
     return all;
-}
-
-std::string frequency_table(CampaignSpec const& spec, std::vector<BodyFrequency> const& frequencies,
-                            HazardCurve const& hazard, double confidence) {
-    auto text = fmt::format(
-        "\nannual frequency, by a hazard curve of {} points from {} ({:.3g} 1/a) to {} ({:.3g} 1/a)\n"
-        "{:>24} {:>11} {:>24} {:>30} {:>24}\n",
-        hazard.points().size(), intensity_text(hazard.first(), hazard, spec.levels),
-        hazard.points().front().annual_exceedance, intensity_text(hazard.last(), hazard, spec.levels),
-        hazard.points().back().annual_exceedance, "body, limit state", "mean 1/a",
-        fmt::format("{:g} %", 100 * confidence), "confidence 5, 50, 95 %", "stripes alone");
-    constexpr double much = 0.05;
-    constexpr double nearly_all = 0.75;
-    for (auto const& f : frequencies) {
-        auto const name = f.limit == overturning_limit ? f.body : fmt::format("{}, {}", f.body, f.limit);
-        auto const seen = fmt::format("[{:.3g}, {:.3g}]", f.seen.lower, f.seen.upper);
-        if (!f.mean) {
-            text += fmt::format("{:>24} {:>11} {:>24} {:>30} {:>24}\n", name, "-", "no curve", "-", seen);
-            continue;
-        }
-        text += fmt::format("{:>24} {:>11.3g} {:>24} {:>30} {:>24}\n", name, whole(*f.mean),
-                            fmt::format("[{:.3g}, {:.3g}]", f.interval.lower, f.interval.upper),
-                            f.fractiles ? fmt::format("{:.3g}, {:.3g}, {:.3g}", f.fractiles->low, f.fractiles->median,
-                                                      f.fractiles->high)
-                                        : std::string("beta_U unknown"),
-                            seen);
-        if (f.shares) {
-            text +=
-                fmt::format("    of it {:.1f} % by motions below the levels tried, {:.1f} % between, {:.1f} % above\n",
-                            100 * f.shares->below, 100 * f.shares->between, 100 * f.shares->above);
-            if (f.shares->below + f.shares->above > much) {
-                text += fmt::format(
-                    "  note: {}: {:.0f} % of the frequency rests on the curve outside the levels that "
-                    "were tried. State levels there\n",
-                    name, 100 * (f.shares->below + f.shares->above));
-            }
-        }
-        if (f.mean->beyond_most > much * whole(*f.mean)) {
-            text += fmt::format(
-                "  note: {}: motions beyond the hazard curve's last point add {:.3g} to {:.3g} 1/a, of "
-                "which the lower end is counted. State the curve further\n",
-                name, f.mean->beyond_least, f.mean->beyond_most);
-        }
-        if (f.mean->at_first > 0.01) {
-            text += fmt::format(
-                "  note: {}: P is {:.2g} at the hazard curve's first point: weaker motions, of which it "
-                "says nothing, are left out. State the curve from lower on\n",
-                name, f.mean->at_first);
-        }
-        if (f.seen_below_levels > nearly_all * f.seen.upper) {
-            text += fmt::format(
-                "  note: {}: {:.2g} of the {:.2g} 1/a that the stripes alone allow is by motions weaker than all "
-                "levels, of "
-                "which they say no more than of the lowest. State lower levels, or the hazard curve from there on\n",
-                name, f.seen_below_levels, f.seen.upper);
-        }
-        if (f.few_waves > 0) {
-            text += fmt::format(
-                "  note: {}: the curve's interval comes from resampling {} independent waves, or groups of "
-                "them, and is too short\n",
-                name, f.few_waves);
-        }
-        if (f.poor) {
-            text += fmt::format(
-                "  note: {}: comes from a curve that does not describe the data: believe the stripes, which the "
-                "interval "
-                "holds\n",
-                name);
-        }
-        // Stripes know nothing of a beta_U that is stated beside them.
-        if (!f.fractiles && (whole(*f.mean) > f.seen.upper || whole(*f.mean) < f.seen.lower)) {
-            text += fmt::format(
-                "  note: {}: the curve's frequency lies outside what the stripes alone allow: believe "
-                "the stripes\n",
-                name);
-        }
-    }
-    return text;
 }
 
 }  // namespace overturn

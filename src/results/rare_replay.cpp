@@ -25,7 +25,7 @@ RareReplay replay_rare(store::ResultsReader const& file, CampaignSpec const& spe
     auto const stored = replayer.stored(row);
     auto const again = replayer.again(stored, row);
     RareReplay replay;
-    replay.different = differing(stored, again);
+    replay.different = replayer.differing(stored, again);
     std::vector<std::string> ends;
     auto const factors = replayer.factors(stored);
     for (std::size_t f = 0; f < factors.size(); ++f) {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "results/rare_results.hpp"
+#include "results/stored_names.hpp"
 
 namespace overturn {
 
@@ -20,6 +21,10 @@ RareRow RareReplayer::stored(std::int64_t row) const {
     RareRow read;
     file_.rows(table_, rows_, row, std::as_writable_bytes(std::span(&read, 1)));
     return read;
+}
+
+std::vector<std::string> RareReplayer::differing(RareRow const& stored, RareRow const& again) const {
+    return overturn::differing(held_in(file_, table_).columns, bytes_of(stored), bytes_of(again));
 }
 
 RareRow RareReplayer::again(RareRow const& stored, std::int64_t number) const {

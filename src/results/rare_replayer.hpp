@@ -22,6 +22,8 @@ class RareReplayer {
     [[nodiscard]] RareRow stored(std::int64_t row) const;
     /// The row as this program draws and answers it.
     [[nodiscard]] RareRow again(RareRow const& stored, std::int64_t number) const;
+    /// The columns, of those that the file has, in which the two differ in any bit.
+    [[nodiscard]] std::vector<std::string> differing(RareRow const& stored, RareRow const& again) const;
     /// The factors whose bits a row holds.
     [[nodiscard]] std::vector<double> factors(RareRow const& row) const;
     /// What the row's stage was drawn from, in its replicate. \pre the row is one of a mixture

@@ -1,92 +1,17 @@
 #include "results/rare_results.hpp"
 
 #include <cmath>
-#include <limits>
+#include <optional>
 #include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "results/detail/column_values.hpp"
 #include "results/rare_rows.hpp"
+#include "results/schema.hpp"
 
 namespace overturn {
 namespace {
-
-constexpr std::string_view between_tries = "; then ";
-
-/// A look at an estimator's health, as a row of /rare/<body>/health; the names are lines of that group's attribute.
-struct HealthRow {
-    std::int64_t level = 0;
-    double value = 0, limit = 0;
-    std::int64_t passed = 0;
-};
-
-Fields const& health_fields() {
-    using H = HealthRow;
-    static Fields const fields{field<&H::level>("level", "1", "number of the level that was looked at"),
-                               field<&H::value>("value", "1", "what was found"),
-                               field<&H::limit>("limit", "1", "what it was held against"),
-                               field<&H::passed>("passed", "1", "1: on the trusted side of the limit")};
-    return fields;
-}
-
-store::TableSpec health_table(std::string const& group) {
-    return {group + "/health", sizeof(HealthRow), health_fields(), "check",
-            "number of the look, as the lines of health_checks"};
-}
-
-void write_health(store::ResultsWriter& file, std::string const& group, std::span<rare::Estimate const> estimates) {
-    std::vector<HealthRow> rows;
-    std::vector<std::string> names;
-    for (std::size_t l = 0; l < estimates.size(); ++l) {
-        for (auto const& check : estimates[l].health) {
-            rows.push_back({static_cast<std::int64_t>(l), check.value, check.limit, check.passed ? 1 : 0});
-            names.push_back(check.name);
-        }
-    }
-    auto const table = file.table(health_table(group), static_cast<std::int64_t>(rows.size()));
-    file.append(table, std::as_bytes(std::span(rows)));
-    file.attribute(group, "health_checks", fmt::format("{}", fmt::join(names, "\n")));
-}
-
-void write_estimates(store::ResultsWriter& file, std::string const& group, std::span<rare::Estimate const> estimates) {
-    auto const real = [&](char const* name, char const* description, auto get) {
-        file.array(group, {name, "1", description}, column_values<double>(estimates, get), "amplitude");
-    };
-    auto const integer = [&](char const* name, char const* description, auto get) {
-        file.array(group, {name, "1", description}, column_values<std::int64_t>(estimates, get), "amplitude");
-    };
-    real("amplitude", "value of the level", [](rare::Estimate const& e) { return e.factor; });
-    real("probability", "of overturning; NaN where nothing can be trusted",
-         [](rare::Estimate const& e) { return e.probability.value_or(never); });
-    real("lower", "lower end of the 95 % interval", [](rare::Estimate const& e) { return e.interval_95.lower; });
-    real("upper", "upper end; of plain trials alone where nothing else can be trusted",
-         [](rare::Estimate const& e) { return e.interval_95.upper; });
-    real("cov", "standard error over probability; 0 without one", [](rare::Estimate const& e) { return e.cov; });
-    real("crude_runs", "waves that crude Monte Carlo needs for this; 0 without a probability",
-         [](rare::Estimate const& e) { return e.crude_runs; });
-    integer("runs", "waves made, those that levels share included", [](rare::Estimate const& e) { return e.runs; });
-    integer("method", "0 crude, 1 subset, 2 pulse-mixture", [](rare::Estimate const& e) { return e.method; });
-    integer("state", "0 trusted, 1 not-trusted, 2 not-resolved", [](rare::Estimate const& e) { return e.state; });
-    std::vector<double> replicates;
-    std::vector<std::int64_t> counts;
-    std::vector<std::string> reasons;
-    std::vector<std::string> tried;
-    for (auto const& estimate : estimates) {
-        replicates.insert(replicates.end(), estimate.replicates.begin(), estimate.replicates.end());
-        counts.push_back(static_cast<std::int64_t>(estimate.replicates.size()));
-        reasons.push_back(estimate.reason);
-        tried.push_back(fmt::format("{}", fmt::join(estimate.tried, between_tries)));
-    }
-    file.array(group,
-               {"replicates", "1", "estimates of the replicates, level by level; not to be used where not trusted"},
-               replicates);
-    file.array(group, {"replicate_count", "1", "replicates of each level"}, counts, "amplitude");
-    file.attribute(group, "reasons", fmt::format("{}", fmt::join(reasons, "\n")));
-    file.attribute(group, "tried", fmt::format("{}", fmt::join(tried, "\n")));
-    write_health(file, group, estimates);
-}
 
 void write_mixture(store::ResultsWriter& file, std::string const& group, rare::PulseResult const& result) {
     for (std::size_t s = 0; s < result.stages.front().size(); ++s) {
@@ -129,22 +54,6 @@ void write_subset(store::ResultsWriter& file, std::string const& place, rare::Su
                acceptance);
 }
 
-rare::Estimate read_estimate(store::ResultsReader const& file, std::string const& group, std::int64_t level) {
-    auto const real = [&](char const* name) { return file.real_at(group + "/" + name, level); };
-    rare::Estimate made;
-    made.factor = real("amplitude");
-    if (double const p = real("probability"); !std::isnan(p)) {
-        made.probability = p;
-    }
-    made.interval_95 = {real("lower"), real("upper")};
-    made.cov = real("cov");
-    made.crude_runs = real("crude_runs");
-    made.runs = file.integer_at(group + "/runs", level);
-    made.method = static_cast<rare::Method>(file.integer_at(group + "/method", level));
-    made.state = static_cast<rare::State>(file.integer_at(group + "/state", level));
-    return made;
-}
-
 // The parts of a text, at least one.
 std::vector<std::string> parts_of(std::string_view text, std::string_view between) {
     std::vector<std::string> parts;
@@ -156,31 +65,107 @@ std::vector<std::string> parts_of(std::string_view text, std::string_view betwee
     return parts;
 }
 
-// The lines of a text, as many as there are levels.
-std::vector<std::string> lines_of(std::string const& text) { return parts_of(text, "\n"); }
+// A text of each level: a column, up to format 4 lines of an attribute.
+std::vector<std::string> texts_of(store::ResultsReader const& file, std::string const& group, char const* column,
+                                  char const* attribute) {
+    auto const path = group + "/" + column;
+    return file.has(path) || file.attribute_or(group, attribute, "").empty()
+               ? file.texts(path)
+               : parts_of(file.attribute_or(group, attribute, ""), "\n");
+}
 
-// The looks of all levels, each to its own.
-void read_health(store::ResultsReader const& file, std::string const& group, std::vector<rare::Estimate>& estimates) {
-    auto const names = lines_of(file.text_attribute(group, "health_checks"));
-    auto const count = file.integers(group + "/health/level").size();
-    std::vector<HealthRow> rows(count);
-    file.rows(health_table(group), static_cast<std::int64_t>(count), 0, std::as_writable_bytes(std::span(rows)));
-    for (std::size_t i = 0; i < count; ++i) {
-        estimates.at(static_cast<std::size_t>(rows[i].level))
-            .health.push_back({names.at(i), rows[i].value, rows[i].limit, rows[i].passed != 0});
+// The numbers of names; up to format 4 numbers alone.
+std::vector<std::int64_t> numbers_of(store::ResultsReader const& file, std::string const& path,
+                                     std::vector<std::string> names) {
+    return file.categories(path).empty() ? file.integers(path) : file.named(path, numbered(std::move(names)));
+}
+
+std::vector<rare::Estimate> read_estimates(store::ResultsReader const& file, std::string const& group) {
+    auto const amplitudes = file.reals(group + "/amplitude");
+    std::vector<rare::Estimate> estimates(amplitudes.size());
+    auto const reals = [&](char const* name, auto put) {
+        auto const values = file.reals(group + "/" + name);
+        for (std::size_t l = 0; l < estimates.size(); ++l) {
+            put(estimates[l], values.at(l));
+        }
+    };
+    using E = rare::Estimate;
+    reals("amplitude", [](E& e, double value) { e.factor = value; });
+    reals("probability",
+          [](E& e, double value) { e.probability = std::isnan(value) ? std::nullopt : std::optional(value); });
+    reals("lower", [](E& e, double value) { e.interval_95.lower = value; });
+    reals("upper", [](E& e, double value) { e.interval_95.upper = value; });
+    reals("cov", [](E& e, double value) { e.cov = std::isnan(value) ? 0 : value; });
+    reals("crude_runs", [](E& e, double value) { e.crude_runs = std::isnan(value) ? 0 : value; });
+    auto const runs = file.integers(group + "/runs");
+    auto const methods = numbers_of(file, group + "/method", rare_method_names());
+    auto const states = numbers_of(file, group + "/state", rare_state_names());
+    auto const reasons = texts_of(file, group, "reason", "reasons");
+    auto const tried = texts_of(file, group, "tried", "tried");
+    for (std::size_t l = 0; l < estimates.size(); ++l) {
+        auto& estimate = estimates[l];
+        estimate.runs = runs.at(l);
+        estimate.method = static_cast<rare::Method>(methods.at(l));
+        estimate.state = static_cast<rare::State>(states.at(l));
+        estimate.reason = l < reasons.size() ? reasons[l] : "";
+        if (l < tried.size() && !tried[l].empty()) {
+            estimate.tried = parts_of(tried[l], between_tries);
+        }
+    }
+    return estimates;
+}
+
+void read_replicates(store::ResultsReader const& file, std::string const& group, std::string const& own,
+                     std::vector<rare::Estimate>& estimates) {
+    if (file.has(own)) {
+        auto const levels = file.integers(own + "/level");
+        auto const values = file.reals(own + "/estimate");
+        for (std::size_t i = 0; i < levels.size(); ++i) {
+            estimates.at(static_cast<std::size_t>(levels[i])).replicates.push_back(values.at(i));
+        }
+        return;
+    }
+    if (!file.has(group + "/replicate_count")) {
+        return;
+    }
+    auto const counts = file.integers(group + "/replicate_count");
+    auto const values = file.reals(group + "/replicates");
+    std::size_t taken = 0;
+    for (std::size_t l = 0; l < counts.size(); ++l) {
+        auto const of_level = std::span(values).subspan(taken, static_cast<std::size_t>(counts[l]));
+        estimates.at(l).replicates.assign(of_level.begin(), of_level.end());
+        taken += of_level.size();
+    }
+}
+
+void read_health(store::ResultsReader const& file, std::string const& group, std::string const& own,
+                 std::vector<rare::Estimate>& estimates) {
+    bool const now = file.has(own);
+    auto const place = now ? own : group + "/health";
+    if (!file.has(place)) {
+        return;
+    }
+    auto const names =
+        now ? file.texts(place + "/check") : parts_of(file.attribute_or(group, "health_checks", ""), "\n");
+    auto const levels = file.integers(place + "/level");
+    auto const values = file.reals(place + "/value");
+    auto const limits = file.reals(place + (now ? "/limit_value" : "/limit"));
+    auto const passed = file.integers(place + "/passed");
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        estimates.at(static_cast<std::size_t>(levels[i]))
+            .health.push_back({names.at(i), values.at(i), limits.at(i), passed.at(i) != 0});
     }
 }
 
 }  // namespace
 
-std::string rare_group(CampaignSpec const& spec, std::size_t body, std::size_t limit) {
-    return (limit == 0 ? "rare/" : "limits/" + spec.limits[limit].name + "/rare/") + spec.bodies[body].name;
+std::string rare_group(CampaignSpec const& spec, std::size_t body, std::size_t limit, std::string const& table) {
+    return group_of(table, spec.bodies[body].name, spec.limits[limit].name);
 }
 
-void write_rare(store::ResultsWriter& file, CampaignSpec const& spec, std::span<RareBody const> bodies) {
+void write_rare_record(store::ResultsWriter& file, CampaignSpec const& spec, std::span<RareBody const> bodies) {
     for (auto const& body : bodies) {
         auto const group = rare_group(spec, body.body, body.limit);
-        write_estimates(file, group, body.estimates);
         auto const rows = rare_rows(body);
         auto const table =
             file.table({group + "/rows", sizeof(RareRow), fields_of<RareRow>(), "row", "number of the row"},
@@ -203,59 +188,12 @@ std::vector<RareBody> read_rare_estimates(store::ResultsReader const& file, Camp
         if (!spec.rare || !file.has(group)) {
             return {};
         }
-        auto const reasons = lines_of(file.text_attribute(group, "reasons"));
-        auto const tried = lines_of(file.text_attribute(group, "tried"));
-        auto const counts = file.integers(group + "/replicate_count");
-        auto const replicates = file.reals(group + "/replicates");
-        std::size_t taken = 0;
-        for (std::size_t l = 0; l < counts.size(); ++l) {
-            auto estimate = read_estimate(file, group, static_cast<std::int64_t>(l));
-            estimate.reason = l < reasons.size() ? reasons[l] : "";
-            if (l < tried.size() && !tried[l].empty()) {
-                estimate.tried = parts_of(tried[l], between_tries);
-            }
-            auto const count = static_cast<std::size_t>(counts[l]);
-            auto const own = std::span(replicates).subspan(taken, count);
-            estimate.replicates.assign(own.begin(), own.end());
-            taken += count;
-            made.estimates.push_back(std::move(estimate));
-        }
-        read_health(file, group, made.estimates);
+        made.estimates = read_estimates(file, group);
+        read_replicates(file, group, rare_group(spec, made.body, made.limit, "rare_replicates"), made.estimates);
+        read_health(file, group, rare_group(spec, made.body, made.limit, "rare_health"), made.estimates);
         bodies.push_back(std::move(made));
     }
     return bodies;
-}
-
-std::string rare_table(CampaignSpec const& spec, std::span<RareBody const> bodies) {
-    std::string text;
-    for (auto const& body : bodies) {
-        auto const& limit = spec.limits[body.limit];
-        text += fmt::format("\nrare events of {}{}, by {}\n{:>10}  {:>10}  {:>22}  {:>6}  {:>13}  {:>9}  {:>10}\n",
-                            spec.bodies[body.body].name, body.limit == 0 ? "" : ": " + limit.name,
-                            spec.levels.measure_name(), "amplitude", "P", "95 % interval", "c.o.v.", "method", "waves",
-                            "crude");
-        for (auto const& e : body.estimates) {
-            auto const interval = fmt::format("[{:.3g}, {:.3g}]", e.interval_95.lower, e.interval_95.upper);
-            text += e.probability
-                        ? fmt::format("{:>10.4g}  {:>10.3e}  {:>22}  {:>6.3f}  {:>13}  {:>9}  {:>10.2g}\n", e.factor,
-                                      *e.probability, interval, e.cov, name_of(e.method), e.runs, e.crude_runs)
-                        : fmt::format("{:>10.4g}  {:>10}  {:>22}  {:>6}  {:>13}  {:>9}  {}: {}\n", e.factor,
-                                      fmt::format("< {:.2e}", e.interval_95.upper), "", "", name_of(e.method), e.runs,
-                                      name_of(e.state), e.reason);
-        }
-        for (auto const& e : body.estimates) {
-            for (auto const& words : e.tried) {
-                text += fmt::format("  note: at {:.4g} tried before: {}\n", e.factor, words);
-            }
-            if (e.probability && e.cov > spec.rare->target_cov) {
-                text += fmt::format(
-                    "  note: at {:.4g} the c.o.v. {:.3f} exceeds target_cov {:g} (replicates grow up to "
-                    "four times, within max_runs). State more of them\n",
-                    e.factor, e.cov, spec.rare->target_cov);
-            }
-        }
-    }
-    return text;
 }
 
 }  // namespace overturn

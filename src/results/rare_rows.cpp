@@ -61,10 +61,20 @@ std::vector<RareRow> rare_rows(RareBody const& body) {
     return rows;
 }
 
+std::vector<std::string> rare_method_names() {
+    using enum rare::Method;
+    return {name_of(crude), name_of(subset), name_of(pulse_mixture)};
+}
+
+std::vector<std::string> rare_state_names() {
+    using enum rare::State;
+    return {name_of(trusted), name_of(not_trusted), name_of(not_resolved)};
+}
+
 template <> Fields const& fields_of<RareRow>() {
     using R = RareRow;
     static Fields const fields{
-        category<&R::method>("method", "estimator that drew it", numbered({"crude", "subset", "pulse-mixture"})),
+        category<&R::method>("method", "estimator that drew it", numbered(rare_method_names())),
         field<&R::run>("run", "1", "which of the estimator's runs: groups mixture-N and subset-N"),
         field<&R::problem>("problem", "1", "which random numbers: number of the limit state"),
         field<&R::replicate>("replicate", "1", "independent repetition"),

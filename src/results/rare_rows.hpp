@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/field.hpp"
@@ -26,6 +27,10 @@ struct RareRow {
     std::int64_t failed = 0, undecided = 0, plain = 1;
 };
 template <> [[nodiscard]] Fields const& fields_of<RareRow>();
+
+/// In the order of rare::Method and rare::State.
+[[nodiscard]] std::vector<std::string> rare_method_names();
+[[nodiscard]] std::vector<std::string> rare_state_names();
 
 /// All rows that a body's estimators left, mixtures first.
 [[nodiscard]] std::vector<RareRow> rare_rows(RareBody const& body);

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 
 #include "campaign/withheld_inputs.hpp"
 #include "response/registry.hpp"
-#include "results/detail/limit_results.hpp"
 #include "results/schema.hpp"
 #include "results/statistics.hpp"
+#include "results/stored_names.hpp"
 
 namespace overturn {
 
@@ -36,6 +37,8 @@ CampaignInput input_of(store::ResultsReader const& file) {
             require(false, "inputs/" + place + " cannot be read");
         }
     }
+    constexpr std::int64_t format_5 = 5;
+    input.before_format_5 = file.integer("format_version") < format_5;
     require(file.integer("complete") == 1, "it is not marked as complete");
     require(!file.is_sealed() || has_withheld(input) || file.text("input_sha256") == input.sha256(),
             "its campaign is not the one it was made from");
@@ -44,12 +47,11 @@ CampaignInput input_of(store::ResultsReader const& file) {
 
 namespace {
 
-// All waves of the campaign, or fewer where it asks to end once it is precise enough.
-std::int64_t waves_done(store::ResultsReader const& file, CampaignSpec const& spec, Plan const& plan) {
-    auto const done = static_cast<std::int64_t>(file.integers("waves/id").size());
-    require(done == plan.waves() || (spec.has_target() && done > 0 && done < plan.waves()),
-            fmt::format("waves/id has {} rows, the campaign {}", done, plan.waves()));
-    return done;
+// All waves of the campaign, or fewer where it asks to end once it is precise enough or fewer meet its rule.
+void check_waves(std::int64_t done, CampaignSpec const& spec, std::int64_t asked) {
+    bool const may_be_fewer = spec.has_target() || spec.source->acceptance().refuses();
+    require(done == asked || (may_be_fewer && done > 0 && done < asked),
+            fmt::format("waves/id has {} rows, the campaign {}", done, asked));
 }
 
 // Calls `take` with each row of a table, some at a time: a file may hold more than memory does.
@@ -98,31 +100,70 @@ class OwnRecords {
     std::vector<std::byte> records_;
 };
 
-// What the rows say now is what they said when the file was made.
-void require_stored(store::ResultsReader const& file, BodyStatistics const& counted) {
-    auto const column = [&](std::string const& name) {
-        auto const place = fmt::format("stripes/{}/{}", counted.body, name);
-        auto values = file.integers(place);
-        require(values.size() == counted.stripes.size(),
-                fmt::format("{} has {} rows, the campaign {}", place, values.size(), counted.stripes.size()));
-        return values;
-    };
-    bool same = file.integers(fmt::format("stripes/{}/rung_trials", counted.body)) == counted.rungs;
-    auto const trials = column("trials");
-    for (std::size_t l = 0; l < counted.stripes.size(); ++l) {
-        same = same && trials[l] == counted.stripes[l].trials;
+// Counts by level; of a column that the file does not have zeros.
+std::vector<std::int64_t> stored_counts(store::ResultsReader const& file, std::string const& place,
+                                        std::size_t levels) {
+    if (!file.has(place)) {
+        return std::vector<std::int64_t>(levels);
     }
-    for (std::size_t v = 0; v < verdicts().size(); ++v) {
-        same = same && column(column_of(verdicts()[v])) == counted.ends[v];
-    }
-    require(same, fmt::format("stripes/{} does not agree with its trials", counted.body));
+    auto values = file.integers(place);
+    require(values.size() == levels, fmt::format("{} has {} rows, the campaign {}", place, values.size(), levels));
+    return values;
 }
 
-// Nothing is counted of the targets' deviations, of which files of earlier programs tell fewer.
-store::TableSpec counted_waves(CampaignSpec const& spec) {
-    auto table = wave_table(spec);
-    std::erase_if(table.columns, [](Field const& column) { return column.name.starts_with("epsilon_"); });
-    return table;
+// Trials per model, in the order of rungs(); those of models that this program does not know are left out.
+std::vector<std::int64_t> stored_models(store::ResultsReader const& file, std::string const& body) {
+    std::vector<std::int64_t> trials(rungs().size());
+    bool const now = file.has("models/" + body);  // up to format 4 beside the stripes
+    auto const names = now ? fmt::format("models/{}/model", body) : fmt::format("stripes/{}/rung", body);
+    auto const counts = now ? fmt::format("models/{}/trials", body) : fmt::format("stripes/{}/rung_trials", body);
+    auto const numbers = file.named(names, rungs());
+    auto const stored = file.integers(counts);
+    require(numbers.size() == stored.size(), fmt::format("{} and {} differ in length", names, counts));
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (numbers[i] != unknown_category) {
+            trials[rung_place(numbers[i])] += stored[i];
+        }
+    }
+    return trials;
+}
+
+// Do the stored counts of a column, which every file has, say the same as `count` of each stripe?
+bool same_counts(store::ResultsReader const& file, std::string const& place, std::vector<Stripe> const& stripes,
+                 std::int64_t Stripe::*count) {
+    require(file.has(place), "has no " + place);
+    return std::ranges::equal(stored_counts(file, place, stripes.size()), stripes, {}, {}, count);
+}
+
+// What the rows say now is what they said when the file was made.
+void require_stored(store::ResultsReader const& file, BodyStatistics const& counted) {
+    auto const group = group_of("stripes", counted.body, overturning_limit);
+    auto const levels = counted.stripes.size();
+    bool same = stored_models(file, counted.body) == counted.rungs
+                && same_counts(file, group + "/trials", counted.stripes, &Stripe::trials);
+    auto const in_file = verdicts_in(file);
+    for (std::size_t v = 0; v < verdicts().size(); ++v) {
+        std::vector<std::int64_t> ends(levels);
+        for (auto const& [value, name] : in_file) {
+            if (value == static_cast<std::int64_t>(verdicts()[v].value)) {
+                auto const more = stored_counts(file, group + "/" + column_of(name), levels);
+                std::ranges::transform(ends, more, ends.begin(), std::plus<>());
+            }
+        }
+        same = same && ends == counted.ends[v];
+    }
+    require(same, group + " does not agree with its trials");
+}
+
+void require_stored_limits(store::ResultsReader const& file, CampaignSpec const& spec, BodyStatistics const& counted) {
+    for (std::size_t l = 1; l < spec.limits.size(); ++l) {
+        auto const group = group_of("stripes", counted.body, spec.limits[l].name);
+        auto const& stripes = counted.stripes_of(l);
+        require(same_counts(file, group + "/trials", stripes, &Stripe::trials)
+                    && same_counts(file, group + "/exceeded", stripes, &Stripe::overturned)
+                    && same_counts(file, group + "/undecided", stripes, &Stripe::undecided),
+                group + " does not agree with its trials");
+    }
 }
 
 // /waves/<body> of all bodies, body by body for each wave.
@@ -139,20 +180,36 @@ std::vector<MeasureRow> stored_measures(store::ResultsReader const& file, Campai
 
 }  // namespace
 
+Plan plan_in(store::ResultsReader const& file, CampaignSpec const& spec) {
+    Plan const drawn(spec);
+    auto numbers = file.integers("waves/id");
+    check_waves(static_cast<std::int64_t>(numbers.size()), spec, drawn.asked());
+    std::ranges::transform(numbers, numbers.begin(), [&](std::int64_t id) { return drawn.number_of(id); });
+    bool const rising = std::ranges::adjacent_find(numbers, std::greater_equal<>()) == numbers.end();
+    require(rising && (numbers.empty() || (numbers.front() >= 0 && numbers.back() < drawn.waves())),
+            "waves/id names waves that the campaign cannot have drawn");
+    auto const each = static_cast<std::int64_t>(numbers.size()) / drawn.groups();
+    return drawn.chosen(std::move(numbers), each);
+}
+
 Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec) {
     Statistics statistics(spec);
-    Plan const plan(spec);
-    auto const done = waves_done(file, spec, plan);
+    auto const plan = plan_in(file, spec);
+    auto const done = plan.waves();
     auto const measures = stored_measures(file, spec, done);
     auto const bodies = spec.bodies.size();
     std::size_t wave = 0;
-    each_row<WaveRow>(file, counted_waves(spec), done, [&](WaveRow const& row) {
+    each_row<WaveRow>(file, wave_table(spec), done, [&](WaveRow const& row) {
         statistics.add(row, std::span(measures).subspan(bodies * wave++, bodies));
     });
+    if (auto const refused = refused_wave_table(spec); file.has(refused.group + "/id")) {
+        auto const rows = static_cast<std::int64_t>(file.integers(refused.group + "/id").size());
+        each_row<WaveRow>(file, refused, rows, [&](WaveRow const& row) { statistics.add_refused(row); });
+    }
     auto const levels = static_cast<std::int64_t>(spec.levels.levels.size());
     Ladder const ladder(spec.effects, spec.accuracy);
     OwnRecords own(file, ladder, statistics.reads_own() ? done * plan.trials_per_wave() : 0);
-    each_row<TrialRow>(file, trial_table(spec), done * plan.trials_per_wave(), [&](TrialRow const& row) {
+    each_row<TrialRow>(file, stored_trial_table(file, spec), done * plan.trials_per_wave(), [&](TrialRow const& row) {
         require(row.level >= 0 && row.level < levels,
                 fmt::format("trials/level holds {}, which names nothing", row.level));
         statistics.add(row, own.next());
@@ -168,22 +225,20 @@ TrialRows read_trial(store::ResultsReader const& file, CampaignSpec const& spec,
     Ladder const ladder(spec.effects, spec.accuracy);
     TrialRows trial{{TrialRow{}}, std::vector<std::byte>(ladder.own_bytes())};
     auto const rows = static_cast<std::int64_t>(file.integers("trials/verdict").size());
-    file.rows(trial_table(spec), rows, number, std::as_writable_bytes(std::span(trial.rows)));
+    file.rows(stored_trial_table(file, spec), rows, number, std::as_writable_bytes(std::span(trial.rows)));
     for (auto const& table : own_tables(ladder)) {
         file.rows(table, rows, number, trial.own);
     }
     return trial;
 }
 
-std::vector<std::string> differing_columns(CampaignSpec const& spec, TrialRows const& a, TrialRows const& b) {
-    auto names = differing(a.rows.at(0), b.rows.at(0));
-    Ladder const ladder(spec.effects, spec.accuracy);
-    for (auto const& [traits, offset] : ladder.own_parts()) {
-        auto const part = [&, offset = offset, bytes = traits->nothing.size()](TrialRows const& trial) {
-            return std::span(trial.own).subspan(offset, bytes);
-        };
-        for (auto const& name : differing(traits->fields, part(a), part(b))) {
-            names.push_back(fmt::format("{}/{}", traits->name, name));
+std::vector<std::string> differing_columns(store::ResultsReader const& file, CampaignSpec const& spec,
+                                           TrialRows const& a, TrialRows const& b) {
+    auto names = differing(held_in(file, trial_table(spec)).columns, bytes_of(a.rows.at(0)), bytes_of(b.rows.at(0)));
+    for (auto const& table : own_tables(Ladder(spec.effects, spec.accuracy))) {
+        auto const model = table.group.substr(table.group.rfind('/') + 1);
+        for (auto const& name : differing(held_in(file, table).columns, a.own, b.own)) {
+            names.push_back(fmt::format("{}/{}", model, name));
         }
     }
     return names;

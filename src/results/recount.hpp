@@ -16,14 +16,18 @@ namespace overturn {
 /// The campaign a results file was made from.
 [[nodiscard]] CampaignInput input_of(store::ResultsReader const& file);
 
+/// The campaign numbered as its file is: of the waves that were drawn those whose rows it holds.
+[[nodiscard]] Plan plan_in(store::ResultsReader const& file, CampaignSpec const& spec);
+
 /// One trial as stored.
 [[nodiscard]] TrialRows read_trial(store::ResultsReader const& file, CampaignSpec const& spec, std::int64_t number);
 
 /// All statistics recomputed from the stored trials.
 [[nodiscard]] Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec);
 
-/// The columns in which two trials differ in any bit; those of a model with its name: "contact/peak_crush".
-[[nodiscard]] std::vector<std::string> differing_columns(CampaignSpec const& spec, TrialRows const& a,
-                                                         TrialRows const& b);
+/// The columns, of those that the file has, in which two trials differ in any bit; those of a model with its name:
+/// "contact/peak_crush".
+[[nodiscard]] std::vector<std::string> differing_columns(store::ResultsReader const& file, CampaignSpec const& spec,
+                                                         TrialRows const& a, TrialRows const& b);
 
 }  // namespace overturn

@@ -28,10 +28,33 @@ bool is_energy(std::string_view column) { return column.starts_with("v_wes") || 
 // Of a wave's match, but whether and how fast it was matched: iteration knows that anyway.
 bool is_quality(std::string_view column) {
     constexpr std::array kept{"matched", "match_iterations"};
-    constexpr std::array told{"match_",      "si_ratio",  "psd_",        "transverse_match", "vertical_match",
-                              "duration_5_", "residual_", "correlation", "accept",           "band_"};
+    constexpr std::array told{"match_",
+                              "si_ratio",
+                              "psd_",
+                              "transverse_match",
+                              "vertical_match",
+                              "duration_5_",
+                              "residual_",
+                              "correlation",
+                              "accept",
+                              "band_",
+                              "horizontal_failures",
+                              "transverse_failures",
+                              "vertical_failures"};
     auto const begins = [&](char const* name) { return column.starts_with(name); };
     return std::ranges::find(kept, column) == kept.end() && std::ranges::any_of(told, begins);
+}
+
+// What a table of refused waves is made from: where a rule asks nothing, nobody needs it.
+bool is_for_rules(std::string_view column) {
+    constexpr std::array further{"transverse_match_", "vertical_match_"};
+    constexpr std::array always{"_mean_misfit", "_worst_decade"};
+    constexpr std::array own{"match_lowest_period", "match_highest_period", "match_longest_below_to",
+                             "horizontal_failures", "transverse_failures",  "vertical_failures"};
+    auto const begins = [&](char const* name) { return column.starts_with(name); };
+    auto const ends = [&](char const* name) { return column.ends_with(name); };
+    return std::ranges::find(own, column) != own.end()
+           || (std::ranges::any_of(further, begins) && !std::ranges::any_of(always, ends));
 }
 
 Field& field_of(Fields& columns, std::string_view name) {
@@ -71,24 +94,31 @@ void name_periods(CampaignSpec const& spec, Fields& columns) {
 
 }  // namespace
 
-std::string column_of(VerdictEntry const& verdict) {
-    std::string name(verdict.name);
+std::string group_of(std::string const& table, std::string const& body, std::string const& limit) {
+    return limit == overturning_limit ? fmt::format("{}/{}", table, body)
+                                      : fmt::format("limits/{}/{}/{}", limit, table, body);
+}
+
+std::string column_of(std::string_view verdict) {
+    std::string name(verdict);
     std::ranges::replace(name, '-', '_');
     return name;
 }
 
 store::TableSpec trial_table(CampaignSpec const& spec) {
-    store::TableSpec table{"trials",
-                           sizeof(TrialRow),
-                           fields_of<TrialRow>(),
-                           "trial",
-                           "number of the trial, as overturn replay --trial takes it",
-                           {{"verdict", "moved", verdicts_that(&VerdictEntry::moved)},
-                            {"verdict", "decided", verdicts_that(&VerdictEntry::decided)},
-                            {"verdict", "fell", verdicts_that(&VerdictEntry::fell)}}};
+    store::TableSpec table{"trials", sizeof(TrialRow), fields_of<TrialRow>(), "trial",
+                           "number of the trial, as overturn replay --trial takes it"};
+    field_of(table.columns, "verdict").notes = {{"moved", verdicts_that(&VerdictEntry::moved)},
+                                                {"decided", verdicts_that(&VerdictEntry::decided)},
+                                                {"fell", verdicts_that(&VerdictEntry::fell)}};
     if (!spec.measures.energy) {
         std::erase_if(table.columns, [](Field const& column) { return is_energy(column.name); });
     }
+    std::erase_if(table.columns, [&](Field const& column) {
+        auto const* const own = std::ranges::find(intensity_measures, column.name, &IntensityMeasure::name);
+        return own != intensity_measures.end() && own->has_trial_column()
+               && std::ranges::find(spec.measures.curves, own) == spec.measures.curves.end();
+    });
     for (auto& column : table.columns) {
         if (column.name == "amplitude") {
             column.units = spec.levels.units();
@@ -107,7 +137,16 @@ store::TableSpec wave_table(CampaignSpec const& spec) {
     if (!spec.measures.wave_quality) {
         std::erase_if(table.columns, [](Field const& column) { return is_quality(column.name); });
     }
+    if (!spec.source->acceptance().asked()) {
+        std::erase_if(table.columns, [](Field const& column) { return is_for_rules(column.name); });
+    }
     name_periods(spec, table.columns);
+    return table;
+}
+
+store::TableSpec refused_wave_table(CampaignSpec const& spec) {
+    auto table = wave_table(spec);
+    table.group = "refused_waves";
     return table;
 }
 

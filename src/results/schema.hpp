@@ -1,6 +1,8 @@
 /// Where the rows of a campaign stand in its results file.
 #pragma once
 
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "campaign/campaign_spec.hpp"
@@ -9,13 +11,19 @@
 
 namespace overturn {
 
+/// Where a table of one body lies: "stripes/type-a", and of a limit state other than overturning
+/// "limits/touches/stripes/type-a".
+[[nodiscard]] std::string group_of(std::string const& table, std::string const& body, std::string const& limit);
+
 /// /trials: amplitudes in the unit of the levels' measure, bodies by name.
 [[nodiscard]] store::TableSpec trial_table(CampaignSpec const& spec);
 [[nodiscard]] store::TableSpec wave_table(CampaignSpec const& spec);
+/// /refused_waves: those that missed waves.acceptance, with the columns of /waves. They are no trials.
+[[nodiscard]] store::TableSpec refused_wave_table(CampaignSpec const& spec);
 /// /waves/<body>: the energy measures for the body of that number; those with R in the other unit where asked for.
 [[nodiscard]] store::TableSpec measure_table(CampaignSpec const& spec, std::size_t body);
-/// The column of /stripes/<body> that counts a verdict: "contact_lost".
-[[nodiscard]] std::string column_of(VerdictEntry const& verdict);
+/// The column of /stripes/<body> that counts a verdict, "contact-lost": "contact_lost".
+[[nodiscard]] std::string column_of(std::string_view verdict);
 /// /trials/<model>: what models that may run here have to say beyond a row of /trials, as columns of a trial's record.
 [[nodiscard]] std::vector<store::TableSpec> own_tables(Ladder const& ladder);
 

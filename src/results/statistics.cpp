@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "response/registry.hpp"
+#include "results/detail/fitted_measures.hpp"
 
 namespace overturn {
 namespace {
@@ -22,7 +23,9 @@ void count(LimitStatistics& limit, std::size_t level, VerdictEntry const& end, b
 }  // namespace
 
 Statistics::Statistics(CampaignSpec const& spec)
-    : judge_(spec.limits, Ladder(spec.effects, spec.accuracy)), sigma_(spec), measured_(spec.source->waves_alike()) {
+    : judge_(spec.limits, Ladder(spec.effects, spec.accuracy)),
+      sigma_(spec),
+      measured_(held_measures(spec), spec.source->waves_alike()) {
     for (auto const& body : spec.bodies) {
         BodyStatistics statistics;
         statistics.body = body.name;
@@ -36,6 +39,7 @@ Statistics::Statistics(CampaignSpec const& spec)
         auto const levels = statistics.stripes.size();
         statistics.ends.assign(verdicts().size(), std::vector<std::int64_t>(levels));
         statistics.called.assign(effects().size(), std::vector<std::int64_t>(levels));
+        statistics.left_out.resize(effects().size());
         statistics.fell_after_record.resize(levels);
         statistics.peaked_after_record.resize(levels);
         statistics.rungs.resize(rungs().size());
@@ -54,8 +58,16 @@ void Statistics::add(WaveRow const& row, std::span<MeasureRow const> measures) {
         other_durations_[row.id] = row.duration_s;
     }
     waves_.add(row);
+    if (row.accepted == Accepted::no) {
+        missed_clauses_.add(row);
+    }
     sigma_.add(row);
     measured_.add(row, measures);
+}
+
+void Statistics::add_refused(WaveRow const& row) {
+    ++waves_.refused;
+    missed_clauses_.add(row);
 }
 
 void Statistics::add(BlockRows const& block) {
@@ -86,13 +98,18 @@ void Statistics::add(TrialRow const& row, std::span<std::byte const> own) {
     ++stripe.trials;
     ++body.ends[static_cast<std::size_t>(&end - verdicts().data())][level];
     for (std::size_t e = 0; e < effects().size(); ++e) {
-        body.called[e][level] += has(static_cast<EffectMask>(row.called), effects()[e].value) ? 1 : 0;
+        bool const called = has(static_cast<EffectMask>(row.called), effects()[e].value);
+        bool const simulated = has(static_cast<EffectMask>(row.effects), effects()[e].value);
+        body.called[e][level] += called ? 1 : 0;
+        body.left_out[e] += called && !simulated && row.reason == left_out_reason ? 1 : 0;
     }
     count_after_record(row, body);
     if (row.verdict == Verdict::failed) {
         ++stripe.failed;
     } else {
-        ++body.rungs[rung_place(row.rung)];
+        if (row.rung != unknown_category) {  // else of a model that another program has
+            ++body.rungs[rung_place(row.rung)];
+        }
         stripe.undecided += end.decided ? 0 : 1;
     }
     if (!end.decided) {
@@ -124,15 +141,34 @@ void WaveCounts::add(WaveRow const& row) {
         row.failed == 0 && row.accepted == Accepted::not_asked && row.match_iterations > 0 && row.matched == 0 ? 1 : 0;
 }
 
-std::string WaveCounts::text(std::string const& acceptance) const {
-    if (acceptance == "none" && failed == 0 && missed == 0) {
+std::string WaveCounts::text(Acceptance const& acceptance, double confidence) const {
+    if (!acceptance.asked() && failed == 0 && missed == 0) {
         return "";
     }
     auto text = fmt::format("{} waves", waves);
     text += missed > 0 ? fmt::format(", {} missed match_tolerance and are used as they are", missed) : "";
-    text += failed > 0 ? fmt::format(", {} could not be made", failed) : "";
-    text += acceptance == "none" ? "" : fmt::format(", {} not accepted by {}", not_accepted, acceptance);
-    return text + (failed + not_accepted > 0 ? " (their trials are failed rows)" : "");
+    text += failed > 0 ? fmt::format(", {} could not be made (their trials are failed rows)", failed) : "";
+    if (acceptance.uses_refused) {
+        return text + fmt::format(", {} of them miss {} and are used all the same", not_accepted, acceptance.rule);
+    }
+    if (not_accepted > 0) {  // up to format 4
+        return text
+               + fmt::format(", {} not accepted by {} (their trials are failed rows)", not_accepted, acceptance.rule);
+    }
+    if (acceptance.asked()) {
+        auto const drawn = waves + refused;
+        auto const share = clopper_pearson(refused, drawn, confidence);
+        text +=
+            fmt::format(" that meet {}; {} of {} drawn were refused: {:.3g} % [{:.3g} %, {:.3g} %]", acceptance.rule,
+                        refused, drawn, 100.0 * static_cast<double>(refused) / static_cast<double>(drawn),
+                        100 * share.lower, 100 * share.upper);
+    }
+    return text;
+}
+
+double memory_of_trials(CampaignSpec const& spec, std::int64_t trials) {
+    auto const held = std::min(trials, static_cast<std::int64_t>(most_trials_held));
+    return MeasuredTrials::bytes_of(held, held_measures(spec));
 }
 
 }  // namespace overturn

@@ -14,6 +14,7 @@
 #include "results/achieved_sigma.hpp"
 #include "results/grid_map.hpp"
 #include "results/measured_trials.hpp"
+#include "results/missed_clauses.hpp"
 #include "stats/stripe.hpp"
 
 namespace overturn {
@@ -33,6 +34,7 @@ struct BodyStatistics {
     std::vector<Confusion> v_wes, ou_v_e;
     std::vector<std::vector<std::int64_t>> ends;    ///< trials per verdict, in the order of verdicts(), and level
     std::vector<std::vector<std::int64_t>> called;  ///< trials per effect, in the order of effects(), and level
+    std::vector<std::int64_t> left_out;  ///< trials per effect that no model holds beside the others called for
     /// Trials per level that still rocked when the record ended: they fell, or rose to their peak, only after it. Those
     /// that rocked on below an earlier peak are not known from rows.
     std::vector<std::int64_t> fell_after_record, peaked_after_record;
@@ -47,13 +49,16 @@ struct BodyStatistics {
 
 /// What became of the waves.
 struct WaveCounts {
-    std::int64_t waves = 0, failed = 0, not_accepted = 0;
-    std::int64_t missed =
-        0;  ///< iterated to a target and short of match_tolerance, without a rule that would refuse them
+    std::int64_t waves = 0, failed = 0;
+    std::int64_t not_accepted = 0;  ///< of `waves`, which miss the rule: in files up to format 4, or used all the same
+    std::int64_t refused = 0;       ///< drawn beside them and no trials, since they miss the rule
+    /// Iterated to a target and short of match_tolerance, without a rule that would refuse them.
+    std::int64_t missed = 0;
 
     void add(WaveRow const& row);
-    /// "200 waves, 3 not accepted by srp-3.7.1 (their trials are failed rows)"; empty if there is nothing to say.
-    [[nodiscard]] std::string text(std::string const& acceptance) const;
+    /// "200 waves that meet srp-3.7.1; 31 of 231 drawn were refused, 13.4 % [9.3 %, 18.5 %]"; empty if there is nothing
+    /// to say.
+    [[nodiscard]] std::string text(Acceptance const& acceptance, double confidence) const;
 };
 
 /// Counts trials as they come; integers only, so that no order can matter. Keeps the measured ones for the curves.
@@ -64,11 +69,15 @@ class Statistics {
     explicit Statistics(CampaignSpec const& spec);
     /// \param own what models have to say of their own about it; empty: not at hand
     void add(TrialRow const& row, std::span<std::byte const> own = {});
+    /// A wave that a rule refused.
+    void add_refused(WaveRow const& row);
     /// \param measures one per body
     void add(WaveRow const& row, std::span<MeasureRow const> measures);
     void add(BlockRows const& block);
     [[nodiscard]] std::vector<BodyStatistics> const& bodies() const { return bodies_; }
     [[nodiscard]] WaveCounts const& waves() const { return waves_; }
+    /// What refused waves missed, or used ones that miss the rule.
+    [[nodiscard]] MissedClauses const& missed_clauses() const { return missed_clauses_; }
     /// How much the waves differ, where targets are drawn.
     [[nodiscard]] std::optional<AchievedSigma> achieved_sigma() const { return sigma_.achieved(waves_.missed); }
     /// Do limit states hang on what models have to say of their own?
@@ -81,11 +90,15 @@ class Statistics {
     void count_after_record(TrialRow const& row, BodyStatistics& body) const;
 
     WaveCounts waves_;
+    MissedClauses missed_clauses_;
     SigmaCount sigma_;
     MeasuredTrials measured_;
     double duration_s_ = never;                       ///< of the first wave
     std::map<std::int64_t, double> other_durations_;  ///< of waves unlike it, by id
     std::vector<BodyStatistics> bodies_;
 };
+
+/// Memory that Statistics take for so many trials, of which `most_trials_held` are held one by one [bytes].
+[[nodiscard]] double memory_of_trials(CampaignSpec const& spec, std::int64_t trials);
 
 }  // namespace overturn

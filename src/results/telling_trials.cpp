@@ -8,6 +8,8 @@
 
 #include "core/error.hpp"
 #include "response/registry.hpp"
+#include "results/recount.hpp"
+#include "results/stored_names.hpp"
 
 namespace overturn {
 namespace {
@@ -110,11 +112,11 @@ std::vector<TellingTrial> telling_trials(CampaignSpec const& spec, Plan const& p
         auto const [wave, body, level] = plan.trial(number);
         TellingTrial trial;
         trial.trial = number;
-        trial.wave = wave;
+        trial.wave = plan.number(wave);
         trial.body = body;
         trial.level = level;
         trial.amplitude = spec.levels.levels.at(static_cast<std::size_t>(level)).value;
-        trial.verdict = static_cast<Verdict>(columns.verdicts[t]);
+        trial.verdict = columns.verdicts[t];
         trial.peak_rotation_ratio = columns.peak_rotation_ratios[t];
         trial.peak_slip_m = columns.peak_slips_m[t];
         bodies.at(static_cast<std::size_t>(body)).add(trial);
@@ -127,35 +129,10 @@ std::vector<TellingTrial> telling_trials(CampaignSpec const& spec, Plan const& p
 }
 
 std::vector<TellingTrial> telling_trials(CampaignSpec const& spec, store::ResultsReader const& file) {
-    auto const verdicts = file.integers("trials/verdict");
+    auto const verdicts = stored_verdicts(file);
     auto const rotations = file.reals("trials/peak_rotation_ratio");
     auto const slips = file.reals("trials/peak_slip");
-    return telling_trials(spec, Plan(spec), {verdicts, rotations, slips});
-}
-
-std::string telling_table(CampaignSpec const& spec, std::vector<TellingTrial> const& trials, std::string const& file) {
-    if (trials.empty()) {
-        return {};
-    }
-    constexpr std::size_t heading = 4;
-    std::size_t wide = heading;
-    for (auto const& body : spec.bodies) {
-        wide = std::max(wide, body.name.size());
-    }
-    auto text = fmt::format(
-        "trials worth a look (overturn replay {} --trial N)\n"
-        "{:<{}}  {:<16} {:>8} {:>7} {:>14}  {:<12} {:>11} {:>9}\n",
-        file, "body", wide, "kind", "trial", "wave", spec.levels.measure_name(), "verdict", "peak/alpha", "slip m");
-    for (auto const& t : trials) {
-        text += fmt::format(
-            "{:<{}}  {:<16} {:>8} {:>7} {:>14}  {:<12} {:>11.4g} {:>9.4g}{}\n",
-            spec.bodies[static_cast<std::size_t>(t.body)].name, wide,
-            telling_kinds.at(static_cast<std::size_t>(t.kind)), t.trial, t.wave, spec.levels.text(t.amplitude),
-            entry_of(t.verdict).name, t.peak_rotation_ratio, t.peak_slip_m,
-            std::isnan(t.overturned_at) ? std::string()
-                                        : fmt::format("  overturned at {}", spec.levels.text(t.overturned_at)));
-    }
-    return text;
+    return telling_trials(spec, plan_in(file, spec), {verdicts, rotations, slips});
 }
 
 }  // namespace overturn

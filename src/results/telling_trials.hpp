@@ -48,7 +48,7 @@ struct TellingTrial {
 
 /// What is stored of the trials, by their numbers; all of one length, which may be less than planned.
 struct TrialColumns {
-    std::span<std::int64_t const> verdicts;
+    std::span<Verdict const> verdicts;
     std::span<double const> peak_rotation_ratios, peak_slips_m;
 };
 
@@ -59,9 +59,5 @@ struct TrialColumns {
                                                        TrialColumns const& columns);
 /// The same of a results file.
 [[nodiscard]] std::vector<TellingTrial> telling_trials(CampaignSpec const& spec, store::ResultsReader const& file);
-
-/// Them for the terminal, with the way to replay one; empty if there are none. \param file as the user names it
-[[nodiscard]] std::string telling_table(CampaignSpec const& spec, std::vector<TellingTrial> const& trials,
-                                        std::string const& file);
 
 }  // namespace overturn

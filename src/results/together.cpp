@@ -15,34 +15,49 @@
 namespace overturn {
 namespace {
 
-std::vector<JointTrial> joint_trials(CampaignSpec const& spec, MeasuredTrials const& measured, std::size_t limit) {
-    std::map<std::pair<std::int64_t, double>, JointTrial> by_wave;
-    measured.each_outcome(limit, [&](TrialOutcome const& outcome) {
-        auto& trial =
-            by_wave
-                .try_emplace({outcome.wave, outcome.amplitude},
-                             JointTrial{outcome.amplitude, std::vector(spec.bodies.size(), JointEnd::undecided)})
-                .first->second;
-        trial.ends.at(static_cast<std::size_t>(outcome.body)) = !outcome.decided ? JointEnd::undecided
-                                                                : outcome.passed ? JointEnd::overturned
-                                                                                 : JointEnd::stood;
-    });
-    std::vector<JointTrial> trials;
-    trials.reserve(by_wave.size());
-    for (auto& [key, trial] : by_wave) {
-        trials.push_back(std::move(trial));
+// How often bodies ended so together, level by level: of any number of waves no more than levels times patterns.
+class JointCounts {
+  public:
+    explicit JointCounts(std::size_t bodies) : none_(bodies, JointEnd::undecided) {}
+
+    /// Waves come one after the other.
+    void add(TrialOutcome const& outcome) {
+        if (outcome.wave != wave_) {
+            close_wave();
+            wave_ = outcome.wave;
+        }
+        auto& ends = of_wave_.try_emplace(outcome.amplitude, none_).first->second;
+        ends.at(static_cast<std::size_t>(outcome.body)) = !outcome.decided ? JointEnd::undecided
+                                                          : outcome.passed ? JointEnd::overturned
+                                                                           : JointEnd::stood;
     }
-    return trials;
-}
+    [[nodiscard]] std::vector<JointTrial> take() {
+        close_wave();
+        std::vector<JointTrial> trials;
+        for (auto const& [end, count] : counts_) {
+            trials.push_back({end.first, end.second, count});
+        }
+        return trials;
+    }
 
-std::string phi_text(std::optional<double> const& phi) { return phi ? fmt::format("{:+.2f}", *phi) : "-"; }
+  private:
+    void close_wave() {
+        for (auto& end : of_wave_) {
+            ++counts_[end];
+        }
+        of_wave_.clear();
+    }
 
-std::string interval_text(Interval const& interval) {
-    return fmt::format("[{:.3g}, {:.3g}]", interval.lower, interval.upper);
-}
+    std::vector<JointEnd> none_;
+    std::int64_t wave_ = -1;
+    std::map<double, std::vector<JointEnd>> of_wave_;
+    std::map<std::pair<double, std::vector<JointEnd>>, std::int64_t> counts_;
+};
 
-std::string estimate_text(Estimate const& estimate) {
-    return fmt::format("{:.3g} {}", estimate.value, interval_text(estimate.interval));
+std::vector<JointTrial> joint_trials(CampaignSpec const& spec, MeasuredTrials const& measured, std::size_t limit) {
+    JointCounts counts(spec.bodies.size());
+    measured.each_outcome(limit, [&](TrialOutcome const& outcome) { counts.add(outcome); });
+    return counts.take();
 }
 
 }  // namespace
@@ -58,46 +73,6 @@ std::vector<BodiesTogether> bodies_together(CampaignSpec const& spec, Statistics
                                         static_cast<std::int64_t>(spec.source->waves_alike()))});
     }
     return together;
-}
-
-std::string together_table(CampaignSpec const& spec, std::vector<BodiesTogether> const& together, double confidence) {
-    constexpr std::size_t most_pairs = 6;  // columns that a terminal holds
-    std::string text;
-    for (auto const& of : together) {
-        auto const shown = std::min(of.joint.pairs.size(), most_pairs);
-        std::vector<std::string> heads;
-        for (std::size_t p = 0; p < shown; ++p) {
-            auto const& pair = of.joint.pairs[p];
-            heads.push_back(fmt::format("{}/{}", spec.bodies[pair.first].name, spec.bodies[pair.second].name));
-        }
-        auto const did = of.passing == Passing::exceeded ? "exceeds " + of.limit : std::string("overturns");
-        auto const left = shown < of.joint.pairs.size()
-                              ? fmt::format(" (the first {} of {} pairs; all in --json)", shown, of.joint.pairs.size())
-                              : std::string();
-        text += fmt::format("\nany of {} bodies {} under one wave; phi: correlation of two bodies' ends under it{}\n",
-                            spec.bodies.size(), did, left);
-        text += fmt::format("{:>12} {:>7} {:>7} {:>9} {:>8} {:>20} {:>14}  {}\n",
-                            fmt::format("{} {}", spec.levels.measure_name(), spec.levels.shown_units()), "waves", "any",
-                            "undecided", "P", fmt::format("{:g} % interval", 100 * confidence), "if independent",
-                            fmt::join(heads, "  "));
-        for (std::size_t l = 0; l < of.joint.any.size(); ++l) {
-            auto const& any = of.joint.any[l];
-            std::vector<std::string> phis;
-            for (std::size_t p = 0; p < shown; ++p) {
-                phis.push_back(fmt::format("{:>{}}", phi_text(of.joint.pairs[p].phi[l]), heads[p].size()));
-            }
-            text += fmt::format("{:>12.4g} {:>7} {:>7} {:>9} {:>8.4f} {:>20} {:>14.4f}  {}\n",
-                                spec.levels.shown(any.amplitude), any.trials, any.overturned, any.undecided,
-                                any.probability(), interval_text(any.interval(confidence)), of.joint.if_independent[l],
-                                fmt::join(phis, "  "));
-        }
-        std::vector<std::string> pooled;
-        for (std::size_t p = 0; p < shown; ++p) {
-            pooled.push_back(fmt::format("{} {}", heads[p], phi_text(of.joint.pairs[p].pooled)));
-        }
-        text += fmt::format("  phi pooled over levels: {}\n", fmt::join(pooled, ", "));
-    }
-    return text;
 }
 
 MeasurePair parse_measures(std::string const& text, CampaignSpec const& spec) {
@@ -142,29 +117,6 @@ std::vector<TwoMeasures> over_two_measures(CampaignSpec const& spec, Statistics 
         }
     }
     return fits;
-}
-
-std::string two_measures_text(std::vector<TwoMeasures> const& fits, double confidence) {
-    std::string text =
-        fmt::format("\nP over two measures (SI), {:g} % intervals by resampling waves\n", 100 * confidence);
-    for (auto const& of : fits) {
-        auto const who = of.limit == overturning_limit ? of.body : fmt::format("{}, {}", of.body, of.limit);
-        if (!of.fit) {
-            text += fmt::format(
-                "  {}: no curve over {} and {} (all ended alike, are separated, or one measure is the "
-                "other's multiple)\n",
-                who, of.names[0], of.names[1]);
-            continue;
-        }
-        auto const& fit = *of.fit;
-        text += fmt::format(
-            "  {}: P = Phi({:.4g} {:+.4g} ln {} {:+.4g} ln {}); ln {} {}, ln {} {}, beta where both scale {}; deviance "
-            "{:.4g} below that of {} alone, the better one\n",
-            who, fit.constant.value, fit.slopes[0].value, of.names[0], fit.slopes[1].value, of.names[1], of.names[0],
-            estimate_text(fit.slopes[0]), of.names[1], estimate_text(fit.slopes[1]), estimate_text(fit.beta),
-            fit.deviance_gain, of.names.at(fit.better));
-    }
-    return text;
 }
 
 }  // namespace overturn

@@ -21,16 +21,12 @@ struct BodiesTogether {
     Passing passing = Passing::overturned;
     JointBodies joint;
 };
-/// One per limit state; empty where there is one body, or waves are a grid. Of the trials that are held (the first
-/// million).
+/// One per limit state; empty where there is one body, or waves are a grid. Of the trials that are held
+/// (`most_trials_held`).
 [[nodiscard]] std::vector<BodiesTogether> bodies_together(CampaignSpec const& spec, Statistics const& statistics);
 
-/// \param confidence of the exact intervals
-[[nodiscard]] std::string together_table(CampaignSpec const& spec, std::vector<BodiesTogether> const& together,
-                                         double confidence);
-
 /// Two measures of a campaign.
-using MeasurePair = std::array<FragilityMeasure, 2>;
+using MeasurePair = std::array<Measure, 2>;
 
 /// "pga,v_wes": two different ones of those that the campaign's curves are over.
 /// \throws InputError naming what there is
@@ -44,7 +40,5 @@ struct TwoMeasures {
 /// One per body and limit state.
 [[nodiscard]] std::vector<TwoMeasures> over_two_measures(CampaignSpec const& spec, Statistics const& statistics,
                                                          MeasurePair const& measures, double confidence);
-
-[[nodiscard]] std::string two_measures_text(std::vector<TwoMeasures> const& fits, double confidence);
 
 }  // namespace overturn

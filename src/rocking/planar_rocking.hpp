@@ -70,14 +70,15 @@ struct EnergyBalance {
 };
 
 /// What a trial of planar rocking left behind. Forces are looked at where steps start and just before impacts; of the
-/// neutral part, peak_rotation_ratio, peak_impact_velocity_mps, response_velocity_mps, friction_work_jpkg and called
-/// are left to rocking_models.cpp.
+/// neutral part, peak_rotation_ratio, the landing but for its spin, peak_impact_velocity_mps, response_velocity_mps,
+/// friction_work_jpkg and called are left to rocking_models.cpp.
 struct RockingOutcome : Outcome {
     /// Of a block whose corners differ the peak rotation is the one nearest to its corner's alpha, and this is the same
     /// share of the weaker corner's; else the peak rotation.
     double peak_reach_rad = 0;
     double peak_side = 0;          ///< of a block whose corners differ: the sign of the peak rotation
     double impact_spin_radps = 0;  ///< largest |omega| before an impact
+    double landing_slip_mps = 0;   ///< of the corner at the end, towards the fall
     bool slip_onset = false;       ///< Slip::detected ended here: nothing else of this outcome counts
     EnergyBalance energy;          ///< with Slip::simulated only
 };

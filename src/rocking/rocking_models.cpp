@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "body/response_velocity.hpp"
@@ -38,6 +39,25 @@ RockingTrial rocking_trial(Trial const& trial) {
     return {block_of(*trial.body, trial.friction), planar_excitation(trial), {trial.body->initial_tilt_rad(), 0}};
 }
 
+// On its corner, or slipping on it: a body that has left the ground is followed by its rotation alone.
+void fill_landing(RockingOutcome const& rocking, RigidBody const& body, Outcome& outcome) {
+    if (outcome.verdict != Verdict::overturned) {
+        return;
+    }
+    if (!std::isnan(outcome.contact_lost_s)) {
+        outcome.landing_velocity_mps = outcome.landing_top_mps = outcome.landing_energy_jpkg = never;
+        return;
+    }
+    double const b = body.lopsided() ? body.corner(rocking.peak_side).half_width_m : body.half_width_m();
+    double const h = body.centre_height_m();
+    double const spin = outcome.landing_spin_radps;
+    double const along = spin * b + rocking.landing_slip_mps;
+    outcome.landing_velocity_mps = std::hypot(along, spin * h);
+    outcome.landing_top_mps = std::hypot(along, spin * 2 * h);
+    double const speed = outcome.landing_velocity_mps;
+    outcome.landing_energy_jpkg = 0.5 * (speed * speed + body.inertia_kgm2() / body.mass_kg() * spin * spin);
+}
+
 // What the kernel does not know: the body behind the block.
 void conclude(RockingOutcome const& rocking, Trial const& trial, EffectMask called, Outcome& outcome) {
     outcome = static_cast<Outcome const&>(rocking);
@@ -46,6 +66,7 @@ void conclude(RockingOutcome const& rocking, Trial const& trial, EffectMask call
     outcome.peak_impact_velocity_mps = 2 * trial.body->half_width_m() * rocking.impact_spin_radps;
     outcome.response_velocity_mps = response_velocity(*trial.body, rocking.peak_rotation_rad, rocking.peak_side);
     outcome.called = called;
+    fill_landing(rocking, *trial.body, outcome);
 }
 
 /// Instants of the kernel as rows of channels.

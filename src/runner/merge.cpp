@@ -6,14 +6,13 @@
 #include <fmt/format.h>
 
 #include "core/print_note.hpp"
+#include "output/write_results.hpp"
 #include "results/analysis.hpp"
-#include "results/analysis_table.hpp"
+#include "results/few_waves.hpp"
 #include "results/rare_results.hpp"
 #include "results/recount.hpp"
 #include "results/statistics.hpp"
-#include "results/stripe_table.hpp"
 #include "results/telling_trials.hpp"
-#include "results/write_results.hpp"
 #include "runner/detail/stopping.hpp"
 #include "runner/output_place.hpp"
 #include "runner/runtime_file.hpp"
@@ -24,16 +23,6 @@ namespace overturn {
 namespace {
 
 struct Interrupted {};
-
-std::vector<std::int64_t> missing_blocks(Plan const& plan, std::vector<std::int64_t> const& sound) {
-    std::vector<std::int64_t> missing;
-    for (std::int64_t block = 0; block < plan.blocks(); ++block) {
-        if (!std::binary_search(sound.begin(), sound.end(), block)) {
-            missing.push_back(block);
-        }
-    }
-    return missing;
-}
 
 // As a shell takes it for one word.
 std::string shell_word(std::string const& text) {
@@ -51,9 +40,9 @@ std::string shell_word(std::string const& text) {
 }  // namespace
 
 std::optional<std::string> merge_blocks(std::filesystem::path const& output, CampaignInput const& input,
-                                        CampaignSpec const& spec, Plan const& plan, store::ShardFolder const& shards,
-                                        std::function<bool()> const& goes_on, std::span<RareBody const> rare,
-                                        std::optional<IntensityUnit> const& velocities) {
+                                        CampaignSpec const& spec, Plan const& drawn, Plan const& chosen,
+                                        store::ShardFolder const& shards, std::function<bool()> const& goes_on,
+                                        std::span<RareBody const> rare, output::TextOptions const& options) {
     Statistics statistics(spec);
     auto const block = [&](std::int64_t number) {
         if (!goes_on()) {
@@ -63,16 +52,19 @@ std::optional<std::string> merge_blocks(std::filesystem::path const& output, Cam
     };
     std::vector<BodyAnalysis> analysis;
     try {
-        analysis = write_results(output, input, spec, plan, block, statistics, rare);
+        analysis = write_results(output, input, spec, drawn, chosen, block, statistics, rare);
     } catch (Interrupted const&) {
         return std::nullopt;
     }
     shards.remove();
-    tell_velocities(analysis, velocities);
-    return stripe_table(spec, statistics, velocities) + analysis_table(analysis, spec.confidence)
-           + rare_table(spec, rare)
-           + telling_table(spec, telling_trials(spec, store::ResultsReader(output, store::Trust::unverified)),
-                           output.string());
+    tell_velocities(analysis, options.velocities);
+    store::ResultsReader const file(output, store::Trust::unverified);
+    auto const telling = options.wants("trials") ? telling_trials(spec, file) : std::vector<TellingTrial>{};
+    auto const few = trials_of_few_waves(spec, file);
+    output::Answered const answered{
+        .spec = spec, .statistics = statistics, .analysis = analysis, .confidence = spec.confidence};
+    return output::results_text(
+        {.answered = answered, .few = few, .rare = rare, .telling = telling, .file = output.string()}, options);
 }
 
 std::string resume_command(CampaignInput const& input, std::filesystem::path const& output) {
@@ -115,7 +107,7 @@ void require_same_program(CampaignInput const& begun, std::filesystem::path cons
         output.string(), begun.libraries, here.libraries);
 }
 
-MergeEnd merge_parts(std::filesystem::path const& output, std::optional<IntensityUnit> const& velocities) {
+MergeEnd merge_parts(std::filesystem::path const& output, output::TextOptions const& options) {
     if (std::filesystem::exists(output)) {
         store::ResultsReader const file(output);
         check_complete(output, input_of(file));
@@ -132,11 +124,14 @@ MergeEnd merge_parts(std::filesystem::path const& output, std::optional<Intensit
     require_same_program(input, output);
     store::ShardFolder const shards(output, input.block_key());
     auto const committed = sound_blocks(shards, whole, {0, whole.blocks()});
-    auto const plan = cut_at_target(spec, whole, shards, committed);
-    auto const missing = missing_blocks(plan, committed);
-    if (!missing.empty()) {
+    AcceptedWaves waves(spec, whole);
+    take_rows(waves, whole, shards, committed);
+    validate(waves.hopeless().empty(), "{}: {}", input.name, waves.hopeless());
+    auto const chosen = chosen_of(spec, whole, waves, shards);
+    if (!chosen) {
+        auto const missing = waves.wanted(whole.count());
         print_note("{}: waves {} are missing ({} of {} blocks). Run their parts again with --resume, or: {}\n",
-                   shards.folder().string(), plan.waves_text(missing), missing.size(), plan.blocks(),
+                   shards.folder().string(), whole.waves_text(missing), missing.size(), whole.blocks(),
                    resume_command(input, output));
         return MergeEnd::missing;
     }
@@ -147,7 +142,7 @@ MergeEnd merge_parts(std::filesystem::path const& output, std::optional<Intensit
     }
     auto const legs = shards.legs();
     auto const tables = merge_blocks(
-        output, input, spec, plan, shards, [] { return true; }, {}, velocities);
+        output, input, spec, whole, *chosen, shards, [] { return true; }, {}, options);
     write_runtime(output, legs);
     fmt::print("{}results: {}\n", *tables, output.string());
     return MergeEnd::complete;

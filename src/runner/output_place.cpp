@@ -101,6 +101,17 @@ std::vector<std::int64_t> sound_blocks(store::ShardFolder const& shards, Plan co
     return committed;
 }
 
+void take_rows(AcceptedWaves& waves, Plan const& drawn, store::ShardFolder const& shards,
+               std::vector<std::int64_t> const& blocks) {
+    for (auto const block : blocks) {
+        if (waves.needs_rows()) {
+            waves.take(block, BlockRows::unpack(shards.read(block), drawn, drawn.waves_of_block(block).count).waves);
+        } else {
+            waves.take(block);
+        }
+    }
+}
+
 void warn_of_little_space(std::filesystem::path const& output, Plan const& plan, Part part,
                           std::vector<std::int64_t> const& committed) {
     constexpr double page = 4096;       // what a file is rounded up to

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "campaign/accepted_waves.hpp"
 #include "campaign/campaign_input.hpp"
 #include "campaign/plan.hpp"
 #include "parallel/communicator.hpp"
@@ -48,6 +49,10 @@ void warn_of_little_space(std::filesystem::path const& output, Plan const& plan,
 /// The blocks of `range` that are committed and sound, in rising order; what is not is named on stderr.
 [[nodiscard]] std::vector<std::int64_t> sound_blocks(store::ShardFolder const& shards, Plan const& plan,
                                                      store::BlockRange range);
+
+/// What blocks say of their waves: \throws SystemError if one is damaged
+void take_rows(AcceptedWaves& waves, Plan const& drawn, store::ShardFolder const& shards,
+               std::vector<std::int64_t> const& blocks);
 
 /// The finished file at `output` is that of this campaign: what is left of its shards goes, unless the run that wrote
 /// it is still at that. \param claimed this process holds the claim on the shards \throws InputError if it is

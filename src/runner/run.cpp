@@ -1,14 +1,18 @@
 #include "runner/run.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <numeric>
 
 #include <nlohmann/json.hpp>
 
+#include "campaign/accepted_waves.hpp"
 #include "campaign/validated_range.hpp"
 #include "campaign/warnings.hpp"
 #include "core/elapsed.hpp"
 #include "core/print_note.hpp"
-#include "results/stripe_table.hpp"
+#include "output/stripe_text.hpp"
+#include "runner/detail/part_plan.hpp"
 #include "runner/detail/stopping.hpp"
 #include "runner/detail/worker.hpp"
 #include "runner/merge.hpp"
@@ -21,14 +25,10 @@
 namespace overturn {
 namespace {
 
-std::vector<std::int64_t> blocks_left(store::BlockRange const& range, std::vector<std::int64_t> const& committed) {
-    std::vector<std::int64_t> left;
-    for (auto block = range.first; block < range.last; ++block) {
-        if (!std::binary_search(committed.begin(), committed.end(), block)) {
-            left.push_back(block);
-        }
-    }
-    return left;
+std::vector<std::int64_t> all_of(store::BlockRange const& range) {
+    std::vector<std::int64_t> blocks(static_cast<std::size_t>(range.count()));
+    std::iota(blocks.begin(), blocks.end(), range.first);
+    return blocks;
 }
 
 // Every rank writes, so every node has to see the folder.
@@ -74,7 +74,8 @@ class Run {
           comm_(comm),
           stop_policy_(options.max_walltime_s),
           spec_(parse_campaign(input)),
-          plan_(spec_),
+          plan_(plan_of_part(spec_, options.part)),
+          waves_(spec_, plan_),
           shards_(options.output, input.block_key()) {}
 
     RunEnd run() {
@@ -94,7 +95,7 @@ class Run {
             return RunEnd::complete;
         }
         require_shared(shards_, input_.block_key(), comm_);
-        auto const committed = take_blocks(options_.output, shards_, plan_, wish, found.at("begun").get<bool>(), comm_);
+        committed_ = take_blocks(options_.output, shards_, plan_, wish, found.at("begun").get<bool>(), comm_);
         if (comm_.is_root()) {
             print_note("waves: {}\n", spec_.source->describe());
             print_note("they differ by {}\n", spec_.source->variability());
@@ -103,43 +104,87 @@ class Run {
                 print_note("warning: {}\n", line);
             }
         }
-        // Up to each stopping point, where all ranks wait for the answer; a part cannot know it and does all its
-        // blocks.
-        auto const points = options_.part.is_whole() ? stopping_points(spec_, plan_) : std::vector<std::int64_t>{};
-        bool whole = true;
-        for (std::size_t i = 0; whole && i < points.size(); ++i) {
-            whole = complete({0, points[i]}, committed);
-            if (whole && meets_target_there(points[i])) {
-                plan_ = plan_.first(points[i]);
-                break;
-            }
-        }
-        auto const range = plan_.blocks_of(options_.part);
-        whole = whole && complete(range, committed);
+        take_rows_of(committed_);
+        bool whole = options_.part.is_whole() ? draw_all() : complete(all_of(plan_.blocks_of(options_.part)));
         if (whole && spec_.rare) {
             rare_ = run_rare(spec_, shards_, stop_policy_, comm_);
             whole = rare_.has_value();
         }
         auto const end = whole && options_.part.is_whole() ? merge() : whole ? RunEnd::complete : RunEnd::stopped;
         if (comm_.is_root() && (end == RunEnd::stopped || !options_.part.is_whole())) {
-            print_what_is_left(input_, options_, here(range, committed) + done_.committed, range.count());
+            print_what_is_left(input_, options_, asked_ - unfinished_, asked_);
         }
         account();
         return end;
     }
 
   private:
-    static std::int64_t here(store::BlockRange const& range, std::vector<std::int64_t> const& committed) {
-        return range.count() - static_cast<std::int64_t>(blocks_left(range, committed).size());
+    // Up to each stopping point, where all ranks wait for the answer; a part cannot know it and does all its blocks.
+    bool draw_all() {
+        for (auto const count : stopping_points(spec_, plan_)) {
+            if (!draw(count)) {
+                return false;
+            }
+            if (meets_target(count)) {
+                return true;
+            }
+        }
+        return draw(plan_.count());
+    }
+
+    // Computes blocks until so many waves count, or no more may be drawn; false if it was time to go before.
+    bool draw(std::int64_t count) {
+        for (;;) {
+            auto const wanted = wanted_blocks(count);
+            if (wanted.empty()) {
+                break;
+            }
+            if (!complete(wanted)) {
+                return false;
+            }
+            take_rows_of(wanted);
+        }
+        chosen_ = count;
+        return true;
+    }
+
+    // Rank 0 knows the rows; without a rule nobody needs them.
+    std::vector<std::int64_t> wanted_blocks(std::int64_t count) {
+        if (!waves_.needs_rows()) {
+            return waves_.wanted(count);
+        }
+        return nlohmann::json::parse(broadcast_from_root(comm_,
+                                                         [&] {
+                                                             if (auto const why = waves_.hopeless(); !why.empty()) {
+                                                                 shards_.remove();
+                                                                 throw InputError(input_.name + ": " + why);
+                                                             }
+                                                             return nlohmann::json(waves_.wanted(count)).dump();
+                                                         }))
+            .get<std::vector<std::int64_t>>();
+    }
+
+    void take_rows_of(std::vector<std::int64_t> const& blocks) {
+        if (!waves_.needs_rows()) {
+            for (auto const block : blocks) {
+                waves_.take(block);
+            }
+            return;
+        }
+        (void)broadcast_from_root(comm_, [&] {
+            take_rows(waves_, plan_, shards_, blocks);
+            return std::string();
+        });
     }
 
     // Computes what is left of the blocks; false if it was time to go before the last.
-    bool complete(store::BlockRange const& range, std::vector<std::int64_t> const& committed) {
-        store::BlockRange const fresh{std::max(range.first, next_), range.last};
-        auto const left = blocks_left(fresh, committed);
-        auto const before = fresh.count() - static_cast<std::int64_t>(left.size());
-        Progress progress(fresh.count(), before,
-                          static_cast<double>(plan_.trials()) / static_cast<double>(plan_.blocks()));
+    bool complete(std::vector<std::int64_t> const& blocks) {
+        std::vector<std::int64_t> left;
+        std::ranges::copy_if(blocks, std::back_inserter(left),
+                             [&](std::int64_t block) { return !std::ranges::binary_search(committed_, block); });
+        auto const all = static_cast<std::int64_t>(blocks.size());
+        auto const before = all - static_cast<std::int64_t>(left.size());
+        Progress progress(all, before, static_cast<double>(plan_.trials()) / static_cast<double>(plan_.blocks()));
         auto const done = work(spec_, plan_, left, shards_, stop_policy_, comm_, progress);
         if (comm_.is_root() && done.committed > 0) {
             progress.show(done.committed);
@@ -147,26 +192,26 @@ class Run {
         }
         done_.add(done);
         wall_s_ += progress.elapsed_s();
-        bool const whole = comm_.largest(comm_.is_root() && before + done.committed < fresh.count() ? 1 : 0) == 0;
-        next_ = whole ? fresh.last : next_;
-        return whole;
+        asked_ += all;
+        unfinished_ = static_cast<std::int64_t>(left.size()) - done.committed;
+        return comm_.largest(comm_.is_root() && unfinished_ > 0 ? 1 : 0) == 0;
     }
 
-    bool meets_target_there(std::int64_t blocks) {
+    bool meets_target(std::int64_t count) {
         auto const looked = nlohmann::json::parse(broadcast_from_root(comm_, [&] {
-            auto const look = look_at_target(spec_, plan_, shards_, blocks);
+            auto const look = look_at_target(spec_, plan_, waves_.chosen(count), shards_);
             return nlohmann::json{{"met", look.met}, {"obstacle", look.obstacle}}.dump();
         }));
         bool const yes = looked.at("met").get<bool>();
         if (auto const obstacle = looked.at("obstacle").get<std::string>(); !obstacle.empty() && !told_obstacle_) {
             told_obstacle_ = true;
             if (comm_.is_root()) {
-                print_note("warning: after {} waves {}: all {} waves are run unless that changes\n",
-                           plan_.first(blocks).waves(), obstacle, plan_.waves());
+                print_note("warning: after {} waves {}: all {} waves are run unless that changes\n", count, obstacle,
+                           plan_.count());
             }
         }
         if (comm_.is_root() && yes) {
-            print_note("precise enough after {} of {} waves\n", plan_.first(blocks).waves(), plan_.waves());
+            print_note("precise enough after {} of {} waves\n", count, plan_.count());
         }
         return yes;
     }
@@ -176,8 +221,8 @@ class Run {
             auto const begin = Clock::now();
             earlier_legs_ = shards_.legs();
             auto const tables = merge_blocks(
-                options_.output, input_, spec_, plan_, shards_, [&] { return stop_policy_.may_merge(); },
-                rare_.value_or(std::vector<RareBody>{}), options_.velocities);
+                options_.output, input_, spec_, plan_, waves_.chosen(chosen_), shards_,
+                [&] { return stop_policy_.may_merge(); }, rare_.value_or(std::vector<RareBody>{}), options_.text);
             done_.seconds.store += seconds_since(begin);
             return tables.value_or("");
         });
@@ -190,7 +235,7 @@ class Run {
     void account() {
         auto const ranks = comm_.gather(seconds_text(comm_, done_.seconds));
         if (comm_.is_root()) {
-            print_note("cost: {}\n", rung_costs(sum_of_rungs(ranks)));
+            print_note("cost: {}\n", output::rung_costs(sum_of_rungs(ranks)));
             print_legs(leg_text(options_.part, ranks, wall_s_, done_.committed * plan_.trials() / plan_.blocks()));
         }
     }
@@ -217,6 +262,7 @@ class Run {
     StopPolicy stop_policy_;
     CampaignSpec spec_;
     Plan plan_;
+    AcceptedWaves waves_;  ///< where a rule is asked known on rank 0 alone
     store::ShardFolder shards_;
     std::optional<store::Claim> claim_;
     WorkDone done_;
@@ -224,7 +270,9 @@ class Run {
     std::vector<std::string> earlier_legs_;  ///< of blocks that are merged; known on rank 0
     double wall_s_ = 0;
     bool told_obstacle_ = false;
-    std::int64_t next_ = 0;  ///< blocks below it are done with
+    std::vector<std::int64_t> committed_;      ///< by earlier runs
+    std::int64_t asked_ = 0, unfinished_ = 0;  ///< blocks of this run so far, and those of them that are not done
+    std::int64_t chosen_ = 0;                  ///< waves that count, of each level where levels have their own
 };
 
 }  // namespace

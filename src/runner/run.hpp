@@ -3,12 +3,11 @@
 
 #include <filesystem>
 #include <limits>
-#include <optional>
 
 #include "campaign/campaign_input.hpp"
 #include "campaign/plan.hpp"
+#include "output/sections.hpp"
 #include "parallel/communicator.hpp"
-#include "stats/fragility.hpp"
 
 namespace overturn {
 
@@ -16,15 +15,15 @@ struct RunOptions {
     std::filesystem::path output;
     bool resume = false;
     double max_walltime_s = std::numeric_limits<double>::infinity();
-    Part part;           ///< the whole, or one part of an array job, whose blocks wait for merge_parts
-    bool quiet = false;  ///< no table on stdout
-    std::optional<IntensityUnit> velocities{};  ///< in which the tables tell them; none: the levels' unit, or m/s
+    Part part;                   ///< the whole, or one part of an array job, whose blocks wait for merge_parts
+    bool quiet = false;          ///< no table on stdout
+    output::TextOptions text{};  ///< what of the results is printed
 };
 
 /// A part that is done is complete.
 enum class RunEnd { complete, stopped };
 
-/// Collective. Prints progress on stderr and the stripe table on stdout, both from rank 0.
+/// Collective. Prints progress on stderr and the results on stdout, both from rank 0.
 /// \throws InputError on every rank if the output is taken, not writable, not shared by all nodes, or belongs to
 /// another campaign. \throws CollectiveError on every rank if one cannot write
 [[nodiscard]] RunEnd run_campaign(CampaignInput const& input, RunOptions const& options,

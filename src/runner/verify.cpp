@@ -17,6 +17,7 @@
 #include "results/rare_results.hpp"
 #include "results/recount.hpp"
 #include "results/schema.hpp"
+#include "results/stored_names.hpp"
 #include "runner/progress.hpp"
 
 namespace overturn {
@@ -38,7 +39,11 @@ struct Place {
 class Verifier {
   public:
     Verifier(store::ResultsReader const& file, CampaignSpec const& spec, VerifyWish const& wish)
-        : file_(file), spec_(spec), ladder_(spec.effects, spec.accuracy), plan_(spec), trial_table_(trial_table(spec)) {
+        : file_(file),
+          spec_(spec),
+          ladder_(spec.effects, spec.accuracy),
+          plan_(plan_in(file, spec)),
+          trial_table_(stored_trial_table(file, spec)) {
         waves_ = static_cast<std::int64_t>(file.integers("waves/id").size());
         trials_ = waves_ * plan_.trials_per_wave();
         auto const limits = spec.rare ? spec.limits.size() : 0;
@@ -151,7 +156,7 @@ class Verifier {
             return;
         }
         auto const& row = b.rows.front();
-        differ(0, number, differing_columns(spec_, a, b),
+        differ(0, number, differing_columns(file_, spec_, a, b),
                fmt::format("trial {} (wave {}, {}, {})", number, row.wave,
                            spec_.bodies[static_cast<std::size_t>(row.body)].name, spec_.levels.text(row.amplitude)));
     }
@@ -160,11 +165,11 @@ class Verifier {
         auto const bodies = spec_.bodies.size();
         std::vector<WaveRow> stored(waves.size());
         std::vector<MeasureRow> stored_measures(measures.size());
-        auto const table = wave_table(spec_);
+        auto const table = held_in(file_, wave_table(spec_));
         file_.rows(table, waves_, first, std::as_writable_bytes(std::span(stored)));
         std::vector<store::TableSpec> of_body;
         for (std::size_t b = 0; b < bodies; ++b) {
-            of_body.push_back(measure_table(spec_, b));
+            of_body.push_back(held_in(file_, measure_table(spec_, b)));
             file_.rows(of_body.back(), waves_, first, std::as_writable_bytes(std::span(stored_measures)));
         }
         for (std::size_t w = 0; w < waves.size(); ++w) {
@@ -209,7 +214,7 @@ class Verifier {
         auto const& replayer = *rare_[place.replayer];
         auto const stored = replayer.stored(place.row);
         ++counts_[2];
-        differ(2, place.row, differing(stored, replayer.again(stored, place.row)),
+        differ(2, place.row, replayer.differing(stored, replayer.again(stored, place.row)),
                fmt::format("row {} of /{}/rows", place.row, rare_names_[place.replayer]));
     }
 

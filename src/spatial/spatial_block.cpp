@@ -28,7 +28,8 @@ BasePlan across(BasePlan base) {
 spatial::BaseOutline outline_of(BasePlan const& base, ContactBlock const& planar) {
     switch (base.shape) {
         case BaseShape::round:
-            return spatial::round_outline(base.points, planar.half_width_m);
+            return base.continuous() ? spatial::rim_outline(planar.half_width_m)
+                                     : spatial::round_outline(base.points, planar.half_width_m);
         case BaseShape::polygon:
             return spatial::polygon_outline(base.corners_m);
         case BaseShape::square:
@@ -53,6 +54,9 @@ double rotation_stiffness(SpatialBlock const& block) {
         xx += point.stiffness_share * point.x_m * point.x_m;
         yy += point.stiffness_share * point.y_m * point.y_m;
     }
+    if (block.rim) {
+        xx = yy = block.edge_m * block.edge_m / 2;
+    }
     double const ratio = block.planar.pad.tangential_ratio;
     double const h = block.planar.centre_height_m;
     auto const& [about_x, about_y, about_z] = block.inertia_over_mass_m2;
@@ -74,6 +78,12 @@ SpatialBlock spatial_block(RigidBody const& body, Footing const& footing, std::o
         inertia_over_mass(footing.inertia_across_kgm2, "horizontal", rocking, body.mass_kg()), rocking,
         inertia_over_mass(footing.inertia_vertical_kgm2, "vertical", outline.polar_radius2_m2, body.mass_kg())};
     block.edge_m = outline.edge_m;
+    block.rim = footing.base.continuous();
+    block.reach_m = block.rim ? block.edge_m : 0;
+    validate(!block.rim || !footing.pad.strength_pa,
+             "a continuous rim on a pad of {} Pa strength (what it crushes it would have to remember by place). State "
+             "the base's points: {}",
+             footing.pad.strength_pa.value_or(0), BasePlan::points_around);
     block.points = std::move(outline.points);
     for (auto const& point : block.points) {
         block.reach_m = std::max(block.reach_m, std::hypot(point.x_m, point.y_m));

@@ -15,17 +15,19 @@
 namespace overturn {
 namespace {
 
-constexpr std::array spatial_effect{
-    EffectEntry{Effect::spatial, "spatial",
-                "two horizontal components and three rotations; called for by a polygonal base, by a round one with a "
-                "second component, and where that component may tip or slide a square one"}};
+constexpr std::array spatial_effect{EffectEntry{
+    Effect::spatial, "spatial",
+    "two horizontal components and three rotations; called for by a polygonal base, by a round one (of points: "
+    "with a second component), and where that component may tip or slide a square one"}};
 
 constexpr std::int64_t of_transverse = 7;
 constexpr std::int64_t of_round = 8;
 constexpr std::int64_t of_polygon = 9;
 constexpr std::array reasons{
     ReasonEntry{of_transverse, "transverse-motion", "the second component may tip or slide a square base"},
-    ReasonEntry{of_round, "round-base", "a round base rolls as soon as a second component shakes it"},
+    ReasonEntry{
+        of_round, "round-base",
+        "a round base rolls as soon as a second component shakes it, and a continuous rim is followed in space"},
     ReasonEntry{of_polygon, "polygon-base", "no plane holds a polygon"}};
 
 constexpr std::array channels{Channel{"time_s"},      Channel{"tilt_rad"},
@@ -111,7 +113,7 @@ class SpatialModel : public Model {
             case BaseShape::polygon:
                 return {all, of_polygon};
             case BaseShape::round:
-                return shaken_across ? Call{all, of_round} : Call{};
+                return shaken_across || trial.footing->base.continuous() ? Call{all, of_round} : Call{};
             case BaseShape::square:
                 break;
         }

@@ -10,7 +10,8 @@ namespace overturn {
 
 [[nodiscard]] ModelTraits const& spatial_traits();
 
-/// Called for by a polygon, which no plane holds; by a round base that a second component shakes at all; and on a
+/// Called for by a polygon, which no plane holds; by a continuous rim, and by a round base of
+/// points that a second component shakes at all; and on a
 /// square base where the second component comes near to tipping it, or where both together overcome friction. Where
 /// the pad asks for it, a square or round base is matched to the body's restitution as the planar one is
 /// (match_restitution).

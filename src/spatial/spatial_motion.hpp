@@ -31,6 +31,11 @@ struct SpatialQuantities {
     double yaw_rad = never;
     double peak_yaw_rad = never;
     double slip_path_m = never;
+    double residual_x_m = never, residual_y_m = never;  ///< of the base's centre, at the end
+    /// Farthest that the circle round the base has reached, from where the axis stood.
+    double edge_x_most_m = never, edge_x_least_m = never, edge_y_most_m = never, edge_y_least_m = never;
+    double peak_top_m = never;           ///< longest way from its start, in plan, of the axis at twice the height h
+    double landing_azimuth_rad = never;  ///< in which the body lies, from x towards y
     double restitution = never, corner_share = never, normal_restitution = never;  ///< of the base, as matched
 };
 template <> [[nodiscard]] Fields const& fields_of<SpatialQuantities>();
@@ -57,7 +62,8 @@ struct SpatialInstant {
     std::array<double, 3> angular_radps{};  ///< about the body's own axes
     double contact_force_ratio = 0;         ///< over the weight; of the step before in the last instant
     double yaw_rad = 0;
-    double crush_m = 0;  ///< deepest that the pad keeps
+    double crush_m = 0;      ///< deepest that the pad keeps
+    double energy_jpkg = 0;  ///< of motion, height and springs, over the mass; none in settled rest
 
     [[nodiscard]] double tilt_rad() const;
     /// Of the direction in which the body's top leans, from x towards y.

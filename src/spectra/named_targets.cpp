@@ -166,4 +166,6 @@ std::span<config::Entry<NamedTarget> const> named_targets() {
     return entries;
 }
 
+bool is_scaled_by_pga(std::string_view name) { return name == "rg-1.60" || name == "rg-1.60-vertical"; }
+
 }  // namespace overturn

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "config/registry.hpp"
 #include "spectra/target_spectrum.hpp"
@@ -24,5 +25,8 @@ using NamedTarget = TargetSpectrum (*)(NamedTargetInput const&);
 /// to 10 s; pga is the horizontal one for both.
 /// \throws InputError for a damping that is not tabulated, or a pga where the spectrum has a scale of its own.
 [[nodiscard]] std::span<config::Entry<NamedTarget> const> named_targets();
+
+/// Is the spectrum of that name printed for a peak ground acceleration of 1 g, to be scaled by pga?
+[[nodiscard]] bool is_scaled_by_pga(std::string_view name);
 
 }  // namespace overturn

@@ -5,6 +5,8 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "spectra/detail/searched_tiles.hpp"
+#include "spectra/free_vibration.hpp"
 #include "spectra/response_spectrum.hpp"
 
 namespace overturn {
@@ -37,22 +39,6 @@ double PeakResponse::ChordError::operator()(double y, double v, double a0, doubl
     double const imaginary = imaginary_y * y + imaginary_v * v + (imaginary_a0 * a0 + imaginary_a1 * a1);
     return scale * (std::abs(real) + std::abs(imaginary));
 }
-
-struct PeakResponse::Searched {
-    std::span<double const> series;
-    Group const* group;
-    SweepTiles const* tiles;
-
-    [[nodiscard]] double state(std::size_t lane, std::size_t tile) const {
-        return tiles->at(tile)[simd::sweep_lanes + lane];
-    }
-    [[nodiscard]] double other(std::size_t lane, std::size_t tile) const {
-        return tiles->at(tile)[2 * simd::sweep_lanes + lane];
-    }
-    [[nodiscard]] std::size_t end(std::size_t first) const {
-        return std::min(first + SweepTiles::samples, series.size());
-    }
-};
 
 PeakResponse::PeakResponse(std::vector<double> const& periods_s, double damping, double time_step_s)
     : damping_(damping), time_step_s_(time_step_s) {
@@ -149,26 +135,8 @@ void PeakResponse::search_between_samples(Searched const& searched, std::size_t 
     auto const& series = searched.series;
     auto const& o = oscillators_[searched.group->first + lane];
     std::size_t const first = 1 + tile * SweepTiles::samples;
-    double const unit = searched.group->swept.unit[lane];
-    double y = 0;
-    double v = 0;
     bool const bounded = searched.group->swept.form == SweepForm::amplitude;
-    if (bounded) {
-        double const slope = (series[first] - series[first - 1]) / time_step_s_;
-        double const turned = searched.group->swept.now[lane];
-        double const aside = searched.group->swept.last[lane];
-        double const f = unit * (turned * searched.state(lane, tile) - aside * searched.other(lane, tile));
-        double const q = unit * (aside * searched.state(lane, tile) + turned * searched.other(lane, tile));
-        y = f + (2 * damping_ * slope / o.w - series[first - 1]) / (o.w * o.w);
-        v = o.w * (std::sqrt(1 - damping_ * damping_) * q - damping_ * f) - slope / (o.w * o.w);
-    } else if (first > 1) {
-        double const a0 = series[first - 2];
-        double const a1 = series[first - 1];
-        double const y0 = unit * searched.other(lane, tile);
-        y = unit * searched.state(lane, tile);
-        double const v0 = (y - o.sample.yy * y0 - o.sample.ya0 * a0 - o.sample.ya1 * a1) / o.sample.yv;
-        v = o.sample.vy * y0 + o.sample.vv * v0 + o.sample.va0 * a0 + o.sample.va1 * a1;
-    }
+    auto [y, v] = state_before(searched, lane, tile);
     auto const beats = [&](double value, double time_steps) {
         if (std::abs(value) > std::abs(found.displacement_m)) {
             found = {value, time_step_s_ * time_steps};
@@ -242,14 +210,19 @@ std::vector<PeakDisplacement> PeakResponse::peaks(std::span<double const> accele
     if (acceleration_mps2.size() < 2) {
         return peaks;
     }
-    auto const ground = ground_of(acceleration_mps2);
+    auto const series = come_to_rest(acceleration_mps2);
+    if (series.size() < 2) {
+        return peaks;
+    }
+    auto const ground = ground_of(series);
     SweepTiles tiles;
     for (auto const& group : groups_) {
-        sweep(group.swept, acceleration_mps2, tiles);
+        sweep(group.swept, series, tiles);
         auto const found = std::span(peaks).subspan(group.first, group.count);
-        Searched const searched{acceleration_mps2, &group, &tiles};
+        Searched const searched{series, &group, &tiles};
         if (group.swept.form != SweepForm::amplitude) {
             search(searched, limits(group, tiles, ground.peak), found);
+            swing_on(searched, found);
             continue;
         }
         bound_tiles(group, ground, tiles);
@@ -259,6 +232,7 @@ std::vector<PeakDisplacement> PeakResponse::peaks(std::span<double const> accele
             limit[lane] = std::abs(found[lane].displacement_m);
         }
         search(searched, limit, found);
+        swing_on(searched, found);
     }
     return peaks;
 }

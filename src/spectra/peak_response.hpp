@@ -1,5 +1,5 @@
-/// Peak displacements of many oscillators under a wave, with sign and instant: the values of displacement_spectrum, in
-/// half its time at the damping of spectra.
+/// Peak displacements of many oscillators under a wave and behind it, with sign and instant: the values of
+/// displacement_spectrum, in half its time at the damping of spectra.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace overturn {
 /// The largest displacement of one oscillator.
 struct PeakDisplacement {
     double displacement_m = 0;  ///< with its sign [m]
-    double time_s = 0;          ///< [s]
+    double time_s = 0;          ///< [s], beyond the last sample where the oscillator swings on
 };
 
 /// Runs oscillators of rising period over waves, but reads them closely (at every sample, and between samples as
@@ -59,6 +59,12 @@ class PeakResponse {
     [[nodiscard]] static Ground ground_of(std::span<double const> series);
     void bound_tiles(Group const& group, Ground const& ground, SweepTiles& tiles) const;
     [[nodiscard]] LaneValues limits(Group const& group, SweepTiles const& tiles, double peak_mps2) const;
+    struct State {
+        double y, v;
+    };
+    [[nodiscard]] State state_before(Searched const& searched, std::size_t lane, std::size_t tile) const;
+    [[nodiscard]] State state_at_end(Searched const& searched, std::size_t lane) const;
+    void swing_on(Searched const& searched, std::span<PeakDisplacement> found) const;
     void search(Searched const& searched, LaneValues limit, std::span<PeakDisplacement> found) const;
     void search_between_samples(Searched const& searched, std::size_t lane, std::size_t tile,
                                 PeakDisplacement& found) const;

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "spectra/detail/response_sweep.hpp"
+#include "spectra/free_vibration.hpp"
 #include "spectra/oscillator.hpp"
 
 namespace overturn {
@@ -81,6 +82,11 @@ void sweep(std::span<double const> acceleration, double time_step_s, std::span<d
     }
 }
 
+FreePeaks free_peaks_of(ResponseLanes const& lanes, std::size_t lane, double w, double damping) {
+    return free_peaks(w, damping, lanes.unit_z.at(lane) * lanes.end_z.at(lane),
+                      lanes.unit_u.at(lane) * lanes.end_u.at(lane));
+}
+
 }  // namespace
 
 int steps_per_sample(double period_s, double time_step_s, PeakRule const& rule) {
@@ -95,12 +101,17 @@ ResponseSpectrum response_spectrum(std::span<double const> acceleration_mps2, do
     auto const n = periods_s.size();
     std::vector<double> const none(n, 0.0);
     ResponseSpectrum spectrum{damping, {periods_s.begin(), periods_s.end()}, none, none, none, none, none};
-    sweep(acceleration_mps2, time_step_s, periods_s, damping, rule, SweptPeaks::all,
+    bool const vibrates = rule.after_end == AfterEnd::vibrates;
+    auto const at_rest = vibrates ? come_to_rest(acceleration_mps2) : std::vector<double>{};
+    sweep(vibrates ? at_rest : acceleration_mps2, time_step_s, periods_s, damping, rule, SweptPeaks::all,
           [&](std::size_t i, ResponseLanes const& lanes, std::size_t lane) {
               double const w = 2 * pi / periods_s[i];
-              spectrum.sd_m[i] = std::abs(lanes.unit_z.at(lane)) * std::sqrt(lanes.y2.at(lane));
-              spectrum.sv_mps[i] = std::abs(lanes.unit_u.at(lane)) * std::sqrt(lanes.v2.at(lane));
-              spectrum.sa_mps2[i] = std::sqrt(lanes.a2.at(lane));
+              auto const behind = vibrates ? free_peaks_of(lanes, lane, w, damping) : FreePeaks{};
+              spectrum.sd_m[i] =
+                  std::max(std::abs(lanes.unit_z.at(lane)) * std::sqrt(lanes.y2.at(lane)), behind.displacement_m);
+              spectrum.sv_mps[i] =
+                  std::max(std::abs(lanes.unit_u.at(lane)) * std::sqrt(lanes.v2.at(lane)), behind.velocity_mps);
+              spectrum.sa_mps2[i] = std::max(std::sqrt(lanes.a2.at(lane)), behind.acceleration_mps2);
               spectrum.psv_mps[i] = w * spectrum.sd_m[i];
               spectrum.psa_mps2[i] = w * spectrum.psv_mps[i];
           });
@@ -110,9 +121,12 @@ ResponseSpectrum response_spectrum(std::span<double const> acceleration_mps2, do
 std::vector<double> displacement_spectrum(std::span<double const> acceleration_mps2, double time_step_s,
                                           std::span<double const> periods_s, double damping, PeakRule const& rule) {
     std::vector<double> sd(periods_s.size(), 0.0);
-    sweep(acceleration_mps2, time_step_s, periods_s, damping, rule, SweptPeaks::displacement,
+    bool const vibrates = rule.after_end == AfterEnd::vibrates;
+    auto const at_rest = vibrates ? come_to_rest(acceleration_mps2) : std::vector<double>{};
+    sweep(vibrates ? at_rest : acceleration_mps2, time_step_s, periods_s, damping, rule, SweptPeaks::displacement,
           [&](std::size_t i, ResponseLanes const& lanes, std::size_t lane) {
-              sd[i] = std::abs(lanes.unit_z.at(lane)) * std::sqrt(lanes.y2.at(lane));
+              auto const behind = vibrates ? free_peaks_of(lanes, lane, 2 * pi / periods_s[i], damping) : FreePeaks{};
+              sd[i] = std::max(std::abs(lanes.unit_z.at(lane)) * std::sqrt(lanes.y2.at(lane)), behind.displacement_m);
           });
     return sd;
 }

@@ -18,12 +18,20 @@ struct ResponseSpectrum {
     std::vector<double> psa_mps2;  ///< pseudo-acceleration w^2 sd [m/s2]
 };
 
+/// Behind the last sample the ground goes to rest within one time step, and what oscillators do from then on is known
+/// in closed form: zeros that are appended to a wave change nothing.
+enum class AfterEnd {
+    vibrates,  ///< counts
+    left_out   ///< only what happens up to the last sample counts, as in a match
+};
+
 /// When a response is looked at. Peaks are taken at the samples, the usual reading of a record, but never more sparsely
 /// than `points_per_period`: below that period each sample interval is cut into equal steps of the same exact
 /// recursion, at most 32. A vibration seen k times a period is read too low by at most 1 - cos(pi/k): 4.9 % for the
 /// default, which is also what an uncut reading has at a period of ten time steps.
 struct PeakRule {
     int points_per_period = 10;
+    AfterEnd after_end = AfterEnd::vibrates;
 };
 
 /// Steps per sample interval under `rule`.

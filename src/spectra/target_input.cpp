@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "core/error.hpp"
+#include "spectra/detail/design_json.hpp"
 #include "spectra/named_targets.hpp"
 
 namespace overturn {
@@ -18,9 +20,12 @@ constexpr config::Keys target_keys{
         .in_unit_of("kind")
         .only("there is no spectrum and no file"),
     config::text_key("file", "file of two columns, period and ordinate").only("there is no spectrum and no points"),
+    config::text_key("part", "the name of one spectrum in a JSON file that holds several")
+        .optional()
+        .only("file is stated"),
     config::word_key<target_kinds>("kind", "what the ordinates are").only("points or file are stated"),
-    config::text_key("unit", "of the ordinates, where neither points nor the file's header state one")
-        .otherwise_said("SI")
+    config::text_key("unit", "of the ordinates, where the file does not state it; of points that are numbers alone")
+        .otherwise_said("that of the file; of points SI")
         .only("points or file are stated"),
     config::number_key("damping", Dimension::none, fraction, "of the oscillators, fraction of critical")
         .otherwise(0.05),
@@ -31,9 +36,26 @@ constexpr config::Keys target_keys{
     config::number_key("time_scale", Dimension::none, config::Range::positive(), "factor on all periods, for a model")
         .otherwise(1)};
 
-TargetSpectrum read_named(config::Table const& table, double damping) {
+// RG 1.60 prints its vertical spectra for the horizontal pga, so that both have the same.
+std::optional<double> pga_beside(config::Table const& table, config::Table const& beside) {
+    auto const name = table.text(target_keys["spectrum"]);
+    if (!is_scaled_by_pga(name)) {
+        return std::nullopt;
+    }
+    if (!beside.has("spectrum") || !is_scaled_by_pga(beside.text(target_keys["spectrum"]))) {
+        table.fail("spectrum", fmt::format("'{}' without pga (it is printed for 1 g, and the horizontal target states "
+                                           "no pga to take). Add pga, the horizontal one",
+                                           name));
+    }
+    return beside.maybe_number(target_keys["pga"]);
+}
+
+TargetSpectrum read_named(config::Table const& table, double damping, config::Table const* beside) {
     auto const make = table.choice(target_keys["spectrum"], named_targets());
     NamedTargetInput input{.damping = damping, .pga_mps2 = table.maybe_number(target_keys["pga"])};
+    if (!input.pga_mps2 && beside != nullptr) {
+        input.pga_mps2 = pga_beside(table, *beside);
+    }
     return table.located("spectrum", [&] { return make(input); });
 }
 
@@ -47,7 +69,14 @@ TargetSpectrum read_tabulated(config::Table const& table, InputFiles& files, dou
     }
     if (table.has("file")) {
         auto const name = table.text(target_keys["file"]);
-        return table.located("file", [&] { return parse_target_table(files.read(name), name, kind, damping, unit); });
+        auto const part = table.has("part") ? table.text(target_keys["part"]) : std::string();
+        return table.located("file", [&] {
+            auto const& content = files.read(name);
+            bool const json = is_json(content);
+            validate(json || part.empty(), "part '{}' of {} (a table has none). Leave it out", part, name);
+            return parse_target_table(json ? table_of_design_json(content, name, part) : content, name, kind, damping,
+                                      unit, files.are_before_format_5());
+        });
     }
     // With a unit stated for all of them, points are numbers alone.
     auto points = table.pairs(target_keys["points"], {.dimension = unit ? Dimension::none : ordinate});
@@ -63,7 +92,7 @@ TargetSpectrum read_tabulated(config::Table const& table, InputFiles& files, dou
 constinit config::KeyTable const target_table{.meaning = "a response spectrum: spectrum, points or file states it",
                                               .keys = target_keys.all};
 
-TargetSpectrum read_target(config::Table const& table, InputFiles& files) {
+TargetSpectrum read_target(config::Table const& table, InputFiles& files, config::Table const* beside) {
     table.may_have(target_table);
     table.may_have({"longest", "ratio", "correlation"});  // of the tables round it
     auto const damping = table.number(target_keys["damping"]);
@@ -72,7 +101,7 @@ TargetSpectrum read_target(config::Table const& table, InputFiles& files) {
         table.fail({}, "no single target (exactly one of spectrum, points, file states it). Keep one");
     }
     auto const stated = table.number(target_keys["stated_damping"], {.otherwise = damping});
-    auto target = table.has("spectrum") ? read_named(table, stated) : read_tabulated(table, files, stated);
+    auto target = table.has("spectrum") ? read_named(table, stated, beside) : read_tabulated(table, files, stated);
     if (table.has("damping_rule")) {
         auto const rule = table.choice(target_keys["damping_rule"], damping_rules());
         target = table.located("damping", [&] { return target.at_damping(damping, rule); });

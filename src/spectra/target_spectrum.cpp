@@ -6,9 +6,6 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "motion/column_unit.hpp"
-#include "motion/pair_table.hpp"
-#include "motion/text_lines.hpp"
 
 namespace overturn {
 namespace {
@@ -26,7 +23,7 @@ int derivatives_to_acceleration(TargetKind kind) {
     return kind == TargetKind::acceleration ? 0 : kind == TargetKind::displacement ? 2 : 1;
 }
 
-void check_point(Pair const& point, Pair const* before) {
+void check_point(std::pair<double, double> const& point, std::pair<double, double> const* before) {
     auto const [period, value] = point;
     validate(period > 0 && std::isfinite(period), "period {} s (must be positive and finite). Mend it", period);
     validate(value > 0 && std::isfinite(value), "ordinate {} at period {} s (must be positive and finite). Mend it",
@@ -60,6 +57,17 @@ TargetSpectrum TargetSpectrum::from_points(std::string name, double damping, Tar
                                            std::span<std::pair<double, double> const> points) {
     validate(points.size() >= 2, "target '{}' has {} points (needs at least two). Add some", name, points.size());
     std::vector<TargetBranch> branches;
+    double first_s = points.front().first;
+    if (first_s == 0 && kind == TargetKind::acceleration) {
+        auto const [t1, v1] = points[1];
+        double const pga = points.front().second;
+        validate(t1 > 0 && pga > 0, "ordinate {} at period 0 (the peak ground acceleration: above 0). Mend it", pga);
+        branches.push_back({.to_s = t1, .constant = pga, .slope = (v1 - pga) / t1});
+        constexpr double stiff_s = 0.01;  // below it nothing responds to the ground's motion
+        first_s = std::min(stiff_s, t1 / 2);
+        name += fmt::format(" (its row at period 0, {:.4g} m/s2, is the PGA, joined by a straight line)", pga);
+        points = points.subspan(1);
+    }
     for (std::size_t i = 0; i < points.size(); ++i) {
         check_point(points[i], i == 0 ? nullptr : &points[i - 1]);
         if (i == 0) {
@@ -72,7 +80,7 @@ TargetSpectrum TargetSpectrum::from_points(std::string name, double damping, Tar
         int const order = derivatives_to_acceleration(kind);
         branches.push_back({.to_s = t1, .power = power * std::pow(2 * pi, order), .exponent = exponent - order});
     }
-    TargetSpectrum target(std::move(name), damping, points.front().first, std::move(branches));
+    TargetSpectrum target(std::move(name), damping, first_s, std::move(branches));
     target.energy_ = kind == TargetKind::energy_velocity;
     return target;
 }
@@ -145,63 +153,6 @@ Dimension dimension_of(TargetKind kind) {
     return kind == TargetKind::acceleration   ? Dimension::acceleration
            : kind == TargetKind::displacement ? Dimension::length
                                               : Dimension::velocity;
-}
-
-namespace {
-
-double period_unit(PairTable const& table, Location const& where) {
-    auto const [text, bracketed] = unit_text_in_name(table.first_name);
-    auto const lower = lowered(table.first_name);
-    if (lower.starts_with("freq") || unit_spelled(text, Dimension::frequency)) {
-        throw InputError(where, fmt::format("'{}' as first column (a target's are periods in s). Turn frequencies into "
-                                            "periods, the shortest first",
-                                            table.first_name));
-    }
-    auto const unit = unit_in_name(table.first_name, Dimension::time);
-    if (bracketed && !unit) {
-        throw InputError(where, fmt::format("unit '{}' of the periods (it is not known: one of {}). Mend the header",
-                                            text, accepted_units(Dimension::time)));
-    }
-    return unit.value_or(1);
-}
-
-double value_unit(PairTable const& table, TargetKind kind, std::optional<double> stated, Location const& where) {
-    auto const dimension = dimension_of(kind);
-    auto const unit = unit_of_values(table.second_name, dimension);
-    auto const [text, bracketed] = unit_text_in_name(table.second_name);
-    constexpr double same = 1e-9;
-    if (unit && stated && std::abs(*unit - *stated) > same * *unit) {
-        auto const named = dimension == Dimension::acceleration
-                               ? name_of_acceleration_unit(*stated)
-                               : fmt::format("{:.6g} {}", *stated, si_symbol(dimension));
-        throw InputError(where, fmt::format("unit '{}' in the header, {} stated in the campaign (they contradict each "
-                                            "other). Leave the stated one out",
-                                            text, named));
-    }
-    bool const another = unit_spelled(text, Dimension::acceleration) || unit_spelled(text, Dimension::velocity)
-                         || (bracketed && unit_spelled(text, Dimension::length));
-    if (!unit && (another || (bracketed && !stated))) {
-        throw InputError(where, fmt::format("unit '{}' in the header (not a unit of {}, which kind says the values "
-                                            "are: one of {}). Mend the kind, or the header",
-                                            text, name_of(dimension), accepted_units(dimension)));
-    }
-    return unit.value_or(stated.value_or(1));
-}
-
-}  // namespace
-
-TargetSpectrum parse_target_table(std::string_view content, std::string const& name, TargetKind kind, double damping,
-                                  std::optional<double> unit_si) {
-    auto table = read_pair_table(content, name, "period and value", check_point);
-    Location const where{name, table.names_line};
-    bool const named = table.names_line > 0;
-    double const period = named ? period_unit(table, where) : 1;
-    double const value = value_unit(table, kind, unit_si, where);
-    for (auto& point : table.points) {
-        point.first *= period;
-        point.second *= value;
-    }
-    return TargetSpectrum::from_points(name, damping, kind, table.points);
 }
 
 }  // namespace overturn

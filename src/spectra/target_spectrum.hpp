@@ -85,14 +85,16 @@ class TargetSpectrum {
     SpectrumShape shape_;
 };
 
-/// Two columns, period [s] and value, parted by blanks or a comma; `#` and `!` begin a comment; one line of names may
-/// stand above them.
-/// Units are those that the names state, "T [s], Sa [gal]" (a comment above the numbers may name the columns too), or
-/// `unit_si`, the SI value of one unit of the values; SI where neither does.
-/// \throws InputError with `name:line` at what is not two finite numbers, a period that does not rise, a value <= 0, a
-/// unit in the names that is none of the kind's or contradicts the stated one, a first column of frequencies.
+/// Two columns, period [s] and value, parted by blanks or a comma; `#` and `!` begin a comment; lines of text may stand
+/// above them, the last of two names being those of the columns. Columns named as frequencies or ln Sa are read as
+/// such; a first row at period 0 is the peak ground acceleration. The unit is the one that names or text state, "T [s],
+/// Sa [gal]", "# 5 % damped, units g", or `unit_si`, the SI value of one unit of the values. \throws InputError with
+/// `name:line` at what is not two finite numbers, a period that does not rise, a value <= 0, a quantity or a unit in
+/// the names that is none of the kind's or contradicts the stated one; if no unit is stated. \param silence_is_si
+/// instead, as before format 5 of results files
 [[nodiscard]] TargetSpectrum parse_target_table(std::string_view content, std::string const& name, TargetKind kind,
-                                                double damping, std::optional<double> unit_si = {});
+                                                double damping, std::optional<double> unit_si = {},
+                                                bool silence_is_si = false);
 
 /// What the ordinates of a kind measure.
 [[nodiscard]] Dimension dimension_of(TargetKind kind);

@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/random_stream.hpp"
+#include "stats/detail/wave_cells.hpp"
 #include "stats/extended_real.hpp"
 #include "stats/quantile.hpp"
 
@@ -87,55 +88,29 @@ Interval Bootstrap::probability(double intensity, double confidence) const {
 
 Bootstrap bootstrap_waves(std::span<SingleTrial const> trials, ProbitLine const& line, BootstrapKey const& key) {
     constexpr std::size_t most_points = 64;
-    auto cells = cells_of(trials, most_points);
-    // Trials in order of their waves, so that a drawn wave is one run of them.
-    std::vector<std::size_t> order(trials.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        order[i] = i;
-    }
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return trials[a].wave < trials[b].wave; });
-    std::vector<std::size_t> first_of_wave;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        if (i == 0 || trials[order[i]].wave != trials[order[i - 1]].wave) {
-            first_of_wave.push_back(i);
-        }
-    }
-    auto const waves = first_of_wave.size();
-    first_of_wave.push_back(order.size());
-    struct Entry {
-        std::size_t cell;
-        double overturned;
-    };
-    std::vector<Entry> entries;
-    entries.reserve(order.size());
-    for (auto const i : order) {
-        entries.push_back({cells.cell_of_trial[i], trials[i].overturned ? 1.0 : 0.0});
-    }
+    WaveCells const cells(trials, most_points);
     ProbitSolver solver;
-    auto const centre = solver.fit(cells.points).value_or(line);
+    auto const centre = solver.fit(cells.points()).value_or(line);
     std::vector<Replicate> replicates;
     replicates.reserve(static_cast<std::size_t>(key.replicates));
     for (int r = 0; r < key.replicates; ++r) {
         RandomStream stream(key.seed, static_cast<std::uint64_t>(r), Purpose::bootstrap, key.stream);
-        for (auto& point : cells.points) {
-            point.trials = point.overturned = 0;
-        }
-        for (std::size_t draw = 0; draw < waves; ++draw) {
-            auto const wave = gsl_rng_uniform_int(stream.gsl(), waves);
-            for (auto e = first_of_wave[wave]; e < first_of_wave[wave + 1]; ++e) {
-                cells.points[entries[e].cell].trials += 1;
-                cells.points[entries[e].cell].overturned += entries[e].overturned;
-            }
-        }
-        replicates.push_back(refit(cells.points, solver));
+        replicates.push_back(refit(cells.draw(stream), solver));
     }
     return {std::move(replicates), line, centre};
 }
 
 Bootstrap bootstrap_trials(std::span<FragilityPoint const> points, ProbitLine const& line, BootstrapKey const& key) {
+    // Single trials by the thousand are refitted in groups, the shift of which the centre takes back.
+    constexpr std::size_t most_points = 256;
+    bool const many = points.size() > most_points;
+    auto const cells = many ? grouped(points, most_points) : std::vector<FragilityPoint>();
+    if (many && state_of(cells) == FragilityState::fitted) {
+        points = cells;
+    }
     std::vector<FragilityPoint> drawn(points.begin(), points.end());
     ProbitSolver solver;
+    auto const centre = many ? solver.fit(points).value_or(line) : line;
     std::vector<Replicate> replicates;
     replicates.reserve(static_cast<std::size_t>(key.replicates));
     for (int r = 0; r < key.replicates; ++r) {
@@ -146,7 +121,7 @@ Bootstrap bootstrap_trials(std::span<FragilityPoint const> points, ProbitLine co
         }
         replicates.push_back(refit(drawn, solver));
     }
-    return {std::move(replicates), line, line};
+    return {std::move(replicates), line, centre};
 }
 
 }  // namespace overturn

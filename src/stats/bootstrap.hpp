@@ -51,7 +51,8 @@ struct BootstrapKey {
 [[nodiscard]] Bootstrap bootstrap_waves(std::span<SingleTrial const> trials, ProbitLine const& line,
                                         BootstrapKey const& key);
 
-/// Resamples the trials of every point, all independent. \pre state_of(points) is fitted
+/// Resamples the trials of every point, all independent. More than 256 points are put together for the refits. \pre
+/// state_of(points) is fitted
 [[nodiscard]] Bootstrap bootstrap_trials(std::span<FragilityPoint const> points, ProbitLine const& line,
                                          BootstrapKey const& key);
 

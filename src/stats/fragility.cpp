@@ -8,7 +8,9 @@
 
 #include "stats/detail/curve_fit.hpp"
 #include "stats/detail/quotes.hpp"
+#include "stats/detail/seen_bound.hpp"
 #include "stats/detail/tail_bounds.hpp"
+#include "stats/shape_tests.hpp"
 
 namespace overturn {
 namespace {
@@ -49,7 +51,17 @@ void describe(FragilityFit& fit, FragilityData const& data) {
     fit.lowest_proportion = lowest_proportion(proportions);
     fit.isotonic = isotonic_estimate(data.points);
     fit.isotonic_median = isotonic_median(fit.isotonic);
-    fit.monotone = test_monotone(proportions);
+}
+
+// Before anything is quoted: where P falls beyond chance, no trial elsewhere bounds it.
+void test_shape_of(FragilityFit& fit, FragilityData const& data, FragilityRequest const& request) {
+    if (data.points.empty()) {
+        return;
+    }
+    auto const line = fit.state == FragilityState::fitted ? ProbitSolver().fit(data.points) : std::nullopt;
+    auto tests = test_shape(data, line && line->slope > 0 ? line : std::nullopt, request.bootstrap);
+    fit.monotone = tests.monotone;
+    fit.goodness = tests.goodness;
     raise_if(fit, fit.monotone.p_value < chance, FragilityFlag::non_monotone);
 }
 
@@ -92,7 +104,6 @@ void fit_line(FragilityFit& fit, FragilityData const& data, FragilityRequest con
     fit.replicates = curve.refits.size();
     fit.refits = curve.refits.replicates();
     fit.replicates_without_curve = curve.refits.without_curve();
-    fit.goodness = goodness_of_fit(data.points, curve.line);
     for (double const at : request.band_at) {
         fit.band.push_back({at, gsl_cdf_ugaussian_P(curve.line.at(std::log(at))),
                             curve.probability(at, fit.method, request.confidence)});
@@ -104,7 +115,8 @@ void fit_line(FragilityFit& fit, FragilityData const& data, FragilityRequest con
 
 // Do the proportions contradict the 5 % point? Where they fall beyond chance; where a stripe at or below it passes 5 %
 // for sure, or one at or above it stays below; where the curve misses a stripe by more than 5 % beyond its interval,
-// or, being a poor fit, by anything beyond it within the point's own interval.
+// or, being a poor fit, by anything beyond it within the point's own interval. All stripes together hold with the
+// confidence (Bonferroni), unless the fit is poor anyway.
 bool contradicted(FragilityFit const& fit, FragilityData const& data, double confidence) {
     if (has(fit.flags, FragilityFlag::non_monotone)) {
         return true;
@@ -113,14 +125,23 @@ bool contradicted(FragilityFit const& fit, FragilityData const& data, double con
     double const at = fit.line->log_median() - hclpf_score * fit.line->beta();
     bool const poor = has(fit.flags, FragilityFlag::poor_fit);
     auto const& near = fit.intervals().five_percent_point;
-    return std::ranges::any_of(proportions_of(data), [&](FragilityPoint const& point) {
-        auto const seen = interval_of(point, confidence);
+    auto const proportions = proportions_of(data);
+    double const each = poor ? confidence : 1 - (1 - confidence) / static_cast<double>(proportions.size());
+    return std::ranges::any_of(proportions, [&](FragilityPoint const& point) {
+        auto const seen = interval_of(point, each);
         double const p = gsl_cdf_ugaussian_P(fit.line->at(point.log_intensity));
         bool const other_side = point.log_intensity <= at ? seen.lower > share : seen.upper < share;
         double const intensity = std::exp(point.log_intensity);
         double const excess = poor && intensity >= near.lower && intensity <= near.upper ? 0 : share;
         return other_side || p < seen.lower - excess || p > seen.upper + excess;
     });
+}
+
+// What the stripes on either side of the 5 % point hold, whatever the curve says.
+Neighbours at_five_percent(FragilityFit const& fit, FragilityData const& data, double confidence) {
+    double const at = std::exp(fit.line->log_median() - hclpf_score * fit.line->beta());
+    return {seen_up_to(at, data, false, confidence).value_or(SeenBound{}),
+            seen_from(at, data, false, confidence).value_or(SeenBound{})};
 }
 
 void judge(FragilityFit& fit, FragilityData const& data, double confidence) {
@@ -153,7 +174,10 @@ void judge(FragilityFit& fit, FragilityData const& data, double confidence) {
             double const median = std::exp(fit.line->log_median());
             raise_if(fit, fit.goodness->least_p_value() < chance, FragilityFlag::poor_fit);
             raise_if(fit, median < fit.lowest || median > fit.highest, FragilityFlag::median_outside_data);
-            raise_if(fit, contradicted(fit, data, confidence), FragilityFlag::no_five_percent_point);
+            if (contradicted(fit, data, confidence)) {
+                fit.flags |= bit(FragilityFlag::five_percent_doubtful);
+                fit.beside_five_percent = at_five_percent(fit, data, confidence);
+            }
             raise_if(fit, !fit.beta_u_known, FragilityFlag::no_beta_u);
             raise_if(fit, fit.hclpf() && *fit.hclpf() < fit.lowest, FragilityFlag::hclpf_outside_data);
             auto const& ends = fit.intervals();
@@ -206,15 +230,12 @@ double FragilityFit::beta_r() const {
 }
 
 std::optional<double> FragilityFit::five_percent_point() const {
-    return has(flags, FragilityFlag::no_five_percent_point)
-               ? std::nullopt
-               : std::optional(std::exp(line->log_median() - hclpf_score * line->beta()));
+    return line ? std::optional(std::exp(line->log_median() - hclpf_score * line->beta())) : std::nullopt;
 }
 
 std::optional<double> FragilityFit::hclpf() const {
-    return beta_u_known && !has(flags, FragilityFlag::no_five_percent_point)
-               ? std::optional(std::exp(line->log_median() - hclpf_score * (beta_r() + beta_u)))
-               : std::nullopt;
+    return beta_u_known ? std::optional(std::exp(line->log_median() - hclpf_score * (beta_r() + beta_u)))
+                        : std::nullopt;
 }
 
 std::optional<double> FragilityFit::one_percent_point() const {
@@ -248,6 +269,7 @@ FragilityFit fit_fragility(FragilityData const& data, FragilityRequest const& re
     add_betas(fit, request);
     describe(fit, data);
     fit.state = state_of(data.points);
+    test_shape_of(fit, data, request);
     for (auto const& quote : request.quotes) {
         fit.quotes.push_back(seen_at(quote, fit, data, request.confidence));
     }
@@ -269,6 +291,9 @@ FragilityFit fit_fragility(FragilityData const& data, FragilityRequest const& re
         if (!fit.identifiable()) {
             quote_without_curve(quoted, fit, data, request.confidence);
         }
+    }
+    if (!fit.identifiable()) {
+        fit.goodness.reset();
     }
     judge(fit, data, request.confidence);
     return fit;

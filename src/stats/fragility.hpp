@@ -37,7 +37,7 @@ enum class FragilityFlag : std::uint32_t {
     interval_unbounded = 15,
     waves_left_out = 16,
     no_beta_u = 17,              ///< nothing is known of what is not known: no HCLPF
-    no_five_percent_point = 18,  ///< the proportions contradict the curve where its 5 % point lies, or as a whole
+    five_percent_doubtful = 18,  ///< the proportions contradict the curve where its 5 % point lies, or as a whole
 };
 inline constexpr std::uint32_t fragility_flags = 19;
 
@@ -178,17 +178,18 @@ struct FragilityFit {
     bool beta_u_known = false;        ///< stated, or drawn and told apart from none
     double beta_u = 0;                ///< drawn and stated together
     double beta_u_drawn = 0;          ///< the part of it that the fitted beta holds
+    /// Where the proportions contradict the curve about its 5 % point: what the stripes on either side hold.
+    std::optional<Neighbours> beside_five_percent;
     std::vector<QuotedProbability> quotes;
     std::vector<BandPoint> band;
 
     [[nodiscard]] bool identifiable() const { return line.has_value(); }
     /// What waves alone add to beta.
     [[nodiscard]] double beta_r() const;
-    /// Where the curve, with all that was drawn, reaches 5 %: exp(ln median - 1.645 beta). Nothing where the
-    /// proportions contradict it.
+    /// Where the curve, with all that was drawn, reaches 5 %: exp(ln median - 1.645 beta). Nothing without a curve.
     [[nodiscard]] std::optional<double> five_percent_point() const;
     /// exp(ln median - 1.645 (beta_R + beta_U)): high confidence, low probability of failure (EPRI TR-103959). Nothing
-    /// where beta_U is not known, or the 5 % point is not.
+    /// where beta_U is not known.
     [[nodiscard]] std::optional<double> hclpf() const;
     /// Where the composite curve, with beta_R and beta_U together, reaches 1 %; nothing where HCLPF is not known.
     [[nodiscard]] std::optional<double> one_percent_point() const;

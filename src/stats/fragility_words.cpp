@@ -26,7 +26,7 @@ constexpr std::array<char const*, fragility_flags> flag_names{"no-trials",
                                                               "interval-unbounded",
                                                               "waves-left-out",
                                                               "no-beta-u",
-                                                              "no-five-percent-point"};
+                                                              "five-percent-doubtful"};
 
 // The same with the words of the limit state: "nothing-overturned", "nothing overturned".
 std::string in_words(std::string text, Passing passing) {
@@ -52,7 +52,7 @@ std::string bound_text(FragilityFit const& fit, IntensityUnit const& unit, doubl
                                  ? none ? "no trial exceeded it" : "every trial exceeded it"
                              : none ? "nothing overturned"
                                     : "everything overturned";
-    return fmt::format("{}: no curve can be fitted; P {} {:.4g} at {} ({} of {:g}{}, {:g} %)", what,
+    return fmt::format("{}: no curve; P {} {:.4g} at {} ({} of {:g}{}, {:g} %)", what,
                        none ? "<=" : ">=", none ? bound.probability.upper : bound.probability.lower, where,
                        none ? "none" : "all", bound.units, alike_text(bound.alike), 100 * confidence);
 }
@@ -60,12 +60,12 @@ std::string bound_text(FragilityFit const& fit, IntensityUnit const& unit, doubl
 // What several stripes say together, if P does not fall.
 std::string pooled_text(SeenBound const& pooled, IntensityUnit const& unit, double confidence) {
     auto const least = pooled.overturned > 0
-                           ? fmt::format(" and at least {:.3g} at {}", pooled.probability.lower, unit.text(pooled.to))
+                           ? fmt::format(", P >= {:.3g} at {}", pooled.probability.lower, unit.text(pooled.to))
                            : std::string();
-    return fmt::format("if P does not fall, it is at most {:.3g} at {}{} ({} from {:.4g} to {:.4g}, {:g} %{})",
-                       pooled.probability.upper, unit.text(pooled.from), least, counts_text(pooled),
-                       unit.of(pooled.from), unit.of(pooled.to), 100 * confidence,
-                       least.empty() ? "" : " for both together");
+    return fmt::format(
+        "if P does not decrease with the level: P <= {:.3g} at {}{} ({} from {:.4g} to {:.4g}, {:g} %{})",
+        pooled.probability.upper, unit.text(pooled.from), least, counts_text(pooled), unit.of(pooled.from),
+        unit.of(pooled.to), 100 * confidence, least.empty() ? "" : " for both together");
 }
 
 std::string bracket_text(Interval const& bracket, IntensityUnit const& unit) {
@@ -77,11 +77,11 @@ std::string bracket_text(Interval const& bracket, IntensityUnit const& unit) {
 }
 
 std::string separated_text(FragilityFit const& fit, IntensityUnit const& unit) {
-    auto text =
-        fmt::format("all that {}, or at the one level where both happened: beta cannot be told, the median lies {}",
-                    fit.passing == Passing::exceeded ? "kept within it lie below all that exceeded it"
-                                                     : "stood lie below all that overturned",
-                    bracket_text(fit.isotonic_median, unit));
+    auto text = fmt::format(
+        "no curve: all trials that {} (or at one level that has both). beta is not identifiable; the median is {}",
+        fit.passing == Passing::exceeded ? "did not exceed it are below all that exceeded it"
+                                         : "stood are below all that overturned",
+        bracket_text(fit.isotonic_median, unit));
     if (fit.penalised) {
         text += fmt::format("; penalised (Firth) median {}, beta {:.3g}",
                             unit.text(std::exp(fit.penalised->log_median())), fit.penalised->beta());
@@ -103,29 +103,28 @@ void add_state(std::vector<std::string>& texts, FragilityFit const& fit, Intensi
             texts.push_back(bound_text(fit, unit, confidence));
             break;
         case FragilityState::one_level:
-            texts.emplace_back("one intensity only: its interval is all there is, a curve needs two");
+            texts.emplace_back("one level only: a curve needs two; see its interval");
             break;
         case FragilityState::separated:
             texts.push_back(separated_text(fit, unit));
             break;
         case FragilityState::not_rising:
-            texts.push_back(
-                fmt::format("P does not rise with this measure beyond chance ({:g} %): no lognormal curve; "
-                            "the stripes' own intervals hold",
-                            100 * confidence));
+            texts.push_back(fmt::format(
+                "no curve: P does not increase significantly with this measure ({:g} %); use the intervals of the "
+                "stripes",
+                100 * confidence));
             break;
         case FragilityState::not_converged:
-            texts.emplace_back("the fit did not converge: no curve is given");
+            texts.emplace_back("no curve: the fit did not converge");
             break;
         case FragilityState::grid:
             texts.push_back(grid_text(fit.waves));
             break;
         case FragilityState::undecided:
-            texts.push_back(
-                fmt::format("more than 5 % of the trials at some intensity below the median have no verdict ({:g} in "
-                            "all): where it lies hangs on what they would have done; the stripes, which hold whatever "
-                            "that is, are the answer",
-                            fit.undecided));
+            texts.push_back(fmt::format(
+                "no curve: more than 5 % of the trials at a level below the median have no verdict ({:g} in all); "
+                "use the intervals of the stripes, which include them",
+                fit.undecided));
             break;
         case FragilityState::fitted:
             break;
@@ -196,11 +195,25 @@ std::string poor_text(FragilityFit const& fit) {
     auto const& goodness = *fit.goodness;
     auto const stripe =
         goodness.stripe_p_value < goodness.p_value
-            ? fmt::format("the stripe farthest from it, p = {:.2g} by its exact tail times the number of stripes",
-                          goodness.stripe_p_value)
-            : fmt::format("deviance {:.3g} with {} degrees of freedom, p = {:.2g}", goodness.deviance,
-                          goodness.degrees_of_freedom, goodness.p_value);
-    return fmt::format("the lognormal curve does not describe the proportions ({})", stripe);
+            ? fmt::format("farthest stripe: exact p = {:.2g}, times the number of stripes", goodness.stripe_p_value)
+            : fmt::format("deviance {:.3g} with {} degrees of freedom, p = {:.2g}{}", goodness.deviance,
+                          goodness.degrees_of_freedom, goodness.p_value, goodness.chi_squared ? "" : " by simulation");
+    return fmt::format("the lognormal curve does not fit the data ({})", stripe);
+}
+
+// The 5 % point stands, and what the trials themselves hold there.
+std::string doubtful_text(FragilityFit const& fit, IntensityUnit const& unit, double confidence) {
+    std::string text = "the data disagree with the curve near 5 %: do not use the 5 % point or HCLPF";
+    if (!fit.beside_five_percent) {
+        return text;
+    }
+    for (auto const* side : {&fit.beside_five_percent->below, &fit.beside_five_percent->above}) {
+        if (side->units > 0) {
+            text += fmt::format("; {} at {}: P in [{:.3g}, {:.3g}]", counts_text(*side), unit.text(side->from),
+                                side->probability.lower, side->probability.upper);
+        }
+    }
+    return text + fmt::format(" ({:g} %)", 100 * confidence);
 }
 
 }  // namespace
@@ -214,51 +227,43 @@ std::vector<std::string> warnings_of(FragilityFit const& fit, IntensityUnit cons
         }
     };
     add_if(FragilityFlag::one_overturned, fit.passing == Passing::exceeded
-                                              ? "one trial exceeded it: whatever is fitted hangs on that one"
-                                              : "one trial overturned: whatever is fitted hangs on it");
+                                              ? "only one trial exceeded it: the fit depends on that one"
+                                              : "only one trial overturned: the fit depends on that one");
     if (fit.identifiable()) {
-        add_if(FragilityFlag::two_levels, "two intensities: the curve goes through both, nothing tests its shape");
+        add_if(FragilityFlag::two_levels, "two levels only: the shape of the curve is not tested");
     }
-    add_if(FragilityFlag::non_monotone,
-           fmt::format("the proportions fall somewhere, beyond chance (p = {:.2g}): rocking need not be monotone; see "
-                       "the isotonic estimate",
-                       fit.monotone.p_value));
+    add_if(FragilityFlag::non_monotone, fmt::format("P decreases significantly between some levels (p = {:.2g} "
+                                                    "by simulation); see the isotonic estimate",
+                                                    fit.monotone.p_value));
     add_if(FragilityFlag::poor_fit, poor_text(fit));
-    add_if(FragilityFlag::no_five_percent_point,
-           "the proportions contradict the curve where 5 % and HCLPF would be read off it: neither is told");
-    if (!has(fit.flags, FragilityFlag::no_five_percent_point)) {
-        add_if(
-            FragilityFlag::no_beta_u,
-            "no beta_U was stated (--beta-u), or drawn (scattered bodies) that moves the median beyond chance: the 5 % "
-            "point is that of one curve, and there is no HCLPF");
-    }
-    add_if(FragilityFlag::median_outside_data, "the median lies outside what was tried: extrapolated");
-    add_if(FragilityFlag::hclpf_outside_data, "HCLPF lies below all that was tried: extrapolated");
+    add_if(FragilityFlag::five_percent_doubtful, doubtful_text(fit, unit, confidence));
+    add_if(FragilityFlag::no_beta_u,
+           "no HCLPF: beta_U was not given (--beta-u), and no uncertain property of the body changes the median "
+           "significantly. The 5 % point is that of the fitted curve");
+    add_if(FragilityFlag::median_outside_data, "the median is outside the levels (extrapolated)");
+    add_if(FragilityFlag::hclpf_outside_data, "HCLPF is below the levels (extrapolated)");
     if (fit.state != FragilityState::undecided) {
         add_if(FragilityFlag::undecided_trials,
                fmt::format("{:g} trials have no verdict and are left out of the curve{}", fit.undecided,
-                           fit.identifiable() ? "; its intervals hold with all of them standing and all fallen" : ""));
+                           fit.identifiable() ? "; its intervals include both extremes (all stood, all fell)" : ""));
     }
-    add_if(FragilityFlag::few_waves, fmt::format("{} {} only: intervals from resampling them are too short (of ten "
-                                                 "they hold in 90 % instead of 95, of five in 84)",
+    add_if(FragilityFlag::few_waves, fmt::format("only {} {}: bootstrap intervals are too short (coverage with "
+                                                 "ten: 90 % instead of 95; with five: 84)",
                                                  fit.waves, fit.alike > 1 ? "groups of waves" : "waves"));
-    add_if(
-        FragilityFlag::waves_left_out,
-        fmt::format("resampled, and fitted but for stripes, are the first {} waves: the million trials that are held",
-                    fit.waves));
-    add_if(FragilityFlag::interval_unbounded, "an interval is open: the data do not bound it");
+    add_if(FragilityFlag::waves_left_out,
+           fmt::format("curves and bootstrap use the first {} waves (20 million trials)", fit.waves));
+    add_if(FragilityFlag::interval_unbounded, "an interval is open: the data do not limit it");
     for (auto const& quoted : fit.quotes) {
         if (has(fit.flags, FragilityFlag::poor_fit) && quoted.source == QuotedProbability::Source::curve) {
             texts.push_back(
-                fmt::format("P at {} comes from a curve that does not describe the data: its bounds are too "
-                            "narrow",
+                fmt::format("P at {} is from a curve that does not fit the data: its interval is too narrow",
                             unit.text(quoted.quote.intensity)));
         }
         if (quoted.in_tail) {
-            texts.push_back(
-                fmt::format("P = {:.2g} at {} lies more than a decade under the lowest proportion seen ({:.2g}): a "
-                            "lognormal tail may err to either side there; [rare] estimates such P",
-                            *quoted.probability, unit.text(quoted.quote.intensity), fit.lowest_proportion));
+            texts.push_back(fmt::format(
+                "P = {:.2g} at {} is more than a decade below the lowest observed proportion ({:.2g}): extrapolated "
+                "along the lognormal tail. Use [rare] for such P",
+                *quoted.probability, unit.text(quoted.quote.intensity), fit.lowest_proportion));
         }
     }
     return texts;

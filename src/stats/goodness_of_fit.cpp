@@ -55,10 +55,7 @@ double tail_of(Group const& group) {
     return std::min(1.0, 2 * std::min(below, above));
 }
 
-}  // namespace
-
-GoodnessOfFit goodness_of_fit(std::span<FragilityPoint const> points, ProbitLine const& line) {
-    constexpr std::size_t stripes_at_most = 40;
+std::vector<Group> groups_of(std::span<FragilityPoint const> points, ProbitLine const& line) {
     constexpr std::size_t groups_of_singles = 10;
     bool const singles = points.size() > stripes_at_most;
     double const share = sum_of(points).trials / static_cast<double>(groups_of_singles);
@@ -74,17 +71,37 @@ GoodnessOfFit goodness_of_fit(std::span<FragilityPoint const> points, ProbitLine
         }
         before += point.trials;
     }
-    auto const pooled = filled(groups);
+    return groups;
+}
+
+GoodnessOfFit judged(std::span<Group const> groups) {
+    constexpr std::size_t few = 20;
+    constexpr double many = 5;
+    auto const pooled = filled({groups.begin(), groups.end()});
     GoodnessOfFit fit;
-    for (auto const& group : groups) {
-        fit.stripe_p_value = std::min(fit.stripe_p_value, tail_of(group) * static_cast<double>(groups.size()));
-    }
+    fit.chi_squared = pooled.size() <= few;
     for (auto const& group : pooled) {
         fit.deviance += deviance_of(group);
+        fit.chi_squared = fit.chi_squared && group.expected >= many && group.trials - group.expected >= many;
     }
     fit.degrees_of_freedom = std::max(static_cast<int>(pooled.size()) - 2, 0);
-    if (fit.degrees_of_freedom > 0) {
+    if (fit.degrees_of_freedom > 0 && fit.chi_squared) {
         fit.p_value = gsl_cdf_chisq_Q(fit.deviance, fit.degrees_of_freedom);
+    }
+    return fit;
+}
+
+}  // namespace
+
+GoodnessOfFit deviance_from(std::span<FragilityPoint const> points, ProbitLine const& line) {
+    return judged(groups_of(points, line));
+}
+
+GoodnessOfFit goodness_of_fit(std::span<FragilityPoint const> points, ProbitLine const& line) {
+    auto const groups = groups_of(points, line);
+    auto fit = judged(groups);
+    for (auto const& group : groups) {
+        fit.stripe_p_value = std::min(fit.stripe_p_value, tail_of(group) * static_cast<double>(groups.size()));
     }
     return fit;
 }

@@ -7,23 +7,34 @@
 #include <gsl/gsl_cdf.h>
 
 #include "core/error.hpp"
+#include "stats/detail/normal_tail.hpp"
 #include "stats/detail/quotes.hpp"
 #include "stats/extended_real.hpp"
 
 namespace overturn {
 
-HazardCurve::HazardCurve(std::vector<HazardPoint> points, IntensityUnit stated)
-    : points_(std::move(points)), stated_(std::move(stated)) {
+void check_hazard_point(HazardPoint const& point, HazardPoint const* before) {
+    auto const& [intensity, annual] = point;
+    validate(intensity != 0, "intensity 0 with annual exceedance {} (no motion at all is no hazard). Leave the row out",
+             annual);
+    validate(annual != 0, "annual exceedance 0 at intensity {} (the curve ends at the row before). Leave the row out",
+             intensity);
+    validate(intensity > 0 && std::isfinite(intensity) && annual > 0 && std::isfinite(annual),
+             "intensity {}, annual exceedance {} (both must be positive and finite). Mend the row", intensity, annual);
+    if (before == nullptr) {
+        return;
+    }
+    validate(intensity > before->intensity, "intensity {} after {} (must rise). Sort the table", intensity,
+             before->intensity);
+    validate(annual <= before->annual_exceedance, "annual exceedance {} after {} (stronger motions are rarer). Mend it",
+             annual, before->annual_exceedance);
+}
+
+HazardCurve::HazardCurve(std::vector<HazardPoint> points, IntensityUnit stated, std::vector<std::string> remarks)
+    : points_(std::move(points)), stated_(std::move(stated)), remarks_(std::move(remarks)) {
     validate(points_.size() >= 2, "hazard curve of {} points (at least two). Add some", points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i) {
-        auto const& [intensity, annual] = points_[i];
-        validate(intensity > 0 && std::isfinite(intensity) && annual > 0 && std::isfinite(annual),
-                 "hazard point {}: {}, {} (both must be positive). Mend it", i + 1, intensity, annual);
-        validate(i == 0 || intensity > points_[i - 1].intensity, "intensity {} after {} (must rise). Sort the table",
-                 intensity, i == 0 ? 0.0 : points_[i - 1].intensity);
-        validate(i == 0 || annual < points_[i - 1].annual_exceedance,
-                 "annual exceedance {} after {} (stronger motions are rarer). Mend it", annual,
-                 i == 0 ? 0.0 : points_[i - 1].annual_exceedance);
+        check_hazard_point(points_[i], i == 0 ? nullptr : &points_[i - 1]);
     }
 }
 
@@ -45,19 +56,18 @@ double LognormalFragility::probability(double intensity) const {
 
 namespace {
 
-// Phi(b) - Phi(a), without cancellation in the upper tail. \pre a <= b
-double normal_between(double a, double b) {
-    return a > 0 ? gsl_cdf_ugaussian_Q(a) - gsl_cdf_ugaussian_Q(b) : gsl_cdf_ugaussian_P(b) - gsl_cdf_ugaussian_P(a);
-}
+// Phi(b) - Phi(a). \pre a <= b, a not above 0: no cancellation
+double normal_between(double a, double b) { return gsl_cdf_ugaussian_P(b) - gsl_cdf_ugaussian_P(a); }
 
 // The integral over a piece on which exceedance is n0 (a / a0)^-k.
 double over_piece(double a0, double n0, double a1, double n1, LognormalFragility const& fragility) {
-    auto const& [median, beta] = fragility;
+    double const median = fragility.median;
+    double const beta = fragility.beta;
     double const p0 = fragility.probability(a0);
     double const p1 = fragility.probability(a1);
     double const k = std::log(n0 / n1) / std::log(a1 / a0);
-    if (!std::isfinite(median)) {
-        return 0;
+    if (!std::isfinite(median) || n0 == n1) {
+        return 0;  // nothing happens along a flat piece
     }
     if (beta == 0) {
         double const at_step = n0 * std::pow(median / a0, -k);
@@ -65,7 +75,14 @@ double over_piece(double a0, double n0, double a1, double n1, LognormalFragility
     }
     double const z0 = std::log(a0 / median) / beta + k * beta;
     double const z1 = std::log(a1 / median) / beta + k * beta;
-    double const moved = n0 * std::exp(k * std::log(a0 / median) + k * k * beta * beta / 2) * normal_between(z0, z1);
+    // n exp(k x + k^2 beta^2 / 2) Q(z), x = ln(a / median), without the overflow of a steep piece.
+    auto const tail = [&](double a, double n, double z) {
+        double const x = std::log(a / median) / beta;
+        return n * std::exp(-x * x / 2) * scaled_upper_tail(z);
+    };
+    double const moved =
+        z0 > 0 ? tail(a0, n0, z0) - tail(a1, n1, z1)
+               : n0 * std::exp(k * std::log(a0 / median) + k * k * beta * beta / 2) * normal_between(z0, z1);
     // By parts; what is left of two large numbers is never below nothing.
     return std::max(0.0, p0 * n0 - p1 * n1 + moved);
 }
@@ -87,26 +104,27 @@ AnnualFrequency annual_frequency(HazardCurve const& hazard, LognormalFragility c
     return frequency;
 }
 
+double annual_between(HazardCurve const& hazard, LognormalFragility const& fragility, double from, double to) {
+    double const a0 = std::max(from, hazard.first());
+    double const a1 = std::min(to, hazard.last());
+    if (!(a0 < a1)) {
+        return 0;
+    }
+    std::vector<HazardPoint> points{{a0, hazard.annual_exceedance(a0)}};
+    for (auto const& point : hazard.points()) {
+        if (point.intensity > a0 && point.intensity < a1) {
+            points.push_back(point);
+        }
+    }
+    points.push_back({a1, hazard.annual_exceedance(a1)});
+    return annual_frequency(HazardCurve(std::move(points)), fragility).annual;
+}
+
 FrequencyShares shares_of(HazardCurve const& hazard, LognormalFragility const& fragility, double lowest,
                           double highest) {
-    auto const within = [&](double from, double to) {
-        double const a0 = std::max(from, hazard.first());
-        double const a1 = std::min(to, hazard.last());
-        if (!(a0 < a1)) {
-            return 0.0;
-        }
-        std::vector<HazardPoint> points{{a0, hazard.annual_exceedance(a0)}};
-        for (auto const& point : hazard.points()) {
-            if (point.intensity > a0 && point.intensity < a1) {
-                points.push_back(point);
-            }
-        }
-        points.push_back({a1, hazard.annual_exceedance(a1)});
-        return annual_frequency(HazardCurve(std::move(points)), fragility).annual;
-    };
-    double const below = within(0, lowest);
-    double const between = within(lowest, highest);
-    double const above = within(highest, infinite);
+    double const below = annual_between(hazard, fragility, 0, lowest);
+    double const between = annual_between(hazard, fragility, lowest, highest);
+    double const above = annual_between(hazard, fragility, highest, infinite);
     double const all = below + between + above;
     OVERTURN_EXPECT(all > 0);
     return {below / all, between / all, above / all};

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "stats/bootstrap.hpp"
@@ -18,14 +19,21 @@ struct HazardPoint {
     double annual_exceedance = 0;  ///< mean number of exceedances in a year [1/a]
 };
 
+/// Of one point and the one before it, if there is one; exceedances may stay the same from one to the next.
+/// \throws InputError with the point's own numbers
+void check_hazard_point(HazardPoint const& point, HazardPoint const* before);
+
 /// Straight in log-log between points.
 class HazardCurve {
   public:
-    /// \param stated the unit that intensities were stated in; no symbol: in none
-    /// \throws InputError if there are fewer than two, an intensity does not rise or a frequency does not fall
-    explicit HazardCurve(std::vector<HazardPoint> points, IntensityUnit stated = {});
+    /// \param stated the unit that intensities were stated in; no symbol: in none \param remarks what a reader must
+    /// know of the table that it came from \throws InputError if there are fewer than two, an intensity does not rise
+    /// or a frequency rises
+    explicit HazardCurve(std::vector<HazardPoint> points, IntensityUnit stated = {},
+                         std::vector<std::string> remarks = {});
     [[nodiscard]] std::vector<HazardPoint> const& points() const { return points_; }
     [[nodiscard]] IntensityUnit const& stated() const { return stated_; }
+    [[nodiscard]] std::vector<std::string> const& remarks() const { return remarks_; }
     /// \pre intensity within the points
     [[nodiscard]] double annual_exceedance(double intensity) const;
     [[nodiscard]] double first() const { return points_.front().intensity; }
@@ -34,6 +42,7 @@ class HazardCurve {
   private:
     std::vector<HazardPoint> points_;
     IntensityUnit stated_;
+    std::vector<std::string> remarks_;
 };
 
 /// Phi(ln(a / median) / beta).
@@ -62,6 +71,10 @@ struct AnnualFrequency {
 /// The integral of P(a) |d exceedance / da|, exact for a lognormal fragility over each straight piece (by parts, the
 /// rest is a normal integral with a shifted mean: the closed form of Cornell (1996) where one power law holds for all).
 [[nodiscard]] AnnualFrequency annual_frequency(HazardCurve const& hazard, LognormalFragility const& fragility);
+
+/// The part of `annual` by motions between two intensities; what lies outside of the hazard curve adds nothing [1/a].
+[[nodiscard]] double annual_between(HazardCurve const& hazard, LognormalFragility const& fragility, double from,
+                                    double to);
 
 /// Bounds on it from stripes alone, if P rises with intensity: it is at least the lower end of the exact interval of
 /// any stripe below, and at most the upper end of any above (Clopper & Pearson 1934); below all at least 0, above all

@@ -3,8 +3,6 @@
 #include <cmath>
 #include <limits>
 
-#include <gsl/gsl_cdf.h>
-
 namespace overturn {
 namespace {
 
@@ -63,9 +61,6 @@ MonotoneTest test_monotone(std::span<FragilityPoint const> points) {
         distinct += i == 0 || points[i].probability() != points[i - 1].probability() ? 1 : 0;
     }
     test.degrees_of_freedom = static_cast<int>(distinct) - static_cast<int>(pools.size());
-    if (test.degrees_of_freedom > 0) {
-        test.p_value = gsl_cdf_chisq_Q(std::max(test.deviance, 0.0), test.degrees_of_freedom);
-    }
     return test;
 }
 

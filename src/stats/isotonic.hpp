@@ -27,11 +27,12 @@ struct PooledPoints {
 
 /// How the points fall short of rising.
 struct MonotoneTest {
-    double deviance = 0;         ///< of the isotonic estimate against a free one for every point
+    double deviance =
+        0;  ///< of the isotonic estimate against a free one for every point; groups of alike trials as one
     int degrees_of_freedom = 0;  ///< points less pools; 0: the proportions rise throughout
-    double p_value = 1;          ///< of so much by chance, given the pools (Wollan & Dykstra 1986); trials independent,
-                                 ///< groups of alike ones as one each
+    double p_value = 1;          ///< of so much by chance (`test_shape`)
 };
+/// Without its chance.
 [[nodiscard]] MonotoneTest test_monotone(std::span<FragilityPoint const> points);
 
 }  // namespace overturn

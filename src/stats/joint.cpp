@@ -33,10 +33,11 @@ Fourfold counted(std::vector<JointTrial const*> const& trials, std::size_t a, st
         }
         bool const first = trial->ends[a] == JointEnd::overturned;
         bool const second = trial->ends[b] == JointEnd::overturned;
-        counts.trials += 1;
-        counts.first += first ? 1 : 0;
-        counts.second += second ? 1 : 0;
-        counts.both += first && second ? 1 : 0;
+        auto const many = static_cast<double>(trial->count);
+        counts.trials += many;
+        counts.first += first ? many : 0;
+        counts.second += second ? many : 0;
+        counts.both += first && second ? many : 0;
     }
     return counts;
 }
@@ -62,9 +63,9 @@ Stripe any_of(double amplitude, std::vector<JointTrial const*> const& trials, st
     for (auto const* trial : trials) {
         bool const fell = std::ranges::count(trial->ends, JointEnd::overturned) > 0;
         bool const open = std::ranges::count(trial->ends, JointEnd::undecided) > 0;
-        ++stripe.trials;
-        stripe.overturned += fell ? 1 : 0;
-        stripe.undecided += !fell && open ? 1 : 0;
+        stripe.trials += trial->count;
+        stripe.overturned += fell ? trial->count : 0;
+        stripe.undecided += !fell && open ? trial->count : 0;
     }
     return stripe;
 }
@@ -75,8 +76,9 @@ double independent(std::vector<JointTrial const*> const& trials) {
         double decided = 0;
         double fell = 0;
         for (auto const* trial : trials) {
-            decided += trial->ends[b] == JointEnd::undecided ? 0 : 1;
-            fell += trial->ends[b] == JointEnd::overturned ? 1 : 0;
+            auto const many = static_cast<double>(trial->count);
+            decided += trial->ends[b] == JointEnd::undecided ? 0 : many;
+            fell += trial->ends[b] == JointEnd::overturned ? many : 0;
         }
         none *= 1 - fell / decided;  // NaN where none is decided
     }

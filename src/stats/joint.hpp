@@ -18,6 +18,7 @@ enum class JointEnd : std::uint8_t { stood, overturned, undecided };
 struct JointTrial {
     double amplitude = 0;
     std::vector<JointEnd> ends;  ///< one per body
+    std::int64_t count = 1;      ///< so many waves ended so
 };
 
 /// Of two bodies, over trials that decide both.

@@ -96,6 +96,9 @@ void describe(Dataset const& dataset, Field const& column) {
     if (!column.categories.empty()) {
         write_flags(dataset, column);
     }
+    for (auto const& [name, text] : column.notes) {
+        write_attribute(dataset.id(), name, text);
+    }
 }
 
 void make_axis(Dataset const& dataset, std::string const& name) {

@@ -33,7 +33,7 @@ class ColumnTypes {
 };
 
 /// Writes `units` (none where the column has none), `description`, the same as `long_name`, and where values have names
-/// `flag_values` and `flag_meanings`.
+/// `flag_values` and `flag_meanings`, and its notes.
 void describe(Dataset const& dataset, Field const& column);
 
 /// Makes a dataset an axis, its own first of all; one that is an axis stays it.

@@ -18,7 +18,8 @@
 namespace overturn::store {
 
 inline constexpr char const* format_name = "overturn-results";
-inline constexpr std::int64_t format_version = 4;
+inline constexpr std::int64_t format_version = 5;
+inline constexpr char const* no_text = "(none)";       ///< the name of an empty text
 inline constexpr std::int64_t oldest_format_read = 3;  ///< earlier files are read by the program that made them
 
 /// A column is a field of rows; a group of them is appended row by row.
@@ -30,11 +31,6 @@ struct TableSpec {
     /// "trial", a further dataset of the group that numbers the rows from 0. Empty: each column is its own.
     std::string axis = {};
     std::string axis_description = {};
-    /// Further attributes of columns: (column, name, text).
-    struct Note {
-        std::string column, name, text;
-    };
-    std::vector<Note> notes = {};
 
     /// Is the axis a dataset of its own?
     [[nodiscard]] bool numbers_rows() const;
@@ -57,7 +53,8 @@ class ResultsWriter {
     void attribute(std::string const& where, std::string const& name, std::string const& text);
     void attribute(std::string const& where, std::string const& name, std::int64_t value);
     void attribute(std::string const& where, std::string const& name, double value);
-    [[nodiscard]] bool has_group(std::string const& where) const { return groups_.contains(where); }
+    /// Of all groups so far.
+    [[nodiscard]] std::vector<std::string> groups() const;
 
     /// Declares a table of exactly `rows` rows. \return its number for append
     std::size_t table(TableSpec spec, std::int64_t rows);
@@ -65,7 +62,7 @@ class ResultsWriter {
     void append(std::size_t number, std::span<std::byte const> rows);
 
     /// A small array at once. Its axis is the earlier one of the group `where` that `scale` names, else itself.
-    /// Integers may have names of values.
+    /// Integers may have names of values; of the type category they are stored as an enumeration.
     void array(std::string const& where, Field const& spec, std::vector<double> const& values,
                std::string const& scale = {});
     void array(std::string const& where, Field const& spec, std::vector<std::int64_t> const& values,
@@ -83,6 +80,8 @@ class ResultsWriter {
     void add_digests();
     Group& group(std::string const& path);
     Dataset create(std::string const& where, Field const& spec, std::int64_t rows);
+    void write_categories(Dataset const& dataset, Field const& spec, std::span<std::int64_t const> values,
+                          std::int64_t first, std::string const& name);
     void write_array(std::string const& where, Field const& spec, hid_t memory_type, void const* values,
                      std::size_t count, std::string const& scale);
     [[nodiscard]] Dataset open(std::string const& path) const;
@@ -132,8 +131,17 @@ class ResultsReader {
     [[nodiscard]] std::vector<ColumnMeaning> columns() const;
     [[nodiscard]] std::vector<double> reals(std::string const& dataset) const;
     [[nodiscard]] std::vector<std::int64_t> integers(std::string const& dataset) const;
-    /// Rows of a table from `first` on, as the bytes of consecutive row structs that ResultsWriter::append took.
-    /// \throws InputError if a column has other than `length` rows, or holds a category that has no name
+    /// A column of texts: names of numbers, or lines of an attribute of its group.
+    [[nodiscard]] std::vector<std::string> texts(std::string const& dataset) const;
+    /// The names that a column of categories may hold, or an integer whose attribute flag_meanings names its values,
+    /// with the file's own numbers. Empty: it is none, or not there.
+    [[nodiscard]] std::vector<Category> categories(std::string const& dataset) const;
+    /// A column of categories as the numbers that `names` gives to their names; unknown_category where it names none.
+    [[nodiscard]] std::vector<std::int64_t> named(std::string const& dataset, std::span<Category const> names) const;
+    /// Rows of a table from `first` on, as the bytes of consecutive row structs that ResultsWriter::append took. A
+    /// column that the file does not have is unknown: NaN, or the field's `absent`. Categories are those of the same
+    /// name, whatever number the file gives them. \throws InputError if a column has other than `length` rows, a
+    /// category without a name, or an essential one is missing or unknown
     void rows(TableSpec const& spec, std::int64_t length, std::int64_t first, std::span<std::byte> rows) const;
     /// One element.
     [[nodiscard]] double real_at(std::string const& dataset, std::int64_t row) const;
@@ -141,6 +149,9 @@ class ResultsReader {
     [[nodiscard]] std::string content(std::string const& dataset) const;
     /// A text attribute of a dataset or group.
     [[nodiscard]] std::string text_attribute(std::string const& object, std::string const& name) const;
+    /// The same, or `other` where there is none.
+    [[nodiscard]] std::string attribute_or(std::string const& object, std::string const& name,
+                                           std::string const& other) const;
 
   private:
     [[nodiscard]] std::string text_or(std::string const& name) const;

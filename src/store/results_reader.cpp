@@ -1,9 +1,12 @@
 #include <algorithm>
+#include <bit>
 #include <cstring>
+#include <sstream>
 
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "store/detail/category_names.hpp"
 #include "store/detail/objects.hpp"
 #include "store/results_file.hpp"
 
@@ -47,22 +50,6 @@ template <class Value> std::vector<Value> read_all(File const& file, std::string
     return values;
 }
 
-// Enumerations are stored as one byte; HDF5 converts them only to their own kind.
-bool is_category(Dataset const& dataset) {
-    Datatype const type(checked(H5Dget_type(dataset.id()), "read a type"));
-    return H5Tget_class(type.id()) == H5T_ENUM;
-}
-
-void read_some(Dataset const& dataset, std::string const& name, hid_t memory_type, std::int64_t first,
-               std::int64_t count, void* values) {
-    Dataspace const file(checked(H5Dget_space(dataset.id()), "read a dataspace"));
-    auto const start = static_cast<hsize_t>(first);
-    auto const size = static_cast<hsize_t>(count);
-    Dataspace const memory(checked(H5Screate_simple(1, &size, nullptr), "make a dataspace"));
-    checked(H5Sselect_hyperslab(file.id(), H5S_SELECT_SET, &start, nullptr, &size, nullptr), "select rows");
-    checked(H5Dread(dataset.id(), memory_type, memory.id(), file.id(), H5P_DEFAULT, values), "read " + name);
-}
-
 template <class Value>
 Value read_one(Dataset const& dataset, std::string const& name, hid_t memory_type, std::int64_t row) {
     Value value{};
@@ -70,33 +57,17 @@ Value read_one(Dataset const& dataset, std::string const& name, hid_t memory_typ
     return value;
 }
 
-// Values of an enumeration, as they are stored: HDF5 converts enumerations only to their own kind.
-std::vector<std::int64_t> read_categories(Dataset const& dataset, std::string const& name, std::int64_t first,
-                                          std::int64_t count) {
-    Datatype const type(checked(H5Dget_type(dataset.id()), "read a type"));
-    auto const bytes = H5Tget_size(type.id());
-    validate(bytes >= 1 && bytes <= 2,
-             "results file: {} holds names of {} bytes (it is not of this program). Run the "
-             "campaign again",
-             name, bytes);
-    std::vector<std::byte> raw(static_cast<std::size_t>(count) * bytes);
-    if (count > 0) {
-        read_some(dataset, name, type.id(), first, count, raw.data());
-    }
-    std::vector<std::int64_t> values(static_cast<std::size_t>(count));
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        std::memcpy(&values[i], raw.data() + i * bytes, bytes);
-    }
-    return values;
-}
-
 std::int64_t length_of(Dataset const& dataset) {
     Dataspace const space(checked(H5Dget_space(dataset.id()), "read a dataspace"));
     return H5Sget_simple_extent_ndims(space.id()) == 1 ? H5Sget_simple_extent_npoints(space.id()) : -1;
 }
 
-bool names(Field const& column, std::int64_t value) {
-    return std::ranges::any_of(column.categories, [&](auto const& category) { return category.value == value; });
+// A column that the file does not have.
+void fill_absent(Field const& column, std::size_t row_bytes, std::span<std::byte> rows) {
+    for (std::size_t place = column.offset; place < rows.size(); place += row_bytes) {
+        auto const bits = column.type == FieldType::real ? std::bit_cast<std::int64_t>(never) : column.absent;
+        std::memcpy(rows.data() + place, &bits, sizeof(bits));
+    }
 }
 
 }  // namespace
@@ -156,6 +127,41 @@ std::vector<std::int64_t> ResultsReader::integers(std::string const& dataset) co
     return read_all<std::int64_t>(file_, dataset, H5T_NATIVE_INT64);
 }
 
+std::vector<std::string> ResultsReader::texts(std::string const& dataset) const {
+    std::vector<std::string> values;
+    if (!has(dataset)) {
+        auto const slash = dataset.rfind('/');
+        std::istringstream lines(attribute_or(dataset.substr(0, slash), dataset.substr(slash + 1), ""));
+        for (std::string line; std::getline(lines, line);) {
+            values.push_back(line);
+        }
+        return values;
+    }
+    auto const names = categories(dataset);
+    for (auto const number : integers(dataset)) {
+        auto const name = std::ranges::find(names, number, &Category::value);
+        validate(name != names.end(), "results file: {} holds no texts {}", dataset, advice);
+        values.push_back(name->name == no_text ? "" : name->name);
+    }
+    return values;
+}
+
+std::vector<Category> ResultsReader::categories(std::string const& dataset) const {
+    if (!has(dataset)) {
+        return {};
+    }
+    auto const handle = open_numbers(file_, dataset);
+    return is_category(handle) ? stored_names(handle) : flagged_names(handle);
+}
+
+std::vector<std::int64_t> ResultsReader::named(std::string const& dataset, std::span<Category const> names) const {
+    auto values = integers(dataset);
+    auto const stored = categories(dataset);
+    validate(!stored.empty() || values.empty(), "results file: {} holds no names {}", dataset, advice);
+    rename_values(values, stored, names, dataset, false);
+    return values;
+}
+
 double ResultsReader::real_at(std::string const& dataset, std::int64_t row) const {
     return read_one<double>(open_numbers(file_, dataset), dataset, H5T_NATIVE_DOUBLE, row);
 }
@@ -170,23 +176,23 @@ std::int64_t ResultsReader::integer_at(std::string const& dataset, std::int64_t 
 
 void ResultsReader::rows(TableSpec const& spec, std::int64_t length, std::int64_t first,
                          std::span<std::byte> rows) const {
-    constexpr auto advice = "(it is damaged, or not of this program). Run the campaign again";
     auto const count = rows.size() / spec.row_bytes;
     OVERTURN_EXPECT(rows.size() % spec.row_bytes == 0);
     std::vector<std::int64_t> values(count);
     for (auto const& column : spec.columns) {
         auto const name = spec.group + "/" + column.name;
-        validate(has(name), "results file: has no {} {}", name, advice);
+        if (!has(name)) {
+            validate(!column.essential, "results file: has no {} {}", name, advice);
+            fill_absent(column, spec.row_bytes, rows);
+            continue;
+        }
         auto const dataset = open_numbers(file_, name);
         auto const stored = length_of(dataset);
         validate(stored == length, "results file: {} has {} rows, the campaign {} {}", name, stored, length, advice);
         if (column.type == FieldType::category) {
             validate(is_category(dataset), "results file: {} holds no names {}", name, advice);
             values = read_categories(dataset, name, first, static_cast<std::int64_t>(count));
-            for (auto const value : values) {
-                validate(names(column, value), "results file: {} holds {}, which names nothing {}", name, value,
-                         advice);
-            }
+            rename_values(values, stored_names(dataset), column.categories, name, column.essential);
         } else {
             read_some(dataset, name, column.type == FieldType::real ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT64, first,
                       static_cast<std::int64_t>(count), values.data());
@@ -205,6 +211,14 @@ std::string ResultsReader::content(std::string const& dataset) const {
 std::string ResultsReader::text_attribute(std::string const& object, std::string const& name) const {
     Handle<H5Oclose> const handle(checked(H5Oopen(file_.id(), object.c_str(), H5P_DEFAULT), "open " + object));
     return read_text_attribute(handle.id(), name);
+}
+
+std::string ResultsReader::attribute_or(std::string const& object, std::string const& name,
+                                        std::string const& other) const {
+    if (!has(object) || H5Aexists_by_name(file_.id(), object.c_str(), name.c_str(), H5P_DEFAULT) <= 0) {
+        return other;
+    }
+    return text_attribute(object, name);
 }
 
 std::string hdf5_version() {

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "core/error.hpp"
+#include "store/detail/dataset_rows.hpp"
 #include "store/detail/objects.hpp"
 #include "store/durable.hpp"
 #include "store/results_file.hpp"
@@ -27,23 +28,6 @@ struct ResultsWriter::Table {
 namespace {
 
 static_assert(std::endian::native == std::endian::little);
-
-// Identical content gives identical bytes: no object times, default library version, storage allocated when created.
-PropertyList dataset_properties() {
-    PropertyList properties(checked(H5Pcreate(H5P_DATASET_CREATE), "make dataset properties"));
-    checked(H5Pset_obj_track_times(properties.id(), false), "leave times out");
-    return properties;
-}
-
-void write_rows(Dataset const& dataset, hid_t memory_type, void const* values, std::int64_t first, std::int64_t count,
-                std::string const& name) {
-    auto const start = static_cast<hsize_t>(first);
-    auto const size = static_cast<hsize_t>(count);
-    Dataspace const memory(checked(H5Screate_simple(1, &size, nullptr), "make a dataspace"));
-    Dataspace const file(checked(H5Dget_space(dataset.id()), "read a dataspace"));
-    checked(H5Sselect_hyperslab(file.id(), H5S_SELECT_SET, &start, nullptr, &size, nullptr), "select rows");
-    checked(H5Dwrite(dataset.id(), memory_type, memory.id(), file.id(), H5P_DEFAULT, values), "write " + name);
-}
 
 }  // namespace
 
@@ -117,10 +101,18 @@ void ResultsWriter::attribute(std::string const& where, std::string const& name,
     write_attribute(group(where).id(), name, value);
 }
 
+std::vector<std::string> ResultsWriter::groups() const {
+    std::vector<std::string> names;
+    for (auto const& [path, handle] : groups_) {
+        names.push_back(path);
+    }
+    return names;
+}
+
 Dataset ResultsWriter::create(std::string const& where, Field const& spec, std::int64_t rows) {
+    auto const type = types_.of(file_, spec);
     auto const size = static_cast<hsize_t>(rows);
     Dataspace const space(checked(H5Screate_simple(1, &size, nullptr), "make a dataspace"));
-    auto const type = types_.of(file_, spec);
     auto const properties = dataset_properties();
     Dataset dataset(checked(
         H5Dcreate2(group(where).id(), spec.name.c_str(), type, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),
@@ -162,11 +154,6 @@ std::size_t ResultsWriter::table(TableSpec spec, std::int64_t rows) {
     }
     for (auto const& column : spec.columns) {
         table.datasets.push_back(create(spec.group, column, rows));
-        for (auto const& note : spec.notes) {
-            if (note.column == column.name) {
-                write_attribute(table.datasets.back().id(), note.name, note.text);
-            }
-        }
     }
     for (std::size_t c = 0; c < spec.columns.size(); ++c) {
         lay_along(spec.group, table.datasets[c], spec.columns[c].name, spec.axis);
@@ -183,7 +170,6 @@ void ResultsWriter::append(std::size_t number, std::span<std::byte const> rows) 
     OVERTURN_EXPECT(rows.size() % table.spec.row_bytes == 0);
     OVERTURN_EXPECT(table.written + static_cast<std::int64_t>(count) <= table.rows);
     std::vector<std::int64_t> gathered(count);
-    std::vector<std::byte> categories;
     for (std::size_t c = 0; c < table.spec.columns.size(); ++c) {
         auto const& column = table.spec.columns[c];
         for (std::size_t i = 0; i < count; ++i) {
@@ -192,63 +178,13 @@ void ResultsWriter::append(std::size_t number, std::span<std::byte const> rows) 
         auto const name = table.spec.group + "/" + column.name;
         auto const size = static_cast<std::int64_t>(count);
         if (column.type == FieldType::category) {
-            auto const bytes = category_bytes(column);
-            categories.resize(count * bytes);
-            for (std::size_t i = 0; i < count; ++i) {  // little-endian, here and there
-                std::memcpy(categories.data() + i * bytes, &gathered[i], bytes);
-            }
-            write_rows(table.datasets[c], types_.of(file_, column), categories.data(), table.written, size, name);
+            write_categories(table.datasets[c], column, gathered, table.written, name);
         } else {
             write_rows(table.datasets[c], column.type == FieldType::real ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT64,
                        gathered.data(), table.written, size, name);
         }
     }
     table.written += static_cast<std::int64_t>(count);
-}
-
-void ResultsWriter::array(std::string const& where, Field const& spec, std::vector<double> const& values,
-                          std::string const& scale) {
-    write_array(where, spec, H5T_NATIVE_DOUBLE, values.data(), values.size(), scale);
-}
-
-void ResultsWriter::array(std::string const& where, Field const& spec, std::vector<std::int64_t> const& values,
-                          std::string const& scale) {
-    auto integer = spec;
-    integer.type = FieldType::integer;
-    write_array(where, integer, H5T_NATIVE_INT64, values.data(), values.size(), scale);
-}
-
-void ResultsWriter::write_array(std::string const& where, Field const& spec, hid_t memory_type, void const* values,
-                                std::size_t count, std::string const& scale) {
-    auto const size = static_cast<std::int64_t>(count);
-    auto const dataset = create(where, spec, size);
-    write_rows(dataset, memory_type, values, 0, size, spec.name);
-    checked(H5Dflush(dataset.id()), "write " + spec.name);
-    lay_along(where, dataset, spec.name, scale);
-}
-
-void ResultsWriter::bytes(std::string const& where, std::string const& name, std::string const& description,
-                          std::string const& content) {
-    auto const size = static_cast<hsize_t>(content.size());
-    Dataspace const space(checked(H5Screate_simple(1, &size, nullptr), "make a dataspace"));
-    auto const properties = dataset_properties();
-    if (size > 0) {
-        constexpr hsize_t largest_chunk = 1 << 20;
-        hsize_t const chunk = std::min(size, largest_chunk);
-        constexpr unsigned level = 6;
-        checked(H5Pset_chunk(properties.id(), 1, &chunk), "set chunks");
-        checked(H5Pset_deflate(properties.id(), level), "set compression");
-    }
-    Dataset const dataset(checked(H5Dcreate2(group(where).id(), name.c_str(), H5T_STD_U8LE, space.id(), H5P_DEFAULT,
-                                             properties.id(), H5P_DEFAULT),
-                                  "create " + where + "/" + name));
-    describe(dataset, {name, "1", description});
-    make_axis(dataset, name);
-    if (size > 0) {
-        checked(H5Dwrite(dataset.id(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, content.data()),
-                "write " + name);
-        checked(H5Dflush(dataset.id()), "write " + name);
-    }
 }
 
 void ResultsWriter::add_digests() {

@@ -61,6 +61,9 @@ TEST(ReserveEnergy, DampingIsTheLossOfTwoImpacts) {
 /// Friction spends over the distance what the oscillator stores there.
 TEST(ReserveEnergy, SlidingSpendsWhatIsStored) {
     double const capacity = sliding_capacity_mps2(0.5);
+    // Published: mu_e = mu (1 - 0.4 A_v / g). At 0.25 g of vertical motion a tenth of the grip is gone.
+    EXPECT_DOUBLE_EQ(sliding_capacity_mps2(0.5, 0.25 * g0), 0.9 * capacity);
+    EXPECT_EQ(sliding_capacity_mps2(0.5, 3 * g0), 0) << "it does not hold at all";
     double const x = sliding_distance_m(capacity, 0.7);
     double const omega = 2 * std::numbers::pi * 0.7;
     EXPECT_NEAR(0.5 * g0 * x, 0.5 * omega * omega * x * x, 1e-12);

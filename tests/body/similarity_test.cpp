@@ -21,18 +21,17 @@ TEST(Similarity, TableFollowsFromItsOwnFactors) {
     EXPECT_NEAR(law.mass(), 0.0915, 5e-5);
     EXPECT_NEAR(law.inertia(), 0.0146, 5e-5);
     EXPECT_NEAR(law.stiffness(), 0.220, 5e-4);
-    EXPECT_NEAR(law.section_area(), 0.0912, 5e-5);
     EXPECT_NEAR(law.force(), 0.0897, 5e-5);
     EXPECT_NEAR(law.time(), 0.632, 5e-4);
     EXPECT_EQ(law.velocity(), law.time());
     EXPECT_TRUE(near(law.frequency() * law.time(), 1, rounding));
-    for (double const one : {law.acceleration(), law.angle(), law.friction(), law.stress()}) {
+    for (double const one : {law.acceleration(), law.angle(), law.friction()}) {
         EXPECT_EQ(one, 1);
     }
 }
 
 TEST(Similarity, RatiosAgreeWithEachOther) {
-    SimilarityLaw const law{.length = 0.3, .mass_factor = 1.2, .stiffness_factor = 0.7, .area_factor = 0.9};
+    SimilarityLaw const law{.length = 0.3, .mass_factor = 1.2, .stiffness_factor = 0.7};
     EXPECT_TRUE(near(law.velocity() / law.time(), law.acceleration(), exact_formula));
     EXPECT_TRUE(near(law.velocity() * law.time(), law.length, exact_formula));
     EXPECT_TRUE(near(law.mass() * law.length * law.length, law.inertia(), exact_formula));

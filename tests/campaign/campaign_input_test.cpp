@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include <fmt/format.h>
+
 #include "campaign/campaign_spec.hpp"
 #include "support/campaigns.hpp"
 #include "support/expect_input_error.hpp"
@@ -97,6 +99,35 @@ TEST(CampaignInput, ACampaignTooLongForTheResultsFileIsRefusedAtOnce) {
 
     testing::expect_input_error([&] { (void)load_campaign(path, {}); }, "70", "file");
     std::filesystem::remove(path);
+}
+
+// R-1003: A results file of format 4 or before means what it meant then: a target without a unit is in SI, unnamed
+// columns behind the time are horizontal, transverse, vertical.
+TEST(CampaignInput, OfAnEarlierFormatIsReadAsThen) {
+    auto const rest = testing::type_b + testing::levels("values=[3]\n");
+    auto target = testing::input_from(
+        "[waves]\nsource='spectrum-compatible'\ncount=1\nduration='20.48 s'\n"
+        "time_step='0.02 s'\n[waves.target]\nfile='t.csv'\nkind='acceleration'\n"
+            + rest,
+        {{"t.csv", "0.02 2\n0.5 6\n10 0.2\n"}});
+    std::string rows;
+    for (int i = 0; i < 64; ++i) {
+        double const wiggle = i % 2 == 0 ? 1 : -1;
+        rows += fmt::format("{:.2f} {} {} {}\n", 0.02 * i, wiggle, 2 * wiggle, 3 * wiggle);
+    }
+    auto record =
+        testing::input_from("[waves]\nsource='records'\nfiles=['r.txt']\nunit='m/s2'\n" + rest, {{"r.txt", rows}});
+    testing::expect_input_error([&] { (void)parse_campaign(target); }, "t.csv", "unit of the ordinates missing");
+    testing::expect_input_error([&] { (void)parse_campaign(record); }, "r.txt", "which component it is cannot be told");
+
+    target.before_format_5 = record.before_format_5 = true;
+    auto const in_si = parse_campaign(target).source->make(1, 0);
+    EXPECT_LT(in_si.match.all.mean_misfit, 0.05) << "of the table's numbers as m/s2";
+    EXPECT_NE(parse_campaign(target).source->describe().find("t.csv"), std::string::npos);
+    auto const motion = parse_campaign(record).source->make(1, 0).motion;
+    EXPECT_NEAR(motion.horizontal_mps2[2], 1, 1e-12);
+    EXPECT_NEAR(motion.transverse_mps2[2], 2, 1e-12);
+    EXPECT_NEAR(motion.vertical_mps2[2], 3, 1e-12);
 }
 
 }  // namespace

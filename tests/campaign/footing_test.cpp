@@ -49,7 +49,7 @@ TEST(Footing, EveryKeyIsRead) {
     EXPECT_EQ(footing.pad.tangential_damping, 0.2);
     EXPECT_EQ(footing.inertia_across_kgm2, 5e3);
     EXPECT_EQ(footing.inertia_vertical_kgm2, 4e3);
-    EXPECT_EQ(read("base={shape='round'}\n").footing.base.points, 32);
+    EXPECT_EQ(read("base={shape='round'}\n").footing.base.points, 0) << "a rim without corners";
     EXPECT_FALSE(read("base={bedding='flat'}\n").footing.base.corner_share.has_value());
     EXPECT_EQ(read("base={bedding='corners'}\n").footing.base.corner_share, 1);
     auto const polygon =

@@ -9,7 +9,10 @@
 #include <gtest/gtest.h>
 
 #include "campaign/campaign_spec.hpp"
+#include "campaign/withdrawn_keys.hpp"
 #include "config/key_reference.hpp"
+#include "support/campaigns.hpp"
+#include "support/expect_input_error.hpp"
 #include "support/key_campaigns.hpp"
 
 namespace overturn {
@@ -53,7 +56,7 @@ TEST(Keys, EveryDescribedKeyIsRead) {
     std::map<config::Key const*, bool> read;  // a key that several tables share is one
     std::map<config::Key const*, std::string> named;
     for (auto const& placed : tables_within(campaign_table)) {
-        for (auto const* key : placed.table->every_key()) {
+        for (auto const* key : told_keys(*placed.table)) {
             read[key] = read[key] || std::ranges::any_of(placed.places, [&](config::TablePlace const& place) {
                             return reads(readings, place, key->name);
                         });
@@ -86,6 +89,28 @@ TEST(Keys, EveryKeyHasAMeaning) {
             EXPECT_TRUE(names.insert(key->name).second) << heading_of(placed) << " " << key->name << " twice";
         }
     }
+}
+
+// R-1003: What campaigns in files of results state is read as it stands; new campaigns are refused another value than
+// the constant.
+TEST(Keys, WithdrawnOnesAreReadInFilesAndRefusedInNewCampaigns) {
+    std::string const text = testing::quick_waves + testing::type_b + testing::levels("values=[6]\n");
+    auto const stated = [&](std::string const& key) { return testing::input_from(text + "[accuracy]\n" + key + "\n"); };
+    auto const old = parse_campaign(stated("taylor_order=6\nsubsteps=3\nstep_tolerance=1e-9\nsettle=3e-4"));
+    EXPECT_EQ(old.accuracy.rocking.taylor_order, 6);
+    EXPECT_EQ(old.accuracy.rocking.substeps, 3);
+    EXPECT_EQ(old.accuracy.rocking.step_tolerance, 1e-9);
+    EXPECT_EQ(old.accuracy.rocking.settle, 3e-4);
+    for (std::string const key : {"taylor_order=6", "substeps=3", "step_tolerance=1e-9", "settle=3e-4"}) {
+        testing::expect_input_error([&] { refuse_withdrawn_keys(stated(key)); },
+                                    "c.toml:", "accuracy." + key.substr(0, key.find('=')) + ": not");
+    }
+    EXPECT_NO_THROW(refuse_withdrawn_keys(stated("taylor_order=10\nsubsteps=1\nstep_tolerance=1e-11\nsettle=1e-5")));
+    EXPECT_NO_THROW(refuse_withdrawn_keys(stated("contact_step=0.1")));
+    EXPECT_NO_THROW(refuse_withdrawn_keys(testing::input_from(text)));
+    auto const* const accuracy = campaign_table.find("accuracy")->tables().front();
+    EXPECT_NE(accuracy->find("settle"), nullptr);
+    EXPECT_FALSE(std::ranges::any_of(told_keys(*accuracy), [](auto const* key) { return key->name == "settle"; }));
 }
 
 }  // namespace

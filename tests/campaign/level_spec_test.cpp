@@ -2,6 +2,7 @@
 // twice.
 #include "campaign/level_spec.hpp"
 
+#include "campaign/rows.hpp"
 #include "support/expect_input_error.hpp"
 #include "support/tolerance.hpp"
 
@@ -87,7 +88,10 @@ TEST(Levels, NamedOnesAreRecognisedOrAdded) {
 }
 
 TEST(Levels, ScaleBringsTheWaveToTheLevel) {
-    Intensity const wave{.pga_mps2 = 2, .pgv_mps = 0.5, .pgd_m = 0.1, .arias_mps = 1};
+    WaveRow wave;
+    wave.pga_mps2 = 2;
+    wave.pgv_mps = 0.5;
+    wave.pgd_m = 0.1;
     auto const scale = [&](char const* measure) {
         auto const spec = levels_of(fmt::format("measure='{}'\nvalues=[3]\n", measure));
         return spec.scale(spec.levels[0], wave);

@@ -77,6 +77,31 @@ TEST(LimitState, ThresholdOnAStoredQuantity) {
     EXPECT_EQ(judged(row_of(Verdict::slid, never, 0)), '?');
 }
 
+/// What tips over hits its neighbour, however little it had slid or rocked before; unless the limit says
+/// otherwise, which its definition then says too.
+TEST(LimitState, AFallPassesEveryLimit) {
+    std::string const light = "[[limits]]\nname='light'\nquantity='min_contact_force_ratio'\nbelow=0.2\n";
+    std::string const alone = "overturned='excluded'\n";
+    Judged const judged(touches + tilts + light + "[[limits]]\nname='both'\nall=['touches','light']\n");
+    Judged const without(touches + alone + tilts + alone + light + alone);
+    auto row = row_of(Verdict::overturned, 0.1, 1.2);
+    row.min_contact_force_ratio = 0.9;
+    for (std::size_t limit = 0; limit < 5; ++limit) {
+        EXPECT_EQ(judged(row, limit), 'p') << limit;
+        EXPECT_GT(judged.near(row, limit), 1) << limit;
+    }
+    EXPECT_EQ(judged(row_of(Verdict::overturned, never, 1.2)), 'p') << "whatever else is known of it";
+    EXPECT_EQ(judged(row_of(Verdict::rocked, 0.1, 0.4)), 'k');
+    EXPECT_EQ(judged(row_of(Verdict::contact_lost, 0.1, 1.2)), '?');
+
+    EXPECT_EQ(without(row, 1), 'k');
+    EXPECT_EQ(without(row, 2), 'p') << "it rotated past the limit before it fell";
+    EXPECT_EQ(without(row, 3), 'k');
+    EXPECT_EQ(without(row_of(Verdict::overturned, never, 1.2)), '?');
+    EXPECT_DOUBLE_EQ(without.near(row, 1), 0.1 / 0.3);
+    EXPECT_EQ(definition_of(without.spec.limits[1], without.spec.limits), "peak_slip > 0.3 m without overturning");
+}
+
 /// How near a trial came is at least 1 where it passed a limit and at most 1 where it kept within it, and rises with
 /// the response; `any` is as near as its nearest, `all` as its farthest.
 TEST(LimitState, NearnessIsNestedWithPassing) {
@@ -90,8 +115,9 @@ TEST(LimitState, NearnessIsNestedWithPassing) {
                 double const near = judged.near(row, limit);
                 EXPECT_EQ(judged(row, limit) == 'p', near > 1) << limit << ' ' << slip << ' ' << ratio;
             }
-            EXPECT_DOUBLE_EQ(judged.near(row, 1), slip / 0.3);
-            EXPECT_DOUBLE_EQ(judged.near(row, 2), ratio / 0.5);
+            double const fell = ratio > 1 ? ratio : 0;
+            EXPECT_DOUBLE_EQ(judged.near(row, 1), std::max(slip / 0.3, fell));
+            EXPECT_DOUBLE_EQ(judged.near(row, 2), std::max(ratio / 0.5, fell));
             EXPECT_EQ(judged.near(row, 3), std::max(judged.near(row, 1), judged.near(row, 2)));
             EXPECT_EQ(judged.near(row, 4), std::min(judged.near(row, 1), judged.near(row, 2)));
         }
@@ -239,9 +265,27 @@ TEST(LimitState, CallsForWhatStatedEffectsSimulate) {
     }
 }
 
-/// Counted by hand: two passed, one kept, one failed, one whose slip is not known, one that fell without sliding.
+/// How hard a body lands is asked of those that fell: a fall passes such a limit by its own figure alone, and a
+/// body that stands never.
+TEST(LimitState, OfTheLandingIsPassedByItsFigureOnly) {
+    std::string const hard = "[[limits]]\nname='hard'\nquantity='landing_top_velocity'\nabove='5 m/s'\n";
+    Judged const judged(hard);
+    auto row = row_of(Verdict::overturned, 0.1, 1.2);
+    row.landing_top_mps = 9;
+    EXPECT_EQ(judged(row), 'p');
+    row.landing_top_mps = 4;
+    EXPECT_EQ(judged(row), 'k');
+    row.landing_top_mps = never;
+    EXPECT_EQ(judged(row), '?') << "it left the ground under a model that does not follow it";
+    EXPECT_EQ(judged(row_of(Verdict::rocked, 0.1, 0.9)), 'k');
+    EXPECT_EQ(definition_of(judged.spec.limits[1], judged.spec.limits), "landing_top_velocity > 5 m/s");
+    testing::expect_input_error([&] { (void)with_limits(hard + "overturned='excluded'\n"); }, "limits[0].overturned");
+}
+
+/// Counted by hand: two passed, one kept, one failed, one whose slip is not known, one that fell without sliding, where
+/// falls are left out.
 TEST(LimitState, StripesCountTrials) {
-    auto const spec = with_limits(touches);
+    auto const spec = with_limits(touches + "overturned='excluded'\n");
     Statistics statistics(spec);
     for (auto const& row :
          {row_of(Verdict::slid, 0.4, 0), row_of(Verdict::slid, 0.5, 0), row_of(Verdict::slid, 0.1, 0),

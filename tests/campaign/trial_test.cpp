@@ -248,5 +248,33 @@ TEST(BlockRows, TravelUnchanged) {
     EXPECT_THROW((void)BlockRows::unpack(bytes, plan, 0), SystemError);
 }
 
+// R-1003: A body that stands has slid or rocked, or both, from stated distances on, whatever model ran: what a pad
+// gives way elastically (3e-5 of alpha under a base of 3.4 m, 0.05 mm) is no rocking.
+TEST(Movement, CountsFromStatedDistancesOn) {
+    RigidBody const body({.mass_kg = 138e3, .half_width_m = 1.7, .centre_height_m = 2.9, .inertia_kgm2 = 5e5});
+    Response response;
+    auto const ends = [&](double slip_m, double uplift_m, bool may_slip = true) {
+        response.verdict = Verdict::rocked;
+        response.peak_slip_m = slip_m;
+        response.peak_rotation_rad = std::asin(uplift_m / 3.4);
+        return MovementSpec{}.verdict(response, body, may_slip);
+    };
+    EXPECT_EQ(ends(0.9e-3, 0.05e-3), Verdict::at_rest);
+    EXPECT_EQ(ends(1.1e-3, 0.9e-3), Verdict::slid);
+    EXPECT_EQ(ends(0.9e-3, 1.1e-3), Verdict::rocked);
+    EXPECT_EQ(ends(1.1e-3, 1.1e-3), Verdict::slid_and_rocked);
+    EXPECT_EQ(ends(1.1e-3, 1.1e-3, false), Verdict::rocked) << "what holds fast does not slide";
+    EXPECT_EQ((MovementSpec{0, 0}.verdict(response, body, true)), Verdict::slid_and_rocked);
+    EXPECT_EQ((MovementSpec{2e-3, 2e-3}.verdict(response, body, true)), Verdict::at_rest);
+    EXPECT_EQ((MovementSpec{.by_model = true}.verdict(response, body, true)), Verdict::rocked);
+    for (auto const other : {Verdict::overturned, Verdict::contact_lost, Verdict::failed}) {
+        response.verdict = other;
+        EXPECT_EQ((MovementSpec{2e-3, 2e-3}.verdict(response, body, true)), other);
+    }
+    response.verdict = Verdict::at_rest;
+    response.peak_slip_m = response.peak_rotation_rad = 0;
+    EXPECT_EQ((MovementSpec{0, 0}.verdict(response, body, true)), Verdict::at_rest) << "nothing is no movement";
+}
+
 }  // namespace
 }  // namespace overturn

@@ -175,12 +175,12 @@ TEST(VaryingWaves, WavesOfATargetAreResampledTogetherAndThatIsSaid) {
     Statistics statistics(spec);
     statistics.add(rows_of(spec));
     std::set<std::int64_t> groups, waves;
-    for (auto const& trial : statistics.measured().singles(0, FragilityMeasure::level)) {
+    for (auto const& trial : statistics.measured().singles(0, measure_named("level"))) {
         groups.insert(trial.wave);
         waves.insert(trial.id);
     }
     std::set<std::int64_t> judged;
-    for (auto const& trial : statistics.measured().criterion_trials(0, FragilityMeasure::v_wes)) {
+    for (auto const& trial : statistics.measured().criterion_trials(0, measure_named("v_wes"))) {
         judged.insert(trial.wave);
     }
     EXPECT_EQ(judged, (std::set<std::int64_t>{0, 1, 2, 3})) << "the criterion is judged wave by wave";

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <span>
 
+#include "campaign/plan.hpp"
+#include "campaign/trial.hpp"
 #include "results/statistics.hpp"
-#include "results/stripe_table.hpp"
 #include "support/campaign_rows.hpp"
 #include "support/campaigns.hpp"
 #include "support/expect_input_error.hpp"
@@ -47,10 +48,11 @@ TEST(WaveCheck, AcceptedWavesAreUsed) {
     for (auto const& row : rows.trials.rows) {
         EXPECT_NE(row.verdict, Verdict::failed);
     }
-    EXPECT_EQ(statistics.waves().text("srp-3.7.1"), "4 waves, 0 not accepted by srp-3.7.1");
+    EXPECT_EQ(statistics.waves().text(spec.source->acceptance(), 0.95),
+              "4 waves that meet srp-3.7.1; 0 of 4 drawn were refused: 0 % [0 %, 60.2 %]");
 }
 
-TEST(WaveCheck, OthersAreFailedRowsWithTheirReason) {
+TEST(WaveCheck, NoTrialIsComputedOfOthers) {
     auto const spec = testing::campaign_from(waves("acceptance='srp-3.7.1'\nmatch_iterations=1\n") + rest);
     auto const rows = testing::rows_of(spec);
 
@@ -60,18 +62,30 @@ TEST(WaveCheck, OthersAreFailedRowsWithTheirReason) {
         EXPECT_EQ(row.failed, 0) << "it was made";
         EXPECT_EQ(row.accepted, Accepted::no);
         EXPECT_NE(row.acceptance_failures, 0);
-        statistics.add(row, std::span(rows.measures).subspan(w * spec.bodies.size(), spec.bodies.size()));
+        statistics.add_refused(row);
     }
     for (auto const& row : rows.trials.rows) {
         EXPECT_EQ(row.verdict, Verdict::failed);
         EXPECT_EQ(row.failure, FailureReason::wave_not_accepted);
         EXPECT_EQ(row.steps, 0);
-        statistics.add(row);
     }
-    EXPECT_EQ(statistics.bodies()[0].stripes[0].failed, 4);
-    EXPECT_NE(
-        stripe_table(spec, statistics).find("4 waves, 4 not accepted by srp-3.7.1 (their trials are failed rows)"),
-        std::string::npos);
+    EXPECT_EQ(statistics.waves().text(spec.source->acceptance(), 0.95),
+              "0 waves that meet srp-3.7.1; 4 of 4 drawn were refused: 100 % [39.8 %, 100 %]");
+    auto const missed = statistics.missed_clauses().rows();
+    ASSERT_FALSE(missed.empty());
+    for (auto const& clause : missed) {
+        EXPECT_LE(clause.waves, 4);
+        bool const of_band = clause.clause == "rocking band";
+        EXPECT_EQ(clause.component, of_band ? "" : "horizontal") << clause.clause;
+    }
+    auto const lowest = std::ranges::find(missed, "lowest ratio", &MissedClause::clause);
+    ASSERT_NE(lowest, missed.end());
+    double worst = 1;
+    for (auto const& row : rows.waves) {
+        worst = std::min(worst, row.match_lowest_ratio);
+        EXPECT_GT(row.match_lowest_period_s, 0.02 * 0.99);
+    }
+    EXPECT_EQ(lowest->worst, worst);
 }
 
 TEST(WaveCheck, WithoutARuleNoWaveIsRefused) {
@@ -110,6 +124,24 @@ TEST(WaveCheck, RefusesABodyBeyondTheTarget) {
     testing::expect_input_error([&] { (void)testing::campaign_from(waves("acceptance='srp-3.7.1'\n") + big); },
                                 "c.toml:6:", "'tower'", "T1");
     EXPECT_NO_THROW((void)testing::campaign_from(waves("") + big));
+}
+
+// Published demand, hard case: RG 1.60 in three components of 30 s by the spectrum clauses of SRP 3.7.1. Of waves whose
+// amplitudes alone were changed more than half missed it, most of them from 2 s on.
+TEST(WaveCheck, ShortWavesOfThreeComponentsMeetTheirRule) {
+    auto const spec = testing::campaign_from(
+        "[waves]\nsource='spectrum-compatible'\ncount=30\nduration='30 s'\nacceptance='srp-3.7.1'\n"
+        "target={spectrum='rg-1.60', pga='0.3 g'}\ntransverse={ratio=1}\n"
+        "vertical={target={spectrum='rg-1.60-vertical', pga='0.3 g'}}\n"
+        "envelope={shape='jennings', rise='4 s', level_end='16 s', end='28 s'}\n"
+        + testing::type_b + testing::levels("values=[3]\n") + "[measures]\nenergy=false\n");
+    Plan const plan(spec);
+    PhaseSeconds seconds;
+    int accepted = 0;
+    for (std::int64_t wave = 0; wave < 30; ++wave) {
+        accepted += prepare_wave(spec, plan, wave, seconds).row.accepted == Accepted::yes ? 1 : 0;
+    }
+    EXPECT_GE(accepted, 27);
 }
 
 }  // namespace

@@ -27,13 +27,6 @@ inline std::string small_campaign(std::string const& waves = "shared", int count
            + waves + "'\n";
 }
 
-/// What `fit` prints without what `run` leaves to it: bodies together, and their reckoning by hand.
-inline std::string as_run_prints(std::string told) {
-    auto const more = told.find("\nany of ");
-    auto const behind = std::min(told.find("trials worth a look"), told.size());
-    return more < behind ? told.erase(more, behind - more) : told;
-}
-
 /// As small_campaign, shaken by three components, with bodies that stand on points in the plane and in space.
 inline std::string campaign_on_points(int count) {
     auto campaign = small_campaign("shared", count);

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "support/command.hpp"
 
 namespace overturn::testing {
@@ -36,6 +38,43 @@ TEST(Campaigns, AreAcceptedAsTheyStand) {
         ++count;
     }
     EXPECT_GE(count, 5);
+}
+
+// Keys that no study states are shown in small campaigns of their own.
+TEST(Campaigns, ExamplesAreAcceptedAsTheyStand) {
+    Folder const folder;
+    int count = 0;
+    for (auto const& file : std::filesystem::directory_iterator(OVERTURN_CAMPAIGNS "/examples")) {
+        if (file.path().extension() == ".toml") {
+            EXPECT_TRUE(read_text(file.path()).starts_with("#:schema ../schema.json\n# Keys by example: "))
+                << file.path();
+            auto const ended = overturn(folder, {"plan", file.path()});
+            EXPECT_EQ(ended.code, 0) << ended.err;
+            ++count;
+        }
+    }
+    EXPECT_GE(count, 5);
+}
+
+// a key that nobody shows is a key that nobody finds.
+TEST(Campaigns, EveryKeyIsShownInOneOrInTheGuide) {
+    Folder const folder;
+    std::string shown = read_text(OVERTURN_CAMPAIGNS "/README.md");
+    for (auto const& file : std::filesystem::recursive_directory_iterator(OVERTURN_CAMPAIGNS)) {
+        shown += file.path().extension() == ".toml" ? "\n" + read_text(file.path()) : std::string();
+    }
+    auto const tables = nlohmann::json::parse(overturn(folder, {"list", "keys", "--json"}).out);
+    std::size_t count = 0;
+    for (auto const& table : tables) {
+        for (auto const& key : table["keys"]) {
+            auto const name = key["key"].get<std::string>();
+            // "name =", "[waves.name]" or, in the guide, `name`.
+            std::regex const place("(^|[^\\w.\\-])" + name + " *=|[.\\[]" + name + "\\]|`" + name + "`");
+            EXPECT_TRUE(std::regex_search(shown, place)) << table["places"][0]["path"] << "." << name;
+            ++count;
+        }
+    }
+    EXPECT_GT(count, 200U);
 }
 
 // the study of recorded waves asks for the user's own records, and runs where they are.

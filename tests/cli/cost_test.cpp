@@ -36,7 +36,7 @@ TEST_F(Cost, QuickstartEndsWithTheSentence) {
     EXPECT_TRUE(folder.has("cost.h5"));
     EXPECT_NE(ended.err.find("left"), std::string::npos) << "no word of the time that remains: " << ended.err;
     EXPECT_NE(ended.out.find("sample: 2 of 40 waves, 48 of 960 trials"), std::string::npos) << ended.out;
-    EXPECT_NE(ended.out.find("The campaign stands on order 10 x 1"), std::string::npos) << ended.out;
+    EXPECT_NE(ended.out.find("The campaign stands on 20 rad"), std::string::npos) << ended.out;
     auto const last = ended.out.substr(ended.out.rfind('\n', ended.out.size() - 2) + 1);
     bool const known = last.starts_with("Sampling decides: ") || last.starts_with("Numerical error decides: ")
                        || last.starts_with("Undecided: ");
@@ -58,8 +58,8 @@ TEST_F(Cost, JsonHoldsEveryKnob) {
         }
         EXPECT_EQ(here, knob["name"] == "spectrum_periods" ? 0 : 1) << knob["name"];
     }
-    EXPECT_EQ(names, (std::vector<std::string>{"step", "step_tolerance", "settle", "effects", "ou_v_e", "v_wes",
-                                               "match_tolerance", "match_iterations", "spectrum_periods"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"effects", "ou_v_e", "v_wes", "match_tolerance", "match_iterations",
+                                               "spectrum_periods"}));
     EXPECT_EQ(study["waves"], 2);
     EXPECT_EQ(study["trials"], 12);
     EXPECT_EQ(study["sampling"]["campaign_waves"], 12);
@@ -79,7 +79,7 @@ TEST_F(Cost, PageNeedsNoNetwork) {
     for (auto at = page.find("<svg"); at != std::string::npos; at = page.find("<svg", at + 1)) {
         ++figures;
     }
-    EXPECT_EQ(figures, 11U);  // nine knobs, the number of waves, the balance
+    EXPECT_EQ(figures, 8U);  // six knobs, the number of waves, the balance
     EXPECT_NE(page.find("&lt;b&gt;A &amp; B&lt;/b&gt;"), std::string::npos);
     EXPECT_EQ(page.find("<b>A"), std::string::npos);
     for (char const* loads : {"src=", "<link", "@import", "url(http", "<?xml"}) {
@@ -126,7 +126,7 @@ TEST_F(Cost, WhatCannotBeIsSaidFirst) {
     refused({"cost", "c.toml", "--waves", "0"}, "--waves 0 (no sample)");
     refused({"cost", "c.toml", "--html", "p.htm"}, "End it in .html");
     refused({"cost", "c.toml", "-o", "no/folder/cost.h5"}, "no/folder");
-    refused({"cost", "c.toml", "--set", "accuracy.taylor_ordr=4"}, "taylor_order");
+    refused({"cost", "c.toml", "--set", "accuracy.contact_stp=0.1"}, "contact_step");
     folder.write("cost.h5", "something");
     refused({"cost", "c.toml", "-o", "cost.h5"}, "there already");
     EXPECT_EQ(folder.read("cost.h5"), "something");

@@ -38,7 +38,8 @@ class Figures : public ::testing::Test {
         return ended;
     }
 
-    /// Lets `script` stand where the interpreter would: called with -B, the script, the data and the figure's place.
+    /// Lets `script` stand where the interpreter would: called with -IB, draw.py, the script, the data and
+    /// the figure's place.
     void use_interpreter(std::string const& script) {
         folder.write("interpreter", "#!/bin/sh\n" + script + "\n");
         std::filesystem::permissions(folder / "interpreter", std::filesystem::perms::owner_all);
@@ -89,7 +90,7 @@ TEST_F(Figures, SameDataSameBytes) {
 
 // The figure shows what the numbers say.
 TEST_F(Figures, DrawWhatIsMeasured) {
-    use_interpreter("cp \"$3\" \"$4\"");
+    use_interpreter("cp \"$4\" \"$5\"");
     done({"wave", "c.toml", "--wave", "1", "--plot", "a.svg"});
     done({"wave", "c.toml", "--wave", "1", "-o", "w.csv"});
     std::vector<std::string> const record{"spectrum", "--wave", "w.csv", "--unit", "m/s2", "--body", "body.toml"};
@@ -121,7 +122,7 @@ TEST_F(Figures, DrawWhatIsMeasured) {
 // V_resp(t) up to the stored V_resp, V_WES(t) up to the stored V_WES.
 TEST_F(Figures, HistoriesDrawWhatTheTrialWas) {
     done({"run", "c.toml", "-o", "c.h5"});
-    use_interpreter("cp \"$3\" \"$4\"");
+    use_interpreter("cp \"$4\" \"$5\"");
     auto const peak = [](json const& values) {
         double highest = 0;
         for (auto const& value : values) {
@@ -163,7 +164,7 @@ TEST_F(Figures, HistoriesDrawWhatTheTrialWas) {
 TEST_F(Figures, HistoriesShowSlipAndContactForce) {
     done({"wave", "c.toml", "--wave", "1", "-o", "w.csv"});
     folder.write("slides.toml", folder.read("body.toml") + "friction=0.3\n");
-    use_interpreter("cp \"$3\" \"$4\"");
+    use_interpreter("cp \"$4\" \"$5\"");
     for (std::string const effects : {"sliding", "contact,sliding"}) {
         auto const told = json::parse(done({"rock", "--body", "slides.toml", "--wave", "w.csv", "--unit", "m/s2",
                                             "--scale", "1.5", "--effects", effects, "--plot", "a.svg", "--json"})
@@ -229,7 +230,7 @@ TEST_F(Figures, BadNamesAreRefusedBeforeAnyWork) {
     refused({"rock", "--body", "none", "--wave", "none", "--plot", "a.jpg"}, "End it in .svg");
     refused({"replay", "none.h5", "--trial", "0", "--plot", "a.jpg"}, "End it in .svg");
     refused({"replay", "none.h5", "--trial", "0", "--rare", "b", "--plot", "a.svg"}, "--plot beside --rare");
-    use_interpreter("cp \"$3\" \"$4\"");
+    use_interpreter("cp \"$4\" \"$5\"");
     refused({"wave", "c.toml", "--wave", "1", "--plot", "no/folder/a.svg"}, "no/folder/a.svg: cannot be written");
 }
 

@@ -80,7 +80,7 @@ TEST_F(Guard, ADamagedRecordGivesNoBlockAway) {
     auto damaged = record();
     damaged[damaged.size() / 2] ^= 1;
     folder.write("c.h5.parts/campaign.record", damaged);
-    folder.write("other.toml", small_campaign() + "[accuracy]\ntaylor_order=6\n");
+    folder.write("other.toml", small_campaign() + "[accuracy]\npanel_phase='10 rad'\n");
 
     expect_refused(overturn(folder, {"run", "c.toml"}), "campaign.record: damaged");
     expect_refused(overturn(folder, {"run", "other.toml", "-o", "c.h5"}), "campaign.record: damaged");

@@ -206,8 +206,8 @@ class OutcomeStatistics : public ::testing::Test {
             GTEST_SKIP() << "no numpy (install python3-numpy)";
         }
         auto const ended = execute(folder, {OVERTURN_PYTHON, "-B", "-c",
-                                            "import sys\nsys.path.insert(0, '" OVERTURN_REPORT_SCRIPTS
-                                            "')\nimport numpy as np\nimport outcomes as o\n"
+                                            "import sys\nsys.path.insert(0, '" OVERTURN_PACKAGE
+                                            "')\nimport numpy as np\nfrom overturn.report import outcomes as o\n"
                                                 + statements});
         EXPECT_EQ(ended.code, 0) << ended.err;
     }

@@ -41,7 +41,7 @@ class Page : public ::testing::Test {
     }
     /// The data that a page would be made of.
     json data_of(std::vector<std::string> const& command, std::string const& output) {
-        folder.write("interpreter", "#!/bin/sh\ncp \"$3\" \"$4\"\n");
+        folder.write("interpreter", "#!/bin/sh\ncp \"$4\" \"$5\"\n");
         std::filesystem::permissions(folder / "interpreter", std::filesystem::perms::owner_all);
         ::setenv("OVERTURN_PYTHON", (folder / "interpreter").c_str(), 1);
         said = overturn(folder, joined(command, {output}));

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/units.hpp"
+#include "store/results_file.hpp"
 #include "support/command.hpp"
 
 namespace overturn::testing {
@@ -110,6 +111,36 @@ TEST_F(RecordsOnTheLine, WhatWasReadIsSaid) {
     EXPECT_NEAR(record["duration_s"].get<double>(), 40, 1e-9);
 }
 
+// a record that levels scale by more than five is said, before any work.
+TEST_F(RecordsOnTheLine, ScaledRecordsAreSaid) {
+    std::string const line = "record 0 is scaled by up to ";
+    folder.write("c.toml", campaign("files=['rests.csv']\n", "pga", "'300 gal'"));
+    EXPECT_EQ(overturn(folder, {"plan", "c.toml"}).out.find(line), std::string::npos);
+    folder.write("c.toml", campaign("files=['rests.csv']\nscale=2\n", "pga", "'300 gal','900 gal'"));
+    auto const plan = overturn(folder, {"plan", "c.toml"});
+    EXPECT_NE(plan.out.find(line + "9.01: beyond 5"), std::string::npos) << plan.out;
+    EXPECT_NE(overturn(folder, {"run", "c.toml"}).err.find(line), std::string::npos);
+}
+
+// of few recorded motions each is a row, with how near it came to a limit; of drawn waves none is.
+TEST_F(RecordsOnTheLine, OfFewEachIsARow) {
+    folder.write("c.toml", campaign("files=['rests.csv']\n", "pga", "'1 g', '3 g'")
+                               + "[[limits]]\nname='tilts'\nquantity='peak_rotation_ratio'\nabove=0.5\n");
+    auto const run = overturn(folder, {"run", "c.toml"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(run.out, overturn(folder, {"fit", "c.h5"}).out + "results: c.h5\n");
+    EXPECT_EQ(run.out.find("tilt [deg]"), run.out.find("tilt [deg]", run.out.find("\n== records\n")))
+        << "percentiles of one";
+    store::ResultsReader const file(folder / "c.h5");
+    auto const ratios = file.reals("trials/peak_rotation_ratio");
+    auto const at = run.out.find("\n== records\n");
+    ASSERT_NE(at, std::string::npos) << run.out;
+    for (std::size_t t = 0; t < ratios.size(); ++t) {
+        EXPECT_NE(run.out.find(fmt::format("{:.3g} tilts\n", ratios[t] / 0.5), at), std::string::npos) << run.out;
+    }
+    EXPECT_NE(run.out.find("rests.csv", at), std::string::npos) << run.out;
+}
+
 // the program reads what it wrote, without a word on units.
 TEST_F(RecordsOnTheLine, WaveOfACampaignIsReadBack) {
     folder.write("c.toml", campaign("files=['rests.csv']\n", "pga", "'300 gal'"));
@@ -153,7 +184,11 @@ TEST_F(RecordsOnTheLine, TargetsThatSayTooLittleOrTooMuch) {
     for (auto const& said : everywhere("kind='acceleration'\nfile='gal.csv'")) {
         EXPECT_EQ(said.find("warning"), std::string::npos) << said;
     }
-    for (auto const& said : everywhere("kind='acceleration'\nfile='none.csv'")) {
+    folder.write("t.toml", campaign_of("kind='acceleration'\nfile='none.csv'"));
+    auto const refused = overturn(folder, {"plan", "t.toml"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.err.find("unit of the ordinates missing"), std::string::npos) << refused.err;
+    for (auto const& said : everywhere("kind='acceleration'\nunit='m/s2'\nfile='none.csv'")) {
         EXPECT_NE(said.find(" g before any scaling"), std::string::npos) << said;
     }
     for (auto const& said : everywhere("kind='acceleration'\nunit='gal'\nfile='none.csv'")) {

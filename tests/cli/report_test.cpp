@@ -54,7 +54,7 @@ TEST_F(Report, IsOnePageThatNeedsNoNetwork) {
     EXPECT_NE(page.find("<svg"), std::string::npos);
     // by what the waves differ stands right behind the fits, before any other table.
     auto const fits = page.find("<th>HCLPF</th>", page.find("<section id=\"fragility\">"));
-    auto const differ = page.find("Waves differ by random phases alone", fits);
+    auto const differ = page.find("Waves differ by random phases only", fits);
     ASSERT_NE(fits, std::string::npos);
     EXPECT_LT(differ, page.find("<table>", fits)) << "of the next table";
     // Addresses name the svg's language, nothing to be fetched.
@@ -124,6 +124,48 @@ TEST_F(Report, WritesFiguresAndTablesBesideIt) {
     EXPECT_EQ(telling.rfind("body,kind,trial,wave,level,amplitude,verdict,peak_rotation_ratio,peak_slip_m,", 0), 0U);
 }
 
+// with a hazard curve the page tells annual frequencies, those of `fit`, the interval first.
+TEST_F(Report, TellsAnnualFrequenciesByAHazardCurve) {
+    skip_without_packages();
+    if (IsSkipped()) {
+        return;
+    }
+    folder->write("hz.csv", "pga [gal], annual_exceedance\n100,1e-2\n300,1e-3\n600,1e-4\n1200,1e-5\n2000,1e-6\n");
+    auto const ended = overturn(
+        *folder, {"report", "c.h5", "-o", "f.html", "--hazard", "hz.csv", "--beta-u", "0.3", "--figures", "f"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    auto const fitted = nlohmann::json::parse(
+        overturn(*folder, {"fit", "c.h5", "--hazard", "hz.csv", "--beta-u", "0.3", "--json"}).out);
+    auto const rows = folder->read("f/frequency.csv");
+    auto const page = folder->read("f.html");
+    EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 3) << rows;
+    for (auto const& row : fitted.at("frequency")) {
+        auto const told =
+            fmt::format("{},overturning,{},{},", row.at("body").get<std::string>(),
+                        row.at("frequency_lower_per_year").dump(), row.at("frequency_upper_per_year").dump());
+        EXPECT_NE(rows.find(told), std::string::npos) << told << rows;
+        EXPECT_GT(row.at("frequency_upper_per_year").get<double>(), 0);
+    }
+    EXPECT_NE(page.find("<section id=\"frequency\">"), std::string::npos);
+    EXPECT_LT(page.find(" times a year (95 %: "), page.find("<nav>")) << "a headline";
+    EXPECT_NE(page.find("hz.csv: 5 points from 100 gal (0.01 1/a) to 2000 gal (1e-06 1/a)"), std::string::npos);
+    auto const without = overturn(*folder, {"report", "c.h5", "-o", "g.html"});
+    ASSERT_EQ(without.code, 0) << without.err;
+    EXPECT_EQ(folder->read("g.html").find("times a year"), std::string::npos);
+}
+
+// what `fit` refuses of a hazard curve the page refuses, before any of it is drawn.
+TEST_F(Report, RefusesAHazardCurveOfAnotherMeasureOrRange) {
+    folder->write("sa.csv", "sa(1 s) [g], annual_exceedance\n0.1,1e-2\n1,1e-4\n");
+    folder->write("far.csv", "pga [gal], annual_exceedance\n0.1,1e-2\n1,1e-4\n");
+    for (auto const* name : {"sa.csv", "far.csv"}) {
+        auto const ended = overturn(*folder, {"report", "c.h5", "-o", "h.html", "--hazard", name});
+        EXPECT_EQ(ended.code, 2) << name << ended.err;
+        EXPECT_TRUE(is_one_error_line(ended.err)) << ended.err;
+        EXPECT_FALSE(there("h.html"));
+    }
+}
+
 /// Names are drawn as they stand, whatever they would mean to a typesetter or a legend.
 TEST_F(Report, DrawsAnyName) {
     skip_without_packages();
@@ -146,8 +188,8 @@ TEST_F(Report, DrawsAnyName) {
 
 // trials worth a look are told with their numbers by fit and on the page, and replay finds them by these.
 TEST_F(Report, TellsTrialsWorthALook) {
-    auto const text = overturn(*folder, {"fit", "c.h5"}).out;
-    EXPECT_NE(text.find("trials worth a look (overturn replay c.h5 --trial N)"), std::string::npos) << text;
+    auto const text = overturn(*folder, {"fit", "c.h5", "--section", "trials"}).out;
+    EXPECT_NE(text.find("trials to inspect (overturn replay c.h5 --trial N)"), std::string::npos) << text;
     auto const told = nlohmann::json::parse(overturn(*folder, {"fit", "c.h5", "--json"}).out).at("telling_trials");
     ASSERT_FALSE(told.empty());
     std::set<std::string> kinds;

@@ -23,17 +23,17 @@ def told(name, o):
         units = np.bytes_(o.attrs['units']).decode()
         assert len(units) > 0 and 'unit' not in units, name
         if 'units_from' in o.attrs:  # rows are of different measures: the unit of each, in their order
-            assert name.split('/')[0] in ('fragility', 'limits') and np.bytes_(o.attrs['units_from']) == b'measure_units', name
-            of_rows = o.parent['measure_units']
-            names = {v: k for k, v in h5py.check_enum_dtype(of_rows.dtype).items()}
-            assert units.split('; ') == [names[u] for u in of_rows], name
+            assert np.bytes_(o.attrs['units_from']) == b'units', name
+            of_rows = o.parent['units']
+            names = {v: k for k, v in (h5py.check_enum_dtype(of_rows.dtype) or {}).items()}
+            assert units.split('; ') == [names[u] if names else u.decode() for u in of_rows], name
 f.visititems(told)
 assert bytes(f['inputs/0000'][:]) == open('target.csv', 'rb').read()
 
 names = h5py.check_enum_dtype(f['trials/verdict'].dtype)
-assert names == {'at-rest': 0, 'slid': 1, 'rocked': 2, 'overturned': 3, 'contact-lost': 4, 'failed': 5}, names
+assert names == {'at-rest': 0, 'slid': 1, 'rocked': 2, 'overturned': 3, 'contact-lost': 4, 'failed': 5, 'slid-and-rocked': 6}, names
 assert h5py.check_enum_dtype(f['trials/body'].dtype) == {'type-a': 0, 'type-b': 1}
-assert f['trials/verdict'].attrs['decided'] in (b'at-rest, slid, rocked, overturned', 'at-rest, slid, rocked, overturned')
+assert f['trials/verdict'].attrs['decided'] in (b'at-rest, slid, rocked, slid-and-rocked, overturned', 'at-rest, slid, rocked, slid-and-rocked, overturned')
 t = {k: v[:] for k, v in f['trials'].items() if isinstance(v, h5py.Dataset)}
 own = {k: v[:] for k, v in f['trials/contact'].items()}
 n = len(t['verdict'])
@@ -58,7 +58,7 @@ for b, body in enumerate(['type-a', 'type-b']):
         for m in ('v_wes', 'ou_v_e'):
             said = t[m + '_safe'] == 1
             assert (said == (t[m] < t['v_ereq'])).all()
-            c = f['criterion'][body][m]
+            c = f['criterion_by_level'][body][m]
             assert h5py.h5ds.is_scale(c['amplitude'].id)
             assert c['false_safe'][l] == (overturned & said).sum()
             assert c['true_overturn'][l] == (overturned & ~said).sum()
@@ -67,19 +67,18 @@ for b, body in enumerate(['type-a', 'type-b']):
     g = f['fragility'][body]
     measures = h5py.check_enum_dtype(g['measure'].dtype)
     assert [k for m in g['measure'] for k, v in measures.items() if v == m] == ['pga', 'pgv', 'v_wes', 'ou_v_e', 'v_wes_ratio']
-    units = {v: k for k, v in h5py.check_enum_dtype(g['measure_units'].dtype).items()}
-    assert [units[u] for u in g['measure_units']] == ['m/s2', 'm/s', 'm/s', 'm/s', '1']
+    units = {v: k for k, v in h5py.check_enum_dtype(g['units'].dtype).items()}
+    assert [units[u] for u in g['units']] == ['m/s2', 'm/s', 'm/s', 'm/s', '1']
     known = g['identifiable'][:] == 1
     for name in ('median', 'beta', 'median_lower', 'beta_upper'):
         assert (np.isnan(g[name][:]) == ~known).all(), name
-    told = known & (g['flags'][:] & 1 << 18 == 0)
-    assert (np.isnan(g['five_percent_point'][:]) == ~told).all()
-    assert (np.isnan(g['hclpf'][:]) == ~(told & (g['flags'][:] & 1 << 17 == 0))).all()
+    assert (np.isnan(g['five_percent_point'][:]) == ~known).all()  # of a rejected curve too, beside its flag
+    assert (np.isnan(g['hclpf'][:]) == ~(known & (g['flags'][:] & 1 << 17 == 0))).all()
     drawn = known & (g['flags'][:] & 1 << 17 == 0)
     assert np.allclose(g['median_at_95'][:][drawn], (g['median'][:] * np.exp(-1.6448536269514722 * g['beta_u'][:]))[drawn])
     assert np.isnan(g['median_at_95'][:][~drawn]).all()
     assert (g['flags'][:][~known] > 0).all()
-    assert g.attrs['confidence'] == 0.95 and len(g.attrs['flag_names'].split()) == 19
+    assert g.attrs['confidence'] == 0.95 and len(g['flags'].attrs['flag_names'].split()) == 19
 assert (t['restitution'][t['body'] == 1] <= 1).all() and len(set(t['restitution'][t['body'] == 1])) == 12
 assert np.allclose(t['peak_rotation'][t['verdict'] == 3], np.pi / 2)
 assert ((t['effects'] & 1) == 1).all()
@@ -108,8 +107,12 @@ for group in groups:
         assert set(seen.variables) == set(stored), (group, set(stored) ^ set(seen.variables))
         for name, data in stored.items():
             column = seen[name]
-            assert column.shape == data.shape and column.dtype == data.dtype.base, (group, name, column.dtype)
-            assert np.array_equal(column.values, data[()], equal_nan=data.dtype.kind == 'f'), (group, name)
+            if data.dtype.kind == 'S':  # engines give texts as bytes or as str
+                plain = lambda value: value.decode() if isinstance(value, bytes) else str(value)
+                assert [plain(v) for v in column.values] == [plain(v) for v in data[()]], (group, name)
+            else:
+                assert column.shape == data.shape and column.dtype == data.dtype.base, (group, name, column.dtype)
+                assert np.array_equal(column.values, data[()], equal_nan=data.dtype.kind == 'f'), (group, name)
             assert column.attrs['long_name'] == column.attrs['description'], (group, name)
             columns += 1
             names = h5py.check_enum_dtype(data.dtype)
@@ -128,8 +131,10 @@ for group, axis in (('waves', 'wave'), ('waves/flat', 'wave'), ('stripes/flat', 
         assert axis in seen.sizes, (group, dict(seen.sizes))
 with xarray.open_dataset('c.h5', group='stripes/flat', engine=engine) as seen:
     assert seen.purpose.attrs['flag_meanings'] == 'ordinary design-basis beyond-design'
-    assert list(seen.purpose.values) == [0, 1, 0] and seen.rung_trials.dims == ('rung',)
-    assert (seen.rung_trials.sum() == seen.trials.sum()).item()
+    assert list(seen.purpose.values) == [0, 1, 0]
+    counted = seen.trials.sum().item()
+with xarray.open_dataset('c.h5', group='models/flat', engine=engine) as seen:
+    assert seen.trials.dims == ('model',) and seen.trials.sum().item() == counted
 assert columns > 300 and kinds > 20, (columns, kinds)
 print('checked')
 )python";
@@ -185,33 +190,6 @@ TEST_F(ResultsElsewhere, AreReadByH5dump) {
     EXPECT_EQ(whole.code, 0) << whole.err;
     auto const bodies = execute(folder, {"/usr/bin/env", "h5dump", "-d", "/trials/body", "c.h5"});
     EXPECT_NE(bodies.out.find("scatters"), std::string::npos) << bodies.out;
-}
-
-// What src/store/README.md shows of pandas makes a table with names, NaN and units.
-TEST_F(ResultsElsewhere, AreATableByTheLinesOfTheReadme) {
-    if (execute(folder, {OVERTURN_PYTHON, "-c", "import h5py, pandas"}).code != 0) {
-        GTEST_SKIP() << "no pandas to read with (install python3-xarray, which brings it)";
-    }
-    ASSERT_NO_FATAL_FAILURE(run_campaign());
-    folder.write("check.py", R"python(
-import re, sys
-text = open(sys.argv[1]).read()
-exec(re.search('```python\n(.*?)```', text, re.S)[1].replace('FILE.h5', 'c.h5').replace('type-b', 'scatters'))
-assert list(stripes['trials'] >= stripes['overturned']) == [True] * len(stripes) and stripes.attrs['amplitude'] == 'm/s2'
-with h5py.File('c.h5') as results:
-    groups = []
-    results.visititems(lambda name, found: groups.append(name) if isinstance(found, h5py.Group) else None)
-    groups = [g for g in groups if any(isinstance(found, h5py.Dataset) for found in results[g].values()) and g != 'inputs']
-for group in groups:
-    assert len(table('c.h5', group).columns) > 0, group
-assert set(trials['verdict']) <= {'at-rest', 'slid', 'rocked', 'overturned', 'contact-lost', 'failed'}, set(trials['verdict'])
-assert 'scatters' in set(trials['body']) and trials.attrs['peak_rotation'] == 'rad' and trials.attrs['v_wes'] == 'm/s'
-never = trials['overturn_time'].isna()
-assert never.any() and (never == (trials['verdict'] != 'overturned')).all()
-)python");
-    auto const read = execute(folder, {OVERTURN_PYTHON, "check.py", OVERTURN_CAMPAIGNS "/../src/store/README.md"});
-    EXPECT_EQ(read.code, 0) << read.err;
-    EXPECT_NE(read.out.find("rad"), std::string::npos) << read.out;
 }
 
 // Groups are listed by name; each says which body of the campaign it is of.

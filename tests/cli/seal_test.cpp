@@ -139,7 +139,7 @@ TEST_F(SealedFile, UnverifiedFitsWhatTheRowsSay) {
         GTEST_SKIP() << "no h5py to write with (install python3-h5py)";
     }
     ASSERT_EQ(edit_results(folder, "c.h5", "f['trials/verdict'][...] = 3").code, 0);
-    auto const fit = overturn(folder, {"fit", "c.h5", "--unverified"});
+    auto const fit = overturn(folder, {"fit", "c.h5", "--unverified", "--full"});
 
     EXPECT_EQ(fit.code, 0) << fit.err;
     EXPECT_NE(fit.out.find("1.0000"), std::string::npos) << fit.out;

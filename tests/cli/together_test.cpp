@@ -28,15 +28,14 @@ class Together : public ::testing::Test {
 /// Any falls at least as often as each, at most as often as both counts together; counted again from the stripes.
 TEST_F(Together, AnyOfTheBodies) {
     auto const fit = json::parse(overturn(folder, {"fit", "c.h5", "--json"}).out);
-    ASSERT_EQ(fit["together"].size(), 1U);
-    auto const& of = fit["together"][0];
-    EXPECT_EQ(of["limit"], "overturning");
-    ASSERT_EQ(of["pairs"].size(), 1U);
-    EXPECT_EQ(of["pairs"][0]["bodies"], json::array({"type-a", "type-b"}));
-    auto const levels = of["any"].size();
+    auto const levels = fit["together"].size();
+    ASSERT_EQ(fit["pairs"].size(), levels);
+    EXPECT_EQ(fit["pairs"][0]["first"], "type-a");
+    EXPECT_EQ(fit["pairs"][0]["second"], "type-b");
     ASSERT_EQ(2 * levels, fit["stripes"].size());
     for (std::size_t l = 0; l < levels; ++l) {
-        auto const& any = of["any"][l];
+        auto const& any = fit["together"][l];
+        EXPECT_EQ(any["limit"], "overturning");
         int const a = fit["stripes"][l]["overturned"];
         int const b = fit["stripes"][levels + l]["overturned"];
         EXPECT_EQ(any["amplitude"], fit["stripes"][l]["amplitude"]);
@@ -45,7 +44,7 @@ TEST_F(Together, AnyOfTheBodies) {
         EXPECT_LE(any["overturned"].get<int>(), a + b);
         EXPECT_LE(any["lower"].get<double>(), any["probability"].get<double>());
     }
-    auto const text = overturn(folder, {"fit", "c.h5"}).out;
+    auto const text = overturn(folder, {"fit", "c.h5", "--section", "together"}).out;
     EXPECT_NE(text.find("any of 2 bodies overturns under one wave"), std::string::npos) << text;
     EXPECT_NE(text.find("phi pooled over levels: type-a/type-b "), std::string::npos) << text;
 }
@@ -58,11 +57,12 @@ TEST_F(Together, CurveOverTwoMeasures) {
     ASSERT_EQ(fit["two_measures"].size(), 2U);
     auto const& b = fit["two_measures"][1];
     EXPECT_EQ(b["body"], "type-b");
-    EXPECT_EQ(b["measures"], json::array({"pga", "v_wes"}));
+    EXPECT_EQ(b["first"], "pga");
+    EXPECT_EQ(b["second"], "v_wes");
     ASSERT_TRUE(b["identifiable"].get<bool>()) << b;
     EXPECT_GE(b["deviance_gain"].get<double>(), 0);
-    double const along = b["slopes"][0]["value"].get<double>() + b["slopes"][1]["value"].get<double>();
-    EXPECT_NEAR(b["beta"]["value"].get<double>(), 1 / along, 1e-12);
+    double const along = b["slope_first"].get<double>() + b["slope_second"].get<double>();
+    EXPECT_NEAR(b["beta"].get<double>(), 1 / along, 1e-12);
     auto const text = overturn(folder, {"fit", "c.h5", "--measures", "pga,v_wes"}).out;
     EXPECT_NE(text.find("type-b: P = Phi("), std::string::npos) << text;
     EXPECT_NE(text.find(" alone, the better one"), std::string::npos) << text;
@@ -81,10 +81,8 @@ TEST_F(Together, IsCheckedByHand) {
         EXPECT_GT(check["rotation_ratio"].get<double>(), 0);
         EXPECT_LE(check["rotation_ratio"].get<double>(), 1);
     }
-    auto const text = overturn(folder, {"fit", "c.h5"}).out;
-    EXPECT_NE(text.find("by hand: reserve energy as in ASCE/SEI 43-05 Appendix A (from recollection)"),
-              std::string::npos)
-        << text;
+    auto const text = overturn(folder, {"fit", "c.h5", "--section", "hand"}).out;
+    EXPECT_NE(text.find("by hand: energy balance under the 84 % spectrum of the first"), std::string::npos) << text;
     EXPECT_NE(text.find("  type-b: overturns above pga "), std::string::npos) << text;
 }
 
@@ -101,7 +99,7 @@ TEST_F(Together, MeasuresThatAreNoneAreRefused) {
            "'pgx' is no measure of this campaign (its curves are over others). State two of pga, pgv, v_wes");
     refuse({"fit", "c.h5", "--measures", "pga,pga"}, "'pga' twice");
     folder.write("t.csv", "amplitude,trials,overturned\n1,54,2\n2,54,43\n");
-    refuse({"fit", "--stripes", "t.csv", "--measures", "pga,pgv"}, "--measures beside --stripes");
+    refuse({"fit", "--stripes", "t.csv", "--measures", "pga,pgv"}, "--measures without a results file");
 }
 
 }  // namespace

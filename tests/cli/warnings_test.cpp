@@ -63,7 +63,12 @@ class Warnings : public ::testing::Test {
     }
 
     void expect_said(std::string const& campaign, std::vector<std::string> const& parts) {
-        for (auto const& said : said_of(campaign)) {
+        for (auto const& all : said_of(campaign)) {
+            std::string said;  // but that levels scale a record far, which such levels do
+            std::istringstream lines(all);
+            for (std::string line; std::getline(lines, line);) {
+                said += line.find("is scaled by up to") == std::string::npos ? line + "\n" : "";
+            }
             EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
             for (auto const& part : parts) {
                 EXPECT_NE(said.find(part), std::string::npos) << "no '" << part << "' in: " << said;
@@ -107,7 +112,7 @@ TEST_F(Warnings, InertiaOfThreeKilogramSquareMetres) {
 
 TEST_F(Warnings, MassOf138Kilogram) {
     auto const light = "mass=138\nbase_width='3.4 m'\ncentre_height='2.6 m'\ninertia='uniform-block'\n";
-    expect_said(records_campaign("pga", "'300 gal'", light), {"b: mass 138 kg", "2.3 kg/m3", "\"138 t\"?"});
+    expect_said(records_campaign("pga", "'300 gal'", light), {"b: mass 138 kg", "2.3 kg/m3", "kg or t?"});
 }
 
 TEST_F(Warnings, PgvOf5000Kine) {
@@ -154,7 +159,7 @@ TEST_F(Warnings, DampingOfFiveIsFiveHundredPercent) {
 TEST_F(Warnings, LevelsAreEchoedInTheUsersUnit) {
     folder.write("c.toml", records_campaign("pgv", "'20 kine', '50 kine'"));
     EXPECT_NE(overturn(folder, {"plan", "c.toml"}).out.find("level     pgv 50 kine\n"), std::string::npos);
-    auto const run = overturn(folder, {"run", "c.toml"}).out;
+    auto const run = overturn(folder, {"run", "c.toml", "--full"}).out;
     EXPECT_NE(run.find("  pgv kine  trials"), std::string::npos) << run;
     EXPECT_NE(run.find("\n        50       1"), std::string::npos) << run;
     auto const fit = nlohmann::json::parse(overturn(folder, {"fit", "c.h5", "--json"}).out);

@@ -22,30 +22,56 @@ using testing::input_from;
 std::string const text =
     testing::quick_waves + testing::type_a + testing::type_b + testing::levels("values=[5,6,7,8,9,10]\n");
 
+// Every trial of the campaign's waves, made once, with other settings of its accuracy.
+struct AllTrials {
+    CampaignInput input = input_from(text);
+    CampaignSpec spec = parse_campaign(input);
+    Plan plan{spec};
+    std::vector<PreparedWave> waves;
+
+    AllTrials() {
+        PhaseSeconds ignored;
+        for (std::int64_t wave = 0; wave < plan.waves(); ++wave) {
+            waves.push_back(prepare_wave(spec, plan, wave, ignored));
+        }
+    }
+    [[nodiscard]] auto rows(std::vector<std::string> const& settings) const {
+        return run_trials(parse_campaign(with(input, settings)), plan, waves).rows;
+    }
+};
+
 // Without step control a step is a wave sample for every order, and truncation falls with the order: Taylor's
 // theorem.
 TEST(Bench, HigherOrderErrsLess) {
-    auto const input = input_from(text);
-    auto const spec = parse_campaign(input);
-    Plan const plan(spec);
-    PhaseSeconds ignored;
-    std::vector<PreparedWave> waves;
-    for (std::int64_t wave = 0; wave < plan.waves(); ++wave) {
-        waves.push_back(prepare_wave(spec, plan, wave, ignored));
-    }
-    auto const rows = [&](std::vector<std::string> const& settings) {
-        return run_trials(parse_campaign(with(input, settings)), plan, waves).rows;
-    };
-    auto const reference = rows(reference_settings());
+    AllTrials const trials;
+    auto const reference = trials.rows(reference_settings());
     double last = 1;
     for (char const* order : {"4", "6", "8"}) {
-        auto const found =
-            compare(rows({std::string("accuracy.taylor_order=") + order, "accuracy.step_tolerance=1e-3"}), reference);
+        auto const found = compare(
+            trials.rows({std::string("accuracy.taylor_order=") + order, "accuracy.step_tolerance=1e-3"}), reference);
         ASSERT_GE(found.peak.count, 10) << "too few trials rock for this to mean anything";
         EXPECT_LT(found.peak.median, last) << "order " << order;
         last = found.peak.median;
     }
     EXPECT_LT(last, 1e-9);
+}
+
+// why order, sub-steps, step_tolerance and settle are constants: what other values of them change, against the
+// reference, on every trial of three waves.
+TEST(Bench, ConstantsOfTheIntegrationChangeNextToNothing) {
+    AllTrials const trials;
+    auto const reference = trials.rows(reference_settings());
+    for (std::string const setting :
+         {"substeps=1", "substeps=2", "substeps=4", "taylor_order=10", "taylor_order=12", "step_tolerance=1e-3",
+          "step_tolerance=1e-7", "step_tolerance=1e-13", "settle=1e-2", "settle=1e-4", "settle=1e-7"}) {
+        auto const found = compare(trials.rows({"accuracy." + setting}), reference);
+        ASSERT_GE(found.peak.count, 10) << "too few trials rock for this to mean anything";
+        EXPECT_EQ(found.flips, 0) << setting;
+        EXPECT_LT(found.peak.median, 1e-12) << setting;
+        EXPECT_LT(found.peak.worst, 1e-6) << setting;
+        RecordProperty("median " + setting, fmt::format("{:.2g}", found.peak.median));
+        RecordProperty("worst " + setting, fmt::format("{:.2g}", found.peak.worst));
+    }
 }
 
 TEST(Bench, RunsWhatACampaignRuns) {
@@ -108,13 +134,12 @@ TEST_F(StudyOfThree, EveryKnobHasAFrontAndErrorsShrink) {
 
 /// The defaults are one run: what a knob says at its own position is what the study says of the defaults.
 TEST_F(StudyOfThree, TheOwnPositionIsTheDefaults) {
-    for (char const* name : {"step", "step_tolerance", "settle", "effects"}) {
+    for (char const* name : {"effects"}) {
         auto const& result = knob(name);
         ASSERT_TRUE(result.knob.here.has_value()) << name;
         auto const& own = result.rows[*result.knob.here];
         EXPECT_EQ(own.flips, study().defaults.flips) << name;
         EXPECT_EQ(own.error.worst, study().defaults.peak.worst) << name;
-        EXPECT_EQ(own.seconds, knob("step").rows[*knob("step").knob.here].seconds) << name;
     }
 }
 

@@ -10,7 +10,10 @@ namespace {
 
 void read(std::string_view content, overturn::RecordRequest const& request) {
     try {
-        auto const motion = overturn::read_placed(content, request).motion;
+        auto const motion = overturn::place(overturn::read_recording(content, request), request.component,
+                                            request.components, {request.name})
+                                .motion;
+        overturn::validate_motion(motion);
         for (double const a : motion.horizontal_mps2) {
             if (!std::isfinite(a)) {
                 std::abort();  // a number that is none must not come through

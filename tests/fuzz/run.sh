@@ -31,9 +31,11 @@ echo "$small" >.build/fuzz/seeds/toml/small
 for reader in "${readers[@]}"; do
     mkdir -p ".build/fuzz/corpus/$reader"
     log=.build/fuzz/$reader.log
+    dictionary=()
+    [ -f "tests/fuzz/$reader.dict" ] && dictionary=(-dict="tests/fuzz/$reader.dict")
     # HDF5 asks for absurd sizes when a file does, and takes no for an answer.
     ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1 nice ".build/fuzz/tests/fuzz/fuzz.$reader" -max_total_time="$seconds" \
-        -timeout=20 -rss_limit_mb=6000 -malloc_limit_mb=1000000 -max_len=1000000 -print_final_stats=1 -artifact_prefix=".build/fuzz/found/$reader-" \
+        -timeout=20 -rss_limit_mb=6000 -malloc_limit_mb=1000000 -max_len=1000000 -print_final_stats=1 "${dictionary[@]}" -artifact_prefix=".build/fuzz/found/$reader-" \
         ".build/fuzz/corpus/$reader" ".build/fuzz/seeds/$reader" >"$log" 2>&1 && end=clean || end="A FINDING (see $log)"
     runs=$(grep -a 'stat::number_of_executed_units' "$log" | tr -dc '0-9' || true)
     edges=$(grep -ao 'cov: [0-9]*' "$log" | tail -1 || true)

@@ -11,7 +11,7 @@
 #include "generators/envelope.hpp"
 #include "motion/ground_motion.hpp"
 #include "spectra/named_targets.hpp"
-#include "stats/kolmogorov.hpp"
+#include "support/kolmogorov.hpp"
 #include "support/tolerance.hpp"
 #include "support/waves.hpp"
 
@@ -106,7 +106,7 @@ TEST(SpectrumMatcher, PhasesAreUniform) {
         }
     }
     constexpr double chance = 0.01;
-    EXPECT_GT(ks_test(phases, [](double turn) { return turn; }).p_value, chance);
+    EXPECT_GT(testing::ks_test(phases, [](double turn) { return turn; }).p_value, chance);
 }
 
 TEST(MatchFigures, CountOnlyTheirBand) {

@@ -135,8 +135,19 @@ TEST(RecordBaseline, MeanAloneHidesNoDrift) {
     EXPECT_TRUE(drift_of(motion).excessive());
 }
 
+// 40 s of 2 Hz, which no correction of long periods touches.
+std::string two_hertz() {
+    std::string text;
+    for (int i = 0; i <= 4000; ++i) {
+        double const t = 0.01 * i;
+        text += fmt::format("{:.2f},{:.6f}\n", t, 100 * std::pow(std::sin(pi * t / 40), 2) * std::sin(4 * pi * t));
+    }
+    return text;
+}
+
 TEST(RecordBaseline, IsStatedInTheTable) {
-    std::map<std::string, std::string> const files{{"a.csv", "0,0\n0.01,10\n0.02,-20\n0.03,0\n"}};
+    std::map<std::string, std::string> const files{{"a.csv", two_hertz()},
+                                                   {"short.csv", "0,0\n0.01,10\n0.02,-20\n0.03,0\n"}};
     auto const label = [&](std::string const& baseline) {
         return source_of("source='records'\nfiles=['a.csv']\nunit='gal'\nbaseline=" + baseline + "\n", files)
             ->make(1, 0)
@@ -160,6 +171,11 @@ TEST(RecordBaseline, IsStatedInTheTable) {
     refuse("'men'", "Did you mean 'mean'?");
     refuse("'high-pass 0 Hz'", "must be above 0");
     refuse("'high-pass 1e-9 Hz'", "at least 0.001 Hz");
+    refuse("'high-pass 0.02 Hz'", "below 0.025 Hz, 1 / duration");
+    // By hand: the mean is -2.5 gal, so that 20 gal become 17.5, and 0.1 gal s at the end 0.10104 where it turns.
+    auto const shifted =
+        source_of("source='records'\nfiles=['short.csv']\nunit='gal'\nbaseline='mean'\n", files)->make(1, 0).label;
+    EXPECT_TRUE(shifted.starts_with("short.csv, mean taken off (PGA -12.5 %, PGV +1.04 %, PGD ")) << shifted;
     refuse("'high-pass 50 Hz'", "a quarter of the sampling frequency");
     refuse("{order=2}", "high_pass");
     refuse("{high_pass='0.1 Hz', order=40}", "1 to 10");

@@ -2,7 +2,10 @@
 #include <cmath>
 #include <complex>
 
+#include "core/units.hpp"
 #include "generators/detail/real_fft.hpp"
+#include "motion/intensity.hpp"
+#include "spectra/response_spectrum.hpp"
 #include "support/expect_input_error.hpp"
 #include "support/sources.hpp"
 #include "support/waves.hpp"
@@ -66,6 +69,34 @@ TEST(Seed, MatchKeepsThePhasesOfTheRecord) {
 }
 
 //
+// matched to its own spectrum up to 5 s, a seed keeps what it has at 7 s: Sa there, PGV, which is most of that.
+TEST(Seed, SlowShakingBeyondTheMatchIsKept) {
+    std::vector<double> slow;
+    for (int i = 0; i <= 9000; ++i) {
+        double const t = 0.01 * i;
+        double const burst = std::pow(std::sin(pi * t / 90), 2);
+        slow.push_back(burst * (std::sin(2 * pi * t / 7) + 0.5 * std::sin(2 * pi * t / 0.5)));
+    }
+    auto const periods = log_periods(0.05, 5, 60);
+    auto const spectrum = response_spectrum(slow, 0.01, periods, 0.05);
+    std::string points;
+    for (std::size_t i = 0; i < periods.size(); ++i) {
+        points += fmt::format("[{:.17g},{:.17g}],", periods[i], spectrum.psa_mps2[i]);
+    }
+    auto const source = testing::source_of(source_key + "[target]\nkind='acceleration'\nlongest=5\npoints=[" + points
+                                               + "]\n[seed]\nfiles=['a.csv']\nunit='m/s2'\n",
+                                           {{"a.csv", column(slow)}});
+    auto const made = source->make(1, 0).motion;
+    ASSERT_NE(source->began_with(0), nullptr);
+    EXPECT_EQ(source->began_with(1), nullptr);
+    constexpr double kept = 0.05;
+    double const pgv = intensity_of(slow, 0.01).pgv_mps;
+    EXPECT_NEAR(intensity_of(made.horizontal_mps2, 0.01).pgv_mps, pgv, kept * pgv);
+    std::vector<double> const slow_period{7};
+    auto const before = displacement_spectrum(slow, 0.01, slow_period, 0.05)[0];
+    EXPECT_NEAR(displacement_spectrum(made.horizontal_mps2, 0.01, slow_period, 0.05)[0], before, kept * before);
+}
+
 TEST(Seed, EachRecordIsOneWaveWhateverTheSeed) {
     auto const source = testing::source_of(keys, files());
 

@@ -1,6 +1,6 @@
 #!/bin/bash
-# Requirement R-1202, R-907: cmake --install gives a tree that works alone: program, campaigns, batch scripts, man page
-# and completion, without the source or build tree.
+# Requirement R-1202, R-907, R-915, R-1009: cmake --install gives a tree that works alone: program, Python package, campaigns, batch
+# scripts, man page and completion, without the source or build tree.
 # install_test.sh BUILD_TREE SOURCE_TREE
 set -euo pipefail
 build=$1 source=$2
@@ -13,9 +13,13 @@ prefix=$scratch/prefix data=$scratch/prefix/share/overturn
 for file in bin/overturn share/man/man1/overturn.1 share/bash-completion/completions/overturn share/overturn/campaigns/quickstart.toml \
             share/overturn/campaigns/bodies/cask_prototype.toml share/overturn/campaigns/KEYS.md \
             share/overturn/campaigns/schema.json share/overturn/campaigns/bodies/schema.json share/overturn/slurm/campaign.sbatch share/overturn/slurm/overturn.def \
-            share/overturn/slurm/spack.yaml share/doc/overturn/LICENSE share/doc/overturn/THIRD_PARTY.md; do
+            share/overturn/slurm/spack.yaml share/overturn/python/overturn/draw.py share/overturn/python/overturn/report/campaign_page.py share/doc/overturn/LICENSE share/doc/overturn/THIRD_PARTY.md; do
     [ -s "$prefix/$file" ] || fail "$file is missing"
 done
+for script in $(cd "$source/src/report" && git ls-files overturn 2>/dev/null || find overturn -name '*.py'); do
+    cmp -s "$source/src/report/$script" "$data/python/$script" || fail "python/$script is missing or another"
+done
+[ -z "$(find "$data/python" ! -name '*.py' ! -type d)" ] || fail "something else than scripts lies in the Python package"
 [ ! -e "$data/slurm/site.env" ] || fail "site.env of this machine came along"
 for script in array.sbatch scan.sh; do [ -x "$data/slurm/$script" ] || fail "slurm/$script cannot be executed"; done
 ! grep -rqF "$source" "$prefix/share" || fail "$(grep -rlF "$source" "$prefix/share" | head -1) names the source tree"
@@ -58,7 +62,22 @@ overturn status q.h5
 overturn fit q.h5 --json > fit.json
 overturn replay q.h5 --trial 5 | grep -q 'bit-equal to the stored row'
 for campaign in design_basis slip_limit; do overturn plan "$2/share/overturn/campaigns/$campaign.toml" > plan.txt; done
-if /usr/bin/python3 -c 'import matplotlib, h5py' 2>/dev/null; then overturn report q.h5 -o q.html 2>> said.txt; fi
+if /usr/bin/python3 -c 'import matplotlib, h5py' 2>/dev/null; then
+    overturn report q.h5 -o q.html 2>> said.txt
+    PYTHONPATH=$2/share/overturn/python /usr/bin/python3 -Bc '
+import sys, overturn
+from overturn import program
+assert program.program_path() == sys.argv[1] + "/bin/overturn", program.program_path()
+results = overturn.run(sys.argv[1] + "/share/overturn/campaigns/quickstart.toml", "c.h5", settings={"waves.count": 3})
+assert (results.trials["verdict"].names == overturn.open("q.h5").trials["verdict"].names).all()
+assert overturn.status("q.h5").complete and results.trials["peak_rotation"].units == "rad"
+try:
+    import pandas, xarray
+    assert len(results.trials.to_pandas()) == results.trials.to_xarray().sizes["trial"] > 0
+except ImportError:
+    pass
+' "$2" 2>> said.txt
+fi
 slurm=$2/share/overturn/slurm
 . "$slurm/leg.sh"
 [ "$OVERTURN" = "$2/bin/overturn" ]

@@ -73,6 +73,31 @@ TEST(Automatic, ChangesItsMind) {
     EXPECT_FALSE(insisted.probability.has_value());
 }
 
+/// Passed by every wave, of a problem that a mixture of pulses could be asked about.
+class Certain : public LimitState {
+  public:
+    Certain() : LimitState(64, 4.0, [](auto) { return 5.0; }) {}
+    [[nodiscard]] std::optional<PulseFrame> frame() const override {
+        return PulseFrame{.lines = 16, .spacing_radps = 0.1, .duration_s = 60, .body_period_s = 0.5};
+    }
+    [[nodiscard]] Moment moment(std::span<double const> /*x*/, double /*factor*/) const override { return {30, 1}; }
+};
+
+// where every wave fails there are no failure pulses to look for: plain trials answer at once.
+TEST(Automatic, CountsWhatIsCertainWhateverIsAskedFor) {
+    Certain const problem;
+    LoneWorker workers;
+    std::vector<double> const factors{1.0};
+
+    auto const made = estimate(problem, factors, Method::pulse_mixture, {.seed = 4}, workers).front();
+
+    EXPECT_EQ(made.method, Method::crude);
+    ASSERT_EQ(made.state, State::trusted) << made.reason;
+    EXPECT_EQ(*made.probability, 1);
+    EXPECT_GT(made.interval_95.lower, 0.999);
+    EXPECT_LE(made.runs, 4200);
+}
+
 // plain trials that saw fewer than ten failures give a bound, no probability.
 TEST(Crude, DoesNotResolveWhatItHardlySaw) {
     LimitState const problem(4, 4.0, [](auto x) { return sum_of(x) / 2; });

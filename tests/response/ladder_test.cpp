@@ -73,6 +73,19 @@ template <EffectMask Holds> ModelEntry crush_entry() {
             [](Accuracy const&) -> std::unique_ptr<Model> { return std::make_unique<Crush<Holds>>(); }};
 }
 
+// The same, called for by every body from the start.
+class Tied : public Crush<mask_of(Effect::vertical) | mask_of(Effect::sliding) | mask_of(crushing)> {
+  public:
+    [[nodiscard]] Call called_for(Trial const& /*trial*/, Outcome const* /*said*/) const override {
+        return {mask_of(crushing)};
+    }
+};
+
+ModelEntry tied_entry() {
+    return {crush_traits<mask_of(Effect::vertical) | mask_of(Effect::sliding) | mask_of(crushing)>,
+            [](Accuracy const&) -> std::unique_ptr<Model> { return std::make_unique<Tied>(); }};
+}
+
 constexpr EffectMask planar = mask_of(Effect::vertical) | mask_of(Effect::sliding);
 constexpr EffectMask all = planar | mask_of(crushing);
 constexpr EffectMask without_sliding = mask_of(Effect::vertical) | mask_of(crushing);
@@ -226,9 +239,12 @@ TEST(Ladder, LeavesOutWhatNoModelHoldsTogether) {
             EXPECT_EQ(after.verdict, before.verdict) << i;
             EXPECT_EQ(after.peak_slip_m, before.peak_slip_m) << i;
             EXPECT_EQ(after.effects, before.effects) << i;
-            left_out += has(static_cast<EffectMask>(after.called), crushing) ? 1 : 0;
+            bool const called = has(static_cast<EffectMask>(after.called), crushing);
+            EXPECT_EQ(after.reason == left_out_reason, called) << i;
+            left_out += called ? 1 : 0;
         } else if (before.peak_rotation_ratio > 0.3) {
             EXPECT_EQ(after.verdict, crushed) << i;
+            EXPECT_NE(after.reason, left_out_reason) << i;
         }
     }
     EXPECT_GT(left_out, 10);
@@ -237,6 +253,52 @@ TEST(Ladder, LeavesOutWhatNoModelHoldsTogether) {
             (void)with_crush<without_sliding>({EffectMode::forced, mask_of(Effect::sliding) | mask_of(crushing)});
         },
         "no model holds them together");
+}
+
+// A body on a bed of its own, and something else of it that the model of beds does not hold: said before anything runs.
+TEST(Ladder, SaysWhatASceneCallsForAndNoModelHoldsTogether) {
+    static std::array const entries{models()[0], models()[1], tied_entry(), models()[2]};
+    Footing flat;
+    flat.base.corner_share.reset();
+    flat.pad.match_restitution = false;
+    flat.stated = true;
+    Many const many;
+    auto const& motion = many.trials()[1].motion;
+    Scene const on_bed{body, std::nullopt, flat};
+    Scene const plain{body, std::nullopt};
+    Ladder const chooses(EffectRequest{}, {}, entries);
+    EXPECT_EQ(chooses.left_out({on_bed, motion, 5}), mask_of(Effect::contact));
+    EXPECT_EQ(chooses.left_out({plain, motion, 5}), 0U);
+    auto const answer = chooses.respond({on_bed, motion, 5});
+    EXPECT_EQ(answer.reason, left_out_reason);
+    EXPECT_EQ(answer.rung, 9) << "the cheaper model's effect is kept";
+    EXPECT_TRUE(has(static_cast<EffectMask>(answer.called), Effect::contact));
+    EXPECT_FALSE(has(static_cast<EffectMask>(answer.effects), Effect::contact));
+    EXPECT_EQ(Ladder(EffectRequest{}).left_out({on_bed, motion, 5}), 0U) << "the program's own models hold theirs";
+    auto const together = mask_of(crushing) | mask_of(Effect::contact);
+    testing::expect_input_error(
+        [&] {
+            (void)Ladder({EffectMode::forced, together}, {}, entries);
+        },
+        "no model holds them together");
+}
+
+// An effect that is forced on a body that cannot have it is no effect.
+TEST(Ladder, SaysWhichForcedEffectsABodyCannotHave) {
+    auto const impossible = [](EffectMask forced, RigidBody const& of, std::optional<Friction> friction) {
+        return Ladder({EffectMode::forced, forced}).impossible({of, friction});
+    };
+    auto const contact = mask_of(Effect::contact);
+    RigidBody const reed({.mass_kg = 1000,
+                          .half_width_m = 0.01,
+                          .centre_height_m = 2,
+                          .inertia_kgm2 = 1000 * (0.01 * 0.01 + 2.0 * 2.0) / 3,
+                          .restitution = 0.9});
+    EXPECT_EQ(impossible(mask_of(Effect::sliding) | contact, body, std::nullopt), mask_of(Effect::sliding));
+    EXPECT_EQ(impossible(mask_of(Effect::sliding) | contact, body, Friction{0.5, 0.4}), 0U);
+    EXPECT_EQ(impossible(contact, reed, std::nullopt), contact) << "the usual pad does not hold it upright";
+    EXPECT_EQ(impossible(mask_of(Effect::vertical), reed, std::nullopt), 0U) << "a matter of the wave";
+    EXPECT_EQ(Ladder(EffectRequest{}).impossible({reed, std::nullopt}), 0U);
 }
 
 TEST(Ladder, CountsTrialsAndSecondsOnTheRungsThatTheyEndedOn) {

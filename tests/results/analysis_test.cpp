@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
-#include "results/analysis_table.hpp"
+#include "output/curve_text.hpp"
 #include "results/criterion_verdict.hpp"
 #include "results/statistics.hpp"
 #include "support/campaigns.hpp"
@@ -73,11 +73,11 @@ TEST_F(AnalysisOfRows, EveryMeasureSeesItsOwnValues) {
     fill();
     auto const& trials = statistics.measured();
 
-    EXPECT_EQ(trials.singles(1, FragilityMeasure::pga)[2].intensity, 9);
-    EXPECT_EQ(trials.singles(1, FragilityMeasure::pgv)[5].intensity, 4.5 * 0.51);
-    EXPECT_EQ(trials.singles(1, FragilityMeasure::v_wes)[5].intensity, 0.3 * 4.5 * 1.01);
-    EXPECT_EQ(trials.singles(1, FragilityMeasure::v_wes_ratio)[5].intensity, 0.3 * 4.5 * 1.01 / 1.35);
-    EXPECT_TRUE(trials.singles(0, FragilityMeasure::pga).empty());
+    EXPECT_EQ(trials.singles(1, measure_named("pga"))[2].intensity, 9);
+    EXPECT_EQ(trials.singles(1, measure_named("pgv"))[5].intensity, 4.5 * 0.51);
+    EXPECT_EQ(trials.singles(1, measure_named("v_wes"))[5].intensity, 0.3 * 4.5 * 1.01);
+    EXPECT_EQ(trials.singles(1, measure_named("v_wes_ratio"))[5].intensity, 0.3 * 4.5 * 1.01 / 1.35);
+    EXPECT_TRUE(trials.singles(0, measure_named("pga")).empty());
 }
 
 TEST_F(AnalysisOfRows, LevelsAreStripesAndWavesAreResampled) {
@@ -100,13 +100,12 @@ TEST_F(AnalysisOfRows, LevelsAreStripesAndWavesAreResampled) {
 TEST_F(AnalysisOfRows, CurvesOverOtherMeasuresAreOfTheDesign) {
     fill();
     auto const fits = analyse(spec, statistics, {})[1].fragility;
-    auto const all = fragility_table(fits, 0.95);
-    std::string const said =
-        "note: over measures other than pga, curves and ranks are those of this campaign's scaled waves";
+    auto const all = output::fragility_table(fits, 0.95);
+    std::string const said = "note: curves over measures other than pga depend on the scaling levels";
 
     EXPECT_NE(all.find(said), std::string::npos) << all;
     EXPECT_EQ(all.find(said), all.rfind(said));
-    EXPECT_EQ(fragility_table({fits.front()}, 0.95).find("measures other"), std::string::npos);
+    EXPECT_EQ(output::fragility_table({fits.front()}, 0.95).find("measures other"), std::string::npos);
 }
 
 /// V_WES and ouV_E are one multiple of each other in these rows: same beta, same rank, medians apart by the factor.
@@ -140,17 +139,18 @@ TEST_F(AnalysisOfRows, TrialsWithoutVerdictAreSaid) {
 // V_Ereq.
 TEST_F(AnalysisOfRows, TheOtherUnitOfRStandsBeside) {
     spec.measures.both_radius_units = true;
+    statistics = Statistics(spec);
     fill();
     auto const body = analyse(spec, statistics, {})[1];
 
     ASSERT_EQ(body.criterion.size(), 4);
     EXPECT_EQ(body.criterion[0].radius_unit, RadiusUnit::centimetre);
     EXPECT_EQ(body.criterion[2].radius_unit, RadiusUnit::metre);
-    EXPECT_EQ(body.criterion[2].measure, FragilityMeasure::v_wes_other_unit);
+    EXPECT_EQ(body.criterion[2].measure, measure_named("v_wes_other_unit"));
     auto const& counts = body.criterion[2].study.counts;
     EXPECT_EQ(counts.false_alarm + counts.true_overturn, 0) << "0.1 of 9 m/s2 lies below V_Ereq";
     EXPECT_EQ(counts.false_safe + counts.true_safe, 120);
-    EXPECT_EQ(statistics.measured().singles(1, FragilityMeasure::ou_v_e_other_unit)[5].intensity, 4.5 * 0.4);
+    EXPECT_EQ(statistics.measured().singles(1, measure_named("ou_v_e_other_unit"))[5].intensity, 4.5 * 0.4);
     ASSERT_EQ(body.fragility.size(), 7);
     EXPECT_EQ(body.fragility[5].label, "v_wes(R in m)");
     // The measures are the level's amplitude in other words, so their curves differ by that factor alone.
@@ -193,26 +193,25 @@ TEST_F(AnalysisOfRows, TheVerdictFollowsTheCounts) {
     EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.open, "nothing overturned"));
     trial(0, 2, Verdict::overturned, 4.5, 3.0);
     EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.open,
-                      "too few waves to call it conservative: none of 1 uplifted trials"));
+                      "too few waves to call it conservative: no false-safe prediction in 1 trials that uplifted"));
     EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.open, "the lowest V_WES / V_Ereq at which"));
     for (std::int64_t w = 100; w < 140; ++w) {
         wave(w, 2, 1);
         trial(w, 0, Verdict::rocked, 1.5, 1.0);
     }
-    EXPECT_TRUE(
-        holds(analyse(spec, statistics, {})[1].verdict.supports, "conservative here: none of 41 uplifted trials"));
+    EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.supports,
+                      "conservative here: no false-safe prediction in 41 trials that uplifted"));
     EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.supports, "the lowest V_WES / V_Ereq at which"));
-    EXPECT_TRUE(
-        holds(analyse(spec, statistics, {})[1].verdict.open,
-              "more or fewer than half of its alarms at these levels are false (so few trials cannot tell): of 1 "
-              "trials that V_WES calls unsafe, 0 stood"));
+    EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.open,
+                      "more or fewer than half of its alarms at these levels are false (too few trials): of 1 trials "
+                      "predicted unsafe, 0 did not overturn"));
     trial(0, 1, Verdict::overturned, 3, 1.2);
     EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.against,
-                      "1 of 42 uplifted trials that V_WES < V_Ereq calls safe"));
+                      "1 of 42 trials that uplifted and were predicted safe overturned"));
     wave(1, 2, 1);
     trial(1, 0, Verdict::at_rest, 1.5, 1.0);
     EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.against,
-                      "1 of 42 uplifted trials that V_WES < V_Ereq calls safe"))
+                      "1 of 42 trials that uplifted and were predicted safe overturned"))
         << "what never left the ground is not counted";
     for (std::int64_t w = 2; w < 8; ++w) {
         wave(w, 2, 1);
@@ -244,14 +243,14 @@ TEST_F(AnalysisOfRows, DispersionsAreComparedInPairs) {
     EXPECT_NE(compared.find("rank: "), std::string::npos) << compared;
     body.one_spectrum = true;
     auto const matched = all(verdict_on(body, 0.95));
-    EXPECT_NE(matched.find("not testable with waves of one target"), std::string::npos) << matched;
+    EXPECT_NE(matched.find("cannot be assessed: all waves share one target spectrum"), std::string::npos) << matched;
     EXPECT_EQ(matched.find("resampled in pairs"), std::string::npos) << matched;
 
     // A measure that is V_WES by another name has a ratio of exactly 1: neither better nor worse.
     body.one_spectrum = false;
     for (auto& measured : body.fragility) {
-        if (measured.measure == FragilityMeasure::pgv) {
-            auto const own = std::ranges::find(body.fragility, FragilityMeasure::v_wes, &MeasuredFragility::measure);
+        if (measured.measure == measure_named("pgv")) {
+            auto const own = std::ranges::find(body.fragility, measure_named("v_wes"), &MeasuredFragility::measure);
             measured.fit = own->fit;
         }
     }
@@ -260,7 +259,7 @@ TEST_F(AnalysisOfRows, DispersionsAreComparedInPairs) {
     // A beta of a curve that the data reject is said to be one.
     EXPECT_EQ(compared.find("does not describe the data"), std::string::npos) << compared;
     for (auto& measured : body.fragility) {
-        if (measured.measure == FragilityMeasure::pgv) {
+        if (measured.measure == measure_named("pgv")) {
             measured.fit.flags |= bit(FragilityFlag::poor_fit);
         }
     }

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "output/frequency_text.hpp"
 #include "support/campaigns.hpp"
 #include "support/expect_input_error.hpp"
 
@@ -52,6 +53,48 @@ TEST(HazardTable, WhatCannotBeMeantIsRefused) {
     }
 }
 
+// Rows that say nothing are left out with a remark, a flat start is kept.
+TEST(HazardTable, ZerosAtEitherEndAreLeftOut) {
+    auto const levels = levels_by("pga");
+    auto const parse = [&](std::string const& rows) {
+        return parse_hazard("pga [g], annual_exceedance\n" + rows, "h.csv", levels);
+    };
+    auto const from_none = parse("0.0,1.0\n0.1,1e-2\n1,2e-5\n");
+    EXPECT_EQ(from_none.points().size(), 2U);
+    ASSERT_EQ(from_none.remarks().size(), 1U);
+    EXPECT_NE(from_none.remarks()[0].find("line 2"), std::string::npos) << from_none.remarks()[0];
+    auto const to_none = parse("0.1,1e-2\n0.3,8e-4\n1,2e-5\n2,0\n3,0\n");
+    EXPECT_DOUBLE_EQ(to_none.last(), g0);
+    ASSERT_EQ(to_none.remarks().size(), 1U);
+    EXPECT_NE(to_none.remarks()[0].find("line 5"), std::string::npos) << to_none.remarks()[0];
+    auto const flat = parse("0.005,4.3e-2\n0.01,4.3e-2\n0.1,1e-2\n1,2e-5\n");
+    EXPECT_EQ(flat.points().size(), 4U);
+    EXPECT_TRUE(flat.remarks().empty());
+    expect_input_error([&] { (void)parse("0.1,1e-2\n0.3,0\n1,2e-5\n"); }, "h.csv:4", "rarer");
+    expect_input_error([&] { (void)parse("0.1,1e-2\n0,1e-3\n1,2e-5\n"); }, "h.csv:3", "intensity 0");
+}
+
+// Numbers in g under the name gal: nothing of the curve lies where the trials were.
+TEST(HazardTable, WhatMeetsNoLevelIsRefused) {
+    auto const levels = levels_by("pga");
+    auto const parse = [&](std::string const& text) { (void)parse_hazard(text, "h.csv", levels); };
+    expect_input_error([&] { parse("pga [gal], annual_exceedance\n0.1,1e-3\n0.3,1e-4\n1,1e-6\n"); }, "h.csv:1",
+                       "from 0.1 gal to 1 gal", "300 gal to 600 gal", "units");
+    expect_input_error([&] { parse("pga [g], annual_exceedance\n1,1e-3\n3,1e-4\n"); }, "from 1 g to 3 g");
+}
+
+// A line above the numbers that names a time of investigation speaks of probabilities.
+TEST(HazardTable, ATimeOfInvestigationIsNotPassedOver) {
+    auto const levels = levels_by("pga");
+    auto const parse = [&](std::string const& comment) {
+        return parse_hazard(comment + "\npga [g], annual_exceedance\n0.1,1e-2\n1,1e-5\n", "h.csv", levels);
+    };
+    expect_input_error([&] { (void)parse("# investigation_time = 50.0"); }, "h.csv:1", "-ln(1 - p) / 50", "remove");
+    expect_input_error([&] { (void)parse("# PSHA\n# Investigation time (years): 100"); }, "h.csv:2", "/ 100");
+    expect_input_error([&] { (void)parse("# investigation time: see report"); }, "h.csv:1", "/ t");
+    EXPECT_EQ(parse("# investigation_time = 1.0").points().size(), 2U);
+}
+
 // A spectral acceleration is one of its period.
 TEST(HazardTable, ThePeriodOfSaIsRead) {
     auto const levels = testing::campaign_from(testing::quick_waves + testing::type_b
@@ -59,13 +102,37 @@ TEST(HazardTable, ThePeriodOfSaIsRead) {
                                                  "values=['300 gal', '600 gal']\n")
                             .levels;
     auto const parse = [&](std::string const& over) {
-        return parse_hazard(over + ", annual_exceedance [1/a]\n0.1, 1e-2\n1, 1e-5\n", "h.csv", levels);
+        return parse_hazard(over + ", annual_exceedance [1/a]\n0.1, 1e-2\n1000, 1e-5\n", "h.csv", levels);
     };
-    EXPECT_DOUBLE_EQ(parse("sa(1.9 s) [g]").last(), g0);
-    EXPECT_DOUBLE_EQ(parse("Sa(1.9 s)_gal").last(), 0.01);
+    EXPECT_DOUBLE_EQ(parse("sa(1.9 s) [g]").last(), 1000 * g0);
+    EXPECT_DOUBLE_EQ(parse("Sa(1.9 s)_gal").last(), 10);
     for (std::string const other : {"sa(0.5 s) [g]", "sa [g]", "sa-average [g]", "sa(1.95 s) [g]"}) {
         expect_input_error([&] { (void)parse(other); }, "h.csv:1", "levels are sa(1.9 s)");
     }
+}
+
+// R-707: an export of OpenQuake: probabilities in so many years, of one site.
+TEST(HazardTable, ExportsOfOpenQuakeAreRead) {
+    auto const levels = testing::campaign_from(testing::quick_waves + testing::type_b
+                                               + "[measures]\nsa_periods=['1 s']\n[levels]\nmeasure='sa'\nperiod='1 s'\n"
+                                                 "values=['300 gal', '600 gal']\n")
+                            .levels;
+    auto const text = [](std::string const& time, std::string const& imt, std::string const& more = "") {
+        return "#,,,,,,,\"generated_by='OpenQuake engine 3.9.0', kind='mean', investigation_time=" + time + ", imt='" + imt
+               + "'\"\nlon,lat,depth,poe-0.001,poe-0.01,poe-0.1,poe-1.0,poe-2.0\n-1.0,2.0,0.0,1.0E+00,1.0E-01,1.0E-02,"
+                 "1.0E-04,0.0E+00\n"
+               + more;
+    };
+    auto const curve = parse_hazard(text("50.0", "SA(1.0)"), "h.csv", levels);
+    ASSERT_EQ(curve.points().size(), 3U);
+    EXPECT_DOUBLE_EQ(curve.points()[0].annual_exceedance, -std::log(0.9) / 50);
+    EXPECT_DOUBLE_EQ(curve.points()[1].intensity, 0.1 * g0);
+    EXPECT_DOUBLE_EQ(curve.points()[2].annual_exceedance, -std::log1p(-1e-4) / 50);
+    expect_input_error([&] { (void)parse_hazard(text("50.0", "PGA"), "h.csv", levels); }, "levels are sa(1 s)");
+    expect_input_error([&] { (void)parse_hazard(text("x", "SA(1.0)"), "h.csv", levels); }, "h.csv:1",
+                       "investigation_time");
+    expect_input_error([&] { (void)parse_hazard(text("1.0", "SA(1.0)", "1,2,0,.5,.4,.3,.2,.1\n"), "h.csv", levels); },
+                       "h.csv:4", "a second site");
 }
 
 // Rocks from g/10 on, below all levels.
@@ -124,7 +191,11 @@ TEST_F(Frequency, IsThatOfTheCurveAndWithinTheStripes) {
     EXPECT_LT(f.interval.lower, mean);
     EXPECT_GT(f.interval.upper, mean);
     EXPECT_GT(f.interval.lower, 0.6 * mean);
-    EXPECT_LT(f.interval.upper, 1.6 * mean);
+    // Below the lowest level, 2, P is at most what the curve holds there, above the highest, 18, it may be 1.
+    EXPECT_LT(f.interval.upper, 1.6 * mean + f.bounds.below_most * 6 + f.bounds.above_most);
+    EXPECT_NEAR(f.bounds.above_most, 1e-2 * std::pow(18 / 0.5, -3), 1e-12);
+    EXPECT_NEAR(f.bounds.below_most / (1e-2 * (std::pow(9.80665 * 0.1 / 0.5, -3) - std::pow(4.0, -3))),
+                LognormalFragility({6, 0.4}).probability(2), 1e-3);
     EXPECT_LT(f.seen.lower, mean);
     EXPECT_GT(f.seen.upper, mean);
     EXPECT_FALSE(f.fractiles.has_value());
@@ -159,7 +230,7 @@ TEST_F(Frequency, WeakMotionsOfTheTableAreNoRisk) {
     EXPECT_EQ(unknown.nothing_below, 0);
     double const weaker = 1e4 - from_nothing.annual_exceedance(2);
     EXPECT_NEAR(unknown.seen_below_levels / (clopper_pearson(1, 200, 0.95).upper * weaker), 1, 1e-9);
-    auto const text = frequency_table(factors, {unknown}, from_nothing, 0.95);
+    auto const text = output::frequency_text({&unknown, 1}, from_nothing, 0.95);
     EXPECT_NE(text.find("by motions weaker than all levels"), std::string::npos) << text;
 }
 
@@ -193,13 +264,19 @@ TEST(FrequencyOfUndecided, HoldsBothExtremes) {
 TEST_F(Frequency, WhatRestsOnNoDataIsSaid) {
     auto const analysis = analyse(spec, statistics, {.confidence = 0.95, .beta_u = 0, .replicates = 50});
     auto const said = [&](HazardCurve const& hazard) {
-        return frequency_table(spec, frequencies_of(spec, statistics, analysis, hazard, 0.95), hazard, 0.95);
+        return output::frequency_text(frequencies_of(spec, statistics, analysis, hazard, 0.95), hazard, 0.95);
     };
-    EXPECT_NE(said(HazardCurve({{0.5, 1e-2}, {6, 5e-6}})).find("beyond the hazard curve's last point"),
-              std::string::npos);
-    EXPECT_NE(said(HazardCurve({{5, 1e-2}, {60, 1e-6}})).find("at the hazard curve's first point"), std::string::npos);
-    EXPECT_NE(said(HazardCurve({{0.1, 1e-1}, {60, 1e-22}})).find("outside the levels"), std::string::npos);
-    auto const sound = said(HazardCurve({{0.5, 1e-2}, {50, 1e-8}}));
+    EXPECT_NE(said(HazardCurve({{0.5, 1e-2}, {6, 5e-6}})).find("where the hazard curve ends"), std::string::npos);
+    EXPECT_NE(said(HazardCurve({{5, 1e-2}, {60, 1e-6}})).find("where the hazard curve begins"), std::string::npos);
+    EXPECT_NE(said(HazardCurve({{0.1, 1e-1}, {60, 1e-22}})).find("the lowest level"), std::string::npos);
+    EXPECT_NE(said(HazardCurve({{0.5, 1e-2}, {8, 1e-5}, {50, 9e-6}})).find("the highest level"), std::string::npos);
+    EXPECT_NE(said(HazardCurve({{0.5, 1e-2}, {50, 1e-8}})).find("6.0 decades"), std::string::npos);
+    // Nothing to say: it begins where hardly anything falls, ends where all fall, and has points enough.
+    std::vector<HazardPoint> fine;
+    for (double a = 2; a < 40; a *= 1.5) {
+        fine.push_back({a, 1e-2 * std::pow(a / 0.5, -3)});
+    }
+    auto const sound = said(HazardCurve(fine));
     EXPECT_EQ(sound.find("note:"), std::string::npos) << sound;
     // Its ends are told in the unit that the curve states, whatever the levels do.
     auto const in_g = parse_hazard("pga [g], annual_exceedance\n0.05, 1e-2\n5, 1e-8\n", "h.csv", spec.levels);

@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include "output/stripe_text.hpp"
 #include "response/registry.hpp"
 #include "results/schema.hpp"
 #include "results/statistics.hpp"
-#include "results/stripe_table.hpp"
 #include "support/campaigns.hpp"
 #include "support/describe_all.hpp"
 
@@ -225,11 +225,11 @@ TEST(Statistics, CountWhoFellOrPeakedOnlyAfterTheRecord) {
     using Counts = std::vector<std::int64_t>;
     EXPECT_EQ(body.fell_after_record, (Counts{0, 2}));
     EXPECT_EQ(body.peaked_after_record, (Counts{0, 1}));
-    auto const told = stripe_table(spec, statistics);
+    auto const told = output::stripes_text(spec, statistics);
     EXPECT_NE(told.find("note: 3 trials still rocked when the record ended (2 fell and 1 rose to their peak"),
               std::string::npos)
         << told;
-    EXPECT_EQ(stripe_table(spec, Statistics(spec)).find("still rocked"), std::string::npos);
+    EXPECT_EQ(output::stripes_text(spec, Statistics(spec)).find("still rocked"), std::string::npos);
 }
 
 }  // namespace

@@ -12,18 +12,19 @@
 
 #include <gtest/gtest.h>
 
+#include "output/event_text.hpp"
 #include "support/campaigns.hpp"
 
 namespace overturn {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr auto rest = static_cast<std::int64_t>(Verdict::at_rest);
-constexpr auto slid = static_cast<std::int64_t>(Verdict::slid);
-constexpr auto rocked = static_cast<std::int64_t>(Verdict::rocked);
-constexpr auto fell = static_cast<std::int64_t>(Verdict::overturned);
-constexpr auto lost = static_cast<std::int64_t>(Verdict::contact_lost);
-constexpr auto failed = static_cast<std::int64_t>(Verdict::failed);
+constexpr auto rest = Verdict::at_rest;
+constexpr auto slid = Verdict::slid;
+constexpr auto rocked = Verdict::rocked;
+constexpr auto fell = Verdict::overturned;
+constexpr auto lost = Verdict::contact_lost;
+constexpr auto failed = Verdict::failed;
 
 // Three waves, two bodies, three levels: eighteen trials, wave by wave, then body, then level.
 CampaignSpec campaign(std::string const& levels = "values=[3,6,9]\n") {
@@ -31,9 +32,9 @@ CampaignSpec campaign(std::string const& levels = "values=[3,6,9]\n") {
                                   + "friction=0.3\n" + testing::levels(levels));
 }
 
-std::vector<std::int64_t> const verdicts{rest, fell, rocked, rest, slid,   rocked,   // wave 0: a changes back
-                                         rest, fell, fell,   slid, lost,   failed,   // wave 1
-                                         fell, slid, rocked, rest, rocked, rocked};  // wave 2: a changes back further
+std::vector<Verdict> const verdicts{rest, fell, rocked, rest, slid,   rocked,   // wave 0: a changes back
+                                    rest, fell, fell,   slid, lost,   failed,   // wave 1
+                                    fell, slid, rocked, rest, rocked, rocked};  // wave 2: a changes back further
 std::vector<double> const rotations{0, 1.6, 0.4, 0, 0, 0.95, 0, 1.6, 1.6, 0, 2, unknown, 1.6, 0.1, 0.7, 0, 0.95, 0.3};
 std::vector<double> const slips{0, 9, 0.02, 0, 0.3, 0.1, 0, 9, 9, 0.05, unknown, unknown, 9, 0.5, 0.5, 0, 0.2, 0.3};
 
@@ -51,7 +52,7 @@ TEST(TellingTrials, AreTheOnesThatAHandFinds) {
         EXPECT_EQ(t.body, body) << place;
         EXPECT_EQ(t.level, level) << place;
         EXPECT_EQ(t.amplitude, 3.0 * static_cast<double>(level + 1)) << place;
-        EXPECT_EQ(static_cast<std::int64_t>(t.verdict), verdicts[static_cast<std::size_t>(trial)]) << place;
+        EXPECT_EQ(t.verdict, verdicts[static_cast<std::size_t>(trial)]) << place;
         EXPECT_EQ(t.peak_rotation_ratio, rotations[static_cast<std::size_t>(trial)]) << place;
         EXPECT_EQ(t.peak_slip_m, slips[static_cast<std::size_t>(trial)]) << place;
     };
@@ -95,12 +96,12 @@ TEST(TellingTrials, OfAPartAndOfIndependentWaves) {
 TEST(TellingTrials, TellHowToReplayThem) {
     auto const spec = campaign();
     auto const found = telling_trials(spec, Plan(spec), {verdicts, rotations, slips});
-    auto const text = telling_table(spec, found, "some.h5");
+    auto const text = output::telling_text(spec, found, "some.h5");
 
     EXPECT_NE(text.find("overturn replay some.h5 --trial N"), std::string::npos) << text;
     EXPECT_NE(text.find("overturned at " + spec.levels.text(3)), std::string::npos) << text;
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2 + 7) << text;
-    EXPECT_EQ(telling_table(spec, {}, "some.h5"), "");
+    EXPECT_EQ(output::telling_text(spec, std::vector<TellingTrial>{}, "some.h5"), "");
 }
 
 // Everyone gets one before anyone gets two, no one more than offered; of too many as many evenly spread get one.

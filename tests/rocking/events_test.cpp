@@ -230,7 +230,25 @@ TEST(ContactLoss, BeyondAlphaTheFallKeepsItsRate) {
         double const rotation = std::abs(seen.last.rotation_rad) + spin * (out.contact_lost_s - seen.last.time_s);
         EXPECT_NEAR(out.overturn_time_s, out.contact_lost_s + (pi / 2 - rotation) / spin, 2e-3);
         EXPECT_GT(out.overturn_time_s, 1.0);
+        EXPECT_EQ(out.landing_spin_radps, std::abs(seen.last.velocity_radps));
+        EXPECT_NEAR(seen.last.rotation_rad, sign * pi / 2, 1e-12);  // histories end where it lies
+        EXPECT_NEAR(seen.last.time_s, out.overturn_time_s, 1e-12);
     }
+}
+
+// I_O w^2 / 2 = m g R (1 - sin(alpha)), from balance; and under a constant push from rest, whose work comes on
+// top.
+TEST(Landing, OfARigidBlockFromBalance) {
+    std::vector<double> const calm{0.0, 0.0};
+    for (double const sign : {1.0, -1.0}) {
+        auto const out =
+            simulate_rocking(block, shaking(calm, 0.01), {}, {.rotation_rad = sign * block.alpha_rad * (1 + 1e-9)});
+        ASSERT_EQ(out.verdict, Verdict::overturned);
+        EXPECT_NEAR(out.landing_spin_radps, block.p_radps * std::sqrt(2 * (1 - std::sin(block.alpha_rad))), 1e-8);
+    }
+    EXPECT_EQ(
+        simulate_rocking(block, shaking(calm, 0.01), {}, {.rotation_rad = 0.5 * block.alpha_rad}).landing_spin_radps,
+        0);
 }
 
 }  // namespace

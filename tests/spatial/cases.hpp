@@ -17,9 +17,7 @@ namespace overturn::testing {
 inline Footing square_base(double corner_share = 1, int points = 11) {
     return {.base = {.corner_share = corner_share, .points = points}};
 }
-inline Footing round_base(int points = BasePlan::points_around) {
-    return {.base = {.shape = BaseShape::round, .points = points}};
-}
+inline Footing round_base(int points = 0) { return {.base = {.shape = BaseShape::round, .points = points}}; }
 inline Footing polygon_base(std::vector<std::array<double, 2>> corners_m) {
     return {.base = {.shape = BaseShape::polygon, .corners_m = std::move(corners_m)}};
 }

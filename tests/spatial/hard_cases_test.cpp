@@ -52,7 +52,7 @@ SpatialStart wobbling(SpatialBlock const& block, double tilt_rad, double spin_ra
 }
 
 TEST(SpatialHardCases, AWobblingCylinderNeverGainsEnergy) {
-    for (int const points : {16, 32, 64, 128}) {
+    for (int const points : {0, 16, 32, 64, 128}) {
         for (double const friction : {0.3, 0.8}) {
             auto const block = standing(body_a(), round_base(points), friction);
             auto const history = released(block, wobbling(block, 0.2, 1), 5);
@@ -62,11 +62,25 @@ TEST(SpatialHardCases, AWobblingCylinderNeverGainsEnergy) {
             }
             auto const& end = history.instants.back();
             EXPECT_TRUE(std::isfinite(end.x_m + end.y_m + end.yaw_rad));
-            if (points > fewest_rim_points) {  // which rolls from point to point for some seconds more
+            if (points > fewest_rim_points) {  // fewer roll from point to point for some seconds more, a rim for long
                 EXPECT_LT(end.tilt_rad(), 1e-9) << points << " " << friction;
             }
             EXPECT_GT(std::abs(end.yaw_rad), 1e-3) << points << " " << friction;
         }
+    }
+}
+
+// On its edge like a coin that comes to rest, faster and faster: with springs counted, energy falls from step to step.
+TEST(SpatialHardCases, ASettlingCoinNeverGainsEnergy) {
+    for (double const friction : {0.0, 0.3, 10.0}) {
+        auto const block = standing(solid(0.5, 0.02), round_base(), friction);
+        auto const history = released(block, wobbling(block, 0.3, 6), 8).instants;
+        double least = history.front().energy_jpkg;
+        for (auto const& instant : history) {
+            ASSERT_LT(instant.energy_jpkg, least + 1e-6) << friction << " " << instant.time_s;
+            least = std::min(least, instant.energy_jpkg);
+        }
+        EXPECT_LT(history.back().tilt_rad(), 0.03) << friction;
     }
 }
 

@@ -157,7 +157,9 @@ TEST(SpatialModel, IsCalledForWhereNoPlaneHolds) {
     EXPECT_TRUE(called(triangle, 1, 0.1));
     EXPECT_TRUE(called(triangle, 1, 0));
     EXPECT_TRUE(called(round_base(), 1, 1e-9));
-    EXPECT_FALSE(called(round_base(), 100, 0));
+    EXPECT_TRUE(called(round_base(), 1, 0));
+    EXPECT_TRUE(called(round_base(32), 1, 1e-9));
+    EXPECT_FALSE(called(round_base(32), 100, 0));
 
     double const uplift = body.uplift_acceleration_mps2() / 2;  // levels are doubled
     EXPECT_FALSE(called(square_base(), 100, 0));

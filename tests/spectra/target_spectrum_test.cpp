@@ -116,7 +116,7 @@ TEST(TargetSpectrum, SimilarityShortensPeriodsOnly) {
 }
 
 TEST(TargetSpectrum, TableIsStraightInLogLog) {
-    auto const target = parse_target_table("# T  Sv\n0.1, 0.2\r\n1.0  2.0   ! knee\n\n10 2.0\n", "t.csv",
+    auto const target = parse_target_table("# T  Sv [m/s]\n0.1, 0.2\r\n1.0  2.0   ! knee\n\n10 2.0\n", "t.csv",
                                            TargetKind::pseudo_velocity, 0.02);
 
     EXPECT_TRUE(near(target.psv_mps(0.1), 0.2, exact_formula));
@@ -129,14 +129,13 @@ TEST(TargetSpectrum, TableIsStraightInLogLog) {
 TEST(TargetSpectrum, OneLineOfNamesMayStandAboveATable) {
     for (char const* names :
          {"T,Sv\n", "period (s), psv (m/s)\r\n", "\xEF\xBB\xBFPeriod;Sv\n", "# note\n\"T\" \"Sv\"\n"}) {
-        auto const target =
-            parse_target_table(names + std::string("0.1, 0.2\n1.0; 2.0\n"), "t.csv", TargetKind::pseudo_velocity, 0.02);
+        auto const target = parse_target_table(names + std::string("0.1, 0.2\n1.0; 2.0\n"), "t.csv",
+                                               TargetKind::pseudo_velocity, 0.02, 1.0);
         EXPECT_TRUE(near(target.psv_mps(0.3), 0.6, exact_formula)) << names;
     }
     auto const parse = [](char const* text) {
         (void)parse_target_table(text, "t.csv", TargetKind::acceleration, 0.05);
     };
-    expect_input_error([&] { parse("T,Sa\nT,Sa\n0.1 1\n1 1\n"); }, "t.csv:2: ", "two numbers");
     expect_input_error([&] { parse("0.1 1\nT,Sa\n1 1\n"); }, "t.csv:2: ", "two numbers");
     expect_input_error([&] { parse("nan 1\n1 1\n"); }, "t.csv:1: ", "two numbers");
     expect_input_error([&] { parse("0.1,\n1 1\n"); }, "t.csv:1: ", "two numbers");
@@ -157,9 +156,15 @@ TEST(TargetSpectrum, UnitsOfTheHeaderAreRead) {
     EXPECT_TRUE(near(peak("T,Sa [g]\n"), 700 * g0, exact_formula));
     EXPECT_TRUE(near(peak("T,Sa_g\n"), 700 * g0, exact_formula));
     EXPECT_TRUE(near(peak("T,Sv [kine]\n", TargetKind::pseudo_velocity), 7, exact_formula));
-    for (char const* header : {"", "T,Sa\n", "# a table of 300 gal\n", "# after (Smith 1990), 5 % (see text)\n",
-                               "T [s],Sa [m/s2]\n", "# period_s,sa_mps2\n"}) {
+    for (char const* header : {"T [s],Sa [m/s2]\n", "# period_s,sa_mps2\n"}) {
         EXPECT_TRUE(near(peak(header), 700, exact_formula)) << header;
+    }
+    for (char const* header : {"# 5% damped, units g\nT,Sa\n", "Design spectrum in g\nT,Sa\n", "# units: g\n"}) {
+        EXPECT_TRUE(near(peak(header), 700 * g0, exact_formula)) << header;
+    }
+    for (char const* header : {"", "T,Sa\n", "# a table of 300 gal\n", "# after (Smith 1990), 5 % (see text)\n"}) {
+        expect_input_error([&] { (void)peak(header); }, "t.csv:", "unit of the ordinates missing",
+                           "State unit = \"g\"");
     }
     EXPECT_TRUE(near(peak("T,Sa\n", TargetKind::acceleration, 0.01), 7, exact_formula));
     EXPECT_TRUE(near(peak("T,Sa [gal]\n", TargetKind::acceleration, 0.01), 7, exact_formula));
@@ -167,21 +172,46 @@ TEST(TargetSpectrum, UnitsOfTheHeaderAreRead) {
         expect_input_error([&] { (void)peak(header, kind, unit); }, "t.csv:1: ", part);
     };
     refuse("T,Sa [gal]\n", TargetKind::acceleration, g0, "contradict");
-    refuse("T,Sa [gal]\n", TargetKind::pseudo_velocity, {}, "not a unit of velocity");
-    refuse("T,Sa [gal]\n", TargetKind::pseudo_velocity, 0.01, "not a unit of velocity");
+    refuse("T,Sa [gal]\n", TargetKind::pseudo_velocity, {}, "'Sa [gal]' where kind says velocity");
+    refuse("T,Sa [gal]\n", TargetKind::pseudo_velocity, 0.01, "'Sa [gal]' where kind says velocity");
     refuse("T,Sa [counts]\n", TargetKind::acceleration, {}, "'counts'");
     EXPECT_TRUE(near(peak("T,Sa [counts]\n", TargetKind::acceleration, 0.3), 700 * 0.3, exact_formula));
     EXPECT_TRUE(near(peak("T,Sa [ft/s2]\n"), 700 * 0.3048, exact_formula));
-    refuse("f [Hz],Sa [gal]\n", TargetKind::acceleration, {}, "Turn frequencies into periods");
+    refuse("T,Sv\n", TargetKind::acceleration, 0.01, "'Sv' where kind says acceleration");
+    refuse("T,log Sa (g)\n", TargetKind::acceleration, {}, "a logarithm of which base?");
+    expect_input_error([&] { (void)peak("# units g\nT,Sa [gal]\n"); }, "t.csv:2: unit g in the text, gal");
     refuse("T [days],Sa [gal]\n", TargetKind::acceleration, {}, "of the periods");
     EXPECT_TRUE(near(
         parse_target_table("T [ms],Sa [gal]\n100,300\n1000,700\n", "t", TargetKind::acceleration, 0.05).psa_mps2(0.1),
         3, exact_formula));
 }
 
+// frequencies, ln Sa and a row at period 0 are read as what they are.
+TEST(TargetSpectrum, FrequenciesLogarithmsAndThePga) {
+    auto const read = [](std::string const& text) {
+        return parse_target_table(text, "t.csv", TargetKind::acceleration, 0.05);
+    };
+    for (char const* names : {"f,Sa [gal]\n", "Frequency (Hz),Sa [gal]\n", "f [Hz]  Sa [gal]\n"}) {
+        auto const target = read(names + std::string("0.1,80\n1,500\n10,700\n50,300\n"));
+        EXPECT_TRUE(near(target.psa_mps2(0.02), 3, exact_formula)) << names;
+        EXPECT_TRUE(near(target.psa_mps2(1), 5, exact_formula)) << names;
+        EXPECT_EQ(target.last_period_s(), 10) << names;
+    }
+    auto const logarithms = read("T (s),ln Sa (g)\n0.1,0\n1,-0.6931471805599453\n");
+    EXPECT_TRUE(near(logarithms.psa_mps2(0.1), g0, exact_formula));
+    EXPECT_TRUE(near(logarithms.psa_mps2(1), 0.5 * g0, exact_formula));
+    auto const code =
+        read("\xEF\xBB\xBF\"<i>T</i>(s)\",\"<i>S</i>\xE2\x82\x90(g)\"\n0,0.346\n0.05,0.764\n0.1,0.865\n1,0.3\n");
+    EXPECT_TRUE(near(code.psa_mps2(0.025), (0.346 + 0.764) / 2 * g0, exact_formula));
+    EXPECT_TRUE(near(code.psa_mps2(0.05), 0.764 * g0, exact_formula));
+    EXPECT_NE(code.name().find("its row at period 0, 3.393 m/s2, is the PGA"), std::string::npos) << code.name();
+    expect_input_error([&] { (void)read("T,Sa [g]\n0,0\n0.1,1\n1,1\n"); }, "t.csv:2: ", "ordinate 0");
+    expect_input_error([&] { (void)read("f,Sa [g]\n0,1\n1,1\n2,1\n"); }, "t.csv:2: ", "frequency 0");
+}
+
 TEST(TargetSpectrum, BadTablesNameTheLine) {
     auto const parse = [](char const* text) {
-        (void)parse_target_table(text, "t.csv", TargetKind::acceleration, 0.05);
+        (void)parse_target_table(text, "t.csv", TargetKind::acceleration, 0.05, 1.0);
     };
     expect_input_error([&] { parse("0.1 1\n0.2 0\n"); }, "t.csv:2: ", "ordinate 0");
     expect_input_error([&] { parse("0.1 1\n#\n0.1 2\n"); }, "t.csv:3: ", "periods must rise");
@@ -193,13 +223,15 @@ TEST(TargetSpectrum, BadTablesNameTheLine) {
 }
 
 TEST(TargetSpectrum, CampaignStatesItInThreeWays) {
-    InputFiles files(std::map<std::string, std::string>{{"sv.csv", "0.1 1\n1 1\n"}});
+    InputFiles files(
+        std::map<std::string, std::string>{{"sv.csv", "0.1 1\n1 1\n"}, {"si.csv", "# m/s2\n0.1 1\n1 1\n"}});
     auto const read = [&](char const* text) { return read_target(config::Table::parse(text, "c.toml"), files); };
 
     EXPECT_TRUE(near(read("spectrum='rg-1.60'\npga='0.3 g'").psa_mps2(0.02), 0.3 * g0, exact_formula));
     EXPECT_TRUE(near(read("kind='pseudo-velocity'\npoints=[[0.1,'20 kine'],[1,0.2]]\nscale=2").psv_mps(0.5), 0.4,
                      exact_formula));
-    EXPECT_TRUE(near(read("kind='acceleration'\nfile='sv.csv'\ntime_scale=0.5").last_period_s(), 0.5, exact_formula));
+    EXPECT_TRUE(near(read("kind='acceleration'\nunit='m/s2'\nfile='sv.csv'\ntime_scale=0.5").last_period_s(), 0.5,
+                     exact_formula));
     EXPECT_TRUE(
         near(read("kind='pseudo-velocity'\nunit='kine'\npoints=[[0.1,20],[1,20]]").psv_mps(0.5), 0.2, exact_formula));
     EXPECT_TRUE(near(read("kind='acceleration'\nunit='gal'\nfile='sv.csv'").psa_mps2(0.5), 0.01, exact_formula));

@@ -27,8 +27,7 @@ TEST(Degenerate, NothingOverturned) {
     ASSERT_TRUE(fit.bound);
     EXPECT_EQ(fit.bound->to, std::exp(std::log(8.0)));
     EXPECT_NEAR(fit.bound->probability.upper, -std::expm1(std::log(0.025) / 100), 1e-12);
-    EXPECT_EQ(first_warning(fit),
-              "nothing overturned: no curve can be fitted; P <= 0.03622 at 8 m/s2 (none of 100, 95 %)");
+    EXPECT_EQ(first_warning(fit), "nothing overturned: no curve; P <= 0.03622 at 8 m/s2 (none of 100, 95 %)");
     EXPECT_FALSE(fit.quotes[0].probability);
     EXPECT_EQ(fit.quotes[0].bounds.upper, fit.bound->probability.upper);
     EXPECT_FALSE(fit.quotes[0].outside_data);
@@ -43,8 +42,7 @@ TEST(Degenerate, EverythingOverturned) {
     EXPECT_EQ(fit.state, FragilityState::all_overturned);
     EXPECT_FALSE(fit.identifiable());
     EXPECT_NEAR(fit.bound->probability.lower, std::pow(0.025, 1.0 / 50), 1e-12);
-    EXPECT_EQ(first_warning(fit),
-              "everything overturned: no curve can be fitted; P >= 0.9289 at 2 m/s2 (all of 50, 95 %)");
+    EXPECT_EQ(first_warning(fit), "everything overturned: no curve; P >= 0.9289 at 2 m/s2 (all of 50, 95 %)");
 }
 
 /// One of 400 at the top level, where others crash: it separates; the curve's place stays open upwards.
@@ -130,7 +128,7 @@ TEST(Degenerate, NonMonotoneStripes) {
     ASSERT_TRUE(fit.identifiable());
     EXPECT_TRUE(has(fit.flags, FragilityFlag::non_monotone));
     EXPECT_TRUE(has(fit.flags, FragilityFlag::poor_fit));
-    EXPECT_LT(fit.goodness->p_value, 1e-6);
+    EXPECT_LE(fit.goodness->p_value, 1e-3) << "none of 999 draws is as far off";
     ASSERT_EQ(fit.isotonic.size(), 4U);
     EXPECT_EQ(fit.isotonic[1].probability(), 0.5) << "3 and 4 pooled";
     EXPECT_EQ(fit.isotonic[1].points, 2U);
@@ -217,9 +215,10 @@ TEST(Degenerate, QuotesKnowTheirData) {
     EXPECT_GT(*fit.quotes[0].curve, 0.1 / 200);
     EXPECT_FALSE(fit.quotes[0].bound);
     auto const warnings = warnings_of(fit, {"m/s2"}, 0.95);
-    EXPECT_EQ(std::count_if(warnings.begin(), warnings.end(),
-                            [](auto const& text) { return text.find("may err to either side") != std::string::npos; }),
-              1);
+    EXPECT_EQ(
+        std::count_if(warnings.begin(), warnings.end(),
+                      [](auto const& text) { return text.find("along the lognormal tail") != std::string::npos; }),
+        1);
 }
 
 /// Single trials: the tenth of them at or above the quoted intensity, counted by waves, since those of one wave tell no
@@ -252,8 +251,7 @@ TEST(Degenerate, WordsOfOtherLimitStates) {
     auto const split = fit_fragility(FragilityData::of_stripes(table_of({{2, 100, 0}, {8, 100, 1}})), request);
 
     EXPECT_EQ(name_of(none.state, none.passing), "nothing-exceeded");
-    EXPECT_EQ(first_warning(none),
-              "no trial exceeded it: no curve can be fitted; P <= 0.03622 at 8 m/s2 (none of 100, 95 %)");
+    EXPECT_EQ(first_warning(none), "no trial exceeded it: no curve; P <= 0.03622 at 8 m/s2 (none of 100, 95 %)");
     for (auto const& fit : {none, split}) {
         for (auto const& name : names_of(fit.flags, fit.passing)) {
             EXPECT_EQ(name.find("overturned"), std::string::npos) << name;

@@ -62,6 +62,18 @@ TEST(Hazard, FrequencyOverABentCurveIsTheSumOfSmallSteps) {
     EXPECT_NEAR(shares.above, found.parts[2].annual / found.annual, 1e-12);
 }
 
+// A steep piece, as where a curve is cut off: all its motions lie at its start.
+TEST(Hazard, ASteepPieceIsNotLost) {
+    for (double const beta : {0.05, 0.2, 0.6}) {
+        for (double const median : {0.7, 2.0, 5.0}) {
+            LognormalFragility const fragility{median, beta};
+            auto const cut = annual_frequency(HazardCurve({{2, 3e-7}, {2.002, 1e-30}}), fragility);
+            EXPECT_GE(cut.annual, fragility.probability(2) * 3e-7 * (1 - 1e-12));
+            EXPECT_LE(cut.annual, fragility.probability(2.002) * 3e-7);
+        }
+    }
+}
+
 // A body that falls at one intensity passes as often as motions exceed it.
 TEST(Hazard, AStepIsPassedAsOftenAsItIsExceeded) {
     auto const hazard = power_law(1e-4, 2, 13, 4);
@@ -112,7 +124,14 @@ TEST(Hazard, StripesBoundTheFrequencyWithoutACurve) {
 TEST(Hazard, WhatIsNoHazardCurveIsRefused) {
     expect_input_error([] { HazardCurve({{1, 1e-3}}); }, "at least two");
     expect_input_error([] { HazardCurve({{1, 1e-3}, {1, 1e-4}}); }, "must rise");
-    expect_input_error([] { HazardCurve({{1, 1e-3}, {2, 1e-3}}); }, "rarer");
+    expect_input_error([] { HazardCurve({{1, 1e-3}, {2, 2e-3}}); }, "rarer");
+    expect_input_error([] { HazardCurve({{0, 1}, {2, 1e-3}}); }, "intensity 0 with annual exceedance 1", "row out");
+    expect_input_error([] { HazardCurve({{1, 1e-3}, {2, 0}}); }, "annual exceedance 0 at intensity 2", "row out");
+    // A flat start, of a saturated analysis: nothing happens along it.
+    LognormalFragility const fragility{1.7, 0.4};
+    auto const flat = annual_frequency(HazardCurve({{0.1, 1e-2}, {1, 1e-2}, {10, 1e-5}}), fragility);
+    EXPECT_EQ(flat.parts[0].annual, 0);
+    EXPECT_DOUBLE_EQ(flat.annual, annual_frequency(HazardCurve({{1, 1e-2}, {10, 1e-5}}), fragility).annual);
     expect_input_error([] { HazardCurve({{-1, 1e-3}, {2, 1e-4}}); }, "positive");
 }
 

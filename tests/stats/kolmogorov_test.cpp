@@ -1,6 +1,6 @@
 // Requirement R-904: distributions are compared as a whole, against Kolmogorov's band: what is drawn from one
 // distribution stays inside as often as the band says, what is not leaves it.
-#include "stats/kolmogorov.hpp"
+#include "support/kolmogorov.hpp"
 
 #include <cmath>
 
@@ -12,6 +12,10 @@
 
 namespace overturn {
 namespace {
+
+using testing::ks_distance;
+using testing::ks_p_value;
+using testing::ks_test;
 
 std::vector<double> normals(int count, std::uint64_t repetition, std::uint64_t index, double shift = 0) {
     RandomStream stream(8, repetition, Purpose::body_scatter, index);

@@ -1,4 +1,4 @@
-/// All rows of a campaign, block after block.
+/// All rows of a campaign, block after block; of waves that are held to a rule as many as are asked for.
 #pragma once
 
 #include "campaign/block_rows.hpp"
@@ -7,7 +7,7 @@
 namespace overturn::testing {
 
 [[nodiscard]] inline BlockRows rows_of(CampaignSpec const& spec) {
-    Plan const plan(spec);
+    auto const plan = Plan(spec).without_refusals();
     PhaseSeconds seconds;
     BlockRows all;
     auto const append = [](auto& rows, auto const& more) { rows.insert(rows.end(), more.begin(), more.end()); };

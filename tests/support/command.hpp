@@ -1,6 +1,7 @@
 /// Runs the real program, alone or under mpirun, without a shell: what it printed and how it ended.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -194,6 +195,12 @@ inline ::testing::AssertionResult is_one_error_line(std::string const& text) {
         return ::testing::AssertionFailure() << "not 'problem (why) what to do': " << text;
     }
     return ::testing::AssertionSuccess();
+}
+
+/// Lines that were wrapped, as one.
+inline std::string in_one_line(std::string text) {
+    std::ranges::replace(text, '\n', ' ');
+    return text;
 }
 
 }  // namespace overturn::testing

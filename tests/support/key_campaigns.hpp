@@ -10,6 +10,8 @@ namespace overturn::testing {
 /// The files that they name.
 inline std::map<std::string, std::string> key_campaign_files() {
     return {{"sa.csv", "0.1,3\n1,3\n10,1\n"},
+            {"sa.json", R"({"a": {"periods": [0.1, 10], "ordinates": [0.3, 0.1]}, "b": {"periods": [0.1, 10],
+                         "ordinates": [0.2, 0.1]}})"},
             {"psd.csv", "0.1,1\n10,1\n"},
             {"r/a.csv", "0,0\n0.01,10\n0.02,-20\n0.03,0\n0.04,4\n0.05,-3\n"},
             {"r/b.csv", "0,0\n0.01,1\n0.02,2\n0.03,0\n0.04,1\n0.05,0\n"},
@@ -39,6 +41,7 @@ inline std::vector<std::string> key_campaigns() {
         "[waves.transverse]\nratio=0.9\ncorrelation=0.1\n[waves.vertical.target]\nspectrum='mlit-ch1'\n"
         "[waves.aftershock]\npause=2\nscale=0.5\n[waves.envelope]\nshape='jennings'\nrise=2\nlevel_end=8\nend=15\n",
         std::string(drawn) + "[waves.target]\nkind='acceleration'\nunit='gal'\nfile='sa.csv'\n",
+        std::string(drawn) + "[waves.target]\nkind='acceleration'\nunit='g'\nfile='sa.json'\npart='b'\n",
         std::string(drawn) + "[waves.target]\nkind='acceleration'\npoints=[[0.1,3],[10,1]]\n",
         "[waves]\nsource='spectrum-compatible'\ncount=2\nduration='20 s'\ntime_step=0.02\nmatch='each'\n"
         "match_tolerance=0.3\nmatch_iterations=3\nacceptance='none'\n" + std::string(target)
@@ -61,10 +64,10 @@ inline std::vector<std::string> key_campaigns() {
         "transverse={ratio=1, lag=0.1}\nvertical={ratio=0.5}\n",
         "[waves]\nsource='pulse'\nshape='one-sine'\namplitude=3\nperiods=[1,2]\n",
         "[waves]\nsource='records'\nfolder='r'\nfiles=['a.csv','b.csv']\ncount=1\nformat='auto'\nunit='gal'\n"
-        "time_step=0.005\ncomponent=''\ncomponents='file'\nresample='finer'\naxes='as-recorded'\nscale=2\n"
+        "time_step=0.005\ncolumns='time,h1'\ncomponent=''\ncomponents='file'\nresample='finer'\naxes='as-recorded'\nscale=2\n"
         "time_scale=0.5\nbaseline='mean'\n",
         "[waves]\nsource='records'\nfolder='r'\n[[waves.records]]\nhorizontal='a.csv'\ntransverse='b.csv'\n"
-        "vertical='b.csv'\nunit='gal'\nbaseline={high_pass='2 Hz', order=2, phase='causal'}\n"};
+        "vertical='b.csv'\nunit='gal'\nbaseline={high_pass='22 Hz', order=2, phase='causal'}\n"};
     std::vector<std::string> all;
     for (auto const& one : waves) {
         all.push_back("seed=1\n" + one + usual);
@@ -89,13 +92,13 @@ inline std::vector<std::string> key_campaigns() {
     all.push_back("seed=1\n" + steady + body
                   + "[levels]\nmeasure='sa'\nperiod=1\nwaves='shared'\nvalues={from=1, to=4, count=3, spacing='log'}\n"
                     "design_basis=2\nbeyond_design=[5]\n[measures]\nradius_unit='m'\nenergy=true\nwave_quality=true\n"
-                    "both_radius_units=true\nwindow='running'\nsa_periods=[1.0,2.0]\nsa_band=[1,2]\n[accuracy]\n"
-                    "taylor_order=10\nsubsteps=1\nstep_tolerance=1e-11\nsettle=1e-5\nrestoring='nonlinear'\n"
+                    "both_radius_units=true\nwindow='running'\nsa_periods=[1.0,2.0]\nsa_band=[1,2]\ncurves=['cav']\n[accuracy]\n"
+                    "restoring='nonlinear'\n"
                     "contact_step=0.3\npanel_phase=10\n");
     all.push_back("title='t'\ninputs='stored'\nseed=1\n" + noise + "model='kanai-tajimi'\n" + usual
                   + "friction=0.5\n[effects]\nmode='auto'\n[statistics]\nconfidence=0.9\ntarget_half_width=0.1\n"
                     "target_median_half_width=0.1\n[[limits]]\nname='a'\nquantity='peak_slip'\nabove='0.1 m'\n"
-                    "target_half_width=0.2\n[[limits]]\nname='b'\nquantity='peak_slip'\nbelow='0.1 m'\n"
+                    "overturned='excluded'\ntarget_half_width=0.2\n[[limits]]\nname='b'\nquantity='peak_slip'\nbelow='0.1 m'\n"
                     "[[limits]]\nname='c'\nany=['a','overturning']\n[[limits]]\nname='d'\nall=['a','b']\n");
     all.push_back("seed=1\n" + noise + "model='kanai-tajimi'\n" + body + "friction=0.5\n[effects]\ninclude=['sliding']\n"
                   "[levels]\nmeasure='factor'\nvalues=[1]\n[rare]\nmethod='auto'\ntarget_cov=0.2\nreplicates=8\n"

@@ -7,7 +7,7 @@
 
 #include "generators/detail/real_fft.hpp"
 #include "generators/wave_quality.hpp"
-#include "stats/kolmogorov.hpp"
+#include "support/kolmogorov.hpp"
 #include "support/sources.hpp"
 
 namespace overturn {
@@ -58,7 +58,7 @@ TEST_P(TwoHundred, PassSrp371) {
     }
     EXPECT_EQ(passed, waves);
     constexpr double chance = 0.01;
-    EXPECT_GT(ks_test(turns, [](double turn) { return turn; }).p_value, chance) << "phases are not uniform";
+    EXPECT_GT(testing::ks_test(turns, [](double turn) { return turn; }).p_value, chance) << "phases are not uniform";
     EXPECT_LE(iterations, 15) << "on average";
     EXPECT_LE(worst_decade, 0.05);
     EXPECT_GE(lowest, 0.9) << "the rule's own lower bound";

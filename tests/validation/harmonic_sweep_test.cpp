@@ -40,7 +40,7 @@ double steady_ratio(HarmonicCase const& c) {
     auto const spec = testing::campaign_from(
         fmt::format("[waves]\nsource='harmonic'\namplitude=1\nfrequency={}\nduration={}\nramp={}\ntime_step={}\n"
                     "[[bodies]]\nmass=1\nbase_width={}\ncentre_height={}\ninertia='uniform-block'\nrestitution={}\n"
-                    "[levels]\nmeasure='pga'\nvalues=[{}]\n",
+                    "[levels]\nmeasure='pga'\nvalues=[{}]\n[measures]\nrocked_from=0\n",
                     frequency, duration_s, ramp_s, 1 / frequency / 64, 2 * half_width_m, centre_height_m, c.restitution,
                     c.amplitude_ratio * g0 * alpha));
     PhaseSeconds seconds;

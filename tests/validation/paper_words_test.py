@@ -131,8 +131,8 @@ def curve(folder):
 
 def criterion(folder):
     def told(*found):
-        data = [{"body": "type-a", "measure": "v_wes", "radius_unit": unit, "safe_uplifted_but_overturned": {"count": fell, "of": of},
-                 "waves_safe_uplifted_but_overturned": {"upper": upper}, "ratio_at_overturning": None}
+        data = [{"body": "type-a", "measure": "v_wes", "radius_unit": unit, "false_safe_share_uplifted_count": fell,
+                 "false_safe_share_uplifted_of": of, "false_safe_share_waves_uplifted_upper": upper, "ratio_at_overturning_lowest": None}
                 for unit, (fell, of, upper) in zip(("cm", "m"), found)]
         (folder / "one_axis.json").write_text(json.dumps({"criterion": data}), encoding="utf-8")
         return items(folder, "criterion")["Eq. 6"]
@@ -148,8 +148,9 @@ def sinusoids(folder):
     """Five frequencies at which Eq. 1 gives 0.1 alpha, and one at which nothing lifts off."""
     def told(full, linear):
         write(folder / "sinusoids.h5", [(0, "type-a", 1.0, "rocked", 1.0, 1.0)])
-        grid = [{"wave": w, "frequency_hz": 2.0 + w, "steady_rotation_ratio": [None, 0.1 if w < 5 else None]} for w in range(6)]
-        (folder / "sinusoids.json").write_text(json.dumps({"grid": grid}), encoding="utf-8")
+        grid = [{"body": "type-a", "wave": w, "frequency_hz": 2.0 + w} for w in range(6)]
+        levels = [{"body": "type-a", "wave": w, "steady_rotation_ratio": ratio} for w in range(6) for ratio in (None, 0.1 if w < 5 else None)]
+        (folder / "sinusoids.json").write_text(json.dumps({"grid": grid, "grid_by_level": levels}), encoding="utf-8")
         alpha = 0.4
         with h5py.File(folder / "sinusoids.h5", "a") as file:
             file["bodies/type-a/alpha"] = [alpha]

@@ -24,6 +24,19 @@ inline constexpr std::array window_readings{
                                  WindowReading::restarted},
     config::Entry<WindowReading>{"running", "energy that running oscillators gain over the window",
                                  WindowReading::running}};
+/// Those of the registry that curves are not drawn over unless they are asked for.
+inline constexpr auto curve_measures = [] {
+    constexpr auto is_asked = [](IntensityMeasure const& entry) { return entry.curves == Curves::asked; };
+    std::array<config::Entry<Measure>, static_cast<std::size_t>(std::ranges::count_if(intensity_measures, is_asked))>
+        entries{};
+    std::size_t next = 0;
+    for (auto const& entry : intensity_measures) {
+        if (is_asked(entry)) {
+            entries.at(next++) = {entry.name, entry.meaning, &entry};
+        }
+    }
+    return entries;
+}();
 inline constexpr config::Range sa_periods{.low = 0.02, .high = 20};
 inline constexpr config::Keys measure_keys{
     config::word_key<radius_units>("radius_unit", "in which R enters T0").otherwise("cm"),
@@ -35,7 +48,14 @@ inline constexpr config::Keys measure_keys{
     config::numbers_key("sa_periods", Dimension::time, sa_periods, "up to 4 periods at which Sa is measured")
         .optional(),
     config::numbers_key("sa_band", Dimension::time, sa_periods, "[first, last] period that Sa is averaged over")
-        .optional()};
+        .optional(),
+    config::words_key<curve_measures>("curves", "further measures that curves are drawn over").optional(),
+    config::number_key("slid_from", Dimension::length, config::Range::not_negative(),
+                       "slip from which on a trial that stands counts as slid")
+        .otherwise(MovementSpec{}.slip_m),
+    config::number_key("rocked_from", Dimension::length, config::Range::not_negative(),
+                       "rise of the edge of the base from which on a trial that stands counts as rocked")
+        .otherwise(MovementSpec{}.uplift_m)};
 inline constexpr config::KeyTable measures_table{.meaning = "what is measured of every wave", .keys = measure_keys.all};
 
 inline constexpr std::array samplings{

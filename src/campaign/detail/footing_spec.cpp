@@ -30,8 +30,9 @@ constexpr config::Keys base_keys{
         .otherwise(1),
     config::pairs_key("corners", Dimension::length, Dimension::length, "[x, y] of the corners of a convex polygon")
         .only("shape = polygon"),
-    config::integer_key("points", 2, 1000, "points from corner to corner; of a round base round its rim")
-        .otherwise_said("11, of a round base 32")
+    config::integer_key("points", 2, 1000,
+                        "points from corner to corner; of a round base round its rim, whose directions then differ")
+        .otherwise_said("11; of a round base its rim is continuous, on a pad of a strength 64 points")
         .only("shape = square or round")};
 constexpr config::KeyTable base_table{.meaning = "the base that a body stands on", .keys = base_keys.all};
 constexpr config::Keys pad_keys{
@@ -82,8 +83,8 @@ BasePlan read_base(Table const& given) {
     }
     base.corner_share = square ? read_bedding(given) : 1;
     if (base.shape != BaseShape::polygon) {
-        base.points = static_cast<int>(given.integer(
-            base_keys["points"], {.otherwise = square ? BasePlan::points_across : BasePlan::points_around}));
+        base.points =
+            static_cast<int>(given.integer(base_keys["points"], {.otherwise = square ? BasePlan::points_across : 0}));
     }
     given.finish();
     return base;
@@ -158,6 +159,9 @@ void read_footing(Table const& table, Footing& footing) {
         footing.pad = read_pad(table.child(footing_keys["pad"]));
         footing.stated = true;
     }
+    if (footing.base.continuous() && footing.pad.strength_pa) {
+        footing.base.points = BasePlan::points_around;  // what a pad remembers of its crushing, it remembers by place
+    }
     if (auto const across = table.maybe_number(footing_keys["inertia_y"])) {
         footing.inertia_across_kgm2 = across;
     }
@@ -171,8 +175,9 @@ void settle_footing(Table const& table, BodySpec& spec) {
     footing = scaled(spec.stated_footing, spec.scaling);
     auto const& base = footing.base;
     bool const states_restitution = spec.stated.restitution.has_value();
-    if (base.shape == BaseShape::square && base.corner_share != 1 && !states_restitution) {
-        footing.pad.match_restitution = false;  // a bed of its own has a restitution of its own
+    bool const of_its_own = base.continuous() || (base.shape == BaseShape::square && base.corner_share != 1);
+    if (of_its_own && !states_restitution) {
+        footing.pad.match_restitution = false;  // a bed or a rim has a restitution of its own
     }
     if (!footing.stated && !footing.inertia_across_kgm2 && !footing.inertia_vertical_kgm2) {
         return;

@@ -2,11 +2,37 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <span>
+#include <string_view>
+#include <vector>
 
 #include "core/units.hpp"
 #include "spectra/response_spectrum.hpp"
 
 namespace overturn {
+namespace {
+
+ComponentMatch match_of(MatchReport const& match) {
+    return {.lowest_ratio = match.all.lowest_ratio,
+            .lowest_period_s = match.all.lowest_period_s,
+            .highest_ratio = match.all.highest_ratio,
+            .highest_period_s = match.all.highest_period_s,
+            .longest_below = static_cast<double>(match.all.longest_below),
+            .longest_below_to_s = match.all.longest_below_to_s,
+            .si_ratio = match.intensity_ratio,
+            .ratio_cov = match.all.cov,
+            .mean_ratio = match.all.mean_ratio};
+}
+
+std::int64_t failures_of(std::span<Clause const> clauses, std::string_view component) {
+    std::vector<Clause> own;
+    std::ranges::copy_if(clauses, std::back_inserter(own),
+                         [&](Clause const& clause) { return clause.component == component; });
+    return failed_clauses(own);
+}
+
+}  // namespace
 
 void describe_match(WaveRow& row, GeneratedWave const& wave) {
     auto const& match = wave.match;
@@ -21,7 +47,12 @@ void describe_match(WaveRow& row, GeneratedWave const& wave) {
     row.match_long_max_misfit = match.long_period.max_misfit;
     row.match_lowest_ratio = match.all.lowest_ratio;
     row.match_highest_ratio = match.all.highest_ratio;
+    row.match_lowest_period_s = match.all.lowest_period_s;
+    row.match_highest_period_s = match.all.highest_period_s;
     row.match_longest_below = match.all.longest_below;
+    row.match_longest_below_to_s = match.all.longest_below_to_s;
+    row.transverse_match = match_of(wave.transverse_match);
+    row.vertical_match = match_of(wave.vertical_match);
     row.match_worst_decade = match.worst_decade;
     row.si_ratio = match.intensity_ratio;
     row.psd_lowest_ratio = match.psd_lowest_ratio;
@@ -41,12 +72,12 @@ void describe_motion(WaveRow& row, GroundMotion const& motion, Intensity const& 
     row.vector_pga_mps2 = intensity.vector_pga_mps2;
     row.transverse_pga_mps2 = peak_of(motion.transverse_mps2);
     row.vertical_pga_mps2 = peak_of(motion.vertical_mps2);
+    measure_motion(motion, row);
 }
 
-void measure_sa(CampaignSpec const& spec, PreparedWave& wave) {
+void measure_sa(MeasureSpec const& measures, PreparedWave& wave) {
     constexpr double damping = 0.05;
     constexpr double per_decade = 30;
-    auto const& measures = spec.measures;
     auto const psa_at = [&](std::vector<double> const& periods_s) {
         auto values = displacement_spectrum(wave.motion.horizontal_mps2, wave.motion.time_step_s, periods_s, damping);
         for (std::size_t i = 0; i < values.size(); ++i) {
@@ -57,10 +88,6 @@ void measure_sa(CampaignSpec const& spec, PreparedWave& wave) {
     };
     if (!measures.sa_periods_s.empty()) {
         std::ranges::copy(psa_at(measures.sa_periods_s), wave.row.sa_mps2.begin());
-        auto const place = std::ranges::find(measures.sa_periods_s, spec.levels.sa_period_s);
-        if (place != measures.sa_periods_s.end()) {
-            wave.intensity.sa_mps2 = wave.row.sa_mps2[static_cast<std::size_t>(place - measures.sa_periods_s.begin())];
-        }
     }
     if (measures.sa_band) {
         double sum = 0;
@@ -70,7 +97,7 @@ void measure_sa(CampaignSpec const& spec, PreparedWave& wave) {
         }
         // A wave of silence has none.
         double const mean = std::exp(sum / static_cast<double>(values.size()));
-        wave.row.sa_average_mps2 = wave.intensity.sa_average_mps2 = mean;
+        wave.row.sa_average_mps2 = mean;
     }
 }
 
@@ -92,6 +119,9 @@ void describe_check(PreparedWave& wave, WaveCheck const& check) {
     if (!check.clauses.empty()) {
         row.accepted = all_passed(check.clauses) ? Accepted::yes : Accepted::no;
         row.acceptance_failures = failed_clauses(check.clauses);
+        row.horizontal_failures = failures_of(check.clauses, "horizontal");
+        row.transverse_failures = failures_of(check.clauses, "transverse");
+        row.vertical_failures = failures_of(check.clauses, "vertical");
     }
     for (std::size_t b = 0; b < wave.measures.size(); ++b) {
         auto const& band = check.bands[b];

@@ -16,8 +16,8 @@ void describe_drawn(WaveRow& row, DrawnTarget const& drawn);
 void describe_motion(WaveRow& row, GroundMotion const& motion, Intensity const& intensity);
 /// Its quality, and for each body its match where that body rocks.
 void describe_check(PreparedWave& wave, WaveCheck const& check);
-/// Sa at the campaign's periods and over its band, 5 % damping; the levels' own goes to the intensity too.
-void measure_sa(CampaignSpec const& spec, PreparedWave& wave);
+/// Sa at the campaign's periods and over its band, 5 % damping.
+void measure_sa(MeasureSpec const& measures, PreparedWave& wave);
 /// V_WES and ouV_E for a body of this radius [m].
 void measure_energy(MeasureSpec const& spec, GroundMotion const& motion, double radius_m, MeasureRow& row);
 

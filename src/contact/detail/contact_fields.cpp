@@ -135,6 +135,18 @@ void ContactRun::fill_peaks(ContactOutcome& out) const {
     out.own.peak_rise_m = get(ContactField::most_rise) + planar_.settlement_m();
 }
 
+// As it is at the end of the first step beyond pi/2.
+void ContactRun::fill_landing(ContactOutcome& out) const {
+    double const h = planar_.centre_height_m;
+    double const spin = get(ContactField::spin);
+    double const x = get(ContactField::sway_speed);
+    double const z = get(ContactField::rise_speed);
+    out.landing_spin_radps = std::abs(spin);
+    out.landing_velocity_mps = std::hypot(x, z);
+    out.landing_top_mps = std::hypot(x + spin * h * get(ContactField::cosine), z - spin * h * get(ContactField::sine));
+    out.landing_energy_jpkg = 0.5 * (x * x + z * z + planar_.inertia_over_mass_m2 * spin * spin);
+}
+
 ContactOutcome ContactRun::finish() const {
     ContactOutcome out;
     fill_peaks(out);
@@ -150,6 +162,7 @@ ContactOutcome ContactRun::finish() const {
     out.peak_rotation_ratio = out.peak_rotation_rad / alpha;
     if (fell) {
         out.overturn_time_s = out.time_of_peak_s = instant().time_s;
+        fill_landing(out);
     } else if (out.peak_rotation_rad > 0) {
         out.time_of_peak_s = get(forward ? ContactField::crest_time : ContactField::trough_time);
     }

@@ -45,6 +45,7 @@ class ContactRun : public PointRun<ContactRun, ContactField, Spot, ContactLanes<
     void show_sample();
     void hold(std::size_t sample);
     void wake();
+    void fill_landing(ContactOutcome& out) const;
     void fill_peaks(ContactOutcome& out) const;
     [[nodiscard]] bool fallen() const;
     [[nodiscard]] bool calm(std::size_t sample) const;

@@ -190,8 +190,7 @@ void Runner::count_criterion_flips(Measured& row, std::vector<double> const& val
         auto const first = plan_.first_level(wave.number);
         for (auto const& drawn : wave.bodies) {
             for (auto level = first; level < first + plan_.level_count(); ++level) {
-                auto const scale =
-                    spec_.levels.scale(spec_.levels.levels[static_cast<std::size_t>(level)], wave.intensity);
+                auto const scale = spec_.levels.scale(spec_.levels.levels[static_cast<std::size_t>(level)], wave.row);
                 if (scale) {
                     double const limit = drawn.body.limit_velocity_mps();
                     ++row.trials;

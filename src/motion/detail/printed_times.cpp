@@ -12,8 +12,10 @@ namespace {
 /// of either where times are cut off. Single precision holds 24 bits.
 class PrintedTimes {
   public:
-    explicit PrintedTimes(Rows const& rows)
-        : last_decimal_(std::pow(10.0, -rows.decimals)), figures_(rows.figures), time_(rows.column[0]) {}
+    PrintedTimes(TextTable const& table, std::size_t column)
+        : last_decimal_(std::pow(10.0, -table.digits.at(column).decimals)),
+          figures_(table.digits.at(column).figures),
+          time_(table.column[column]) {}
 
     [[nodiscard]] double digit_at(double time_s) const {
         constexpr double single = 0x1p-23;
@@ -48,8 +50,8 @@ class PrintedTimes {
 };
 
 /// \throws InputError at the row whose gap to the one before differs most from the step.
-[[noreturn]] void refuse_times(Rows const& rows, double step, std::string const& file) {
-    auto const& time = rows.column[0];
+[[noreturn]] void refuse_times(TextTable const& table, std::size_t column, double step, std::string const& file) {
+    auto const& time = table.column[column];
     std::size_t worst = 1;
     for (std::size_t i = 2; i < time.size(); ++i) {
         if (std::abs(time[i] - time[i - 1] - step) > std::abs(time[worst] - time[worst - 1] - step)) {
@@ -57,10 +59,9 @@ class PrintedTimes {
         }
     }
     auto const falls = std::any_of(time.begin() + 1, time.end(), [&](double const& t) { return t < *(&t - 1); });
-    throw InputError({file, rows.line[worst]},
-                     falls ? fmt::format("first column goes from {} to {} (times rise: it is none, or rows are out of "
-                                         "order). For columns without a time state --format components and the time "
-                                         "step",
+    throw InputError({file, table.line[worst]},
+                     falls ? fmt::format("time goes from {} to {} (times rise: it is none, or rows are out of "
+                                         "order). For columns without a time state what they are, and the time step",
                                          time[worst - 1], time[worst])
                            : fmt::format("time goes from {} to {} s where the mean step is {:.6g} s (samples must be "
                                          "uniform in time: a row is lost, or the times have too few digits). "
@@ -70,16 +71,16 @@ class PrintedTimes {
 
 }  // namespace
 
-double time_step_of(Rows const& rows, RecordRequest const& request) {
-    Location const start{request.name, rows.line[0]};
-    if (rows.column[0].size() < 2) {
+double time_step_of(TextTable const& table, std::size_t column, RecordRequest const& request) {
+    Location const start{request.name, table.line[0]};
+    if (table.column[column].size() < 2) {
         throw InputError(start, "one row only (a time step needs two). Give the whole record");
     }
     constexpr double little = 1e-3;  // of a step: always forgiven
-    PrintedTimes const times(rows);
+    PrintedTimes const times(table, column);
     double const mean = times.mean_step();
     if (!(mean > 0)) {
-        refuse_times(rows, mean, request.name);
+        refuse_times(table, column, mean, request.name);
     }
     // Rounded or cut off, two times differ by less than a last digit from what they should; a lost row of a step that
     // is a whole number of digits differs by one at least.
@@ -93,7 +94,7 @@ double time_step_of(Rows const& rows, RecordRequest const& request) {
     }
     bool const telling = 2 * digit < mean;  // a lost row puts one of the others half a step off the mean line
     if (!exact && (!telling || times.first_off(mean, digit) < times.count())) {
-        refuse_times(rows, mean, request.name);
+        refuse_times(table, column, mean, request.name);
     }
     check_stated_time_step(request, mean, start);
     return mean;

@@ -42,24 +42,43 @@ namespace overturn {
 [[nodiscard]] bool recognises_itaca_acc(std::string_view content);
 [[nodiscard]] Recording read_itaca_acc(std::string_view content, RecordRequest const& request);
 
-/// Values only, in reading order, any number to a line; unit and time step must be stated.
-[[nodiscard]] bool recognises_list(std::string_view content);
-[[nodiscard]] Recording read_list(std::string_view content, RecordRequest const& request);
+/// GeoNet V1A and V2A (GNS Science, New Zealand): components in mm/s2, velocity and displacement left.
+[[nodiscard]] bool recognises_geonet(std::string_view content);
+[[nodiscard]] Recording read_geonet(std::string_view content, RecordRequest const& request);
+
+/// Volume 1 of BHRC (Iran) and RENADIC (Chile): uncorrected, in G/10.
+[[nodiscard]] bool recognises_vol1(std::string_view content);
+[[nodiscard]] Recording read_vol1(std::string_view content, RecordRequest const& request);
+
+/// ASA 2.0 (UNAM, Mexico): lines KEY : value, then a column in gal for each channel.
+[[nodiscard]] bool recognises_asa2(std::string_view content);
+[[nodiscard]] Recording read_asa2(std::string_view content, RecordRequest const& request);
+
+/// BRI .ac (Building Research Institute, Japan): channels in gal, each with its peak, which is checked.
+[[nodiscard]] bool recognises_bri_ac(std::string_view content);
+[[nodiscard]] Recording read_bri_ac(std::string_view content, RecordRequest const& request);
 
 /// Known formats without a reader: never returns. \throws InputError with what to do instead
 [[nodiscard]] bool recognises_unread(std::string_view content);
 [[nodiscard]] Recording refuse_unread(std::string_view content, RecordRequest const& request);
 
-/// Columns: [time,] a_horizontal [, a_transverse] [, a_vertical]; the unit must be stated. Three columns are time,
-/// horizontal, vertical, four have the second horizontal component before the vertical one; names that say otherwise
-/// are obeyed (time,NS,EW) or refused (time,UD,NS).
+/// Tables of columns and lists of values, by what their names and text claim; see table_columns.hpp.
 [[nodiscard]] bool recognises_columns(std::string_view content);
 [[nodiscard]] Recording read_columns(std::string_view content, RecordRequest const& request);
 
-/// The same columns without a time: recognised only by names that are all directions (NS,EW,UD); else by their format's
-/// name. The time step must be stated.
+/// A table of the described format.
+[[nodiscard]] bool has_marks(std::string_view content, TableFormat const& format);
+[[nodiscard]] Recording read_described(std::string_view content, RecordRequest const& request,
+                                       TableFormat const& format);
+extern TableFormat const nsmn_table, csmnc_table, bbp_table, earthscope_table;
+
+/// The same without a time, whatever the first column looks like; only where its name is stated.
 [[nodiscard]] bool recognises_components(std::string_view content);
 [[nodiscard]] Recording read_components(std::string_view content, RecordRequest const& request);
+
+/// Values in reading order, any number to a line; only where its name is stated.
+[[nodiscard]] bool recognises_list(std::string_view content);
+[[nodiscard]] Recording read_list(std::string_view content, RecordRequest const& request);
 
 /// SMC (USGS, Converse and Brady 1992): text, integer and real headers, comments, then accelerations in cm/s2.
 [[nodiscard]] bool recognises_smc(std::string_view content);
@@ -75,10 +94,6 @@ namespace overturn {
 
 /// \throws InputError if the user stated a unit other than the file's own.
 void check_stated_unit(RecordRequest const& request, double file_unit_mps2, Location const& where);
-
-/// For content of no known format. \throws InputError with the line and the reason for which it cannot be columns, if
-/// it looks like a table of numbers: a row of them within its first lines, or one line of names alone.
-void check_not_nearly_columns(std::string_view content, RecordRequest const& request);
 
 /// \throws InputError if the user stated a time step that differs from the file's own by more than printed rounding.
 void check_stated_time_step(RecordRequest const& request, double file_time_step_s, Location const& where);

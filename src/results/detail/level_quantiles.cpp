@@ -15,7 +15,7 @@ namespace {
 constexpr std::array quantile_shares{0.5, 0.84,
                                      0.95};  // median, one standard deviation above it, and what is rarely passed
 
-// A fall lies beyond every rotation; told is what the columns hold of it.
+// A fall lies beyond every value; `fallen` is what the columns hold of it.
 SampleQuantile with_falls(SampleQuantile quantile, double fallen) {
     auto const tell = [&](double value) { return std::isinf(value) ? fallen : value; };
     quantile.value = tell(quantile.value);
@@ -37,8 +37,9 @@ std::vector<LevelQuantiles> level_quantiles(CampaignSpec const& spec, MeasuredTr
             auto& values = by_level[levels[l].value];
             auto const known =
                 std::partition(values.begin(), values.end(), [](double value) { return !std::isnan(value); });
-            LevelQuantiles at{quantity, units, l, levels[l].value, known - values.begin(), values.end() - known,
-                              fallen,   {}};
+            auto const fell = std::count_if(values.begin(), known, [](double value) { return std::isinf(value); });
+            LevelQuantiles at{quantity, units,  l, levels[l].value, known - values.begin(), values.end() - known,
+                              fell,     fallen, {}};
             values.erase(known, values.end());
             std::sort(values.begin(), values.end());
             std::ranges::transform(quantile_shares, at.quantiles.begin(), [&](double share) {

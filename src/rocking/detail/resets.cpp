@@ -53,9 +53,11 @@ void lose_contact(RockingRun& run) {
         return;
     }
     double const now = run.sample.now();
+    double const flight_s = (overturned_rad - state.phi) / state.omega;
     run.log.outcome().contact_lost_s = now;
     run.log.lower_contact(0);
-    run.log.overturn(now + (overturned_rad - state.phi) / state.omega);
+    run.show_flight(flight_s);
+    run.log.overturn(now + flight_s, state.omega);
 }
 
 }  // namespace overturn::rocking

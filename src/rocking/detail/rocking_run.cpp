@@ -191,7 +191,7 @@ void begin(RockingRun& run, RockingStart const& start) {
     run.log.raise_peak(state.phi, 0);
     run.log.outcome().energy.input = run.mechanical_energy();  // what the block was given
     if (state.phi >= overturned_rad) {
-        run.log.overturn(0);
+        run.log.overturn(0, state.omega);
     }
 }
 
@@ -223,6 +223,7 @@ RockingOutcome const& finish(RockingRun& run) {
                                                       : Verdict::at_rest;
     }
     out.residual_slip_m = state.slip_m;
+    out.landing_slip_mps = state.side * state.slip_velocity_mps;
     out.energy.mechanical = run.mechanical_energy();
     if (!std::isfinite(out.peak_rotation_rad + out.peak_energy_ratio + state.phi + state.omega + state.slip_m
                        + state.slip_velocity_mps)) {

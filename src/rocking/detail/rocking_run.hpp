@@ -88,6 +88,15 @@ struct RockingRun {
     }
     /// All mechanical energy above rest, per mass [J/kg].
     [[nodiscard]] double mechanical_energy() const;
+    /// Off the ground, free of torque, until it lies.
+    void show_flight(double flight_s) {
+        constexpr int instants = 16;
+        for (int i = 1; log.observed() && i <= instants; ++i) {
+            double const later = flight_s * i / instants;
+            log.show({sample.now() + later, state.side * (state.phi + state.omega * later), state.side * state.omega, 0,
+                      0, state.slip_m, state.slip_velocity_mps});
+        }
+    }
     void show(double friction, double normal) {
         if (log.observed()) {
             log.show({sample.now(), state.side * state.phi, state.side * state.omega, friction, normal, state.slip_m,

@@ -62,8 +62,10 @@ class TrialLog {
             out_.first_uplift_s = time_s;
         }
     }
-    void overturn(double time_s) {
+    /// \param omega with which it lies down
+    void overturn(double time_s, double omega) {
         out_.overturn_time_s = time_s;
+        out_.landing_spin_radps = omega;
         if (side_ != 0) {
             out_.peak_reach_rad = 0;  // the fall is the peak, however near to falling over the other corner it was
         }

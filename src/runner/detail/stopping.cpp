@@ -66,22 +66,16 @@ void look(CampaignSpec const& spec, Statistics const& statistics, std::size_t bo
 }  // namespace
 
 std::vector<std::int64_t> stopping_points(CampaignSpec const& spec, Plan const& plan) {
-    std::vector<std::int64_t> points;
-    if (!spec.has_target()) {
-        return points;
-    }
     constexpr std::int64_t least_waves = 32;  // fewer say little, and resampling them says it too surely
-    for (auto const waves : looks(plan.block_size(), least_waves, plan.waves())) {
-        points.push_back(waves / plan.block_size());
-    }
-    return points;
+    return spec.has_target() ? looks(plan.block_size(), least_waves, plan.count()) : std::vector<std::int64_t>{};
 }
 
-TargetLook look_at_target(CampaignSpec const& spec, Plan const& plan, store::ShardFolder const& shards,
-                          std::int64_t blocks) {
+TargetLook look_at_target(CampaignSpec const& spec, Plan const& drawn, Plan const& chosen,
+                          store::ShardFolder const& shards) {
     Statistics statistics(spec);
-    for (std::int64_t b = 0; b < blocks; ++b) {
-        statistics.add(BlockRows::unpack(shards.read(b), plan, plan.waves_of_block(b).count));
+    for (auto const block : blocks_of_chosen(drawn, chosen)) {
+        auto rows = BlockRows::unpack(shards.read(block), drawn, drawn.waves_of_block(block).count);
+        statistics.add(rows_of_chosen(std::move(rows), drawn, block, chosen));
     }
     TargetLook looked{true, {}};
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
@@ -95,18 +89,18 @@ TargetLook look_at_target(CampaignSpec const& spec, Plan const& plan, store::Sha
     return looked;
 }
 
-Plan cut_at_target(CampaignSpec const& spec, Plan const& plan, store::ShardFolder const& shards,
-                   std::vector<std::int64_t> const& committed) {
-    for (auto const blocks : stopping_points(spec, plan)) {
-        auto const there = std::lower_bound(committed.begin(), committed.end(), blocks) - committed.begin();
-        if (there < blocks) {
-            break;
+std::optional<Plan> chosen_of(CampaignSpec const& spec, Plan const& drawn, AcceptedWaves const& waves,
+                              store::ShardFolder const& shards) {
+    for (auto const count : stopping_points(spec, drawn)) {
+        if (!waves.wanted(count).empty()) {
+            return std::nullopt;
         }
-        if (look_at_target(spec, plan, shards, blocks).met) {
-            return plan.first(blocks);
+        auto chosen = waves.chosen(count);
+        if (look_at_target(spec, drawn, chosen, shards).met) {
+            return chosen;
         }
     }
-    return plan;
+    return waves.wanted(drawn.count()).empty() ? std::optional(waves.chosen(drawn.count())) : std::nullopt;
 }
 
 }  // namespace overturn

@@ -3,16 +3,18 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "campaign/accepted_waves.hpp"
 #include "campaign/plan.hpp"
 #include "store/shards.hpp"
 
 namespace overturn {
 
-/// Numbers of blocks after which a campaign with a target is looked at, rising, all below its own number: doubling,
-/// from 32 waves on. Empty without a target.
+/// Numbers of waves after which a campaign with a target is looked at, rising, all below its own: doubling, from 32 on,
+/// whole blocks. Empty without a target.
 [[nodiscard]] std::vector<std::int64_t> stopping_points(CampaignSpec const& spec, Plan const& plan);
 
 /// How the first waves of a campaign stand to its targets.
@@ -23,13 +25,14 @@ struct TargetLook {
     std::string obstacle;
 };
 
-/// Do the first `blocks` blocks meet the target? \pre they are all committed \throws SystemError if one is damaged
-[[nodiscard]] TargetLook look_at_target(CampaignSpec const& spec, Plan const& plan, store::ShardFolder const& shards,
-                                        std::int64_t blocks);
+/// Do these waves meet the target? \param drawn the plan of the blocks, which are all committed
+/// \throws SystemError if one is damaged
+[[nodiscard]] TargetLook look_at_target(CampaignSpec const& spec, Plan const& drawn, Plan const& chosen,
+                                        store::ShardFolder const& shards);
 
-/// The plan that counts: cut at the first stopping point that meets the target, or whole. A point whose blocks are not
-/// all there decides nothing. \param committed rising
-[[nodiscard]] Plan cut_at_target(CampaignSpec const& spec, Plan const& plan, store::ShardFolder const& shards,
-                                 std::vector<std::int64_t> const& committed);
+/// The waves that count, of what is committed: those up to the first stopping point that meets the target, or all that
+/// the campaign asks for; nothing where `waves` wants more for that.
+[[nodiscard]] std::optional<Plan> chosen_of(CampaignSpec const& spec, Plan const& drawn, AcceptedWaves const& waves,
+                                            store::ShardFolder const& shards);
 
 }  // namespace overturn

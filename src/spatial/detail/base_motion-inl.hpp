@@ -17,7 +17,8 @@ template <class V> struct Motion {
     Triple<V> at;  // x, y, rise of the centre of gravity
     Quaternion<V> turn;
     Triple<V> velocity;
-    Triple<V> spin;  // about the body's own axes
+    Triple<V> spin;   // about the body's own axes
+    Triple<V> shear;  // of the springs under a rim: along x and y, and by its twist times the arc's radius of gyration
 };
 
 /// A quantity that changes evenly over the base.

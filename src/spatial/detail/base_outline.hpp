@@ -14,6 +14,8 @@ struct BaseOutline {
 
 /// \param row the planar layout across it
 [[nodiscard]] BaseOutline square_outline(std::vector<ContactPoint> const& row, double half_width_m);
+/// Without points.
+[[nodiscard]] BaseOutline rim_outline(double radius_m);
 [[nodiscard]] BaseOutline round_outline(int points, double radius_m);
 /// \throws InputError as spatial_block does
 [[nodiscard]] BaseOutline polygon_outline(std::vector<std::array<double, 2>> const& corners_m);

@@ -58,11 +58,38 @@ SpatialInstant SpatialRun::instant() const {
             .angular_radps = {get(State::wx), get(State::wy), get(State::wz)},
             .contact_force_ratio = get(State::force) / planar_.gravity_mps2,
             .yaw_rad = yaw,
-            .crush_m = deepest_crush()};
+            .crush_m = deepest_crush(),
+            .energy_jpkg = mechanical_energy()};
 }
 
-// Kinetic, of position and of springs, over the mass; none in settled rest.
-double SpatialRun::mechanical_energy() const {
+SpatialRun::RimDepth SpatialRun::rim_depth() const {
+    auto const r = rotation();
+    double const slope = std::hypot(r[2], r[5]);
+    double const middle = -(get(State::rise) + 2 * planar_.centre_height_m * half_tilt_sine2());
+    double const change = block_.edge_m * slope;
+    double const share = change > 0 ? (middle + change) / (2 * change) : middle > 0 ? 1 : 0;
+    double const square = std::clamp(share, 0.0, 1.0);  // sine of half the arc, squared
+    return {middle,
+            change,
+            2 * std::asin(std::sqrt(square)),
+            2 * std::sqrt(square * (1 - square)),
+            1 - 2 * square,
+            slope > 0 ? std::array{r[2] / slope, r[5] / slope} : std::array{1.0, 0.0}};
+}
+
+// Of springs, over the mass.
+double SpatialRun::spring_energy() const {
+    auto const square = [&](State field) { return get(field) * get(field); };
+    if (block_.rim) {
+        auto const rim = rim_depth();
+        double const deep = rim.middle * rim.middle * rim.arc + 2 * rim.middle * rim.change * rim.sine
+                            + rim.change * rim.change * (rim.arc + rim.sine * rim.cosine) / 2;
+        // The step that comes cuts them back to what friction holds of this force.
+        double const hold = get(State::hold) * std::max(0.0, rim.middle * rim.arc + rim.change * rim.sine) / pi;
+        double const shear =
+            std::min(hold * hold, square(State::shear_x) + square(State::shear_y) + square(State::shear_twist));
+        return get(State::stiffness) * (deep / (2 * pi) + 0.5 * planar_.pad.tangential_ratio * shear);
+    }
     auto const [centre_x, centre_y] = base_centre();
     double springs = 0;
     for (int i = 0; i < lane_.points; ++i) {
@@ -74,11 +101,16 @@ double SpatialRun::mechanical_energy() const {
                 0.5 * point.stiffness * (point.depth * point.depth + planar_.pad.tangential_ratio * (x * x + y * y));
         }
     }
+    return springs;
+}
+
+// Kinetic, of position and of springs, over the mass; none in settled rest.
+double SpatialRun::mechanical_energy() const {
     auto const square = [&](State field) { return get(field) * get(field); };
     auto const& inertia = block_.inertia_over_mass_m2;
     double const moving = square(State::vx) + square(State::vy) + square(State::vz) + inertia[0] * square(State::wx)
                           + inertia[1] * square(State::wy) + inertia[2] * square(State::wz);
-    return 0.5 * moving + springs + planar_.gravity_mps2 * (get(State::rise) + 0.5 * planar_.settlement_m());
+    return 0.5 * moving + spring_energy() + planar_.gravity_mps2 * (get(State::rise) + 0.5 * planar_.settlement_m());
 }
 
 // Whether the base's centre or, by yaw, its farthest point has moved farther than springs stretch whose points hold.
@@ -118,7 +150,37 @@ void SpatialRun::fill_peaks(SpatialOutcome& out) const {
                .peak_rise_m = get(State::most_rise) + planar_.settlement_m(),
                .yaw_rad = instant().yaw_rad,
                .peak_yaw_rad = yaw_of(get(State::most_yaw)),
-               .slip_path_m = get(State::slip_path)};
+               .slip_path_m = get(State::slip_path),
+               .residual_x_m = out.residual_m[0],
+               .residual_y_m = out.residual_m[1],
+               .edge_x_most_m = get(State::most_x),
+               .edge_x_least_m = get(State::least_x),
+               .edge_y_most_m = get(State::most_y),
+               .edge_y_least_m = get(State::least_y),
+               .peak_top_m = std::sqrt(get(State::most_top))};
+}
+
+// As it is at the end of the first step beyond pi/2.
+void SpatialRun::fill_landing(SpatialOutcome& out) const {
+    auto const r = rotation();
+    double const h = planar_.centre_height_m;
+    std::array const spin{get(State::wx), get(State::wy), get(State::wz)};
+    std::array const speed{get(State::vx), get(State::vy), get(State::vz)};
+    auto const& inertia = block_.inertia_over_mass_m2;
+    double velocity = 0;
+    double top = 0;
+    double energy = 0;
+    for (std::size_t i = 0; i < speed.size(); ++i) {
+        double const of_top = speed[i] + h * (r[3 * i] * spin[1] - r[3 * i + 1] * spin[0]);
+        velocity += speed[i] * speed[i];
+        top += of_top * of_top;
+        energy += 0.5 * (speed[i] * speed[i] + inertia[i] * spin[i] * spin[i]);
+    }
+    out.landing_spin_radps = std::hypot(spin[0], spin[1]);
+    out.landing_velocity_mps = std::sqrt(velocity);
+    out.landing_top_mps = std::sqrt(top);
+    out.landing_energy_jpkg = energy;
+    out.own.landing_azimuth_rad = std::atan2(r[5], r[2]);
 }
 
 void SpatialRun::fill_verdict(SpatialOutcome& out) const {
@@ -127,6 +189,7 @@ void SpatialRun::fill_verdict(SpatialOutcome& out) const {
     out.peak_rotation_ratio = out.peak_rotation_rad / std::atan2(planar_.half_width_m, planar_.centre_height_m);
     if (fell) {
         out.overturn_time_s = out.time_of_peak_s = instant().time_s;
+        fill_landing(out);
     } else if (out.peak_rotation_rad > 0) {
         out.time_of_peak_s = get(State::tilt_time);
     }

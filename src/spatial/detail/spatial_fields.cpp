@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "contact/rest_gate.hpp"
+#include "contact/rim_law.hpp"
 #include "spatial/detail/spatial_run.hpp"
 
 namespace overturn::spatial {
@@ -21,14 +22,21 @@ void SpatialRun::fill_trial(ContactAccuracy const& accuracy) {
     // Largest rotation_stiffness of uniform solids, for which the step is made. A body above it vibrates faster on its
     // points, and its damping grows as the stiffness itself: its step is shorter by the whole factor.
     constexpr double uniform_solid = 3;
-    fill_steps(accuracy, std::min(1.0, uniform_solid / block_.rotation_stiffness));
+    // Nothing touches and leaves a rim within a step: twice as long a one errs by 9e-4 of the peak in place of 8e-4,
+    // which its eight nodes make (median of 16 waves; 2e-3 at 90 % either way).
+    double const smooth = block_.rim ? 2 : 1;
+    fill_steps(accuracy, smooth * std::min(1.0, uniform_solid / block_.rotation_stiffness));
     fill_law();
+    if (block_.rim) {
+        put(State::damping, rim_damping(planar_.pad.normal_restitution));
+    }
     fill_waves();
     double const h = planar_.centre_height_m;
     double const radius = std::hypot(planar_.half_width_m, h);
     double const lowest_sine = block_.edge_m / std::hypot(block_.edge_m, h);
     auto const& inertia = block_.inertia_over_mass_m2;
     put(State::edge, block_.edge_m);
+    put(State::reach, block_.reach_m);
     put(State::inertia_x, inertia[0]);
     put(State::inertia_y, inertia[1]);
     put(State::inertia_z, inertia[2]);
@@ -59,6 +67,9 @@ double SpatialRun::parting_ratio() const {
         xy += point.stiffness_share * point.x_m * point.y_m;
         yy += point.stiffness_share * point.y_m * point.y_m;
     }
+    if (block_.rim) {
+        return block_.edge_m / (2 * planar_.centre_height_m);
+    }
     double const determinant = xx * yy - xy * xy;
     double steepest = 0;
     for (auto const& point : block_.points) {
@@ -80,6 +91,8 @@ void SpatialRun::fill_waves() {
 
 void SpatialRun::fill_points() {
     double const w = planar_.vertical_radps();
+    put(State::stiffness, w * w);
+    put(State::ring, w * w / pi);
     for (int i = 0; i < lane_.points; ++i) {
         auto const& point = block_.points[static_cast<std::size_t>(i)];
         lane_.at(Spot::x, i, 0) = lane_.at(Spot::anchor_x, i, 0) = point.x_m;
@@ -107,6 +120,10 @@ void SpatialRun::place(SpatialStart const& start) {
     auto const [x, y] = base_centre();
     put(State::base_x, x);
     put(State::base_y, y);
+    put(State::most_x, x + block_.reach_m);
+    put(State::least_x, x - block_.reach_m);
+    put(State::most_y, y + block_.reach_m);
+    put(State::least_y, y - block_.reach_m);
 }
 
 // About axes of space.

@@ -14,14 +14,19 @@ using Wide = simd::HWY_NAMESPACE::Doubles<2>;
 using Half = simd::HWY_NAMESPACE::Doubles<1>;
 using Single = simd::HWY_NAMESPACE::OneDouble;
 
-template <class V, int Stride> std::uint32_t step_lanes(SpatialLanes<Stride>& lanes, bool once) {
-    SpatialStepper<V, Stride> stepper(lanes);
+template <class Force, class Lanes> std::uint32_t step_until_care(Lanes& lanes, bool once) {
+    SpatialStepper<Force> stepper(lanes);
     for (;;) {
         if (auto const care = stepper.step(); once || any(care)) {
             stepper.complete();
             return bits(care);
         }
     }
+}
+
+template <class V, int Stride> std::uint32_t step_lanes(SpatialLanes<Stride>& lanes, bool once) {
+    return lanes.points == 0 ? step_until_care<RimForce<V, Stride>>(lanes, once)
+                             : step_until_care<PointForce<V, Stride>>(lanes, once);
 }
 
 std::uint32_t many_lanes(SpatialLanes<simd::most_lanes>& lanes, int used) {

@@ -9,7 +9,8 @@ namespace overturn::spatial {
 SpatialRun::SpatialRun(SpatialBlock const& block, Excitation const& shaking, ContactAccuracy const& accuracy,
                        std::optional<SpatialStart> const& start)
     : Base(block.planar, shaking), block_(block) {
-    OVERTURN_EXPECT(block_.points.size() >= 4 && block_.points.size() <= most_spatial_points);
+    OVERTURN_EXPECT(block_.rim == block_.points.empty());
+    OVERTURN_EXPECT(block_.rim || (block_.points.size() >= 4 && block_.points.size() <= most_spatial_points));
     OVERTURN_EXPECT(block_.points.size() % 2 == 0);
     auto const kind = kind_of(block_.points);
     lane_.points = kind.points;
@@ -49,8 +50,22 @@ void SpatialRun::show_sample() {
     put(State::substep, 0);
 }
 
+SpatialRun::BedMoments SpatialRun::rim_moments() const {
+    auto const rim = rim_depth();
+    double const k = get(State::stiffness) / (2 * pi);
+    double const r = block_.edge_m;
+    double const x = 2 * k * r * rim.sine;
+    double const xx = k * r * r * (rim.arc + rim.sine * rim.cosine);
+    double const yy = k * r * r * (rim.arc - rim.sine * rim.cosine);
+    auto const [c, s] = rim.towards;
+    return {2 * k * rim.arc, x * c, x * s, xx * c * c + yy * s * s, (xx - yy) * c * s, xx * s * s + yy * c * c};
+}
+
 // Of the points that touch: by pairs, as forces are summed.
 SpatialRun::BedMoments SpatialRun::bed_moments() const {
+    if (block_.rim) {
+        return rim_moments();
+    }
     auto const of = [&](int i) {
         auto const point = placed(i);
         double const k = point.depth > 0 ? point.stiffness : 0;
@@ -102,6 +117,9 @@ void SpatialRun::wake() {
     turn_by({-way.slope_y, way.slope_x, 0});
     put(State::x, get(State::x) + way.x);
     put(State::y, get(State::y) + way.y);
+    double const h = planar_.centre_height_m;
+    put(State::shear_x, get(State::shear_x) + way.x - h * way.slope_x);  // of a rim: points have anchors
+    put(State::shear_y, get(State::shear_y) + way.y - h * way.slope_y);
     put(State::rise, get(State::rise) + way.rise);
     auto const r = rotation();
     put(State::wx, r[3] * speed.slope_x - r[0] * speed.slope_y);
@@ -112,11 +130,23 @@ void SpatialRun::wake() {
     put(State::vz, speed.rise);
 }
 
+// How much lower a rim that leans to its critical angle stands than a rigid one: its lowest point is d deep, where its
+// springs, which press as d^(3/2), hold 2/5 of g d.
+double SpatialRun::rim_sinking() const {
+    if (!block_.rim) {
+        return 0;
+    }
+    double const r = block_.edge_m;
+    double const sine = r / std::hypot(r, planar_.centre_height_m);
+    return 0.6 * 0.5 * std::pow(3 * pi * planar_.settlement_m(), 2.0 / 3) * std::cbrt(r * sine);
+}
+
 // One that has slipped may slip on: it is followed until it rests.
 bool SpatialRun::decided() const {
     auto const angle = [](double half_sine2) { return 2 * std::asin(std::sqrt(half_sine2)); };
     return !slipped()
-           && stays(mechanical_energy(), block_.edge_m, angle(half_tilt_sine2()), angle(get(State::most_tilt)));
+           && stays(mechanical_energy() + planar_.gravity_mps2 * rim_sinking(), block_.edge_m, angle(half_tilt_sine2()),
+                    angle(get(State::most_tilt)));
 }
 
 }  // namespace overturn::spatial

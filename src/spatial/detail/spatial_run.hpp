@@ -46,6 +46,13 @@ class SpatialRun : public contact::PointRun<SpatialRun, State, Spot, SpatialLane
         double depth;  ///< negative: away
     };
 
+    /// Depth round a rim: middle + change cos(phi), phi from the horizontal direction towards its lowest point.
+    struct RimDepth {
+        double middle, change;
+        double arc, sine, cosine;       ///< angle to where it leaves the ground
+        std::array<double, 2> towards;  ///< along x and y
+    };
+
     /// Stiffness of the points that touch, and its first and second moments over the base.
     struct BedMoments {
         double k, x, y, xx, xy, yy;
@@ -67,6 +74,7 @@ class SpatialRun : public contact::PointRun<SpatialRun, State, Spot, SpatialLane
     void hold(std::size_t sample) { held_ = shaking_at(sample); }
     void wake();
     void fill_peaks(SpatialOutcome& out) const;
+    void fill_landing(SpatialOutcome& out) const;
     void fill_verdict(SpatialOutcome& out) const;
     [[nodiscard]] bool fallen() const { return !(half_tilt_sine2() < 0.5); }
     [[nodiscard]] bool weak(std::size_t sample) const;
@@ -82,7 +90,11 @@ class SpatialRun : public contact::PointRun<SpatialRun, State, Spot, SpatialLane
     [[nodiscard]] std::array<double, 9> rotation() const;
     [[nodiscard]] std::array<double, 2> base_centre() const;
     [[nodiscard]] Placed placed(int point) const;
+    [[nodiscard]] RimDepth rim_depth() const;
+    [[nodiscard]] BedMoments rim_moments() const;
     [[nodiscard]] BedMoments bed_moments() const;
+    [[nodiscard]] double spring_energy() const;
+    [[nodiscard]] double rim_sinking() const;
     [[nodiscard]] LeanStiffness lean_stiffness(BedMoments const& bed) const;
     [[nodiscard]] Yielding yielding(BedMoments const& bed, Acceleration const& by) const;
 

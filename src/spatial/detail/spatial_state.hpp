@@ -28,6 +28,9 @@ enum class State : int {
     wx,  ///< angular velocity about the body's own axes
     wy,
     wz,
+    shear_x,      ///< how far friction holds a rim's springs back
+    shear_y,      ///< likewise
+    shear_twist,  ///< about the vertical, times the arc's radius of gyration
     // place in the wave
     index,    ///< of the sample
     substep,  ///< since that sample
@@ -50,6 +53,11 @@ enum class State : int {
     slip_path,    ///< that it has travelled
     base_x,       ///< where what slips was when last looked at
     base_y,       ///< likewise
+    most_x,       ///< farthest that the circle round the base reached
+    least_x,      ///< likewise
+    most_y,       ///< likewise
+    least_y,      ///< likewise
+    most_top,     ///< way of the top in plan, squared
     turns,        ///< whole turns of yaw
     most_yaw,     ///< largest |yaw_measure|
     uplift_time,  ///< negative: not yet
@@ -71,7 +79,10 @@ enum class State : int {
     z_scale,  ///< 0: without vertical motion
     gravity,
     height,     ///< h
-    edge,       ///< from the axis to the nearest edge
+    edge,       ///< from the axis to the nearest edge; of a rim its radius
+    reach,      ///< from the axis to the farthest point
+    stiffness,  ///< w_v^2: k / m of all the base
+    ring,       ///< w_v^2 / pi
     inertia_x,  ///< I / m, about the body's own axes
     inertia_y,
     inertia_z,
@@ -113,7 +124,7 @@ enum class Wave : int { x, y, z, count };
 
 /// What the arithmetic of a base rests on: bodies step side by side on bases of one kind.
 struct BaseKind {
-    int points = 0;
+    int points = 0;        ///< none: a continuous rim
     bool opposite = true;  ///< whether the points of every pair are opposite ones
 
     [[nodiscard]] bool operator<(BaseKind const& other) const {

@@ -7,7 +7,8 @@
 #define OVERTURN_SPATIAL_STEP
 #endif
 
-#include "spatial/detail/spatial_force-inl.hpp"
+#include "spatial/detail/point_force-inl.hpp"
+#include "spatial/detail/rim_force-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace overturn::spatial::HWY_NAMESPACE {
@@ -15,11 +16,11 @@ namespace overturn::spatial::HWY_NAMESPACE {
 /// RK4 with a fixed step, on the rotation vector of the step (Munthe-Kaas 1999): about one axis it is the planar code's
 /// RK4 on the angle. What the points remember is frozen within a step and brought up to date at the state where one
 /// ends and the next begins.
-template <class V, int Stride> class SpatialStepper : private SpatialForce<V, Stride> {
+template <class Force> class SpatialStepper : private Force {
   public:
-    using Force = SpatialForce<V, Stride>;
+    using V = typename Force::Value;
     using M = typename Force::M;
-    explicit SpatialStepper(SpatialLanes<Stride>& lanes) : Force(lanes) {}
+    template <class Lanes> explicit SpatialStepper(Lanes& lanes) : Force(lanes) {}
 
     /// \return the lanes that need care
     M step();
@@ -43,19 +44,21 @@ template <class V, int Stride> class SpatialStepper : private SpatialForce<V, St
     void log(Motion const& at, Pull const& pull, Depths const& depths);
     OVERTURN_LANES_INLINE void log_height(Motion const& at, Depths const& depths, V time);
     OVERTURN_LANES_INLINE void log_place(Motion const& at);
+    OVERTURN_LANES_INLINE void log_reach(Motion const& at, Triple<V> const& axis);
     OVERTURN_LANES_INLINE void log_reversal(Motion const& at, Triple<V> const& axis);
     M next_sample(Motion const& at, Pull const& pull, V index, M ended);
     OVERTURN_LANES_INLINE M advanced(Motion const& at, Pull const& pull);
 };
 
-template <class V, int Stride> OVERTURN_LANES_INLINE auto SpatialStepper<V, Stride>::load() const -> Motion {
+template <class Force> OVERTURN_LANES_INLINE auto SpatialStepper<Force>::load() const -> Motion {
     return {{get(State::x), get(State::y), get(State::rise)},
             {get(State::qw), get(State::qx), get(State::qy), get(State::qz)},
             {get(State::vx), get(State::vy), get(State::vz)},
-            {get(State::wx), get(State::wy), get(State::wz)}};
+            {get(State::wx), get(State::wy), get(State::wz)},
+            {get(State::shear_x), get(State::shear_y), get(State::shear_twist)}};
 }
 
-template <class V, int Stride> OVERTURN_LANES_INLINE void SpatialStepper<V, Stride>::save(Motion const& at) {
+template <class Force> OVERTURN_LANES_INLINE void SpatialStepper<Force>::save(Motion const& at) {
     put(State::x, at.at.x);
     put(State::y, at.at.y);
     put(State::rise, at.at.z);
@@ -69,10 +72,14 @@ template <class V, int Stride> OVERTURN_LANES_INLINE void SpatialStepper<V, Stri
     put(State::wx, at.spin.x);
     put(State::wy, at.spin.y);
     put(State::wz, at.spin.z);
+    if constexpr (Force::shears) {
+        put(State::shear_x, at.shear.x);
+        put(State::shear_y, at.shear.y);
+        put(State::shear_twist, at.shear.z);
+    }
 }
 
-template <class V, int Stride>
-OVERTURN_LANES_INLINE auto SpatialStepper<V, Stride>::shaken(V substep) const -> Shaking {
+template <class Force> OVERTURN_LANES_INLINE auto SpatialStepper<Force>::shaken(V substep) const -> Shaking {
     V const share = get(State::inverse_substeps);
     auto const at = [&](State value, State change) HWY_ATTR { return fma(get(change) * share, substep, get(value)); };
     return {at(State::ax, State::ax_change), at(State::ay, State::ay_change),
@@ -80,16 +87,20 @@ OVERTURN_LANES_INLINE auto SpatialStepper<V, Stride>::shaken(V substep) const ->
 }
 
 // By this way and turn, and to the velocities that a pull gives in this time.
-template <class V, int Stride>
-OVERTURN_LANES_INLINE auto SpatialStepper<V, Stride>::moved(Motion const& from, Triple<V> const& way,
-                                                            Triple<V> const& turn, Pull const& by, V time) -> Motion {
-    return {from.at + way, turned(from.turn, turn), fma(time, by.move, from.velocity), fma(time, by.spin, from.spin)};
+template <class Force>
+OVERTURN_LANES_INLINE auto SpatialStepper<Force>::moved(Motion const& from, Triple<V> const& way, Triple<V> const& turn,
+                                                        Pull const& by, V time) -> Motion {
+    Motion to{from.at + way, turned(from.turn, turn), fma(time, by.move, from.velocity), fma(time, by.spin, from.spin),
+              from.shear};
+    if constexpr (Force::shears) {
+        to.shear = fma(time, by.shear, from.shear);
+    }
+    return to;
 }
 
 // Records of the instant at which the step starts: once begin has worked out the base there (log_place reads it), and
 // before index and substep move on, which give its time.
-template <class V, int Stride>
-void SpatialStepper<V, Stride>::log(Motion const& at, Pull const& pull, Depths const& depths) {
+template <class Force> void SpatialStepper<Force>::log(Motion const& at, Pull const& pull, Depths const& depths) {
     V const zero = 0;
     V const time =
         get(State::origin) + fma(get(State::index), get(State::time_step), get(State::substep) * get(State::step));
@@ -104,8 +115,8 @@ void SpatialStepper<V, Stride>::log(Motion const& at, Pull const& pull, Depths c
     put(State::steps, get(State::steps) + 1.0);
 }
 
-template <class V, int Stride>
-OVERTURN_LANES_INLINE void SpatialStepper<V, Stride>::log_height(Motion const& at, Depths const& depths, V time) {
+template <class Force>
+OVERTURN_LANES_INLINE void SpatialStepper<Force>::log_height(Motion const& at, Depths const& depths, V time) {
     V const zero = 0;
     V const tilt = at.turn.x * at.turn.x + at.turn.y * at.turn.y;
     if (M const more = tilt > get(State::most_tilt); any(more)) {
@@ -126,7 +137,7 @@ OVERTURN_LANES_INLINE void SpatialStepper<V, Stride>::log_height(Motion const& a
 
 // Where the base is, how far it has travelled, how the body has turned about its axis, and which way it leans. The
 // place is that of the edge that it leans over: leaning moves the base's centre, not that edge.
-template <class V, int Stride> OVERTURN_LANES_INLINE void SpatialStepper<V, Stride>::log_place(Motion const& at) {
+template <class Force> OVERTURN_LANES_INLINE void SpatialStepper<Force>::log_place(Motion const& at) {
     auto const axis = axes_of(at.turn).third;
     V const lifted = get(State::edge) * sqrt(axis.x * axis.x + axis.y * axis.y) / (1.0 + abs(axis.z));
     V const x = base_at_start().x.at - lifted * axis.x;
@@ -137,6 +148,7 @@ template <class V, int Stride> OVERTURN_LANES_INLINE void SpatialStepper<V, Stri
     put(State::base_x, x);
     put(State::base_y, y);
     put(State::most_slip, max(x * x + y * y, get(State::most_slip)));
+    log_reach(at, axis);
     V const zero = 0;
     V const z = choose(at.turn.w < zero, -at.turn.z, at.turn.z);
     V const yaw = fma(z / (abs(at.turn.w) + abs(at.turn.z)), 0.5, get(State::turns));
@@ -144,10 +156,26 @@ template <class V, int Stride> OVERTURN_LANES_INLINE void SpatialStepper<V, Stri
     log_reversal(at, axis);
 }
 
+// How far the circle round the base reaches along x and y, and how far the top has gone in plan.
+template <class Force>
+OVERTURN_LANES_INLINE void SpatialStepper<Force>::log_reach(Motion const& at, Triple<V> const& axis) {
+    V const reach = get(State::reach);
+    auto const log_one = [&](State most, State least, V place, V slope) HWY_ATTR {
+        V const far = reach * sqrt(max(1.0 - slope * slope, V(0)));
+        put(most, max(place + far, get(most)));
+        put(least, min(place - far, get(least)));
+    };
+    log_one(State::most_x, State::least_x, base_at_start().x.at, axis.x);
+    log_one(State::most_y, State::least_y, base_at_start().y.at, axis.y);
+    V const x = fma(get(State::height), axis.x, at.at.x);
+    V const y = fma(get(State::height), axis.y, at.at.y);
+    put(State::most_top, max(x * x + y * y, get(State::most_top)));
+}
+
 // Counts an impact where the lean turns to the other side (about one axis: where the angle passes zero) faster than
 // impact_spin. Leans that the springs give at rest do not count.
-template <class V, int Stride>
-OVERTURN_LANES_INLINE void SpatialStepper<V, Stride>::log_reversal(Motion const& at, Triple<V> const& axis) {
+template <class Force>
+OVERTURN_LANES_INLINE void SpatialStepper<Force>::log_reversal(Motion const& at, Triple<V> const& axis) {
     V const zero = 0;
     M const passes = fma(axis.x, get(State::lean_x), axis.y * get(State::lean_y)) < zero;
     V const least = get(State::least_lean);
@@ -165,8 +193,8 @@ OVERTURN_LANES_INLINE void SpatialStepper<V, Stride>::log_reversal(Motion const&
 }
 
 // The next sample, for the lanes whose last step reached it. Returns those that are at the end or may rest.
-template <class V, int Stride>
-auto SpatialStepper<V, Stride>::next_sample(Motion const& at, Pull const& pull, V index, M ended) -> M {
+template <class Force>
+auto SpatialStepper<Force>::next_sample(Motion const& at, Pull const& pull, V index, M ended) -> M {
     V const last = get(State::last);
     V const place = min(index, last - 1.0);
     auto const read = [&](Wave wave, State scale, State value, State change, V& here, V& next) HWY_ATTR {
@@ -196,8 +224,8 @@ auto SpatialStepper<V, Stride>::next_sample(Motion const& at, Pull const& pull, 
     return ended & (quiet | (index >= last));
 }
 
-template <class V, int Stride> auto SpatialStepper<V, Stride>::step() -> M {
-    Motion const start = load();
+template <class Force> auto SpatialStepper<Force>::step() -> M {
+    Motion start = load();
     V const substep = get(State::substep);
     V const h = get(State::step);
     V const half = 0.5 * h;
@@ -223,7 +251,10 @@ template <class V, int Stride> auto SpatialStepper<V, Stride>::step() -> M {
                          HWY_ATTR { return fma(sixth, one + (two + three), h * speed); };
     auto const mean = [&](Triple<V> const& one, Triple<V> const& two, Triple<V> const& three, Triple<V> const& four)
                           HWY_ATTR { return V(1.0 / 6) * fma(V(2), two + three, one + four); };
-    Pull const sum{mean(a.move, b.move, c.move, d.move), mean(a.spin, b.spin, c.spin, d.spin), d.press};
+    Pull sum{mean(a.move, b.move, c.move, d.move), mean(a.spin, b.spin, c.spin, d.spin), d.press, d.shear};
+    if constexpr (Force::shears) {
+        sum.shear = mean(a.shear, b.shear, c.shear, d.shear);
+    }
     Triple<V> const none{V(0), V(0), V(0)};
     auto const turn =
         fma(h, mean(none, second_excess, third_excess, fourth_excess), way(start.spin, a.spin, b.spin, c.spin));
@@ -241,8 +272,8 @@ template <class V, int Stride> auto SpatialStepper<V, Stride>::step() -> M {
 }
 
 // The place that the step has reached. Returns the lanes that need care there.
-template <class V, int Stride>
-OVERTURN_LANES_INLINE auto SpatialStepper<V, Stride>::advanced(Motion const& at, Pull const& pull) -> M {
+template <class Force>
+OVERTURN_LANES_INLINE auto SpatialStepper<Force>::advanced(Motion const& at, Pull const& pull) -> M {
     V const index = get(State::index);
     V const after = get(State::substep) + 1.0;
     M const ended = after >= get(State::substeps);

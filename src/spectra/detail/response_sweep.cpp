@@ -54,6 +54,8 @@ void sweep_some(std::span<double const> acceleration, int steps, ResponseLanes& 
             a0 = a1;
         }
     }
+    z.store(lanes.end_z.data() + lane);
+    u.store(lanes.end_u.data() + lane);
     y2.store(lanes.y2.data() + lane);
     v2.store(lanes.v2.data() + lane);
     a2.store(lanes.a2.data() + lane);

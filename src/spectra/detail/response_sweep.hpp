@@ -15,6 +15,7 @@ struct ResponseLanes {
     simd::LaneValues<> zz, zu, za, ya, uz, uu, ua, va;
     simd::LaneValues<> cv, cy;          ///< absolute acceleration = cv v + cy y
     simd::LaneValues<> unit_z, unit_u;  ///< see above [m, m/s]
+    simd::LaneValues<> end_z, end_u;    ///< at the last sample
     simd::LaneValues<> y2, v2, a2;      ///< largest squares, of y over unit_z, v over unit_u, absolute acceleration
 };
 
@@ -24,7 +25,7 @@ enum class ForcingTerm {
     factor  ///< some lane's is too small to count in: units are 1, za and ua its factors
 };
 
-/// From rest. Fills lanes.y2; with SweptPeaks::all also v2 and a2.
+/// From rest. Fills lanes.y2, end_z and end_u; with SweptPeaks::all also v2 and a2.
 /// \param steps to a sample, along the straight line between two
 void sweep_response(std::span<double const> acceleration_mps2, int steps, SweptPeaks peaks, ForcingTerm forcing,
                     ResponseLanes& lanes);

@@ -44,10 +44,10 @@ ThinnedSums::ThinnedSums(std::size_t samples, std::span<double const> x) : sampl
     }
     half_ = half_for(stride_);
     std::size_t const taps = 2 * half_ + 1;
-    auto const reach = static_cast<double>(half_);
+    auto const half_width = static_cast<double>(half_);
     kernel_.assign(filled_up(taps), 0.0);
     for (std::size_t t = 0; t < taps; ++t) {
-        double const u = (static_cast<double>(t) - reach) / reach;
+        double const u = (static_cast<double>(t) - half_width) / half_width;
         double const arch = shape * std::sqrt(std::max(0.0, 1 - u * u));
         kernel_[t] = gsl_sf_bessel_I0_scaled(arch) * std::exp(arch - shape);
     }
@@ -61,9 +61,9 @@ ThinnedSums::ThinnedSums(std::size_t samples, std::span<double const> x) : sampl
     scale_.reserve(x.size());
     for (double const phase : x) {
         slower.push_back(phase * static_cast<double>(stride_));
-        double const bent = std::sqrt(shape * shape - phase * phase * reach * reach);
-        double const response = reach * (std::exp(bent - shape) - std::exp(-bent - shape)) / bent;
-        scale_.push_back(std::polar(static_cast<double>(stride_) / response, phase * reach));
+        double const bent = std::sqrt(shape * shape - phase * phase * half_width * half_width);
+        double const response = half_width * (std::exp(bent - shape) - std::exp(-bent - shape)) / bent;
+        scale_.push_back(std::polar(static_cast<double>(stride_) / response, phase * half_width));
     }
     sums_.emplace(length_, slower);
 }

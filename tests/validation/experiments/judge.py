@@ -4,8 +4,8 @@
 Every measured motion is run once under every body of a grid of what cannot be measured (alpha, restitution); those that agree
 with the outcomes of all motions but one as well as the best do vote on that one (the single best of them is chosen by
 chance: it misses specimen 2 by 5 % more). Thresholds on PGA and PGV are chosen and judged likewise. How it is judged stands in
-src/report/outcomes.py, which the program's own page uses too. What hangs on the height that is assumed is shown beside it, by
-bodies that take no part. --records only writes the motions as files, and outcomes.csv for `overturn report --outcomes`, for
+overturn/report/outcomes.py of the package, which the program's own page uses too. What hangs on the height that is assumed is
+shown beside it, by bodies that take no part. --records only writes the motions as files, and outcomes.csv for `overturn report --outcomes`, for
 campaigns/granite.toml. Exits with 77 where the data are missing: ../shared/experiments, or OVERTURN_EXPERIMENTS."""
 
 import csv
@@ -23,7 +23,7 @@ import h5py
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "src" / "report"))
-import outcomes  # noqa: E402
+from overturn.report import outcomes  # noqa: E402
 
 MEASURED = {"v_wes": "v_wes", "v_wes_other_unit": "v_wes, R in m", "ou_v_e": "ou_v_e", "ou_v_e_other_unit": "ou_v_e, R in m"}
 SHOWN = ("v_wes", "v_wes, R in m", "ou_v_e", "ou_v_e, R in m", "pgv", "pga", "peak energy")

@@ -1,0 +1,13 @@
+/// What became of a record's spectrum when it was read on another time grid.
+#pragma once
+
+#include <string>
+
+#include "motion/ground_motion.hpp"
+
+namespace overturn {
+
+/// ", Sa from 0.3 to 10 s by -0.4 % at most": over the periods that bodies rock at, 5 % damping, horizontal component.
+[[nodiscard]] std::string sa_change_text(GroundMotion const& from, GroundMotion const& to);
+
+}  // namespace overturn

@@ -1,0 +1,47 @@
+#include "cli/campaign_hazard.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/json_values.hpp"
+#include "core/error.hpp"
+#include "core/input_files.hpp"
+#include "output/frequency_text.hpp"
+#include "output/json.hpp"
+#include "output/summary_tables.hpp"
+#include "results/hazard_frequency.hpp"
+#include "results/hazard_table.hpp"
+
+namespace overturn::cli {
+
+HazardCurve hazard_of_campaign(std::string const& path, CampaignSpec const& spec) {
+    validate(!spec.is_grid(),
+             "--hazard for waves on a grid of frequencies (no random sample: nothing happens so often a year). "
+             "Leave it out");
+    InputFiles files(std::filesystem::path("."));
+    return parse_hazard(files.read(path), path, spec.levels);
+}
+
+std::vector<BodyFrequency> add_frequencies(std::string const& path, CampaignSpec const& spec,
+                                           Statistics const& statistics, std::vector<BodyAnalysis> const& analysis,
+                                           double confidence, Json& data) {
+    auto const hazard = hazard_of_campaign(path, spec);
+    auto frequencies = frequencies_of(spec, statistics, analysis, hazard, confidence);
+    data["fit"].update(output::json_of(output::frequency_tables(spec.levels.units(), frequencies, hazard, confidence)));
+    data["facts"].push_back({"hazard curve", fmt::format("{}: {}", path, output::range_text(hazard))});
+    auto notes = Json::array();
+    for (auto const& remark : hazard.remarks()) {
+        notes.push_back(fmt::format("Hazard curve: {}.", remark));
+    }
+    for (auto const& of : frequencies) {
+        for (auto const& note : output::frequency_notes(of, hazard)) {
+            notes.push_back(fmt::format("{}: {}.", output::frequency_name(of), note));
+        }
+    }
+    data["frequency_notes"] = std::move(notes);
+    return frequencies;
+}
+
+}  // namespace overturn::cli

@@ -1,0 +1,19 @@
+/// What several verbs take beside a results file.
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include "core/error.hpp"
+
+namespace overturn::cli {
+
+/// What --beta-u and --confidence (none: the campaign's) may be. \throws InputError
+inline void check_fit_options(double beta_u, std::optional<double> confidence) {
+    validate(beta_u >= 0 && std::isfinite(beta_u),
+             "--beta-u: {} (must be 0 or above). It is a lognormal standard deviation", beta_u);
+    validate(!confidence || (*confidence > 0 && *confidence < 1),
+             "--confidence: {} (must lie between 0 and 1). State e.g. 0.95", confidence.value_or(0));
+}
+
+}  // namespace overturn::cli

@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/command_line.hpp"
+#include "cli/fit_tables.hpp"
+#include "cli/stripe_csv.hpp"
+#include "core/error.hpp"
+#include "core/input_files.hpp"
+#include "output/curve_tables.hpp"
+#include "output/curve_text.hpp"
+#include "output/fit_json.hpp"
+#include "output/frequency_text.hpp"
+#include "output/stripe_tables.hpp"
+#include "output/summary_tables.hpp"
+#include "results/analysis.hpp"
+#include "results/hazard_frequency.hpp"
+#include "stats/rank.hpp"
+
+namespace overturn::cli {
+namespace {
+
+std::string stripes_text(StripeTable const& table, double confidence) {
+    auto text = fmt::format("{:>10} {:>7} {:>11} {:>7}  {:>8}  {:>20}\n", table.amplitude, "trials", "overturned",
+                            "failed", "P", fmt::format("{:g} % interval", 100 * confidence));
+    for (auto const& stripe : table.stripes) {
+        auto const interval = stripe.interval(confidence);
+        text += fmt::format("{:>10.4g} {:>7} {:>11} {:>7}  {:>8}  [{:.6f}, {:.6f}]\n", stripe.amplitude, stripe.trials,
+                            stripe.overturned, stripe.failed,
+                            stripe.decided() > 0 ? fmt::format("{:.4f}", stripe.probability()) : std::string("-"),
+                            interval.lower, interval.upper);
+    }
+    return text;
+}
+
+}  // namespace
+
+int fit_stripes(FitOptions const& options) {
+    InputFiles files(std::filesystem::path("."));
+    auto const table = parse_stripes(files.read(options.stripes), options.stripes);
+    auto const& stripes = table.stripes;
+    constexpr double usual = 0.95;
+    FragilityRequest request;
+    request.confidence = options.confidence.value_or(usual);
+    request.beta_u = options.beta_u;
+    MeasuredFragility measured;
+    measured.name = "amplitude";
+    measured.label = table.amplitude;
+    measured.units = "1";
+    measured.told = {measured.units};
+    if (options.design_basis > 0) {
+        measured.quote_base = "design-basis";
+        for (double const multiple : quoted_multiples) {
+            request.quotes.push_back({multiple * options.design_basis, multiple});
+        }
+    }
+    auto const data = FragilityData::of_stripes(stripes);
+    measured.fit = fit_fragility(data, request);
+    measured.rank_area = rank_area(data.points);
+    std::optional<HazardCurve> hazard;
+    std::vector<BodyFrequency> frequencies;
+    if (!options.hazard.empty()) {
+        hazard = hazard_of_table(options, {.option = "--stripes",
+                                           .column = table.amplitude,
+                                           .measure = table.measure,
+                                           .unit = table.unit,
+                                           .lowest = table.stripes.front().amplitude,
+                                           .highest = table.stripes.back().amplitude});
+        frequencies.push_back(frequency_of(measured.fit, data, *hazard, request.confidence, 0));
+        frequencies.back().body = table.amplitude;
+        frequencies.back().limit = overturning_limit;
+    }
+    if (!options.json) {
+        fmt::print("{}\n{}{}", stripes_text(table, request.confidence),
+                   output::fragility_table({measured}, request.confidence),
+                   hazard ? output::frequency_text(frequencies, *hazard, request.confidence) : std::string());
+        return done;
+    }
+    std::vector<MeasuredFragility> const fits{measured};
+    auto tables = output::curve_tables({.body = "", .confidence = request.confidence}, fits);
+    tables.insert(tables.begin(), output::stripe_table(stripes, request.confidence));
+    if (hazard) {
+        std::ranges::move(output::frequency_tables(table.unit, frequencies, *hazard, request.confidence),
+                          std::back_inserter(tables));
+    }
+    auto json = output::json_of(tables);
+    json["warnings"] = output::warnings_json("", fits, request.confidence);
+    json["amplitude"] = table.amplitude;
+    fmt::print("{}\n", json.dump(2));
+    return done;
+}
+
+}  // namespace overturn::cli

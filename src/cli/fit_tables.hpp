@@ -1,0 +1,51 @@
+/// Fits that need no results file: stripes of anybody's own, and a stated curve.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/text_choice.hpp"
+#include "cli/verbs.hpp"
+#include "stats/hazard.hpp"
+
+namespace overturn::cli {
+
+/// What `fit` takes.
+struct FitOptions {
+    std::string file;
+    std::string stripes;
+    std::string capacities;
+    bool json = false;
+    double beta_u = 0;
+    std::optional<double> confidence;  ///< none: the campaign's, or 0.95
+    double design_basis = 0;
+    std::string median;          ///< of a stated curve, with its unit
+    std::optional<double> beta;  ///< of it
+    TextChoice text;
+    std::string hazard;
+    std::string measures;
+    Unverified unverified;
+};
+
+/// What a table's intensities are: its column's name, the measure and unit that it states, and where trials were.
+struct TableAxis {
+    std::string option;              ///< "--stripes", for messages
+    std::string column;              ///< "pga [g]"
+    std::string measure;             ///< "pga"; empty: none is named
+    std::string unit;                ///< "g"; empty: none
+    double lowest = 0, highest = 0;  ///< in that unit
+};
+/// The hazard curve that --hazard names, its intensities in the table's unit. \throws InputError also where the table
+/// states no unit, or sa without its period
+[[nodiscard]] HazardCurve hazard_of_table(FitOptions const& options, TableAxis const& axis);
+
+/// `fit --stripes TABLE`: curve, and annual frequency where there is a hazard curve. \return exit code
+[[nodiscard]] int fit_stripes(FitOptions const& options);
+
+/// `fit --capacities TABLE`: intensities at which each wave's body fell. \return exit code
+[[nodiscard]] int fit_capacities(FitOptions const& options);
+
+/// `fit --median M --beta B`: the points of a stated curve, and its annual frequency. \return exit code
+[[nodiscard]] int fit_stated(FitOptions const& options);
+
+}  // namespace overturn::cli

@@ -1,0 +1,58 @@
+#include <filesystem>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cli/fit_tables.hpp"
+#include "core/error.hpp"
+#include "core/input_files.hpp"
+#include "motion/column_unit.hpp"
+#include "results/hazard_table.hpp"
+
+namespace overturn::cli {
+namespace {
+
+// What a unit measures, and its SI value.
+std::pair<Dimension, double> dimension_of(TableAxis const& axis) {
+    for (auto const dimension : {Dimension::acceleration, Dimension::velocity, Dimension::length}) {
+        if (auto const si = unit_spelled(axis.unit, dimension)) {
+            return {dimension, *si};
+        }
+    }
+    throw InputError(
+        fmt::format("--hazard beside {}: column '{}' (no unit of acceleration, velocity or length). Call it "
+                    "for example 'pga [g]'",
+                    axis.option, axis.column));
+}
+
+}  // namespace
+
+HazardCurve hazard_of_table(FitOptions const& options, TableAxis const& axis) {
+    validate(!axis.unit.empty(),
+             "--hazard beside {}: column '{}' states no unit (none is guessed). Call it for example 'pga [g]'",
+             axis.option, axis.column);
+    validate(
+        axis.measure != "sa",
+        "--hazard beside {}: column '{}' states no period (of which oscillator?). Call it for example 'sa(1 s) [{}]'",
+        axis.option, axis.column, axis.unit);
+    auto const [dimension, si] = dimension_of(axis);
+    InputFiles files(std::filesystem::path("."));
+    auto const hazard = parse_hazard(files.read(options.hazard), options.hazard,
+                                     {.label = axis.measure,
+                                      .dimension = dimension,
+                                      .unit = {axis.unit, si},
+                                      .lowest = axis.lowest * si,
+                                      .highest = axis.highest * si});
+    auto points = hazard.points();
+    for (auto& point : points) {
+        point.intensity /= si;
+    }
+    auto remarks = hazard.remarks();
+    if (axis.measure.empty()) {
+        remarks.push_back(
+            fmt::format("column '{}' of the table names no measure: it is taken to be the curve's", axis.column));
+    }
+    return HazardCurve(std::move(points), {hazard.stated().symbol, hazard.stated().si / si}, std::move(remarks));
+}
+
+}  // namespace overturn::cli

@@ -1,0 +1,77 @@
+#include "cli/plan_sizes.hpp"
+
+#include <cstdint>
+
+#include <fmt/format.h>
+
+#include "campaign/block_rows.hpp"
+#include "results/measured_trials.hpp"
+#include "results/schema.hpp"
+#include "results/statistics.hpp"
+#include "store/shards.hpp"
+
+namespace overturn::cli {
+namespace {
+
+std::int64_t file_bytes(CampaignInput const& input, CampaignSpec const& spec, Plan const& plan) {
+    auto const width = [](store::TableSpec const& table) {
+        std::int64_t bytes = table.numbers_rows() ? 8 : 0;
+        for (auto const& column : table.columns) {
+            bytes += column.type == FieldType::category ? 1 : 8;
+        }
+        return bytes;
+    };
+    constexpr std::int64_t overhead = 400'000;  // groups, attributes and statistics of a small campaign
+    auto bytes = overhead + plan.trials() * width(trial_table(spec)) + plan.waves() * width(wave_table(spec));
+    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+        bytes += plan.waves() * width(measure_table(spec, b));
+    }
+    for (auto const& table : own_tables(Ladder(spec.effects, spec.accuracy))) {
+        bytes += plan.trials() * width(table);
+    }
+    for (auto const& [name, content] : input.files) {
+        bytes += static_cast<std::int64_t>(content.size());
+    }
+    return bytes;
+}
+
+std::string count_of_folders(std::int64_t blocks) {
+    auto const folders = (blocks + store::blocks_in_a_folder - 1) / store::blocks_in_a_folder;
+    return folders == 1 ? std::string("one folder") : fmt::format("{} folders", folders);
+}
+
+// Of more trials than are held one by one, curves see the first waves only. Empty where all are seen.
+std::string thinned_line(Plan const& plan) {
+    auto const held = static_cast<std::int64_t>(most_trials_held);
+    if (plan.trials() <= held) {
+        return {};
+    }
+    auto const waves = (held + plan.trials_per_wave() - 1) / plan.trials_per_wave();
+    return fmt::format(
+        "thinned   intervals by waves, and curves over other measures than the levels', see the first {} "
+        "waves of {} (20 million trials); stripes see all\n",
+        waves, plan.waves());
+}
+
+}  // namespace
+
+std::string size_lines(CampaignInput const& input, CampaignSpec const& spec, Plan const& plan) {
+    auto const bytes = static_cast<double>(BlockRows::packed_size(plan, 0));
+    return fmt::format(
+        "file      about {:.2f} MB\nparts     {} files of {:.1f} kB, {:.2f} MB, in {} until they are merged\n",
+        static_cast<double>(file_bytes(input, spec, plan)) / 1e6, plan.blocks(), bytes / 1e3,
+        bytes * static_cast<double>(plan.blocks()) / 1e6, count_of_folders(plan.blocks()));
+}
+
+std::string memory_lines(CampaignSpec const& spec, Plan const& plan) {
+    constexpr double much = 100e6;
+    double const bytes = memory_of_trials(spec, plan.trials());
+    auto const memory = bytes < much ? std::string()
+                                     : fmt::format(
+                                         "memory    about {:.2g} GB on the rank that writes, and as much again "
+                                         "while curves are fitted\n",
+                                         bytes / 1e9);
+    return memory + thinned_line(plan);
+}
+
+}  // namespace overturn::cli

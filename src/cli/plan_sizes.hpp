@@ -1,0 +1,19 @@
+/// What a campaign will take of disk and memory, as `plan` says it.
+#pragma once
+
+#include <string>
+
+#include "campaign/campaign_input.hpp"
+#include "campaign/campaign_spec.hpp"
+#include "campaign/plan.hpp"
+
+namespace overturn::cli {
+
+/// The results file, and the files of blocks until they are merged.
+[[nodiscard]] std::string size_lines(CampaignInput const& input, CampaignSpec const& spec, Plan const& plan);
+
+/// Memory of the trials that curves and intervals need, where it is much, and how many they see where that is not all;
+/// else empty.
+[[nodiscard]] std::string memory_lines(CampaignSpec const& spec, Plan const& plan);
+
+}  // namespace overturn::cli

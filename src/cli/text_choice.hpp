@@ -1,0 +1,31 @@
+/// What of the results run, merge and fit print.
+#pragma once
+
+#include <string>
+
+#include <fmt/ranges.h>
+
+#include "cli/velocity_unit.hpp"
+#include "output/sections.hpp"
+
+namespace overturn::cli {
+
+struct TextChoice {
+    std::string sections;
+    bool full = false;
+    VelocityUnit unit;
+
+    void offered_by(Verb& verb) {
+        verb.takes("--full", full, "print every section behind the answer");
+        verb.takes("--section", sections,
+                   "print these behind the answer, as stripes,curves: "
+                       + fmt::format("{}", fmt::join(output::section_names(), ", ")));
+        unit.offered_by(verb);
+    }
+    /// \throws InputError
+    [[nodiscard]] output::TextOptions options() const {
+        return {.sections = output::read_sections(sections), .full = full, .velocities = unit.measures()};
+    }
+};
+
+}  // namespace overturn::cli

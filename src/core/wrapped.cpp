@@ -1,0 +1,32 @@
+#include "core/wrapped.hpp"
+
+#include <algorithm>
+
+namespace overturn {
+
+std::string wrapped(std::string_view text, std::size_t indent, std::size_t width, std::string begun) {
+    auto lines = std::move(begun);
+    std::size_t column = lines.size();
+    bool fresh = true;  // no word stands in the line yet
+    while (!text.empty()) {
+        auto end = std::min(text.find(' '), text.size());
+        if (text.substr(end).starts_with(" %")) {
+            end = std::min(text.find(' ', end + 1), text.size());
+        }
+        auto const word = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        if (!fresh && column + 1 + word.size() > width) {
+            lines += '\n' + std::string(indent, ' ');
+            column = indent;
+        } else if (!fresh) {
+            lines += ' ';
+            ++column;
+        }
+        lines += word;
+        column += word.size();
+        fresh = false;
+    }
+    return lines + '\n';
+}
+
+}  // namespace overturn

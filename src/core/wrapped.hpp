@@ -1,0 +1,17 @@
+/// Sentences in lines that fit a terminal.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace overturn {
+
+inline constexpr std::size_t line_width = 100;
+
+/// \param indent of all lines but the first \param begun what the first line begins with
+/// \return lines of at most `width` columns (a longer word stands alone), each with its end; % stays with its number
+[[nodiscard]] std::string wrapped(std::string_view text, std::size_t indent = 0, std::size_t width = line_width,
+                                  std::string begun = {});
+
+}  // namespace overturn

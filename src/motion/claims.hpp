@@ -1,0 +1,88 @@
+/// What the text of a file of numbers claims of them: prose above them, comments. Each line is used, contradicts what
+/// the user states, or is listed as not understood.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "motion/component_name.hpp"
+#include "motion/record.hpp"
+
+namespace overturn {
+
+class Claims {
+  public:
+    /// Looks for units ("in m/s/s", "(gal)", "units: g"), quantities ("velocity in cm/s", "M/S", "counts"), the time
+    /// step or rate, the count, the peak and the components ("COMP. EW"). A unit in a line on a peak, a trigger or a
+    /// filter is of that alone. What is claimed twice, differently, is not claimed.
+    void take(std::string_view line, int number);
+    /// A line that is understood elsewhere, as names of columns are.
+    void take_names(int number);
+
+    /// Of the accelerations [m/s2].
+    [[nodiscard]] std::optional<double> unit() const { return unit_.value; }
+    [[nodiscard]] int unit_line() const { return unit_.line; }
+    /// [s]
+    [[nodiscard]] std::optional<double> time_step_s() const { return step_.value; }
+    [[nodiscard]] int time_step_line() const { return step_.line; }
+    /// What else the numbers are called, "velocities"; empty if nothing.
+    [[nodiscard]] std::string const& other() const { return other_; }
+    /// Are the numbers called accelerations anywhere?
+    [[nodiscard]] bool accelerations() const { return accelerations_; }
+    /// A name of a column calls them so.
+    void take_named_accelerations() { accelerations_ = named_ = true; }
+    [[nodiscard]] std::vector<std::string> const& components() const { return components_; }
+    [[nodiscard]] int components_line() const { return components_line_; }
+
+    /// "line 10: m/s2", for each claim that is used.
+    [[nodiscard]] std::vector<std::string> used() const;
+    /// "line 3: 'Station X'", for each line that claims nothing known.
+    [[nodiscard]] std::vector<std::string> unread() const { return unread_; }
+
+    /// \throws InputError if what the request states contradicts what is claimed, or the numbers are no accelerations
+    void check(RecordRequest const& request) const;
+    /// For numbers whose names state no unit. \throws InputError if the text states one that is not known: "g/10"
+    void check_unit_is_known(std::string const& file) const;
+    /// \throws InputError if times that rise by `step_s` contradict what is claimed
+    void check_times(double step_s, std::string const& file) const;
+    /// \throws InputError unless one of these counts of values is the one that is claimed, if any is
+    void check_count(std::span<std::size_t const> counts, std::string const& file) const;
+    /// \throws InputError if a peak is claimed that the peaks meet only in another unit: 100 or 981 times as much
+    void check_peaks(std::span<double const> peaks_mps2, double unit_mps2, std::string const& file) const;
+
+  private:
+    struct Claim {
+        std::optional<double> value;
+        int line = 0;
+        bool contradicted = false;
+        void take(double stated, int number);
+    };
+    struct Peak {
+        double value = 0;
+        std::optional<double> unit;
+        int line = 0;
+    };
+    [[nodiscard]] bool take_unit(std::string const& lower, int number);
+    [[nodiscard]] bool take_other_quantity(std::string const& lower, int number);
+    [[nodiscard]] bool take_components(std::string_view line, std::string const& lower, int number);
+
+    Claim unit_, step_, count_;
+    std::vector<Peak> peaks_;
+    std::string unknown_unit_;
+    int unknown_unit_line_ = 0;
+    int other_line_ = 0;  ///< that calls the numbers velocities, displacements or counts; 0: none
+    std::string other_;
+    bool other_of_several_ = false;  ///< in a line that names such a quantity, perhaps beside accelerations
+    bool spectrum_ = false;          ///< of accelerations, which their unit tells nothing of
+    bool named_ = false;
+    bool accelerations_ = false;
+    std::vector<std::string> components_;
+    int components_line_ = 0;
+    std::vector<std::string> unread_;
+};
+
+}  // namespace overturn

@@ -1,0 +1,176 @@
+#include "motion/column_role.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "motion/column_unit.hpp"
+#include "motion/detail/claimed_unit.hpp"
+#include "motion/detail/quantity_words.hpp"
+#include "motion/text_lines.hpp"
+
+namespace overturn {
+namespace {
+
+using Text = std::string_view;
+
+/// What stands in brackets, one after the other, and what is left without them.
+struct Parts {
+    std::string outside;
+    std::vector<std::string> brackets;
+};
+
+Parts parts_of(Text name) {
+    Parts made;
+    while (true) {
+        auto const open = name.find_first_of("([{");
+        made.outside += name.substr(0, open);
+        if (open == Text::npos) {
+            break;
+        }
+        int depth = 0;
+        auto close = open;
+        for (; close < name.size(); ++close) {
+            depth += Text("([{").find(name[close]) != Text::npos ? 1 : 0;
+            depth -= Text(")]}").find(name[close]) != Text::npos ? 1 : 0;
+            if (depth == 0) {
+                break;
+            }
+        }
+        made.brackets.emplace_back(trimmed(name.substr(open + 1, close - open - 1)));
+        name = name.substr(std::min(close + 1, name.size()));
+    }
+    return made;
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+struct Unit {
+    Quantity quantity = Quantity::unknown;
+    double si = 0;
+};
+
+Unit unit_named(Text text) {
+    for (auto const& [dimension, quantity] : {std::pair{Dimension::acceleration, Quantity::acceleration},
+                                              {Dimension::velocity, Quantity::velocity},
+                                              {Dimension::time, Quantity::time},
+                                              {Dimension::length, Quantity::displacement},
+                                              {Dimension::frequency, Quantity::frequency}}) {
+        if (auto const si = unit_spelled(text, dimension)) {
+            return {quantity, *si};
+        }
+    }
+    auto const lower = lowered(text);
+    return lower == "counts" || lower == "count" || lower == "cnt" ? Unit{Quantity::counts, 1} : Unit{};
+}
+
+/// Behind the last blank, underscore or "in"; a letter there may be anything.
+Unit unit_behind(Text outside, std::string& left) {
+    auto const plain = trimmed(outside);
+    auto const last = plain.find_last_of("_ ");
+    constexpr std::size_t telling = 2;
+    if (last == Text::npos || plain.size() - last - 1 < telling) {
+        return {};
+    }
+    auto const unit = unit_named(plain.substr(last + 1));
+    auto const before = trimmed(plain.substr(0, last));
+    if (unit.quantity != Quantity::unknown) {
+        left = std::string(before);
+    }
+    return unit;
+}
+
+/// "acc 9.81 m/s2", "acc 1e-3 g", "acc_g/10": what stands in a unit's place and is none; empty if there is none.
+std::string odd_unit_behind(Text outside) {
+    auto const lower = lowered(trimmed(outside));
+    auto const last = lower.find_last_of("_ ");
+    if (last == std::string::npos) {
+        return {};
+    }
+    auto const word = Text(lower).substr(last + 1);
+    auto const before = trimmed(Text(lower).substr(0, last));
+    auto const factor = before.substr(std::min(before.find_last_of("_ ") + 1, before.size()));
+    bool const figures = !factor.empty() && before.find_last_of("_ ") != Text::npos && is_digit(factor.back())
+                         && factor.find_first_not_of("0123456789.e+-^x*") == Text::npos;
+    bool const unit = unit_named(word).quantity == Quantity::acceleration || word == "g";
+    bool const odd = word.find_first_of("/*^") != Text::npos && unit_named(word).quantity == Quantity::unknown;
+    return (figures && unit) || (odd && looks_like_unit(word))
+               ? std::string(figures ? Text(lower).substr(before.size() - factor.size()) : word)
+               : std::string();
+}
+
+}  // namespace
+
+std::string_view name_of(Quantity quantity) {
+    switch (quantity) {
+        case Quantity::index:
+            return "a count of rows";
+        case Quantity::time:
+            return "a time";
+        case Quantity::acceleration:
+            return "an acceleration";
+        case Quantity::velocity:
+            return "a velocity";
+        case Quantity::displacement:
+            return "a displacement";
+        case Quantity::counts:
+            return "counts of an instrument";
+        case Quantity::frequency:
+            return "a frequency or a period";
+        case Quantity::spectrum:
+            return "a spectrum";
+        case Quantity::hazard:
+            return "a hazard curve";
+        case Quantity::other:
+            return "no acceleration";
+        case Quantity::unknown:
+            break;
+    }
+    return "nothing known";
+}
+
+ColumnRole column_role(std::string_view name) {
+    ColumnRole role{std::string(trimmed(name))};
+    auto [outside, brackets] = parts_of(name);
+    Unit unit;
+    for (auto const& text : brackets) {
+        auto const found = unit_named(text);
+        bool const direction = component_named(text).direction != Direction::unknown;
+        // One letter is a direction as often as a unit: "(s)" is seconds, "(N)" north, "(g)" g.
+        unit = found.quantity != Quantity::unknown && unit.quantity == Quantity::unknown ? found : unit;
+        if (found.quantity == Quantity::unknown && !direction && !text.empty()) {
+            role.unknown_unit = text;
+        }
+    }
+    if (unit.quantity == Quantity::unknown && brackets.empty()) {
+        role.unknown_unit = odd_unit_behind(outside);
+    }
+    if (unit.quantity == Quantity::unknown && role.unknown_unit.empty()) {
+        unit = unit_behind(outside, outside);
+    }
+    auto const words = quantity_in_name(outside);
+    role.component = component_in(name);
+    bool const told_by_word = words == Quantity::spectrum || words == Quantity::hazard || words == Quantity::index;
+    role.quantity = unit.quantity == Quantity::unknown || told_by_word ? words : unit.quantity;
+    if (outside.empty() && unit.quantity == Quantity::unknown && !brackets.empty()) {
+        role.quantity = Quantity::unknown;
+    }
+    role.unit =
+        unit.quantity == role.quantity && unit.quantity != Quantity::unknown ? std::optional(unit.si) : std::nullopt;
+    // A word that says one quantity beside the unit of another: neither is to be trusted.
+    bool const motion = (words == Quantity::velocity || words == Quantity::displacement) && !unit_decides(outside);
+    if (unit.quantity == Quantity::acceleration && motion) {
+        role.quantity = words;
+        role.unit.reset();
+    }
+    if (role.quantity == Quantity::counts) {
+        role.unit.reset();
+    }
+    if (role.quantity == Quantity::time || role.quantity == Quantity::index) {
+        role.component = lowered(trimmed(outside)) == "t" && role.quantity == Quantity::time && !role.unit
+                             ? ComponentName{Direction::horizontal, "t"}
+                             : ComponentName{};
+    }
+    return role;
+}
+
+}  // namespace overturn

@@ -1,0 +1,29 @@
+/// One dictionary of the names that components of motion have: SEED codes, compass points and azimuths, axes, words of
+/// several languages.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace overturn {
+
+/// Where a component points to, as far as its name tells.
+enum class Direction { unknown, horizontal, up, down };
+
+struct ComponentName {
+    Direction direction = Direction::unknown;
+    std::string axis = {};  ///< of horizontal ones: two of the same axis are parallel ("n" of N, NS and HNN)
+};
+
+/// A name that is nothing else: "NS", "N-S", "North-South", "HNE", "BN1", "090", "360 DEG", "N10E", "Trans", "comp2",
+/// "UD", "Z", "DWN". Capitals, blanks, hyphens and underscores do not count.
+[[nodiscard]] ComponentName component_named(std::string_view name);
+
+/// A name with more in it: "acc_EW (gal)", "CH3(UD)", "accX", "TW.TCU049.HNZ". Unknown where its parts contradict each
+/// other ("N-S vertical").
+[[nodiscard]] ComponentName component_in(std::string_view name);
+
+/// The direction of component_named.
+[[nodiscard]] Direction direction_of(std::string_view name);
+
+}  // namespace overturn

@@ -1,0 +1,291 @@
+#include "motion/detail/claim_words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "motion/column_unit.hpp"
+#include "motion/text_lines.hpp"
+
+namespace overturn {
+namespace {
+
+using Text = std::string_view;
+
+constexpr Text letters = "abcdefghijklmnopqrstuvwxyz";
+
+bool is_letter(char c) { return letters.find(c) != Text::npos; }
+
+/// The word that ends before `at`, without blanks, colons and equals signs between.
+Text word_before(Text line, std::size_t at) {
+    auto const end = line.find_last_not_of(" \t:=", at == 0 ? 0 : at - 1);
+    if (at == 0 || end == Text::npos || !is_letter(line[end])) {
+        return {};
+    }
+    auto const begin = line.find_last_not_of(letters, end);
+    return line.substr(begin == Text::npos ? 0 : begin + 1, end - (begin == Text::npos ? 0 : begin + 1) + 1);
+}
+
+/// A letter is a unit where it stands in brackets, or behind a word that says so.
+bool is_marked(Text line, std::size_t at, std::size_t length) {
+    bool const bracketed = at > 0 && (line[at - 1] == '(' || line[at - 1] == '[') && at + length < line.size()
+                           && (line[at + length] == ')' || line[at + length] == ']');
+    auto const word = word_before(line, at);
+    constexpr std::array words{"in", "of", "unit", "units", "is", "are"};
+    return bracketed || std::ranges::find(words, word) != words.end();
+}
+
+/// "9.81 m/s2", "300 gal": a quantity, which says nothing of the file's numbers.
+bool is_quantity(Text line, std::size_t at) {
+    auto const end = line.find_last_not_of(" \t", at == 0 ? 0 : at - 1);
+    auto const is_digit = [&](std::size_t i) { return line[i] >= '0' && line[i] <= '9'; };
+    return at > 0 && end != Text::npos && (is_digit(end) || (line[end] == '.' && end > 0 && is_digit(end - 1)));
+}
+
+}  // namespace
+
+void each_unit(Text line, Dimension dimension, std::function<void(double)> const& take) {
+    constexpr Text ends = " \t()[]{},;:=\"|";
+    constexpr std::size_t telling = 3;
+    for (std::size_t at = 0; at < line.size();) {
+        at = std::min(line.find_first_not_of(ends, at), line.size());
+        auto const end = std::min(line.find_first_of(ends, at), line.size());
+        auto word = line.substr(at, end - at);
+        while (word.ends_with('.')) {
+            word.remove_suffix(1);
+        }
+        auto const unit = word.empty() ? std::nullopt : unit_spelled(word, dimension);
+        if (unit && !is_quantity(line, at) && (word.size() >= telling || is_marked(line, at, word.size()))) {
+            take(*unit);
+        }
+        at = end;
+    }
+}
+
+namespace {
+
+constexpr Text number_letters = "0123456789.+-";
+
+/// The number that `text` begins with, "0.005", "5e-3", "1/200", cut off it; nothing if there is none above 0.
+std::optional<double> cut_number(Text& text) {
+    auto end = std::min(text.find_first_not_of(number_letters), text.size());
+    if (end + 1 < text.size() && text[end] == 'e' && number_letters.find(text[end + 1]) != Text::npos) {
+        end = std::min(text.find_first_not_of(number_letters, end + 1), text.size());
+    }
+    double value = 0;
+    if (!parse_number(text.substr(0, end), value) || !(value > 0)) {
+        return std::nullopt;
+    }
+    text = text.substr(end);
+    if (!text.starts_with('/')) {
+        return value;
+    }
+    auto divisor = text.substr(1);
+    auto const parts = cut_number(divisor);
+    if (parts) {
+        text = divisor;
+    }
+    return parts ? value / *parts : value;
+}
+
+/// The step that `text` says behind a key, with or without a unit in brackets, an equals sign or a colon: "(s): 0.005",
+/// "= 5 ms", "of 200 Hz". [s]
+std::optional<double> step_behind(Text text, bool is_rate) {
+    auto const step_of = [](double value, Text unit) -> std::optional<double> {
+        auto const hertz = unit_spelled(unit, Dimension::frequency);
+        auto const seconds = unit_spelled(unit, Dimension::time);
+        return hertz ? std::optional(1 / (value * *hertz)) : seconds ? std::optional(value * *seconds) : std::nullopt;
+    };
+    std::string before;
+    text = trimmed(text);
+    if (text.starts_with('(') || text.starts_with('[')) {
+        auto const close = text.find_first_of(")]");
+        before = text.substr(1, close == Text::npos ? close : close - 1);
+        text = close == Text::npos ? Text{} : trimmed(text.substr(close + 1));
+    } else if (auto const end = text.find_first_of(" \t:="); end != Text::npos && step_of(1, text.substr(0, end))) {
+        before = text.substr(0, end);
+        text = trimmed(text.substr(end));
+    }
+    for (Text const filling : {"of", "is", "=", ":"}) {
+        text = trimmed(text.substr(text.starts_with(filling) ? filling.size() : 0));
+    }
+    auto const value = cut_number(text);
+    if (!value) {
+        return std::nullopt;
+    }
+    auto behind = trimmed(text);
+    behind = behind.substr(0, behind.find_first_of(" \t,;)]."));
+    if (!before.empty()) {
+        return step_of(*value, before);
+    }
+    auto const said = step_of(*value, behind);
+    return said ? said : is_rate ? 1 / *value : *value;
+}
+
+/// "200 samples per second", "200 sps". [s]
+std::optional<double> step_before(Text line, std::size_t at) {
+    auto const end = line.find_last_not_of(" \t", at == 0 ? 0 : at - 1);
+    if (at == 0 || end == Text::npos) {
+        return std::nullopt;
+    }
+    auto const begin = line.find_last_not_of(number_letters, end);
+    auto number = line.substr(begin == Text::npos ? 0 : begin + 1, end - (begin == Text::npos ? 0 : begin + 1) + 1);
+    auto const value = cut_number(number);
+    return value && number.empty() ? std::optional(1 / *value) : std::nullopt;
+}
+
+struct Key {
+    Text text;
+    bool is_rate = false;
+};
+// The more telling ones first.
+constexpr std::array keys{Key{"time increment"},
+                          Key{"time step"},
+                          Key{"timestep"},
+                          Key{"time steps"},
+                          Key{"time interval"},
+                          Key{"sampling interval"},
+                          Key{"sample interval"},
+                          Key{"sampling period"},
+                          Key{"sampling step"},
+                          Key{"equally spaced at"},
+                          Key{"intervals of"},
+                          Key{"points at"},
+                          Key{"delta t"},
+                          Key{"deltat"},
+                          Key{"dt"},
+                          Key{"sampling rate", true},
+                          Key{"sample rate", true},
+                          Key{"samplerate", true},
+                          Key{"sampling frequency", true},
+                          Key{"samples per second", true},
+                          Key{"digitized at", true},
+                          Key{"digitised at", true},
+                          Key{"sampled at", true},
+                          Key{"sampling:", true},
+                          Key{"interval:"},
+                          Key{"intervalo de muestreo"},
+                          Key{"frecuencia de muestreo", true},
+                          Key{"tasa de muestreo", true}};
+constexpr std::array rates{"sps", "samples per second", "samples/s", "samples/sec", "samples/second"};
+
+/// Where `text` stands as words of their own.
+std::size_t find_words(Text line, Text text) {
+    auto const at = line.find(text);
+    auto const end = at + text.size();
+    bool const whole =
+        at != Text::npos && (at == 0 || !is_letter(line[at - 1])) && (end == line.size() || !is_letter(line[end]));
+    return whole ? at : Text::npos;
+}
+
+}  // namespace
+
+std::optional<double> step_in(std::string line) {
+    std::ranges::replace(line, '_', ' ');
+    for (auto const& key : keys) {
+        if (auto const at = find_words(line, key.text); at != Text::npos) {
+            if (auto const step = step_behind(Text(line).substr(at + key.text.size()), key.is_rate)) {
+                return step;
+            }
+        }
+    }
+    for (Text const rate : rates) {
+        if (auto const at = find_words(line, rate); at != Text::npos) {
+            if (auto const step = step_before(line, at)) {
+                return step;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+namespace {
+
+constexpr std::array count_keys{"npts",
+                                "number of points",
+                                "number of data",
+                                "number of samples",
+                                "number of values",
+                                "no. of points",
+                                "no of points",
+                                "no. of data",
+                                "no. of samples",
+                                "no. of values",
+                                "num. of points",
+                                "nsamples",
+                                "num points",
+                                "sample count",
+                                "data points",
+                                "number of acceleration data",
+                                "numero de muestras",
+                                "n\xC3\xBAmero de muestras",
+                                "ndata"};
+constexpr std::array counted{"samples", "points", "pts", "values", "data points"};
+
+std::optional<std::size_t> whole(Text digits) {
+    constexpr double most = 1e12;
+    double value = 0;
+    bool const read = parse_number(digits, value) && value >= 1 && value <= most && value == std::floor(value);
+    return read ? std::optional(static_cast<std::size_t>(value)) : std::nullopt;
+}
+
+/// "200 samples per second" counts nothing.
+bool is_rate(Text behind) {
+    behind = trimmed(behind);
+    return behind.starts_with("per") || behind.starts_with("/");
+}
+
+}  // namespace
+
+std::optional<std::size_t> count_in(std::string line) {
+    std::ranges::replace(line, '_', ' ');
+    for (Text const key : count_keys) {
+        if (auto const at = find_words(line, key); at != Text::npos) {
+            auto behind = Text(line).substr(at + key.size());
+            behind = behind.substr(std::min(behind.find_first_not_of(" \t:=()"), behind.size()));
+            if (auto const count = whole(behind.substr(0, behind.find_first_of(" \t,;")))) {
+                return count;
+            }
+        }
+    }
+    for (Text const word : counted) {
+        auto const at = find_words(line, word);
+        if (at == Text::npos || at == 0 || is_rate(Text(line).substr(at + word.size()))) {
+            continue;
+        }
+        auto const before = trimmed(Text(line).substr(0, at));
+        auto const begin = before.find_last_not_of("0123456789");
+        auto const digits = begin == Text::npos ? before : before.substr(begin + 1);
+        bool const alone = begin == Text::npos || Text(" \t,(=:").find(before[begin]) != Text::npos;
+        if (auto const count = whole(digits); count && alone) {
+            return count;
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<double> peak_in(Text line) {
+    constexpr std::array keys_of_peaks{"pga",     "peak ground acceleration", "peak acceleration", "max. acc",
+                                       "max acc", "maximum acceleration",     "peak value"};
+    for (Text const key : keys_of_peaks) {
+        auto at = find_words(line, key);
+        if (at == Text::npos) {
+            continue;
+        }
+        auto const colon = line.find_first_of(":=", at);
+        if (colon == Text::npos) {
+            continue;
+        }
+        auto behind = trimmed(line.substr(colon + 1));
+        behind = behind.substr(0, behind.find_first_of(" \t,;"));
+        double value = 0;
+        if (parse_number(behind, value) && value != 0) {
+            return std::abs(value);
+        }
+    }
+    return std::nullopt;
+}
+
+bool holds_word(Text line, Text word) { return find_words(line, word) != Text::npos; }
+
+}  // namespace overturn

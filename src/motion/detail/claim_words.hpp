@@ -1,0 +1,30 @@
+/// What one line of prose says, word by word. Every function takes a line in lower case.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/units.hpp"
+
+namespace overturn {
+
+/// Hands out the SI value of each unit of the dimension: "in m/s/s", "(gal)", "units: g". Short ones, "g", "mg", "cm",
+/// count only where words or brackets say so; "9.81 m/s2" is a quantity and counts not at all.
+void each_unit(std::string_view line, Dimension dimension, std::function<void(double)> const& take);
+
+/// "dt = 0.005", "Time Increment (s): 0.005", "sampling rate 100 Hz", "points at 0.02 sec", "200 sps" [s]
+[[nodiscard]] std::optional<double> step_in(std::string line);
+
+/// "npts: 2500", "NUMBER OF DATA : 3000", "3000 samples"
+[[nodiscard]] std::optional<std::size_t> count_in(std::string line);
+
+/// "PGA (gal): 13.2", "peak value: 53.138": in the unit of the line, or of the numbers. Its sign is left out.
+[[nodiscard]] std::optional<double> peak_in(std::string_view line);
+
+/// Does it hold the word, or the words, as such?
+[[nodiscard]] bool holds_word(std::string_view line, std::string_view word);
+
+}  // namespace overturn

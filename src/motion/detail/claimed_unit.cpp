@@ -1,0 +1,140 @@
+#include "motion/detail/claimed_unit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "core/units.hpp"
+#include "motion/column_unit.hpp"
+#include "motion/component_name.hpp"
+
+namespace overturn {
+namespace {
+
+using Text = std::string_view;
+
+constexpr Text edges = " \t:=.#!;,\"'";
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+Text without_edges(Text text) {
+    text = text.substr(std::min(text.find_first_not_of(edges), text.size()));
+    auto const end = text.find_last_not_of(" \t:=;,.\"'");
+    return end == Text::npos ? Text{} : text.substr(0, end + 1);
+}
+
+/// What stands in the outermost brackets.
+std::vector<Text> in_brackets(Text line) {
+    std::vector<Text> found;
+    int depth = 0;
+    std::size_t open = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        bool const opens = line[i] == '(' || line[i] == '[';
+        bool const closes = line[i] == ')' || line[i] == ']';
+        open = opens && depth == 0 ? i : open;
+        depth += opens ? 1 : closes ? -1 : 0;
+        if (closes && depth == 0) {
+            found.push_back(line.substr(open + 1, i - open - 1));
+        }
+        depth = std::max(depth, 0);
+    }
+    return found;
+}
+
+/// Behind "unit", "units of", "unit =".
+Text behind_key(Text line) {
+    auto const at = line.find("unit");
+    if (at == Text::npos || (at > 0 && is_letter(line[at - 1]))) {
+        return {};
+    }
+    auto rest = line.substr(at + Text("unit").size());
+    rest = rest.substr(rest.starts_with('s') ? 1 : 0);
+    bool const said = !rest.empty() && Text(" :=").find(rest.front()) != Text::npos;
+    rest = without_edges(rest);
+    for (Text const word : {"are ", "is ", "of ", "in "}) {
+        rest = rest.substr(rest.starts_with(word) ? word.size() : 0);
+    }
+    return said ? without_edges(rest) : Text{};
+}
+
+Text behind_in(Text line) {
+    auto const at = line.find(" in ");
+    return at == Text::npos ? Text{} : without_edges(line.substr(at + Text(" in ").size()));
+}
+
+std::vector<Text> between_commas(Text line) {
+    std::vector<Text> parts;
+    while (!line.empty()) {
+        auto const end = std::min(line.find_first_of(",;"), line.size());
+        parts.push_back(without_edges(line.substr(0, end)));
+        line = line.substr(std::min(end + 1, line.size()));
+    }
+    return parts;
+}
+
+bool is_compound(Text text) { return text.find_first_of("/^%*0123456789") != Text::npos; }
+
+}  // namespace
+
+bool looks_like_unit(std::string_view text) {
+    constexpr auto letters = std::to_array<Text>(
+        {"m",  "cm", "mm",  "um",  "nm",     "in",      "ft",    "g",      "gal",   "mgal",   "gals",  "s",       "sec",
+         "gn", "mg", "e",   "x",   "second", "seconds", "meter", "meters", "metre", "metres", "per",   "squared", "sq",
+         "v",  "mv", "rad", "deg", "pa",     "kpa",     "n",     "kn",     "hz",    "count",  "counts"});
+    bool any = false;
+    for (std::size_t at = 0; at < text.size();) {
+        auto const begin = at;
+        while (at < text.size() && is_letter(text[at])) {
+            ++at;
+        }
+        if (at > begin) {
+            any = true;
+            if (std::ranges::find(letters, text.substr(begin, at - begin)) == letters.end()) {
+                return false;
+            }
+        } else if (static_cast<unsigned char>(text[at++]) >= 0x80) {
+            return false;
+        }
+    }
+    return any && component_named(text).direction == Direction::unknown;
+}
+
+ClaimedUnit claimed_unit(std::string_view lower) {
+    ClaimedUnit claimed;
+    auto const take = [&](Text text, bool is_unit) {
+        text = without_edges(text);
+        auto const si = text.empty() ? std::nullopt : unit_spelled(text, Dimension::acceleration);
+        claimed.si = claimed.si ? claimed.si : si;
+        if (!si && is_unit && looks_like_unit(text) && !unit_spelled(text, Dimension::time)
+            && !unit_spelled(text, Dimension::frequency)) {
+            claimed.unknown = text;
+        }
+    };
+    bool const of_accelerations = lower.find("acc") != Text::npos;
+    take(behind_key(lower), true);
+    take(behind_in(lower), of_accelerations);
+    for (auto const text : in_brackets(lower)) {
+        take(text, of_accelerations);
+    }
+    for (auto const text : between_commas(lower)) {
+        if (text.starts_with("% ")) {
+            continue;  // a comment's mark, or per cent?
+        }
+        take(text, is_compound(text) && text.find_first_of("abcdefghijklmnopqrstuvwxyz") != Text::npos
+                       && text.size() == without_edges(lower).size());
+    }
+    // "acceleration g/10"; "acceleration 9.81 m/s2" is a quantity, or a factor
+    auto const last = lower.find_last_of(" \t");
+    if (of_accelerations && last != Text::npos) {
+        auto const word = lower.substr(last + 1);
+        auto const before = trimmed(lower.substr(0, last));
+        bool const factor = !before.empty() && before.back() >= '0' && before.back() <= '9';
+        take(!factor && word.find_first_of("()[]") == Text::npos && (is_compound(word) || word == "g" || word == "gn")
+                 ? word
+                 : Text{},
+             true);
+    }
+    return claimed;
+}
+
+}  // namespace overturn

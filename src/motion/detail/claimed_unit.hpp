@@ -1,0 +1,22 @@
+/// The unit that a line of prose states for the numbers below it, known or not.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace overturn {
+
+struct ClaimedUnit {
+    std::optional<double> si = {};  ///< of accelerations [m/s2]
+    std::string unknown = {};       ///< what stands where a unit does and is none that is known: "g/10", "1e-3 g"
+};
+
+/// Behind "units", in brackets or behind "in" in a line on accelerations, between commas, or as the whole line: "units:
+/// m s-2", "acceleration (% g)", "dt=0.01, g", "g". \param lower a line in lower case
+[[nodiscard]] ClaimedUnit claimed_unit(std::string_view lower);
+
+/// Looks it like a unit, known or not: letters of units alone, beside figures and signs?
+[[nodiscard]] bool looks_like_unit(std::string_view text);
+
+}  // namespace overturn

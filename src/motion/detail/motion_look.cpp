@@ -1,0 +1,58 @@
+#include "motion/detail/motion_look.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace overturn {
+
+std::string_view no_motion(std::span<double const> values) {
+    constexpr std::size_t telling = 20;
+    if (values.size() < telling) {
+        return {};
+    }
+    auto const [least, most] = std::ranges::minmax(values);
+    if (least == most) {
+        return "one value throughout";
+    }
+    if (std::ranges::is_sorted(values) || std::ranges::is_sorted(values, std::ranges::greater{})) {
+        return only_rising;
+    }
+    if (least >= 0 || most <= 0) {
+        return "values of one sign throughout";
+    }
+    double sum = 0;
+    double squares = 0;
+    for (double const value : values) {
+        sum += value;
+        squares += value * value;
+    }
+    auto const count = static_cast<double>(values.size());
+    constexpr double off_zero = 0.5;  // of the root mean square; a noisy baseline's offset stays far below
+    return std::abs(sum / count) > off_zero * std::sqrt(squares / count) ? "values about another one than zero"
+                                                                         : std::string_view{};
+}
+
+bool rises_evenly(std::vector<double> const& values) {
+    constexpr std::size_t fewest = 2;
+    bool even = values.size() >= fewest && values[1] > values[0];
+    for (std::size_t i = 2; even && i < values.size(); ++i) {
+        constexpr double printed = 0.1;  // of a step
+        double const step = values[1] - values[0];
+        even = values[i] > values[i - 1]
+               && std::abs(values[i] - values[0] - static_cast<double>(i) * step)
+                      <= printed * step * static_cast<double>(i);
+    }
+    return even;
+}
+
+bool counts_rows(std::vector<double> const& values) {
+    for (std::size_t row = 1; row < values.size(); ++row) {
+        if (values[row] != values[row - 1] + 1) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace overturn

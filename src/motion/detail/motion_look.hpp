@@ -1,0 +1,23 @@
+/// Does a column look like a motion, like times or like a count? For numbers that nothing calls accelerations.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace overturn {
+
+/// Of a time or of a count, whatever it is called.
+inline constexpr std::string_view only_rising = "values that only rise or only fall";
+
+/// Why it looks like none: it never changes its sign, only rises, or swings about another value than zero; empty if it
+/// may be one. Less than 20 numbers tell nothing.
+[[nodiscard]] std::string_view no_motion(std::span<double const> values);
+
+/// As times do: in equal steps, up to what printing costs.
+[[nodiscard]] bool rises_evenly(std::vector<double> const& values);
+
+/// Each is one more than the one before.
+[[nodiscard]] bool counts_rows(std::vector<double> const& values);
+
+}  // namespace overturn

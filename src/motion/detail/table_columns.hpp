@@ -1,0 +1,45 @@
+/// Which column of a table is the time, which a component and which neither: by names, by what the user states, by its
+/// look for a time; never by its place.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "motion/claims.hpp"
+#include "motion/column_role.hpp"
+#include "motion/record.hpp"
+#include "motion/text_table.hpp"
+
+namespace overturn {
+
+struct PlacedColumn {
+    std::size_t column = 0;
+    ColumnRole role;
+};
+
+struct TableColumns {
+    std::optional<std::size_t> time;
+    std::vector<PlacedColumn> motions;
+    std::vector<std::string> left_out;  ///< names of columns that are neither
+    std::vector<ColumnRole> roles;      ///< of all, if they are named
+    int names_line = 0;
+    bool stated = false;  ///< by the user
+};
+
+/// The names above the numbers, taken out of the claims' lines; none if no line of as many names is there.
+/// \throws InputError at a line of names of another number
+[[nodiscard]] TableColumns named_columns(TextTable const& table, RecordRequest const& request);
+
+/// Of comp1, comp2 and comp3, or BN1, BN2 and BN3, any may be the vertical: their names tell nothing.
+void forget_numbered(std::vector<ColumnRole>& roles);
+
+/// "State --columns time,h1,v, with - for what is none", for messages.
+[[nodiscard]] std::string how_to_state(RecordRequest const& request, std::size_t count);
+
+/// Fills time, motions and left_out. \throws InputError if a column cannot be told, with what to state, or if what the
+/// request states contradicts a name
+void place_columns(TextTable const& table, Claims const& claims, RecordRequest const& request, TableColumns& columns);
+
+}  // namespace overturn

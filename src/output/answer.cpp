@@ -1,0 +1,250 @@
+#include "output/answer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "campaign/assumptions.hpp"
+#include "campaign/validated_range.hpp"
+#include "core/wrapped.hpp"
+#include "output/detail/answer_cells.hpp"
+#include "output/detail/answer_parts.hpp"
+#include "results/few_waves.hpp"
+
+namespace overturn::output {
+namespace {
+
+std::string trimmed_end(std::string text) {
+    text.erase(text.find_last_not_of(' ') + 1);
+    return text + "\n";
+}
+
+// Both ends stay: names that number things differ at the end.
+std::string shortened(std::string const& name, std::size_t most) {
+    if (name.size() <= most) {
+        return name;
+    }
+    auto const tail = (most - 2) / 2;
+    return name.substr(0, most - 2 - tail) + ".." + name.substr(name.size() - tail);
+}
+
+std::string count_text(std::int64_t waves) { return fmt::format("{} wave{}", waves, waves == 1 ? "" : "s"); }
+
+// What one body needs of rows.
+enum class Detail { all, probabilities, overturning };
+
+class SheetMaker {
+  public:
+    SheetMaker(Answered const& of, std::size_t most_rows)
+        : of_(of), most_rows_(most_rows), levels_(answer_levels(of.spec.levels)) {}
+
+    [[nodiscard]] AnswerSheet sheet() {
+        sheet_.title = title();
+        sheet_.head = {of_.spec.levels.measure_label(), ""};
+        for (auto const l : levels_) {
+            sheet_.head.push_back(heading(of_.spec.levels, l));
+        }
+        add_rows();
+        sheet_.dependence = dependence();
+        return std::move(sheet_);
+    }
+
+  private:
+    [[nodiscard]] std::string title() const {
+        auto const waves = of_.statistics.waves().text(of_.spec.source->acceptance(), of_.confidence);
+        return fmt::format("{}; {:g} % intervals; slip and tilt: median / 95th percentile (<= its upper end)",
+                           waves.empty() ? count_text(of_.statistics.waves().waves) : waves, 100 * of_.confidence);
+    }
+
+    // "600 gal = design", "900 gal = 1.5 x"
+    static std::string heading(LevelSpec const& levels, std::size_t level) {
+        auto const base = std::ranges::find(levels.levels, LevelClass::design_basis, &Level::purpose);
+        auto const value = levels.levels[level].value;
+        return levels.text(value)
+               + (base == levels.levels.end() ? std::string()
+                  : base->value == value      ? std::string(" = design")
+                                              : fmt::format(" = {:.3g} x", value / base->value));
+    }
+
+    [[nodiscard]] std::size_t rows_of(Detail detail) const {
+        auto const limits = of_.spec.limits.size();
+        constexpr std::size_t responses_and_capacity = 3;
+        return detail == Detail::all ? limits + responses_and_capacity : detail == Detail::probabilities ? limits : 1;
+    }
+
+    void add_rows() {
+        auto const bodies = of_.analysis.size();
+        auto detail = Detail::all;
+        for (auto const less : {Detail::probabilities, Detail::overturning}) {
+            detail = bodies * rows_of(detail) > most_rows_ ? less : detail;
+        }
+        auto const shown = most_first(std::min(bodies, most_rows_ / rows_of(detail)));
+        for (auto const b : shown) {
+            add_body(b, detail);
+        }
+        if (shown.size() < bodies) {
+            sheet_.left_out = fmt::format(
+                "{} more bodies, with lower P, and other rows: --section stripes, responses, "
+                "curves",
+                bodies - shown.size());
+        } else if (detail != Detail::all) {
+            sheet_.left_out = "slip, tilt, HCLPF and other limits: --section stripes, responses, curves";
+        }
+    }
+
+    // Bodies in their order; where they are too many, those with the highest P.
+    [[nodiscard]] std::vector<std::size_t> most_first(std::size_t most) const {
+        std::vector<std::size_t> places(of_.analysis.size());
+        for (std::size_t b = 0; b < places.size(); ++b) {
+            places[b] = b;
+        }
+        if (places.size() > most) {
+            std::ranges::stable_sort(places, std::ranges::greater{}, [&](std::size_t b) {
+                return of_.statistics.bodies()[b].stripes[levels_.back()].interval(of_.confidence).upper;
+            });
+            places.resize(most);
+            std::ranges::sort(places);
+        }
+        return places;
+    }
+
+    template <class Cell> void add_row(std::string const& body, std::string const& name, Cell cell) {
+        std::vector<std::string> row{body, name};
+        for (auto const l : levels_) {
+            row.push_back(cell(l));
+        }
+        sheet_.rows.push_back(std::move(row));
+    }
+
+    void add_body(std::size_t b, Detail detail) {
+        auto const& body = of_.analysis[b];
+        auto const& counted = of_.statistics.bodies()[b];
+        auto const limits = detail == Detail::overturning ? 1 : of_.spec.limits.size();
+        for (std::size_t limit = 0; limit < limits; ++limit) {
+            auto const name = limit == 0 ? std::string("overturn") : of_.spec.limits[limit].name;
+            add_row(limit == 0 ? body.body : "", "P(" + name + ")",
+                    [&](std::size_t l) { return probability_text(counted.stripes_of(limit)[l], of_.confidence); });
+        }
+        if (detail != Detail::all) {
+            return;
+        }
+        if (!are_few_records(of_.spec, of_.statistics.waves().waves)) {  // else each is a row of its own below
+            add_responses(b);
+        }
+        auto const* const f = frequency_at(of_, body.body, overturning_limit);
+        sheet_.rows.push_back(
+            {"", "HCLPF",
+             hclpf_text(body.over_levels()) + (f == nullptr ? std::string() : "; overturns " + frequency_words(*f))});
+    }
+
+    void add_responses(std::size_t b) {
+        auto const& body = of_.analysis[b];
+        auto const percentiles = [&](char const* quantity, double unit, double least) {
+            return [=, &body](std::size_t l) { return percentiles_text(quantiles_at(body, quantity, l), unit, least); };
+        };
+        add_row("", "slip [mm]", percentiles("peak_slip", 1e-3, 0.1));
+        // Where alpha is drawn too, the stored ratio is not of one angle.
+        bool const drawn = !of_.spec.bodies[b].scattering().empty();
+        auto const alpha = of_.spec.bodies[b].body.alpha_rad();
+        add_row("", drawn ? "tilt / alpha" : "tilt [deg]",
+                percentiles("peak_rotation_ratio", drawn ? 1 : pi / 180 / alpha, 0.01));
+    }
+
+    // What the numbers rest on.
+    [[nodiscard]] std::string dependence() const {
+        auto text =
+            fmt::format("Waves: {}. {}.", of_.spec.source->variability(), text_of(tally_of(physical_inputs(of_.spec))));
+        auto const outside = outside_validated_range(of_.spec);
+        if (!outside.empty()) {
+            auto const more = outside.size() - 1;
+            text += fmt::format(" Outside the range of the shaking-table tests: {}{}.", outside.front(),
+                                more == 0   ? std::string()
+                                : more == 1 ? std::string("; and another body")
+                                            : fmt::format("; and {} more bodies", more));
+        }
+        return text;
+    }
+
+    Answered const& of_;
+    std::size_t most_rows_;
+    std::vector<std::size_t> levels_;
+    AnswerSheet sheet_;
+};
+
+// Columns of names as wide as they need, within what three levels leave of a line.
+struct Widths {
+    static constexpr std::size_t cell = 22, names = 31, most_of_body = 18;
+    std::size_t body = 4, row = 0;
+
+    explicit Widths(AnswerSheet const& sheet) {
+        body = std::clamp(sheet.head[0].size(), body, most_of_body);
+        for (auto const& line : sheet.rows) {
+            body = std::clamp(line[0].size(), body, most_of_body);
+        }
+        for (auto const& line : sheet.rows) {
+            row = std::clamp(line[1].size(), row, names - 1 - body);
+        }
+    }
+    [[nodiscard]] std::string line(std::vector<std::string> const& parts) const {
+        // "P(hits n..hbour)": the name inside is shortened.
+        auto const& name = parts[1];
+        auto const what = name.size() <= row ? name : "P(" + shortened(name.substr(2, name.size() - 3), row - 3) + ")";
+        auto text = fmt::format("{:<{}} {:<{}}", shortened(parts[0], body), body, what, row);
+        for (std::size_t p = 2; p < parts.size(); ++p) {
+            text += fmt::format(" {:<{}}", parts[p], cell);
+        }
+        return trimmed_end(text);
+    }
+};
+
+}  // namespace
+
+std::vector<std::size_t> answer_levels(LevelSpec const& levels) {
+    constexpr std::size_t most = 3;
+    auto const count = levels.levels.size();
+    std::vector<std::size_t> places;
+    auto const add = [&](std::size_t place) {
+        if (places.size() < most && place < count && std::ranges::find(places, place) == places.end()) {
+            places.push_back(place);
+        }
+    };
+    std::size_t first = 0;
+    for (auto const purpose : {LevelClass::design_basis, LevelClass::beyond_design}) {
+        for (std::size_t l = 0; l < count; ++l) {
+            if (levels.levels[l].purpose == purpose) {
+                add(l);
+                first = purpose == LevelClass::design_basis ? l : first;
+            }
+        }
+    }
+    if (places.empty()) {
+        add(0);
+    }
+    add(count - 1);
+    add(first + (count - 1 - first) / 2);
+    std::ranges::sort(places);
+    return places;
+}
+
+AnswerSheet answer_sheet(Answered const& of, std::size_t most_rows) {
+    return of.spec.is_grid() || of.analysis.empty() ? AnswerSheet{} : SheetMaker(of, most_rows).sheet();
+}
+
+std::string answer_text(Answered const& of) {
+    constexpr std::size_t most_rows = 12;  // with title, levels and a note of what was left out: 15 lines
+    auto const sheet = answer_sheet(of, most_rows);
+    if (sheet.rows.empty()) {
+        return {};
+    }
+    auto text = of.spec.title.empty() ? std::string() : shortened(of.spec.title, line_width) + "\n";
+    text += wrapped(sheet.title);
+    Widths const widths(sheet);
+    text += widths.line(sheet.head);
+    for (auto const& row : sheet.rows) {
+        text += widths.line(row);
+    }
+    return text + (sheet.left_out.empty() ? std::string() : sheet.left_out + "\n") + wrapped(sheet.dependence);
+}
+
+}  // namespace overturn::output

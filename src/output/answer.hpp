@@ -1,0 +1,52 @@
+/// The answer that a campaign is run for: how each body does at the design basis and beyond.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "output/table.hpp"
+#include "results/analysis.hpp"
+#include "results/hazard_frequency.hpp"
+#include "results/statistics.hpp"
+
+namespace overturn::output {
+
+/// Levels that the answer is given at: the design basis and named levels beyond it, then the highest and a middle one,
+/// three at most. Without a named level: the lowest, a middle one and the highest. Places, rising.
+[[nodiscard]] std::vector<std::size_t> answer_levels(LevelSpec const& levels);
+
+/// What the answer is made of; all outlive it.
+struct Answered {
+    CampaignSpec const& spec;
+    Statistics const& statistics;
+    std::span<BodyAnalysis const> analysis;
+    double confidence = 0.95;
+    std::span<BodyFrequency const> frequencies = {};  ///< where there is a hazard curve
+};
+
+/// The answer as people read it: rows of P of overturning and of every limit state with its interval, median and 95th
+/// percentile of slip and tilt, HCLPF, annual frequency.
+struct AnswerSheet {
+    std::string title;              ///< how many waves, which intervals
+    std::vector<std::string> head;  ///< the levels' measure, nothing, and a level for each further column
+    /// Body, what, and a cell for each level; or one cell for all (HCLPF). A row without a body is of the one above.
+    std::vector<std::vector<std::string>> rows;
+    std::string left_out;    ///< what rows were left out, and where they are; empty: none
+    std::string dependence;  ///< what the numbers depend on
+};
+/// Empty where waves are points of a grid, which are no sample. \param most_rows where bodies are many, rows are left
+/// out
+[[nodiscard]] AnswerSheet answer_sheet(Answered const& of, std::size_t most_rows);
+
+/// The same for the terminal: at most 15 lines of at most 100 columns, then what the numbers depend on.
+[[nodiscard]] std::string answer_text(Answered const& of);
+
+/// The same in SI: a row for each body, limit state and level.
+[[nodiscard]] Table answer_table(Answered const& of);
+
+/// "< 0.0092 (0 of 400)", "0.11 [0.0838, 0.145]", "not known". Ends of the interval are rounded outwards.
+[[nodiscard]] std::string probability_text(Stripe const& stripe, double confidence);
+
+}  // namespace overturn::output

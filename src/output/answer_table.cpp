@@ -1,0 +1,73 @@
+#include <limits>
+
+#include "output/answer.hpp"
+#include "output/detail/answer_parts.hpp"
+
+namespace overturn::output {
+
+Table answer_table(Answered const& of) {
+    struct Row {
+        BodyAnalysis const* body;
+        std::string limit;
+        std::size_t level;
+        Stripe const* stripe;
+        BodyFrequency const* frequency;
+        std::optional<double> hclpf;
+    };
+    std::vector<Row> rows;
+    std::vector<std::string> bodies, limits;
+    for (auto const& limit : of.spec.limits) {
+        limits.push_back(limit.name);
+    }
+    for (std::size_t b = 0; b < of.analysis.size() && !of.spec.is_grid(); ++b) {
+        auto const& body = of.analysis[b];
+        bodies.push_back(body.body);
+        for (std::size_t limit = 0; limit < limits.size(); ++limit) {
+            for (auto const l : answer_levels(of.spec.levels)) {
+                rows.push_back({&body, limits[limit], l, &of.statistics.bodies()[b].stripes_of(limit)[l],
+                                frequency_at(of, body.body, limits[limit]), body.curves_of(limit).front().fit.hclpf()});
+            }
+        }
+    }
+    TableOf<Row> table(
+        {.name = "answer", .constants = {{"units", of.spec.levels.units()}, {"confidence", of.confidence}}}, rows);
+    auto const percentile = [](char const* quantity, bool median) {
+        return [=](Row const& row) -> std::optional<double> {
+            auto const* const at = quantiles_at(*row.body, quantity, row.level);
+            if (at == nullptr || at->trials == 0) {
+                return std::nullopt;
+            }
+            auto const value = (median ? at->quantiles.front() : at->quantiles.back()).value;
+            return value >= at->fallen ? std::numeric_limits<double>::infinity() : value;
+        };
+    };
+    table.category("body", "the body", bodies, [](Row const& row) { return row.body->body; })
+        .category("limit", "the limit state", limits, [](Row const& row) { return row.limit; })
+        .add("amplitude", stated_unit(of.spec.levels.units()), "value of the level",
+             [](Row const& row) { return row.stripe->amplitude; })
+        .category(
+            "purpose", "what the level is for",
+            {name_of(LevelClass::ordinary), name_of(LevelClass::design_basis), name_of(LevelClass::beyond_design)},
+            [&](Row const& row) { return name_of(of.spec.levels.levels[row.level].purpose); })
+        .add("trials", "1", "trials there", [](Row const& row) { return row.stripe->trials; })
+        .add("passed", "1", "of them passed the limit", [](Row const& row) { return row.stripe->overturned; })
+        .add("undecided", "1", "of them without a verdict",
+             [](Row const& row) { return row.stripe->trials - row.stripe->decided(); })
+        .add("probability", "1", "P of the limit state", [](Row const& row) { return row.stripe->probability(); })
+        .add("", "1", "its exact interval", [&](Row const& row) { return row.stripe->interval(of.confidence); })
+        .add("peak_slip_median", "m", "median of the peak slip; infinite: overturned", percentile("peak_slip", true))
+        .add("peak_slip_p95", "m", "95th percentile of it", percentile("peak_slip", false))
+        .add("peak_rotation_ratio_median", "1", "median of the peak tilt over alpha; infinite: overturned",
+             percentile("peak_rotation_ratio", true))
+        .add("peak_rotation_ratio_p95", "1", "95th percentile of it", percentile("peak_rotation_ratio", false))
+        .add("hclpf", stated_unit(of.spec.levels.units()), "HCLPF of the limit state; NaN: not known",
+             [](Row const& row) { return row.hclpf; })
+        .add("annual_frequency", "1/a", "times a year, where a hazard curve is given", [](Row const& row) {
+            return row.frequency == nullptr
+                       ? std::optional<Interval>()
+                       : std::optional(row.frequency->mean ? row.frequency->interval : row.frequency->seen);
+        });
+    return table.take();
+}
+
+}  // namespace overturn::output

@@ -1,0 +1,87 @@
+#include "output/criterion_text.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace overturn::output {
+namespace {
+
+std::string share_line(char const* what, Share const& share) {
+    if (share.of == 0) {
+        return fmt::format("    {}: no such trials\n", what);
+    }
+    auto const ends = std::isnan(share.interval.lower)
+                          ? std::string()
+                          : fmt::format(" [{:.3g}, {:.3g}]", share.interval.lower, share.interval.upper);
+    return fmt::format("    {}: {} of {} = {:.3g}{}\n", what, share.count, share.of, share.value(), ends);
+}
+
+std::string criterion_text(MeasuredCriterion const& criterion) {
+    auto const& s = criterion.study;
+    auto text = fmt::format("  criterion {} < v_ereq, R of T0 and T1 in {}\n", in_any_unit(criterion.measure)->name,
+                            name_of(criterion.radius_unit));
+    text += share_line("false safe", s.safe_but_overturned);
+    text += share_line("  of trials that uplifted", s.safe_uplifted_but_overturned);
+    text += share_line("  of waves with an uplifted trial", s.waves_safe_uplifted_but_overturned);
+    text += share_line("false alarm", s.unsafe_but_stood);
+    if (s.at_overturning) {
+        auto const line = [](char const* what, RatioQuantiles const& q) {
+            return fmt::format("    ratio {}: lowest {:.3g}, 5 % {:.3g}, median {:.3g}, 95 % {:.3g} ({})\n", what,
+                               q.lowest, q.p05, q.median, q.p95, q.count);
+        };
+        text += line("at overturning, trials", *s.at_overturning);
+        text += line("at the first overturning, waves", *s.first_overturning);
+    }
+    return text;
+}
+
+std::string response_text(std::vector<ResponseBin> const& bins) {
+    if (bins.empty()) {
+        return {};
+    }
+    auto const spread = [](std::optional<RatioQuantiles> const& q) {
+        return q ? fmt::format("{:.3f} {:.3f} {:.3f} ({})", q->p05, q->median, q->p95, q->count) : std::string("-");
+    };
+    auto text = fmt::format(
+        "  V_resp / V_Ereq of trials that moved but did not overturn: 5th, 50th, 95th percentile (trials)\n  {:>16} "
+        "{:>30} {:>30} {:>11}\n",
+        "V_WES / V_Ereq", "without slip", "with slip", "overturned");
+    for (auto const& bin : bins) {
+        auto const range = std::isfinite(bin.to) ? fmt::format("{:.2f} to {:.2f}", bin.from, bin.to)
+                                                 : fmt::format("{:.2f} and above", bin.from);
+        text += fmt::format("  {:>16} {:>30} {:>30} {:>11}\n", range, spread(bin.without_slip), spread(bin.with_slip),
+                            bin.overturned);
+    }
+    return text;
+}
+
+std::string verdict_text(CriterionVerdict const& verdict) {
+    std::string text;
+    auto const add = [&](char const* heading, std::vector<std::string> const& sentences) {
+        for (auto const& sentence : sentences) {
+            text += fmt::format("    {} {}\n", heading, sentence);
+        }
+    };
+    add("for:    ", verdict.supports);
+    add("against:", verdict.against);
+    add("open:   ", verdict.open);
+    return text.empty() ? text : "  is V_WES practical and conservative?\n" + text;
+}
+
+}  // namespace
+
+std::string criteria_text(std::span<BodyAnalysis const> bodies) {
+    std::string text;
+    for (auto const& body : bodies) {
+        text += fmt::format("\n{}\n", body.body);
+        for (auto const& criterion : body.criterion) {
+            text += criterion_text(criterion);
+        }
+        text += response_text(body.response);
+        text += verdict_text(body.verdict);
+    }
+    return text;
+}
+
+}  // namespace overturn::output

@@ -1,0 +1,207 @@
+#include "output/curve_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "output/detail/outward.hpp"
+#include "results/analysis.hpp"
+
+namespace overturn::output {
+namespace {
+
+std::string end_text(double value) { return std::isfinite(value) ? fmt::format("{:.4g}", value) : "open"; }
+
+std::string ends_text(Interval const& interval, IntensityUnit const& unit = {}) {
+    return fmt::format("[{}, {}]", end_text(unit.of(interval.lower)), end_text(unit.of(interval.upper)));
+}
+
+std::string measure_text(MeasuredFragility const& m) {
+    return m.told.symbol == "1" ? m.label : fmt::format("{} {}", m.label, m.told.symbol);
+}
+
+std::string point_text(MeasuredFragility const& m, std::optional<double> const& intensity) {
+    return intensity ? fmt::format("{:.4g}", m.told.of(*intensity)) : std::string("-");
+}
+
+std::string fit_line(MeasuredFragility const& m) {
+    auto const rank = std::isnan(m.rank_area) ? std::string("-") : fmt::format("{:.3f}", m.rank_area);
+    if (!m.fit.identifiable()) {
+        return fmt::format("{:>20} {:>50}  {:>5}\n", measure_text(m),
+                           "no curve: " + name_of(m.fit.state, m.fit.passing), rank);
+    }
+    auto const& line = *m.fit.line;
+    auto const& ends = m.fit.intervals();
+    return fmt::format("{:>20} {:>9.4g} {:>18} {:>6.3f} {:>17} {:>9} {:>8} {:>9}  {:>5}  {}\n", measure_text(m),
+                       m.told.of(std::exp(line.log_median())), ends_text(ends.median, m.told), line.beta(),
+                       ends_text(ends.beta), point_text(m, m.fit.five_percent_point()), point_text(m, m.fit.hclpf()),
+                       point_text(m, m.fit.one_percent_point()), rank,
+                       fmt::join(names_of(m.fit.flags, m.fit.passing), " "));
+}
+
+// Are there several measures, and did all trials end alike, whatever one draws them over?
+bool end_alike(std::vector<MeasuredFragility> const& fits) {
+    auto const state = fits.front().fit.state;
+    bool const alike = state == FragilityState::none_overturned || state == FragilityState::all_overturned;
+    return alike && fits.size() > 1 && std::ranges::all_of(fits, [&](auto const& m) { return m.fit.state == state; });
+}
+
+// What the draws of the body's quantities add, where they were drawn.
+std::string split_line(MeasuredFragility const& m) {
+    if (!m.split || !m.fit.identifiable()) {
+        return {};
+    }
+    auto const& s = *m.split;
+    std::string shifts;
+    for (std::size_t k = 0; k < s.per_score.size(); ++k) {
+        shifts += fmt::format("{}{} {:+.3f} +- {:.3f}", k == 0 ? "" : ", ", m.drawn.at(k), s.per_score[k],
+                              s.per_score_error[k]);
+    }
+    return fmt::format(
+        "  beta {:.3f} is beta_R {:.3f} (waves) with beta_U {:.3f} (the body){}; ln median per deviation of: {}\n",
+        m.fit.line->beta(), m.fit.beta_r(), m.fit.beta_u_drawn,
+        m.fit.beta_u > m.fit.beta_u_drawn ? fmt::format(", {:.3f} with what is stated", m.fit.beta_u) : "", shifts);
+}
+
+// Never a number that no sample of that size could hold.
+std::string curve_text(double least, double p) {
+    return p < least ? fmt::format("value below {:.2g}", least) : fmt::format("{:.2g}", p);
+}
+
+std::string where_text(MeasuredFragility const& m, SeenBound const& seen) {
+    return seen.from == seen.to ? m.told.text(seen.from)
+                                : fmt::format("{:.4g} to {}", m.told.of(seen.from), m.told.text(seen.to));
+}
+
+// The exact bound that is left where the curve speaks of less than the trials hold.
+std::string bound_text(MeasuredFragility const& m, QuotedProbability const& q) {
+    if (!q.bound && has(m.fit.flags, FragilityFlag::non_monotone)) {
+        return "no bound (P decreases with the level significantly, so that other levels bound nothing)";
+    }
+    auto const why = fmt::format("The fitted value is below 1/(10 n) = {:.2g} and is not reported", q.least);
+    if (!q.bound) {
+        return fmt::format("no bound (no trial there or above). {}", why);
+    }
+    return fmt::format("< {:.3g} ({} at {}{}). {}", rounded_up(q.bound->probability.upper), counts_text(*q.bound),
+                       where_text(m, *q.bound), q.bound->units > q.trials ? ", if P does not decrease" : "", why);
+}
+
+// Behind bounds by what was seen, there or elsewhere.
+std::string exact_text(QuotedProbability const& q, double alike) {
+    if (q.bounds.lower == 0 && q.bounds.upper == 1) {
+        return {};
+    }
+    auto const how = alike > 1 ? fmt::format(" counting {:g} trials as one", alike) : std::string(" exact");
+    return how + (q.pooled || q.source == QuotedProbability::Source::neighbours ? " if P does not decrease" : "");
+}
+
+std::string neighbours_text(MeasuredFragility const& m, Neighbours const& n) {
+    std::vector<std::string> seen;
+    for (auto const* side : {&n.below, &n.above}) {
+        if (side->units > 0) {
+            seen.push_back(
+                fmt::format("{} {}at {}", counts_text(*side), seen.empty() ? "seen " : "", where_text(m, *side)));
+        }
+    }
+    return fmt::format(", {}", fmt::join(seen, " and "));
+}
+
+// What was seen right there, and next above where nothing was either.
+std::string stripe_text(MeasuredFragility const& m, QuotedProbability const& q) {
+    auto const more = q.pooled ? fmt::format(", {:g} of {:g} up to {}", q.pooled->overturned, q.pooled->units,
+                                             m.told.text(q.pooled->to))
+                               : std::string();
+    return fmt::format(", {:g} of {:g} seen there{}", q.overturned, q.trials, more);
+}
+
+std::string quote_line(MeasuredFragility const& m, QuotedProbability const& q) {
+    using Source = QuotedProbability::Source;
+    auto const at = m.quote_base == "v_ereq" ? std::string("V_WES = V_Ereq")
+                                             : fmt::format("{:.3g} x design basis, {} {}", q.quote.multiple, m.name,
+                                                           m.told.text(q.quote.intensity));
+    if (q.curve && !q.probability && q.source != Source::neighbours) {
+        return fmt::format("  P at {}: {}\n", at, bound_text(m, q));
+    }
+    auto const p = q.probability ? fmt::format("{:.3g}", *q.probability)
+                   : q.curve     ? std::string("between")
+                                 : std::string("not identifiable");
+    bool const differs =
+        q.curve && (!q.probability || fmt::format("{:.2g}", *q.probability) != curve_text(q.least, *q.curve));
+    auto const rejected =
+        differs ? fmt::format(" (the fitted {} is not reported)", curve_text(q.least, *q.curve)) : std::string();
+    auto const seen = q.trials > 0                     ? stripe_text(m, q)
+                      : q.source == Source::neighbours ? neighbours_text(m, *q.neighbours)
+                                                       : std::string();
+    auto const bounds = q.source == Source::none ? std::string("no bound")
+                                                 : fmt::format("[{:.3g}, {:.3g}]{}", q.bounds.lower, q.bounds.upper,
+                                                               q.source != Source::curve ? exact_text(q, m.fit.alike)
+                                                               : has(m.fit.flags, FragilityFlag::poor_fit)
+                                                                   ? " by a curve that does not describe the data"
+                                                                   : std::string());
+    return fmt::format("  P at {}: {} {}{}{}{}{}\n", at, p, bounds, seen, rejected,
+                       q.outside_data ? ", outside the data" : "", q.in_tail ? ", in the tail" : "");
+}
+
+// Curves of all limit states.
+std::string body_text(BodyAnalysis const& body, double confidence) {
+    auto const& levels = body.over_levels().fit;
+    auto const of =
+        levels.alike > 1 ? fmt::format("groups of {:g} waves with the same draw", levels.alike) : std::string("waves");
+    auto text = fmt::format(
+        "\n{}: fragility curves from {} {}; confidence intervals by {}\n", body.body, levels.waves, of,
+        levels.method == FragilityFit::Method::bootstrap_by_waves ? "bootstrap over waves" : "profile likelihood");
+    text += fmt::format("  waves differ by {}\n", body.variability);
+    text += body.sigma ? fmt::format("  {}\n", body.sigma->text()) : "";
+    text += fragility_table(body.fragility, confidence);
+    for (auto const& limit : body.limits) {
+        text += fmt::format("  limit state {}: {}\n", limit.name, limit.definition);
+        text += fragility_table(limit.fragility, confidence);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string fragility_table(std::vector<MeasuredFragility> const& fits, double confidence) {
+    auto const& first = fits.front().fit;
+    std::string text = fmt::format("{:>20} {:>9} {:>18} {:>6} {:>17} {:>9} {:>8} {:>9}  {:>5}\n", "fragility", "median",
+                                   fmt::format("{:g} %", 100 * confidence), "beta",
+                                   fmt::format("{:g} %", 100 * confidence), "5 % point", "HCLPF", "1 % point", "rank");
+    if (end_alike(fits)) {
+        text += fmt::format("{:>20} {:>50}\n", "any measure", "no curve: " + name_of(first.state, first.passing));
+    } else {
+        for (auto const& m : fits) {
+            text += fit_line(m);
+        }
+    }
+    if (std::any_of(fits.begin() + 1, fits.end(), [](auto const& m) { return m.fit.identifiable(); })) {
+        text += fmt::format(
+            "  note: curves over measures other than {} depend on the scaling levels and the number of waves at each\n",
+            fits.front().label);
+    }
+    text += split_line(fits.front());
+    for (auto const& m : fits) {
+        for (auto const& quoted : m.fit.quotes) {
+            text += quote_line(m, quoted);
+        }
+    }
+    // What is said of the first, over the levels, mostly holds for the others; their flags stand in their lines.
+    for (auto const& warning : warnings_of(fits.front().fit, fits.front().told, confidence)) {
+        text += fmt::format("  note: {}\n", warning);
+    }
+    return text;
+}
+
+std::string curves_text(std::span<BodyAnalysis const> bodies, double confidence) {
+    std::string text;
+    for (auto const& body : bodies) {
+        text += body.grid ? fmt::format("\n{}: {}\n{}", body.body, grid_text(body.over_levels().fit.waves),
+                                        grid_table(*body.grid))
+                          : body_text(body, confidence);
+    }
+    return text;
+}
+
+}  // namespace overturn::output

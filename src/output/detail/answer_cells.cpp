@@ -1,0 +1,93 @@
+#include "output/detail/answer_cells.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "output/detail/outward.hpp"
+
+namespace overturn::output {
+namespace {
+
+// "19.1", "1280", "<0.1": three digits, never more letters than a column holds.
+std::string number_text(double value, double least) {
+    if (value > 0 && value < least) {
+        return fmt::format("<{:g}", least);
+    }
+    auto const rounded = rounded_up(value);
+    constexpr double most = 1e6;
+    return rounded < most ? fmt::format("{:.{}f}", rounded,
+                                        rounded >= 100 || rounded == 0 ? 0
+                                        : rounded >= 10                ? 1
+                                                                       : 2)
+                          : fmt::format("{:.2g}", rounded);
+}
+
+std::string curve_state(FragilityFit const& fit) {
+    auto text = name_of(fit.state, fit.passing);
+    std::ranges::replace(text, '-', ' ');
+    return text;
+}
+
+}  // namespace
+
+std::string percentiles_text(LevelQuantiles const* at, double unit, double least) {
+    if (at == nullptr) {
+        return "not simulated";
+    }
+    if (at->trials == 0) {
+        return "not known";
+    }
+    auto const text = [&](double value) {
+        return value >= at->fallen ? std::string("fell") : number_text(value / unit, least);
+    };
+    auto const& high = at->quantiles.back();
+    if (high.upper && *high.upper / unit < least) {
+        return text(*high.upper);
+    }
+    auto numbers = text(at->quantiles.front().value) + " / " + text(high.value);
+    if (high.value >= at->fallen) {
+        return numbers;
+    }
+    return numbers + (high.upper ? fmt::format(" (<= {})", text(*high.upper)) : " (no limit)");
+}
+
+std::string hclpf_text(MeasuredFragility const& curve) {
+    auto const& fit = curve.fit;
+    auto const text = [&](double intensity) {
+        return curve.told.text(curve.told.si * rounded_down(curve.told.of(intensity)));
+    };
+    if (!fit.identifiable()) {
+        return fmt::format("no curve ({})", curve_state(fit));
+    }
+    if (!fit.hclpf()) {
+        return fmt::format("needs beta_U (--beta-u); 5 % point {}", text(*fit.five_percent_point()));
+    }
+    auto const& ends = fit.intervals().hclpf;
+    return text(*fit.hclpf()) + (ends ? fmt::format(" (lower end {})", text(ends->lower)) : std::string());
+}
+
+std::string frequency_words(BodyFrequency const& f) {
+    auto const& ends = f.mean ? f.interval : f.seen;
+    return fmt::format("{:.3g} to {:.3g} a year", rounded_down(ends.lower), rounded_up(ends.upper));
+}
+
+std::string probability_text(Stripe const& stripe, double confidence) {
+    if (stripe.decided() == 0) {
+        return "not known";
+    }
+    auto const ends = stripe.interval(confidence);
+    auto const undecided = stripe.trials - stripe.decided();
+    auto const seen = undecided > 0 ? fmt::format("({} undecided)", undecided)
+                                    : fmt::format("({} of {})", stripe.overturned, stripe.trials);
+    if (stripe.overturned == 0) {
+        return fmt::format("< {:.3g} {}", rounded_up(ends.upper), seen);
+    }
+    if (stripe.overturned == stripe.decided()) {
+        return fmt::format("> {:.3g} {}", rounded_down(ends.lower), seen);
+    }
+    return fmt::format("{:.3g} [{:.3g}, {:.3g}]", stripe.probability(), rounded_down(ends.lower),
+                       rounded_up(ends.upper));
+}
+
+}  // namespace overturn::output

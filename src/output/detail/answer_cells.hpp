@@ -1,0 +1,20 @@
+/// What stands in the cells of the answer.
+#pragma once
+
+#include <string>
+
+#include "output/answer.hpp"
+
+namespace overturn::output {
+
+/// "12.0 / 55.1 (<= 71.3)": median and 95th percentile, and the upper end of that one's interval; "<0.1" where all of
+/// it is below `least`. \param at null: not simulated \param unit of the response, in that of `at`
+[[nodiscard]] std::string percentiles_text(LevelQuantiles const* at, double unit, double least);
+
+/// "420 gal (lower end 380 gal)", or why there is none.
+[[nodiscard]] std::string hclpf_text(MeasuredFragility const& curve);
+
+/// "3.8e-08 to 5.9e-08 a year".
+[[nodiscard]] std::string frequency_words(BodyFrequency const& f);
+
+}  // namespace overturn::output

@@ -1,0 +1,28 @@
+/// What the answer is put together from.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "output/answer.hpp"
+
+namespace overturn::output {
+
+/// Percentiles of a response of a body at a level; null where it was not simulated.
+[[nodiscard]] inline LevelQuantiles const* quantiles_at(BodyAnalysis const& body, std::string_view quantity,
+                                                        std::size_t level) {
+    auto const found = std::ranges::find_if(
+        body.quantiles, [&](LevelQuantiles const& at) { return at.quantity == quantity && at.level == level; });
+    return found == body.quantiles.end() ? nullptr : &*found;
+}
+
+/// Null without a hazard curve.
+[[nodiscard]] inline BodyFrequency const* frequency_at(Answered const& of, std::string const& body,
+                                                       std::string const& limit) {
+    auto const found = std::ranges::find_if(of.frequencies,
+                                            [&](BodyFrequency const& f) { return f.body == body && f.limit == limit; });
+    return found == of.frequencies.end() ? nullptr : &*found;
+}
+
+}  // namespace overturn::output

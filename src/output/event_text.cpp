@@ -1,0 +1,102 @@
+#include "output/event_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "response/registry.hpp"
+
+namespace overturn::output {
+
+std::string rare_text(CampaignSpec const& spec, std::span<RareBody const> bodies) {
+    std::string text;
+    for (auto const& body : bodies) {
+        auto const& limit = spec.limits[body.limit];
+        text += fmt::format("\nrare events of {}{}, by {}\n{:>10}  {:>10}  {:>22}  {:>6}  {:>13}  {:>9}  {:>10}\n",
+                            spec.bodies[body.body].name, body.limit == 0 ? "" : ": " + limit.name,
+                            spec.levels.measure_name(), "amplitude", "P", "95 % interval", "c.o.v.", "method", "waves",
+                            "crude");
+        for (auto const& e : body.estimates) {
+            auto const interval = fmt::format("[{:.3g}, {:.3g}]", e.interval_95.lower, e.interval_95.upper);
+            text += e.probability
+                        ? fmt::format("{:>10.4g}  {:>10.3e}  {:>22}  {:>6.3f}  {:>13}  {:>9}  {:>10.2g}\n", e.factor,
+                                      *e.probability, interval, e.cov, name_of(e.method), e.runs, e.crude_runs)
+                        : fmt::format("{:>10.4g}  {:>10}  {:>22}  {:>6}  {:>13}  {:>9}  {}: {}\n", e.factor,
+                                      fmt::format("< {:.2e}", e.interval_95.upper), "", "", name_of(e.method), e.runs,
+                                      name_of(e.state), e.reason);
+        }
+        for (auto const& e : body.estimates) {
+            for (auto const& words : e.tried) {
+                text += fmt::format("  note: at {:.4g} tried before: {}\n", e.factor, words);
+            }
+            if (e.probability && e.cov > spec.rare->target_cov) {
+                text += fmt::format(
+                    "  note: at {:.4g} the c.o.v. {:.3f} exceeds target_cov {:g} (replicates grow up to "
+                    "four times, within max_runs). State more of them\n",
+                    e.factor, e.cov, spec.rare->target_cov);
+            }
+        }
+    }
+    return text;
+}
+
+std::string hand_check_text(CampaignSpec const& spec, std::span<HandCheck const> checks) {
+    if (checks.empty()) {
+        return {};
+    }
+    auto text = fmt::format(
+        "\nby hand: energy balance under the 84 % spectrum of the first {} waves, of two horizontal components their "
+        "vector\n",
+        checks.front().waves);
+    if (!checks.front().left_out.empty()) {
+        text += fmt::format(
+            "  overturning leaves the waves' {} component out, which is unsafe; sliding counts it: mu (1 - 0.4 "
+            "A_v/g)\n",
+            checks.front().left_out);
+    }
+    for (auto const& check : checks) {
+        auto const level =
+            fmt::format("{:.4g} {}", spec.levels.shown(check.overturning_level), spec.levels.shown_units());
+        text += fmt::format(
+            "  {}: overturns above {} {} (the spectrum at {:.3g} Hz, {:.3g} % damping; tilt {:.2f} alpha)", check.body,
+            spec.levels.measure_label(), level, check.rocking.frequency_hz, 100 * check.rocking.damping,
+            check.rocking.rotation_rad
+                / spec.bodies[static_cast<std::size_t>(&check - checks.data())].body.alpha_rad());
+        if (check.sliding_m) {
+            text += std::isinf(*check.sliding_m)
+                        ? std::string("; vertical motion takes all of its friction at the design basis")
+                    : *check.sliding_m > 0 ? fmt::format("; slides {:.2g} m at the design basis", *check.sliding_m)
+                                           : std::string("; does not slide at the design basis");
+        }
+        text += "\n";
+    }
+    return text;
+}
+
+std::string telling_text(CampaignSpec const& spec, std::span<TellingTrial const> trials, std::string const& file) {
+    if (trials.empty()) {
+        return {};
+    }
+    constexpr std::size_t heading = 4;
+    std::size_t wide = heading;
+    for (auto const& body : spec.bodies) {
+        wide = std::max(wide, body.name.size());
+    }
+    auto text = fmt::format(
+        "trials to inspect (overturn replay {} --trial N)\n"
+        "{:<{}}  {:<16} {:>8} {:>7} {:>14}  {:<12} {:>11} {:>9}\n",
+        file, "body", wide, "kind", "trial", "wave", spec.levels.measure_name(), "verdict", "peak/alpha", "slip m");
+    for (auto const& t : trials) {
+        text += fmt::format(
+            "{:<{}}  {:<16} {:>8} {:>7} {:>14}  {:<12} {:>11.4g} {:>9.4g}{}\n",
+            spec.bodies[static_cast<std::size_t>(t.body)].name, wide,
+            telling_kinds.at(static_cast<std::size_t>(t.kind)), t.trial, t.wave, spec.levels.text(t.amplitude),
+            entry_of(t.verdict).name, t.peak_rotation_ratio, t.peak_slip_m,
+            std::isnan(t.overturned_at) ? std::string()
+                                        : fmt::format("  overturned at {}", spec.levels.text(t.overturned_at)));
+    }
+    return text;
+}
+
+}  // namespace overturn::output

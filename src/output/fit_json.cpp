@@ -1,0 +1,54 @@
+#include "output/fit_json.hpp"
+
+#include "output/body_table.hpp"
+#include "output/campaign_tables.hpp"
+
+namespace overturn::output {
+namespace {
+
+void append(Json& list, Json more) {
+    for (auto& item : more) {
+        list.push_back(std::move(item));
+    }
+}
+
+}  // namespace
+
+Json warnings_json(std::string const& body, std::span<MeasuredFragility const> fits, double confidence,
+                   WarningUnits units) {
+    auto list = Json::array();
+    for (auto const& fit : fits) {
+        auto const unit = units == WarningUnits::si ? IntensityUnit{fit.units} : fit.told;
+        for (auto const& text : warnings_of(fit.fit, unit, confidence)) {
+            list.push_back({{"body", body}, {"limit", fit.limit}, {"measure", fit.name}, {"text", text}});
+        }
+    }
+    return list;
+}
+
+Json fit_json(CampaignSpec const& spec, Statistics const& statistics, std::span<BodyAnalysis const> analysis,
+              double confidence, WarningUnits units) {
+    Json json{{"variability", spec.source->variability()}, {"waves_alike", spec.source->waves_alike()}};
+    std::vector<Table> tables;
+    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+        tables.push_back(body_table(spec, b));
+    }
+    for (auto& table : campaign_tables(spec, statistics, analysis, confidence)) {
+        tables.push_back(std::move(table));
+    }
+    json.update(json_of(tables));
+    json["warnings"] = Json::array();
+    json["verdict"] = Json::array();
+    for (auto const& body : analysis) {
+        for (std::size_t limit = 0; limit < spec.limits.size(); ++limit) {
+            append(json["warnings"], warnings_json(body.body, body.curves_of(limit), confidence, units));
+        }
+        json["verdict"].push_back({{"body", body.body},
+                                   {"supports", body.verdict.supports},
+                                   {"against", body.verdict.against},
+                                   {"open", body.verdict.open}});
+    }
+    return json;
+}
+
+}  // namespace overturn::output

@@ -1,0 +1,142 @@
+#include "output/frequency_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "output/detail/interval_text.hpp"
+
+namespace overturn::output {
+namespace {
+
+constexpr double much = 0.05;  // a part of an end, or of the mean, that is worth a line
+
+double mean_of(BodyFrequency const& f) { return f.mean->annual + f.mean->beyond_least; }
+
+// What of the upper end rests on no trial or no hazard, and how to learn more.
+void add_parts(std::vector<std::string>& notes, BodyFrequency const& f, HazardCurve const& hazard) {
+    auto const& b = f.bounds;
+    if (b.above_most > much * f.interval.upper) {
+        bool const of_levels = f.highest < hazard.last();
+        notes.push_back(fmt::format("{:.3g} of the upper end is every motion above {}, {}, counted as failing. {}",
+                                    b.above_most, hazard_text(hazard, b.top),
+                                    of_levels ? "the highest level" : "where the hazard curve ends",
+                                    of_levels ? "State higher levels" : "State the hazard curve further"));
+    }
+    if (b.below_most > much * f.interval.upper) {
+        notes.push_back(
+            fmt::format("{:.3g} of the upper end is motions below {}, the lowest level, counted as failing as often as "
+                        "there. State "
+                        "lower levels",
+                        b.below_most, hazard_text(hazard, f.lowest)));
+    }
+    if (b.weaker_most > much * f.interval.upper) {
+        notes.push_back(fmt::format(
+            "the upper end counts motions below {}, where the hazard curve begins, by its first slope: {:.3g} by the "
+            "fitted curve. State the hazard curve from lower on",
+            hazard_text(hazard, hazard.first()), b.weaker_most));
+    }
+}
+
+void add_mean(std::vector<std::string>& notes, BodyFrequency const& f, HazardCurve const& hazard) {
+    if (f.extrapolated() > much * mean_of(f)) {
+        notes.push_back(fmt::format("{:.0f} % of the curve's {:.3g} lies outside {}: extrapolated",
+                                    100 * f.extrapolated() / mean_of(f), mean_of(f),
+                                    f.stated ? "the hazard curve" : "the levels or the hazard curve"));
+    }
+    if (f.continued > (1 + much) * mean_of(f)) {
+        notes.push_back(
+            fmt::format("with the hazard curve continued at its slopes at both ends the curve gives {:.3g} "
+                        "(an estimate)",
+                        f.continued));
+    }
+    if (f.wide) {
+        notes.push_back(
+            fmt::format("{:.0f} % of the curve's {:.3g} rests on the straight line of the hazard curve from {} to {}, "
+                        "{:.1f} decades. "
+                        "Twice the exceedance halfway ({}) makes it {:.3g} ({:+.0f} %). State points between",
+                        100 * f.wide->share, mean_of(f), hazard_text(hazard, f.wide->from),
+                        hazard_text(hazard, f.wide->to), f.wide->decades, hazard_text(hazard, f.wide->halfway),
+                        f.wide->if_doubled, 100 * (f.wide->if_doubled / mean_of(f) - 1)));
+    }
+}
+
+void add_trust(std::vector<std::string>& notes, BodyFrequency const& f) {
+    if (f.few_waves > 0) {
+        notes.push_back(
+            fmt::format("the interval comes from resampling {} independent waves, or groups of them, and is too short",
+                        f.few_waves));
+    }
+    if (f.poor) {
+        notes.emplace_back("the curve does not describe the data: believe the stripes, which the interval holds");
+    }
+    // Stripes know nothing of a beta_U that is stated beside them.
+    if (!f.stated && !f.fractiles && (mean_of(f) > f.seen.upper || mean_of(f) < f.seen.lower)) {
+        notes.emplace_back("the curve's frequency lies outside what the stripes alone allow: believe the stripes");
+    }
+}
+
+// Of a body without a curve the stripes are the answer.
+void add_seen(std::vector<std::string>& notes, BodyFrequency const& f) {
+    constexpr double nearly_all = 0.75;
+    if (f.seen_below_levels > nearly_all * f.seen.upper) {
+        notes.push_back(
+            fmt::format("{:.2g} of the {:.2g} that the stripes alone allow is by motions weaker than all "
+                        "levels, counted as at the lowest. State lower levels",
+                        f.seen_below_levels, f.seen.upper));
+    }
+}
+
+std::string row_of(BodyFrequency const& f) {
+    auto const fractiles =
+        f.fractiles ? fmt::format("{:.3g}, {:.3g}, {:.3g}", f.fractiles->low, f.fractiles->median, f.fractiles->high)
+                    : std::string("beta_U unknown");
+    auto const seen = f.stated ? std::string("no trials") : interval_text(f.seen);
+    return fmt::format("{:>24} {:>24} {:>11} {:>13} {:>30} {:>24}\n", frequency_name(f),
+                       interval_text(f.mean ? f.interval : f.seen), f.mean ? fmt::format("{:.3g}", mean_of(f)) : "-",
+                       f.mean ? fmt::format("{:.2g}", f.extrapolated()) : "no curve", f.mean ? fractiles : "-", seen);
+}
+
+}  // namespace
+
+std::string frequency_name(BodyFrequency const& f) {
+    return f.limit == overturning_limit || f.limit.empty() ? f.body : fmt::format("{}, {}", f.body, f.limit);
+}
+
+std::vector<std::string> frequency_notes(BodyFrequency const& f, HazardCurve const& hazard) {
+    std::vector<std::string> notes;
+    if (f.mean) {
+        add_parts(notes, f, hazard);
+        add_mean(notes, f, hazard);
+        add_trust(notes, f);
+    }
+    add_seen(notes, f);
+    return notes;
+}
+
+std::string range_text(HazardCurve const& hazard) {
+    return fmt::format("{} points from {} ({:.3g} 1/a) to {} ({:.3g} 1/a)", hazard.points().size(),
+                       hazard_text(hazard, hazard.first()), hazard.points().front().annual_exceedance,
+                       hazard_text(hazard, hazard.last()), hazard.points().back().annual_exceedance);
+}
+
+std::string frequency_text(std::span<BodyFrequency const> frequencies, HazardCurve const& hazard, double confidence) {
+    bool const stated = std::ranges::all_of(frequencies, &BodyFrequency::stated);
+    auto text = fmt::format("\nannual frequency [1/a], by a hazard curve of {}\n", range_text(hazard));
+    for (auto const& remark : hazard.remarks()) {
+        text += fmt::format("  note: hazard curve: {}\n", remark);
+    }
+    text += fmt::format("{:>24} {:>24} {:>11} {:>13} {:>30} {:>24}\n", "body, limit state",
+                        stated ? std::string("bounds") : fmt::format("{:g} % interval", 100 * confidence), "by curve",
+                        "extrapolated", "confidence 5, 50, 95 %", "stripes alone");
+    for (auto const& f : frequencies) {
+        text += row_of(f);
+        for (auto const& note : frequency_notes(f, hazard)) {
+            text += f.body.empty() ? fmt::format("  note: {}\n", note) : fmt::format("  note: {}: {}\n", f.body, note);
+        }
+    }
+    return text;
+}
+
+}  // namespace overturn::output

@@ -1,0 +1,52 @@
+/// What of the results is printed: the answer, and the sections that a user asks for.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "campaign/rows.hpp"
+#include "output/answer.hpp"
+#include "results/hand_check.hpp"
+#include "results/rare_results.hpp"
+#include "results/telling_trials.hpp"
+#include "results/together.hpp"
+
+namespace overturn::output {
+
+/// All of them, in the order in which they are printed.
+[[nodiscard]] std::vector<std::string_view> section_names();
+
+/// What a user asks for.
+struct TextOptions {
+    std::vector<std::string> sections = {};        ///< names of them, beside the answer
+    bool full = false;                             ///< all of them
+    std::optional<IntensityUnit> velocities = {};  ///< in which velocities are printed; none: the levels' unit, or m/s
+
+    /// Is it asked for by name?
+    [[nodiscard]] bool names(std::string_view section) const;
+    /// Is it asked for? What is dear to compute and printed nowhere else waits for that.
+    [[nodiscard]] bool wants(std::string_view section) const { return full || names(section); }
+};
+/// \throws InputError for a name that is no section's
+[[nodiscard]] std::vector<std::string> read_sections(std::string const& text);
+
+/// What there is to print; all outlive it.
+struct Printed {
+    Answered answered;
+    std::span<TrialRow const> few = {};  ///< trials_of_few_waves
+    std::span<RareBody const> rare = {};
+    std::span<TellingTrial const> telling = {};  ///< where "trials" is wanted
+    std::span<HandCheck const> by_hand = {};     ///< where "hand" is wanted
+    std::span<TwoMeasures const> pairs = {};
+    HazardCurve const* hazard = nullptr;
+    std::string notes = {};  ///< further lines below the answer
+    std::string file = {};   ///< the results file, as the user names it
+};
+
+/// The answer, what must be known of it, and the sections that were asked for.
+[[nodiscard]] std::string results_text(Printed const& printed, TextOptions const& options);
+
+}  // namespace overturn::output

@@ -1,0 +1,256 @@
+#include "output/stripe_tables.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "output/curve_tables.hpp"
+#include "output/detail/verdict_names.hpp"
+#include "response/registry.hpp"
+#include "results/schema.hpp"
+
+namespace overturn::output {
+namespace {
+
+constexpr char const* no_chance = "NaN: the waves are a grid of frequencies and no sample";
+
+using Constants = std::vector<std::pair<std::string, Cell>>;
+
+Constants of_level(CampaignSpec const& spec, Constants before) {
+    before.insert(before.end(), {{"measure", spec.levels.measure_name()}, {"units", spec.levels.units()}});
+    return before;
+}
+
+// A row of a table by level: what `list[level]` holds.
+struct AtLevel {
+    std::size_t level;
+    double amplitude;
+};
+
+std::vector<AtLevel> levels_of(std::span<Stripe const> stripes) {
+    std::vector<AtLevel> rows;
+    for (auto const& stripe : stripes) {
+        rows.push_back({rows.size(), stripe.amplitude});
+    }
+    return rows;
+}
+
+// The level's value lies in the unit of the levels, which the constant "units" names.
+void add_level(TableOf<AtLevel>& table, std::string const& units) {
+    table.add("amplitude", stated_unit(units), "value of the level", [](AtLevel const& row) { return row.amplitude; })
+        .add("level", "1", "number of the level, rising from 0", [](AtLevel const& row) { return row.level; });
+}
+
+void add_counts(TableOf<AtLevel>& table, std::span<Stripe const> stripes, Passing passing) {
+    auto const of = [stripes](auto member) {
+        return [stripes, member](AtLevel const& row) { return stripes[row.level].*member; };
+    };
+    bool const overturns = passing == Passing::overturned;
+    table.add("trials", "1", "trials at the level", of(&Stripe::trials))
+        .add(passed_name(passing), "1", overturns ? "trials that overturned" : "trials that exceeded the limit",
+             of(&Stripe::overturned))
+        .add("failed", "1", "trials without a verdict, for a reason; left out of the probability", of(&Stripe::failed))
+        .add("undecided", "1", "further trials without a verdict; left out of the probability", of(&Stripe::undecided));
+}
+
+void add_chances(TableOf<AtLevel>& table, std::span<Stripe const> stripes, double confidence, bool grid) {
+    table
+        .add("probability", "1", grid ? no_chance : "passed over decided trials; NaN where none is decided",
+             [=](AtLevel const& row) { return grid ? never : stripes[row.level].probability(); })
+        .add("", "1",
+             grid ? no_chance
+                  : "the exact interval (Clopper-Pearson); undecided trials count as not passed below, as passed above",
+             [=](AtLevel const& row) {
+                 return grid ? std::nullopt : std::optional(stripes[row.level].interval(confidence));
+             });
+}
+
+void add_ends(TableOf<AtLevel>& table, CampaignSpec const& spec, BodyStatistics const& body) {
+    for (std::size_t v = 0; v < verdicts().size(); ++v) {
+        auto const& entry = verdicts()[v];
+        if (entry.value == Verdict::overturned || entry.value == Verdict::failed) {
+            continue;  // counted above
+        }
+        table.add(column_of(entry.name), "1",
+                  fmt::format("trials with this end: {}{}", entry.summary,
+                              entry.decided ? "" : "; left out of the probability"),
+                  [&body, v](AtLevel const& row) { return body.ends[v][row.level]; });
+    }
+    table
+        .category("purpose", "what the level is for", {"ordinary", "design-basis", "beyond-design"},
+                  [&spec](AtLevel const& row) { return std::string(name_of(spec.levels.levels[row.level].purpose)); })
+        .add("fell_after_record", "1", "trials that overturned only after the end of the record",
+             [&body](AtLevel const& row) { return body.fell_after_record[row.level]; })
+        .add("peaked_after_record", "1", "trials that stood and rotated most only after it",
+             [&body](AtLevel const& row) { return body.peaked_after_record[row.level]; });
+    for (std::size_t e = 0; e < effects().size(); ++e) {
+        table.add(fmt::format("{}_called", effects()[e].name), "1",
+                  "trials that call for this effect, simulated or not",
+                  [&body, e](AtLevel const& row) { return body.called[e][row.level]; });
+    }
+}
+
+}  // namespace
+
+Table stripe_table(CampaignSpec const& spec, BodyStatistics const& body, std::size_t limit, double confidence) {
+    auto const& name = spec.limits[limit].name;
+    auto const& stripes = body.stripes_of(limit);
+    auto const rows = levels_of(stripes);
+    TableOf<AtLevel> table(
+        {.name = "stripes",
+         .group = group_of("stripes", body.body, name),
+         .axis = "amplitude",
+         .constants = of_level(spec, {{"body", body.body}, {"limit", name}, {"confidence", confidence}})},
+        rows);
+    add_level(table, spec.levels.units());
+    add_counts(table, stripes, spec.limits[limit].passing());
+    add_chances(table, stripes, confidence, !body.grid.empty());
+    if (limit == 0) {
+        add_ends(table, spec, body);
+    }
+    return table.take();
+}
+
+Table stripe_table(std::span<Stripe const> stripes, double confidence) {
+    auto const rows = levels_of(stripes);
+    TableOf<AtLevel> table(
+        {.name = "stripes",
+         .constants = {{"body", std::string()}, {"limit", std::string(overturning_limit)}, {"confidence", confidence}}},
+        rows);
+    add_level(table, "1");
+    add_counts(table, stripes, Passing::overturned);
+    add_chances(table, stripes, confidence, false);
+    return table.take();
+}
+
+Table model_table(BodyStatistics const& body) {
+    std::vector<std::size_t> rows;
+    std::vector<std::string> names;
+    for (std::size_t m = 0; m < rungs().size(); ++m) {
+        rows.push_back(m);
+        names.push_back(rungs()[m].name);
+    }
+    TableOf<std::size_t> table({.name = "models",
+                                .group = group_of("models", body.body, overturning_limit),
+                                .axis = "model",
+                                .constants = {{"body", body.body}}},
+                               rows);
+    table.category("model", "the model that answered", names, [&names](std::size_t m) { return names[m]; })
+        .add("trials", "1", "trials that it answered", [&body](std::size_t m) { return body.rungs[m]; });
+    return table.take();
+}
+
+Table criterion_level_table(CampaignSpec const& spec, BodyStatistics const& body, std::string const& measure,
+                            std::vector<Confusion> const& cells) {
+    auto const rows = levels_of(body.stripes);
+    TableOf<AtLevel> table({.name = "criterion_by_level",
+                            .group = fmt::format("criterion_by_level/{}/{}", body.body, measure),
+                            .axis = "amplitude",
+                            .constants = {{"body", body.body}, {"criterion", measure}, {"units", spec.levels.units()}}},
+                           rows);
+    add_level(table, spec.levels.units());
+    auto const of = [&cells](std::int64_t Confusion::*member) {
+        return [&cells, member](AtLevel const& row) { return cells[row.level].*member; };
+    };
+    table.add("false_safe", "1", "predicted safe, overturned", of(&Confusion::false_safe))
+        .add("false_alarm", "1", "predicted unsafe, stood", of(&Confusion::false_alarm))
+        .add("true_safe", "1", "predicted safe, stood", of(&Confusion::true_safe))
+        .add("true_overturn", "1", "predicted unsafe, overturned", of(&Confusion::true_overturn))
+        .add("undecided_safe", "1", "predicted safe, no verdict", of(&Confusion::undecided_safe))
+        .add("undecided_unsafe", "1", "predicted unsafe, no verdict", of(&Confusion::undecided_unsafe));
+    return table.take();
+}
+
+Table quantile_table(CampaignSpec const& spec, std::string const& body, std::span<LevelQuantiles const> rows,
+                     double confidence) {
+    using Row = LevelQuantiles;
+    auto const& of = rows.front();
+    TableOf<Row> table({.name = "quantiles",
+                        .group = fmt::format("quantiles/{}/{}", body, of.quantity),
+                        .axis = "amplitude",
+                        .constants = {{"body", body},
+                                      {"quantity", of.quantity},
+                                      {"units", of.units},
+                                      {"level_units", spec.levels.units()},
+                                      {"confidence", confidence}}},
+                       rows);
+    table
+        .add("amplitude", stated_unit(spec.levels.units()), "value of the level",
+             [](Row const& row) { return row.amplitude; })
+        .add("level", "1", "number of the level, rising from 0", [](Row const& row) { return row.level; })
+        .add("trials", "1", "trials whose value is known", [](Row const& row) { return row.trials; })
+        .add("unknown", "1", "further trials, whose value is not known: they widen the interval",
+             [](Row const& row) { return row.unknown; })
+        .add("overturned", "1",
+             "of the known ones overturned: they lie above every value, where a percentile of slip is infinite",
+             [](Row const& row) { return row.overturned; });
+    auto const unit = stated_unit(of.units);
+    static constexpr std::array names{"median", "p84", "p95"};
+    for (std::size_t q = 0; q < names.size(); ++q) {
+        auto const what = fmt::format("value that {:g} % of the trials do not exceed", 100 * of.quantiles.at(q).share);
+        table.add(names.at(q), unit, what, [q](Row const& row) { return row.quantiles.at(q).value; })
+            .add(std::string(names.at(q)) + "_lower", unit, "lower end of it between order statistics; NaN: open",
+                 [q](Row const& row) { return row.quantiles.at(q).lower; })
+            .add(std::string(names.at(q)) + "_upper", unit, "upper end of it; NaN: open",
+                 [q](Row const& row) { return row.quantiles.at(q).upper; });
+    }
+    return table.take();
+}
+
+Table grid_table(CampaignSpec const& spec, BodySpec const& body, GridMap const& map) {
+    TableOf<GridLine> table(
+        {.name = "grid",
+         .group = "grid/" + body.name,
+         .axis = "frequency",
+         .constants = {{"body", body.name}, {"measure", spec.levels.measure_name()}, {"units", spec.levels.units()}}},
+        map.lines);
+    table.add("frequency", "Hz", "frequency of the wave", [](GridLine const& line) { return 1 / line.period_s; })
+        .add("period", "s", "its period", [](GridLine const& line) { return line.period_s; })
+        .add("wave", "1", "number of the wave", [](GridLine const& line) { return line.wave; });
+    auto const level = [&](std::string const& name, std::string const& what, auto place) {
+        table.add(name, stated_unit(spec.levels.units()), what + "; NaN: none that was tried",
+                  [&map, place](GridLine const& line) { return map.value(place(line)); });
+    };
+    level("uplift", "least level that lifted it off", [](GridLine const& line) { return line.uplift; });
+    level("overturning", "least level that overturned it", [](GridLine const& line) { return line.least.front(); });
+    level("standing", "highest level at which it stood", [](GridLine const& line) { return line.standing; });
+    for (std::size_t limit = 1; limit < map.limits.size(); ++limit) {
+        level("limit_" + map.limits[limit], fmt::format("least level that exceeded {}", map.limits[limit]),
+              [limit](GridLine const& line) { return line.least.at(limit); });
+    }
+    table.add("undecided", "1", "levels without a verdict", [](GridLine const& line) { return line.undecided; });
+    return table.take();
+}
+
+Table grid_level_table(CampaignSpec const& spec, BodySpec const& body, GridMap const& map) {
+    struct At {
+        GridLine const* line;
+        std::size_t level;
+    };
+    std::vector<At> rows;
+    for (auto const& line : map.lines) {
+        for (std::size_t level = 0; level < map.levels.size(); ++level) {
+            rows.push_back({&line, level});
+        }
+    }
+    TableOf<At> table({.name = "grid_by_level",
+                       .group = "grid_by_level/" + body.name,
+                       .constants = {{"body", body.name}, {"units", spec.levels.units()}}},
+                      rows);
+    table.add("frequency", "Hz", "frequency of the wave", [](At const& at) { return 1 / at.line->period_s; })
+        .add("wave", "1", "number of the wave", [](At const& at) { return at.line->wave; })
+        .add("amplitude", stated_unit(spec.levels.units()), "value of the level",
+             [&map](At const& at) { return map.levels[at.level]; })
+        .category("verdict", "how the trial ended", verdict_names(),
+                  [](At const& at) { return std::string(entry_of(at.line->ends.at(at.level)).name); })
+        .add("steady_rotation_ratio", "1",
+             "steady rotation over alpha by the linearised closed form (Spanos and Koh 1984); NaN: there is none",
+             [&](At const& at) {
+                 return steady_rotation_ratio(spec.levels, map.levels[at.level], at.line->period_s, body.body);
+             });
+    return table.take();
+}
+
+}  // namespace overturn::output

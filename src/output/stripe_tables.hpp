@@ -1,0 +1,32 @@
+/// Counts level by level as tables: stripes of every limit state, the models that answered, the criterion, responses.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "output/table.hpp"
+#include "results/analysis.hpp"
+#include "results/statistics.hpp"
+
+namespace overturn::output {
+
+/// `stripes` of one body and limit state, a row per level.
+[[nodiscard]] Table stripe_table(CampaignSpec const& spec, BodyStatistics const& body, std::size_t limit,
+                                 double confidence);
+/// `stripes` of a table that is nobody's campaign.
+[[nodiscard]] Table stripe_table(std::span<Stripe const> stripes, double confidence);
+/// `models`: trials per model that answered them.
+[[nodiscard]] Table model_table(BodyStatistics const& body);
+/// `criterion_by_level`: how a criterion did against time histories. \param measure "v_wes" or "ou_v_e"
+[[nodiscard]] Table criterion_level_table(CampaignSpec const& spec, BodyStatistics const& body,
+                                          std::string const& measure, std::vector<Confusion> const& cells);
+/// `quantiles`: one response of a body level by level. \pre rows of one quantity
+[[nodiscard]] Table quantile_table(CampaignSpec const& spec, std::string const& body,
+                                   std::span<LevelQuantiles const> rows, double confidence);
+/// `grid`: a row per frequency, of waves that are one.
+[[nodiscard]] Table grid_table(CampaignSpec const& spec, BodySpec const& body, GridMap const& map);
+/// `grid_by_level`: a row per frequency and level.
+[[nodiscard]] Table grid_level_table(CampaignSpec const& spec, BodySpec const& body, GridMap const& map);
+
+}  // namespace overturn::output

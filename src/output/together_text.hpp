@@ -1,0 +1,17 @@
+/// Several bodies under one wave, and curves over two measures, for the terminal.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "results/together.hpp"
+
+namespace overturn::output {
+
+/// \param confidence of the exact intervals
+[[nodiscard]] std::string together_text(CampaignSpec const& spec, std::span<BodiesTogether const> together,
+                                        double confidence);
+
+[[nodiscard]] std::string two_measures_text(std::span<TwoMeasures const> fits, double confidence);
+
+}  // namespace overturn::output

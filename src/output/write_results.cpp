@@ -1,0 +1,117 @@
+#include "output/write_results.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include <fmt/ranges.h>
+
+#include "campaign/accepted_waves.hpp"
+#include "campaign/block_rows.hpp"
+#include "campaign/version.hpp"
+#include "campaign/withheld_inputs.hpp"
+#include "output/body_table.hpp"
+#include "output/campaign_tables.hpp"
+#include "output/results_tables.hpp"
+#include "results/rare_results.hpp"
+#include "results/schema.hpp"
+
+namespace overturn {
+namespace {
+
+void write_provenance(store::ResultsWriter& file, CampaignInput const& input, CampaignSpec const& spec) {
+    file.attribute("format", store::format_name);
+    file.attribute("format_version", store::format_version);
+    file.attribute("program_version", program_version());
+    file.attribute("git_revision", git_revision());
+    file.attribute("sources_sha256", sources_sha256());
+    file.attribute("library_versions", library_versions());
+    file.attribute("title", spec.title);
+    file.attribute("campaign", input.text);
+    file.attribute("campaign_name", std::filesystem::path(input.name).filename().string());
+    file.attribute("settings", fmt::format("{}", fmt::join(input.settings, "\n")));
+    file.attribute("input_sha256", input.sha256());
+    file.attribute("seed", static_cast<std::int64_t>(spec.seed));
+    file.attribute("level_measure", spec.levels.measure_name());
+    file.attribute("level_units", spec.levels.units());
+    file.attribute("wave_source", spec.source->describe());
+    file.attribute("wave_variability", spec.source->variability());
+    file.attribute("wave_acceptance", spec.source->acceptance().rule);
+    auto const kept = kept_inputs(input);
+    for (auto const& [name, content] : kept) {
+        // Names hold '/', which HDF5 reads as a path; the number is the place, the attribute the name.
+        auto const place = fmt::format("{:04}", std::distance(kept.begin(), kept.find(name)));
+        file.bytes("inputs", place, name, content);
+    }
+}
+
+// HDF5 lists groups by name, so each body's says which in the campaign's order it is of.
+void number_bodies(store::ResultsWriter& file, CampaignSpec const& spec) {
+    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+        for (auto const& group : file.groups()) {
+            if (group.ends_with("/" + spec.bodies[b].name) && !group.starts_with("trials/")) {
+                file.attribute(group, "index", static_cast<std::int64_t>(b));
+            }
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, CampaignInput const& input,
+                                        CampaignSpec const& spec, Plan const& drawn, Plan const& chosen,
+                                        std::function<std::vector<std::byte>(std::int64_t)> const& block,
+                                        Statistics& statistics, std::span<RareBody const> rare) {
+    store::ResultsWriter file(path);
+    write_provenance(file, input, spec);
+    auto const waves = file.table(wave_table(spec), chosen.waves());
+    std::vector<std::size_t> measures;
+    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+        if (auto table = measure_table(spec, b); !table.columns.empty()) {
+            measures.push_back(file.table(std::move(table), chosen.waves()));
+        }
+    }
+    auto const trials = file.table(trial_table(spec), chosen.trials());
+    std::vector<std::size_t> own;
+    for (auto& table : own_tables(Ladder(spec.effects, spec.accuracy))) {
+        own.push_back(file.table(std::move(table), chosen.trials()));
+    }
+    std::vector<WaveRow> refused;
+    for (auto const b : blocks_of_chosen(drawn, chosen)) {
+        auto all = BlockRows::unpack(block(b), drawn, drawn.waves_of_block(b).count);
+        std::ranges::copy(refused_rows(all, drawn, b, chosen), std::back_inserter(refused));
+        auto const rows = rows_of_chosen(std::move(all), drawn, b, chosen);
+        file.append(waves, std::as_bytes(std::span(rows.waves)));
+        for (auto const table : measures) {
+            file.append(table, std::as_bytes(std::span(rows.measures)));
+        }
+        file.append(trials, std::as_bytes(std::span(rows.trials.rows)));
+        for (auto const table : own) {
+            file.append(table, rows.trials.own);
+        }
+        statistics.add(rows);
+    }
+    if (spec.source->acceptance().refuses()) {
+        file.append(file.table(refused_wave_table(spec), static_cast<std::int64_t>(refused.size())),
+                    std::as_bytes(std::span(refused)));
+    }
+    for (auto const& row : refused) {
+        statistics.add_refused(row);
+    }
+    if (spec.has_target()) {
+        file.attribute("waves_planned", drawn.count());
+        file.attribute("precise_enough", std::int64_t{chosen.chosen_per_group() < drawn.count() ? 1 : 0});
+    }
+    auto analysis = analyse(spec, statistics, {.confidence = spec.confidence});
+    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+        output::write_table(file, output::body_table(spec, b));
+    }
+    output::write_tables(file, output::campaign_tables(spec, statistics, analysis, spec.confidence));
+    output::write_tables(file, output::rare_tables(spec, rare));
+    write_rare_record(file, spec, rare);
+    number_bodies(file, spec);
+    file.attribute("complete", std::int64_t{1});
+    file.finish();
+    return analysis;
+}
+
+}  // namespace overturn

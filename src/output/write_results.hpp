@@ -1,0 +1,28 @@
+/// From blocks of rows to the results file.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "campaign/campaign_input.hpp"
+#include "campaign/campaign_spec.hpp"
+#include "campaign/plan.hpp"
+#include "results/analysis.hpp"
+#include "results/rare_rows.hpp"
+#include "results/statistics.hpp"
+
+namespace overturn {
+
+/// Writes the finished file from the blocks of `drawn`, given in order by `block`: of their waves those that are
+/// `chosen`, and beside them those that a rule refused on the way. \return what the trials say, as stored
+/// \param rare one per body, or none
+std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, CampaignInput const& input,
+                                        CampaignSpec const& spec, Plan const& drawn, Plan const& chosen,
+                                        std::function<std::vector<std::byte>(std::int64_t)> const& block,
+                                        Statistics& statistics, std::span<RareBody const> rare = {});
+
+}  // namespace overturn

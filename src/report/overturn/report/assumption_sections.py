@@ -1,0 +1,45 @@
+"""What a campaign takes for granted: its inputs by where they come from, and the model's own assumptions."""
+
+from .page_parts import fold, paragraphs, table
+
+MOST_OPEN = 12  # rows of inputs
+MOST = 300  # of a campaign of very many bodies
+
+
+def of_input(stated):
+    """What is said of it, and where."""
+    place = f"{stated['file']}:{stated['line']}" if stated["file"] else ""
+    ends = " to ".join(stated["range"]) if stated["range"] else ""
+    return [stated["key"], stated["value"], stated["basis"], stated["source"] or "", ends, place]
+
+
+def input_row(stated):
+    key, value, basis, source, ends, place = of_input(stated)
+    return [key, f"{value} ({ends})" if ends else value, basis, "; ".join(text for text in (source, place) if text)]
+
+
+def model_row(one):
+    limited = "; bears on trials that call for no more" if one["bears"] == "where-not-called-for" else ""
+    effect = one["effect"] if one["effect"] == "not measured" else f"{one['effect']} ({one['evidence']})"
+    source = f" ({one['evidence']})" if one["effect"] == "not measured" and one["evidence"] != "none" else ""
+    return [one["name"], one["assumed"] + source + limited, one["direction"], effect, one["key"]]
+
+
+def add(report):
+    stated = report.fit["assumptions"]
+    counts, inputs = stated["counts"], stated["inputs"]
+    report.csv("inputs", ["key", "value", "basis", "source", "range", "place"], map(of_input, inputs))
+    model = [one for one in stated["model"] if one["bears"] != "none"]
+    model.sort(key=lambda one: ("unsafe", "unknown", "safe").index(one["direction"]))
+    keys = ["name", "assumed", "direction", "key", "effect", "evidence", "bears"]
+    report.csv("assumptions", keys, ([one[key] for key in keys] for one in model))
+    words = (f"{counts['assumed']} of {counts['inputs']} inputs are assumed, {counts['published']} published, "
+             f"{counts['measured']} measured, {counts['not_stated']} not stated, {counts['default']} defaults of this program.")
+    drawn = table(["input", "value (range)", "basis", "source, and where it is said"], map(input_row, inputs[:MOST]),
+                  f"{len(inputs) - MOST} more: overturn fit --json tells all." if len(inputs) > MOST else "")
+    report.section("assumptions", "Assumptions", paragraphs([words]),
+                   fold("inputs, by their own word", drawn) if len(inputs) > MOST_OPEN else drawn,
+                   "<h3>What the model assumes</h3>",
+                   table(["assumption", "what is", "misjudged", "effect without it", "without it"],
+                         map(model_row, model), "Misjudged, unsafe: where it does not hold, more overturns than is computed. "
+                                                "Effects were found by studies of this project, under their own waves."))

@@ -1,0 +1,298 @@
+"""The report of a campaign: one page that needs no network, and the same figures and tables as files.
+
+Data: file, figures, bodies, fit, facts, waves, wave_notes, cost. Without a folder of their own the figures pass through
+the page's."""
+
+import csv
+import os
+
+from . import (assumption_sections, body_figure, fragility_figures, frequency_sections, history_figure, limit_sections,
+               outcome_sections, rare_figures, spectra_figure, style, trial_figures, wave_figure)
+from .fragility_figures import MEASURES
+from .limit_sections import OVERTURNING
+from .page_parts import escape, figure_of, fold, in_pages, interval, paragraphs, shares, table, value_of
+from .page_style import CSS
+from .campaign_results import CampaignResults
+from .style import plain
+
+
+SCALE = 1.2  # of figures on the page: type of 8 points beside text of 15 pixels
+
+
+def path_of(hexadecimal):
+    """A path of any bytes."""
+    return os.fsdecode(bytes.fromhex(hexadecimal))
+
+
+class Report:
+    def __init__(self, data, scratch):
+        self.data, self.fit, self.confidence = data, data["fit"], data["confidence"]
+        self.results = CampaignResults(path_of(data["file"]), data["bodies"])
+        self.stripes = {limit["name"]: [s for s in self.fit["stripes"] if s["limit"] == limit["name"]]
+                        for limit in self.fit["limit_states"]}
+        self.ends = [end for end in self.results.ends if end in self.fit["stripes"][0]]  # of those that the program knows
+        for part in ("probabilities", "band", "isotonic", "drawn", "warnings"):  # each curve with what is of it
+            of = {}
+            for row in self.fit[part]:
+                of.setdefault((row["body"], row["limit"], row["measure"]), []).append(row)
+            for fit in self.fit["fragility"]:
+                fit[part] = of.get((fit["body"], fit["limit"], fit["measure"]), [])
+        for fit in self.fit["fragility"]:
+            fit["warnings"] = [row["text"] for row in fit["warnings"]]
+        MEASURES.update((fit["measure"], fit["title"]) for fit in self.fit["fragility"])
+        by_line = {}
+        for row in self.fit.get("grid_by_level", []):
+            by_line.setdefault((row["body"], row["wave"]), []).append(row)
+        for line in self.fit["grid"]:
+            line["levels"] = by_line[line["body"], line["wave"]]
+        self.fits = self.fits_of(OVERTURNING)
+        self.folder = path_of(data["figures"]) or scratch
+        self.keep = bool(data["figures"])
+        self.sections, self.contents = [], []
+
+    def fits_of(self, limit):
+        """The fits of one limit state, by body and measure."""
+        return {(fit["body"], fit["measure"]): fit for fit in self.fit["fragility"] if fit["limit"] == limit}
+
+    def figure(self, name, draw, alt):
+        """Draws a figure for the page, and for its folder if one is wanted; nothing where there is nothing to draw."""
+        path = os.path.join(self.folder, name + ".svg")
+        if draw(path) is False:
+            return ""
+        if self.keep:
+            draw(os.path.join(self.folder, name + ".png"))
+        with open(path, encoding="utf-8") as file:
+            svg = file.read()
+        return figure_of(svg, alt, SCALE)
+
+    def csv(self, name, head, rows):
+        """A table beside the figures; amplitudes, in SI as all numbers, with their measure and its unit."""
+        if "amplitude" in head:
+            head = [*head, "amplitude_measure", "amplitude_units"]
+            rows = [[*row, self.results.measure, self.fit["stripes"][0]["units"]] for row in rows]
+        if self.keep:
+            with open(os.path.join(self.folder, name + ".csv"), "w", encoding="utf-8", newline="") as file:
+                writer = csv.writer(file, lineterminator="\n")
+                writer.writerow(head)
+                writer.writerows([["" if cell is None else cell for cell in row] for row in rows])
+
+    def section(self, anchor, title, *parts):
+        self.contents.append(f'<a href="#{anchor}">{escape(title)}</a>')
+        self.sections.append(f'<section id="{anchor}"><h2>{escape(title)}</h2>\n{"".join(parts)}</section>\n')
+
+    def amplitude(self, value, digits=4):
+        if value is None:
+            return "–"
+        shown, unit = self.results.in_units(value)
+        text = plain(float(shown), digits)
+        return f"{text.rstrip('0').rstrip('.') if '.' in text else text} {unit}".strip()
+
+    def amplitudes(self, ends, digits=4):
+        if not ends:
+            return "–"
+        low, high = (value_of(end if end is None else float(self.results.in_units(end)[0]), digits, "open") for end in ends)
+        return f"{low} – {high} {self.results.in_units(1)[1]}".strip()
+
+    # What each section says.
+
+    def asked(self):
+        facts = table(["", ""], self.data["facts"])
+        text = escape(self.results.about["campaign"])  # the line feed behind the tag is none of the text's
+        name = self.results.about["campaign_name"]
+        self.section("asked", "What was asked", facts, fold(f"the campaign file, {name}", f"<pre>\n{text}</pre>"))
+
+    def bodies(self):
+        rows = []
+        for body in self.results.bodies:
+            n = {**body.numbers, "v_ereq": style.speed(body.numbers["v_ereq"])}
+            rows.append([body.name] + [value_of(n[key]) for key in
+                        ("mass", "half_width", "centre_height", "radius", "p", "restitution", "housner_restitution",
+                         "t0", "t1", "v_ereq")] + [value_of(n["alpha"] * 57.29577951308232)])
+        head = ["body", "m [kg]", "b [m]", "h [m]", "R [m]", "p [rad/s]", "e", "e Housner", "T0 [s]", "T1 [s]",
+                f"V_Ereq [{style.speed_unit()}]", "α [°]"]
+        drawn = [self.figure("bodies" + part, lambda path, shown=shown: body_figure.draw(shown, self.data["parts"], path),
+                             "bodies to one scale")
+                 for part, shown in in_pages(self.results.bodies, body_figure.MOST_ON_A_PAGE)]
+        self.section("bodies", "The bodies", *drawn,
+            table(head, rows, "Outline: the parts it is assembled from, or, dashed, a block about the centre of gravity, for "
+                              "scale. Only base, centre and inertia enter the equations."), paragraphs(self.data["placements"]))
+
+    def waves(self):
+        parts = []
+        for count, wave in enumerate(self.data["waves"]):
+            name = f"wave-{count}"
+            parts.append(self.figure(name, lambda path, wave=wave: wave_figure.draw(wave, path), wave["title"]))
+        spectra = self.data["spectra"]
+        if spectra:
+            parts.append(self.figure("spectra", lambda path: spectra_figure.draw(spectra, path), "spectra of many waves"))
+        quality = self.figure("wave-quality", lambda path: trial_figures.wave_quality(self.results, path),
+                              "how well the waves meet their target")
+        notes = list(self.data["wave_notes"])
+        self.section("waves", "The waves", *parts, quality, paragraphs(notes))
+
+    def criterion(self):
+        if not self.fit["criterion"]:
+            return
+        rows, parts = [], []
+        for c in self.fit["criterion"]:
+            rows.append([c["body"], c["title"], c["radius_unit"], c["false_safe"],
+                         c["false_alarm"], c["true_safe"], c["true_overturn"], *shares(c, "false_safe_share"), *shares(c, "false_alarm_share")])
+        head = ["body", "measure", "unit of R", "false safe", "false alarm", "true safe", "true overturn",
+                "safe, yet fell", "interval", "unsafe, yet stood", "interval"]
+        counts = ["body", "measure", "radius_unit", "false_safe", "false_alarm", "true_safe", "true_overturn"]
+        keys = counts + [share + end for share in ("false_safe_share", "false_alarm_share") for end in ("", "_lower", "_upper")]
+        self.csv("criterion", keys, [[c[key] for key in keys] for c in self.fit["criterion"]])
+        for body in self.results.bodies:
+            parts.append(f"<h3>{escape(body.name)}</h3>" + self.figure(
+                f"criterion-{body.name}", lambda path, body=body: fragility_figures.criterion(self.results, body, path),
+                f"energy criterion and verdicts of {body.name}"))
+            answers = [r for r in self.fit["response"] if r["body"] == body.name]
+            if answers:
+                parts.append(table(["V_WES / V_Ereq", "without slip", "trials", "with slip", "trials", "overturned"],
+                                   [self.answer(r) for r in answers],
+                                   "V_resp / V_Ereq of the trials that moved and stood: median (5 % to 95 %)."))
+            said = next((v for v in self.fit.get("verdict", []) if v["body"] == body.name), None)
+            if said:
+                for kind, title in (("supports", "Speaks for the criterion"), ("against", "Speaks against it"),
+                                    ("open", "Left open")):
+                    if said[kind]:
+                        items = "".join(f"<li>{escape(line)}</li>" for line in said[kind])
+                        parts.append(f"<p class=label>{title}</p><ul>{items}</ul>")
+        compared = "" if self.fit["grid"] else self.figure(
+            "measures", lambda path: fragility_figures.measures(self.results, self.fits, path), "intensity measures compared")
+        self.section("criterion", "The energy criterion on trial", table(
+            head, rows, "False safe: measure below V_Ereq, yet overturned. False alarm: above it, yet stood."),
+            *parts, *(("<h3>Which measure predicts best</h3>", compared, limit_sections.of_the_levels(self)) if compared else ()))
+
+    @staticmethod
+    def answer(bin_):
+        low, high = bin_["from"], bin_["to"]
+        row = [f"{low:.2f} to {high:.2f}" if high is not None else f"{low:.2f} and above"]
+        for kind in ("without_slip", "with_slip"):
+            count = bin_[f"{kind}_count"]
+            row += ["{:.3f} ({:.3f} to {:.3f})".format(*(bin_[f"{kind}_{q}"] for q in ("median", "p05", "p95"))) if count else "-", count]
+        return [*row, bin_["overturned"]]
+
+    def rare(self):
+        """Only where the campaign asked for it."""
+        if not self.data["rare"]:
+            return
+        parts = []
+        for body in self.results.bodies:
+            parts += [self.tail(body.name, limit["name"]) for limit in self.fit["limit_states"]]
+            waves = self.data["rare"].get(body.name, {})
+            if waves.get("pulses"):
+                parts.append(self.figure(f"pulses-{body.name}", lambda path, body=body, waves=waves: rare_figures.pulses(
+                    body.name, waves["pulses"], path), f"pulses that overturn {body.name}"))
+            if waves.get("failing"):
+                parts.append(self.figure(
+                    f"failing-{body.name}", lambda path, body=body, waves=waves: rare_figures.failing(
+                        body.name, waves["failing"], body.numbers["alpha"], path), f"a wave that overturns {body.name}"))
+        rare = self.fit["rare"]
+        rows = [[e["body"], e["limit"], value_of(e["amplitude"]), value_of(e["probability"], 3) if e["probability"] is not None
+                 else f"below {value_of(e['upper'], 3)}",
+                 interval([e["lower"], e["upper"]], 3) if e["probability"] is not None else "–", value_of(e["cov"], 2), e["method"],
+                 e["runs"], value_of(e["crude_runs"], 2), e["state"], e["reason"] or ""] for e in rare]
+        head = ["body", "limit", "factor", "P", "95 % interval", "c.o.v.", "method", "waves", "crude would need", "state", "why"]
+        health = [[c["body"], c["limit"], value_of(self.rare_level(c)["amplitude"]), c["check"], value_of(c["value"], 3), value_of(c["limit_value"], 3),
+                   "passed" if c["passed"] else "failed"] for c in self.fit["rare_health"]]
+        self.csv("rare", ["body", "limit", "amplitude", "probability", "lower", "upper", "cov", "method", "runs", "crude_runs", "state"],
+                 [[e["body"], e["limit"], e["amplitude"], e["probability"], e["lower"], e["upper"], e["cov"], e["method"], e["runs"],
+                   e["crude_runs"], e["state"]] for e in rare])
+        self.section("rare", "Rare events", *parts, table(head, rows, "What is not trusted or not resolved has a bound "
+                     "that plain trials alone give, and no number."),
+                     fold("health of the estimators", table(["body", "limit", "factor", "check", "found", "limit", ""], health))
+                     if health else "")
+
+    def rare_level(self, row):
+        """The estimate that a row of its health or replicates is of."""
+        return [e for e in self.fit["rare"] if (e["body"], e["limit"]) == (row["body"], row["limit"])][row["level"]]
+
+    def tail(self, body, limit):
+        rare = [e for e in self.fit["rare"] if e["body"] == body and e["limit"] == limit]
+        for e in rare:
+            e["replicates"] = [row["estimate"] for row in self.fit["rare_replicates"] if self.rare_level(row) is e]
+        stripes = [s for s in self.stripes[limit] if s["body"] == body]
+        fit = self.fits_of(limit).get((body, self.results.measure))
+        name = f"tail-{body}" if limit == OVERTURNING else f"tail-{limit}-{body}"
+        return self.figure(name, lambda path: rare_figures.tail(body, limit, stripes, rare, fit, path),
+                           f"{body}: rare events of {limit}")
+
+    def telling(self):
+        """The trials worth a look, as a table and a file."""
+        trials = self.fit["telling_trials"]
+        if not trials:
+            return ""
+        keys = ["body", "kind", "trial", "wave", "level", "amplitude", "verdict", "peak_rotation_ratio", "peak_slip_m",
+                "overturned_at"]
+        self.csv("telling_trials", keys, [[trial[key] for key in keys] for trial in trials])
+        rows = [[t["body"], t["kind"], t["trial"], t["wave"], self.amplitude(t["amplitude"]), t["verdict"],
+                 value_of(t["peak_rotation_ratio"]), value_of(t["peak_slip_m"], 3), self.amplitude(t["overturned_at"])]
+                for t in trials]
+        head = ["body", "kind", "trial", "wave", "level", "verdict", "peak rotation / α", "slip [m]", "overturned at"]
+        return "<h3>Trials worth a look</h3>" + table(
+            head, rows, "Nearest miss and largest slip are of trials that stood. A verdict changes back where a wave "
+                        "that overturned the body stood at a higher level.")
+
+    def cut_short(self, body):
+        """What a longer record would have made of trials that still rocked at its end nobody knows."""
+        mine = [stripe for stripe in self.stripes[OVERTURNING] if stripe["body"] == body.name]
+        fell, peaked = (sum(stripe.get(key, 0) for stripe in mine) for key in ("fell_after_record", "peaked_after_record"))
+        return (f"{body.name}: {fell + peaked} trials still rocked when the record ended; {fell} fell and {peaked} rose to their peak "
+                "only after it, followed without shaking.") if fell + peaked else ""
+
+    def trials(self):
+        parts = []
+        for body in self.results.bodies:
+            drawn = [("ends", trial_figures.ends), ("rotations", trial_figures.rotations), ("slips", trial_figures.slips),
+                     ("reasons", trial_figures.reasons)]
+            if self.fit["grid"]:  # the map shows the ends, and a grid has no distributions
+                drawn = [drawn[0], drawn[3]]
+            for name, draw in drawn:
+                parts.append(self.figure(f"{name}-{body.name}",
+                                         lambda path, draw=draw, body=body: draw(self.results, body, path),
+                                         f"{name} of {body.name}"))
+        parts.append(paragraphs(filter(None, map(self.cut_short, self.results.bodies))))
+        parts.append(self.telling())
+        shown, bodies = self.data["histories_of"]
+        if len(self.results.bodies) > shown:
+            parts.append(paragraphs([f"Histories are of {shown} of {bodies} bodies; overturn replay --plot draws any trial's."],
+                                    " class=quiet"))
+        for shown in self.data["histories"]:
+            parts.append(self.figure(f"history-{shown['body']}-{shown['trial']}",
+                                     lambda path, shown=shown: history_figure.draw(shown, path), f"history of {shown['title']}"))
+        parts.append(self.figure("axes", lambda path: trial_figures.axes_compared(self.results, path),
+                                 "V_resp over V_WES under one, two and three components"))
+        self.section("trials", "What the trials did, and what was simulated", *parts, paragraphs(self.data["cost"]))
+
+    def provenance(self):
+        keys = ("campaign_name", "seed", "program_version", "git_revision", "library_versions", "input_sha256",
+                "wave_source", "wave_acceptance", "settings")
+        rows = [[key.replace("_", " "), self.results.about[key]] for key in keys if self.results.about.get(key, "") != ""]
+        self.section("provenance", "Provenance", table(["", ""], rows))
+
+    def page(self):
+        for part in (self.asked, self.bodies, self.waves, lambda: limit_sections.add(self),
+                     lambda: frequency_sections.add(self), self.rare, self.criterion, lambda: outcome_sections.add(self), self.trials,
+                     lambda: assumption_sections.add(self), self.provenance):
+            part()
+        title = escape(self.results.title)
+        answers = limit_sections.answer_table(self.data["answer"]) + paragraphs(limit_sections.answers(self))
+        if self.data["unverified"]:
+            answers = paragraphs(["The results file is NOT as it was written: edited, damaged or never sealed. It was read as it is."],
+                                 " class=warning") + answers
+        contents = " · ".join(self.contents)
+        return (f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">\n'
+                f'<meta name="viewport" content="width=device-width, initial-scale=1">\n<title>{title}</title>\n'
+                f"<style>{CSS}</style></head><body>\n<h1>{title}</h1>\n<div class=answer>{answers}</div>\n"
+                f"<nav>{contents}</nav>\n{''.join(self.sections)}</body></html>\n")
+
+
+def draw(data, path):
+    """Writes the page."""
+    report = Report(data, os.path.dirname(path))
+    if report.keep:
+        os.makedirs(report.folder, exist_ok=True)
+    text = report.page()
+    with open(path, "w", encoding="utf-8") as page:
+        page.write(text)

@@ -1,0 +1,41 @@
+"""How often in a year each limit state is passed, by the hazard curve that the report was given."""
+
+from .page_parts import interval, paragraphs, table, value_of
+
+DIGITS = 3
+KEYS = ["body", "limit", *(name + "_per_year" for name in (
+    "frequency_lower", "frequency_upper", "mean", "extrapolated", "continued", "above_levels_most", "below_levels_most",
+    "below_curve_most", "fractile_5", "fractile_50", "fractile_95", "stripes_alone_lower", "stripes_alone_upper")), "poor_fit"]
+
+
+def answer(report, body, limit):
+    """The headline's part on it, upper end first; empty without a hazard curve."""
+    row = next((f for f in report.fit.get("frequency", []) if (f["body"], f["limit"]) == (body.name, limit)), None)
+    if row is None:
+        return ""
+    low, high = (value_of(row[f"frequency_{end}_per_year"], DIGITS) for end in ("lower", "upper"))
+    return f"at most {high} times a year ({100 * report.confidence:g} %: {low} to {high})"
+
+
+def row_of(f):
+    def span(name):
+        return interval([f[f"{name}_lower_per_year"], f[f"{name}_upper_per_year"]], DIGITS)
+    fractiles = [f[f"fractile_{percent}_per_year"] for percent in (5, 50, 95)]
+    return [f["body"], f["limit"], span("frequency"), value_of(f["mean_per_year"], DIGITS, "no curve"),
+            value_of(f["extrapolated_per_year"], 2),
+            "beta_U unknown" if None in fractiles else ", ".join(value_of(value, DIGITS) for value in fractiles),
+            span("stripes_alone")]
+
+
+def add(report):
+    """Only where a hazard curve was given."""
+    rows = report.fit.get("frequency", [])
+    if not rows:
+        return
+    report.csv("frequency", KEYS, [[row[key] for key in KEYS] for row in rows])
+    head = ["body", "limit state", f"{100 * report.confidence:g} % interval", "by the curve", "extrapolated",
+            "confidence 5, 50, 95 %", "stripes alone"]
+    note = ("Times a year. The interval is the answer: it bounds what lies outside of levels and hazard curve. Beside it "
+            "stand the mean by the curve and how much of that mean is extrapolated.")
+    report.section("frequency", "Annual frequency", table(head, map(row_of, rows), note),
+                   paragraphs(report.data["frequency_notes"], " class=warning"))

@@ -1,0 +1,257 @@
+"""What a report says of the limit states: overturning and those of the user's own, and how far bodies slide and rock."""
+
+from . import fragility_figures, frequency_sections, grid_map
+from .page_parts import ends, escape, fold, in_pages, interval, paragraphs, table, value_of
+from .style import plain
+
+OVERTURNING = "overturning"  # the limit state that every campaign has
+STRIPE_KEYS = ["body", "level", "amplitude", "trials", "overturned", "failed", "probability", "lower", "upper"]
+LIMIT_KEYS = ["limit", "body", "level", "amplitude", "trials", "exceeded", "failed", "undecided", "probability", "lower",
+              "upper"]
+FIT_KEYS = ["body", "measure", "units", "identifiable", "median", "beta", "median_lower", "median_upper", "beta_lower",
+            "beta_upper", "five_percent_point", "five_percent_point_lower", "five_percent_point_upper", "hclpf",
+            "hclpf_lower", "hclpf_upper", "one_percent_point", "flags"]
+MOST_PAIRS = 6  # of bodies, columns of a table
+MOST_OPEN_ROWS = 40  # of the stripes: longer tables scroll in a box
+QUANTILES = [("median", "median"), ("p84", "84 %"), ("p95", "95 %")]
+RESPONSES = {"peak_slip": ("peak slip", "m"), "peak_rotation_ratio": ("peak rotation / α", "")}
+
+
+def passed(limit):
+    """The name of the count of trials that passed it, and what they did."""
+    return "overturned" if limit == OVERTURNING else "exceeded"
+
+
+# The first lines of the page.
+
+def answer_table(sheet):
+    """The answer: what `fit` prints first."""
+    if not sheet["rows"]:
+        return ""
+    width = len(sheet["head"])
+    rows = [row + [""] * (width - len(row)) for row in sheet["rows"]]
+    return (paragraphs([sheet["title"] + "."]) + table(sheet["head"], rows)
+            + paragraphs(filter(None, [sheet["left_out"], sheet["depends"]])))
+
+
+def answer(report, body, limit):
+    """The design basis, the median, what may be relied on: one sentence."""
+    parts = []
+    fits, did = report.fits_of(limit), passed(limit)
+    basis = report.results.design_basis(body)
+    if basis is not None:
+        stripe = next(s for s in report.stripes[limit] if s["body"] == body.name and s["amplitude"] == basis)
+        parts.append(f"at the design basis ({report.amplitude(basis)}) {stripe[did]} of {stripe['trials']} trials "
+                     f"{did}{'' if limit == OVERTURNING else ' it'}, P between {plain(stripe['lower'], 2)} and "
+                     f"{plain(stripe['upper'], 2)}")
+    fit = fits.get((body.name, report.results.measure))
+    if fit and fit["identifiable"]:
+        parts.append(f"half {'overturn' if limit == OVERTURNING else 'exceed it'} at {report.amplitude(fit['median'], 3)} "
+                     f"({report.amplitudes(ends(fit, 'median'), 3)}), beta {plain(fit['beta'], 2)}, "
+                     + (f"5 % point {report.amplitude(fit['five_percent_point'], 3)}"
+                        if fit["five_percent_point"] is not None else "no 5 % point")
+                     + (f", HCLPF {report.amplitude(fit['hclpf'], 3)}" if fit["hclpf"] is not None else "")
+                     + (f" (flagged: {', '.join(fit['flags'])})" if fit["flags"] else ""))
+    elif fit:
+        parts.append("no curve: " + "; ".join(fit["warnings"][:1] or [fit["state"]]))
+    parts.append(frequency_sections.answer(report, body, limit))
+    return "; ".join(filter(None, parts))
+
+
+def response(row, key):
+    """A percentile of a response; a trial that overturned lies above every value."""
+    return "overturned" if row[key] is None and row["overturned"] else value_of(row[key], 3)
+
+
+def answers(report):
+    lines = []
+    if report.fit["grid"]:
+        return [f"{body.name}: {grid_map.answer(report, body)}." for body in report.results.bodies]
+    for body in report.results.bodies:
+        lines.append(f"{body.name}: {answer(report, body, OVERTURNING)}.")
+        for limit in report.fit["limit_states"][1:]:
+            lines.append(f"{body.name}, {limit['name']} ({limit['definition']}): {answer(report, body, limit['name'])}.")
+    return lines
+
+
+# The sections.
+
+def write_fits(report, name, fits, keys):
+    report.csv(name, keys, [[" ".join(fit[key]) if isinstance(fit[key], list) else fit[key] for key in keys] for fit in fits])
+
+
+def bounded(quoted):
+    """Whether a bound stands in place of P: the curve's value is below what the trials can show."""
+    return quoted["bound_from"] is not None
+
+
+def probability(quoted):
+    """P, or the bound that stands for it."""
+    if bounded(quoted):
+        return f"below {value_of(quoted['upper'], 2)}"
+    if quoted["probability"] is None and quoted["bounds_from"] == "neighbours":
+        return f"{value_of(quoted['lower'], 2)} to {value_of(quoted['upper'], 2)}"
+    return value_of(quoted["probability"], 2)
+
+
+def between(report, quoted, limit):
+    """What was seen on both sides, or on the one where anything was tried, where that bounds P."""
+    if quoted["bounds_from"] != "neighbours":
+        return ""
+    def seen(side):
+        count, of, low, high = (quoted[f"{side}_{key}"] for key in (passed(limit), "trials", "from", "to"))
+        return f"{count:g} of {of:g} at {report.amplitude(low)}" + (f" to {report.amplitude(high)}" if high > low else "")
+    return " and ".join(seen(side) for side in ("below", "above") if quoted[f"{side}_from"] is not None) + " seen"
+
+
+def above(report, quoted, limit):
+    """What further stripes next above saw that bound P better than the one right there."""
+    if bounded(quoted) or quoted["pooled_from"] is None:
+        return ""
+    return (f"{quoted[f'pooled_{passed(limit)}']:g} of {quoted['pooled_trials']:g} up to {report.amplitude(quoted['pooled_to'])}")
+
+
+def remarks(report, quoted, limit):
+    words = [between(report, quoted, limit), above(report, quoted, limit),
+             f"{quoted[f'bound_{passed(limit)}']:g} of {quoted['bound_trials']:g} seen; P is below "
+             f"{value_of(quoted['least'], 2)}, a tenth of one in the trials there or next above" if bounded(quoted) else "",
+             "outside the data" if quoted["outside_data"] else "", "tail: may err to either side" if quoted["in_tail"] else ""]
+    return ", ".join(word for word in words if word)
+
+
+def together(report, limit):
+    """Any of the bodies under one wave, and the correlation of their ends; nothing where there is one body."""
+    of = [t for t in report.fit["together"] if t["limit"] == limit]
+    if not of:
+        return []
+    pairs = {}
+    for row in report.fit["pairs"]:
+        if row["limit"] == limit:
+            pairs.setdefault((row["first"], row["second"]), []).append(row)
+    shown = list(pairs.items())[:MOST_PAIRS]
+    rows = [[report.amplitude(any_["amplitude"]), any_["waves"], any_[passed(limit)], any_["undecided"],
+             *(value_of(any_[key], 3) for key in ("probability", "lower", "upper", "if_independent")),
+             *(value_of(levels[level]["phi"], 2) for _, levels in shown)] for level, any_ in enumerate(of)]
+    head = ["level", "waves", f"any {passed(limit)}", "undecided", "P(any)", "lower", "upper", "if independent",
+            *(f"φ {' / '.join(pair)}" for pair, _ in shown)]
+    pooled = "; ".join(f"{' / '.join(pair)} {value_of(levels[0]['phi_pooled'], 2)}" for pair, levels in shown)
+    return [fold("any of the bodies under one wave, and how they fall together (φ)",
+                 table(head, rows) + paragraphs([f"φ pooled over levels: {pooled}"]))]
+
+
+def of_the_levels(report):
+    """What curves over other measures than the levels' are of."""
+    return paragraphs([f"Over measures other than {report.results.measure}, curves and ranks are those of this campaign's scaled waves given the "
+                       "measure: they depend on which levels were run, and on how many waves each."])
+
+
+def curves(report, limit):
+    """Figure, fits, quoted probabilities, warnings and stripes of one limit state."""
+    fits, stripes, did = report.fits_of(limit), report.stripes[limit], passed(limit)
+    mine = [f for f in fits.values() if f["measure"] == report.results.measure]
+    fitted = [[f["body"], report.amplitude(f["median"]), report.amplitudes(ends(f, "median"), 3),
+               value_of(f["beta"], 3), interval(ends(f, "beta"), 3), report.amplitude(f["five_percent_point"]),
+               report.amplitudes(ends(f, "five_percent_point"), 3), report.amplitude(f["hclpf"]),
+               report.amplitudes(ends(f, "hclpf"), 3), report.amplitude(f["one_percent_point"]), ", ".join(f["flags"]) or "none"] for f in mine]
+    split = [[f["body"], value_of(f["beta"], 3), value_of(f["beta_r"], 3), value_of(f["beta_u"], 3),
+              ", ".join(f"{d['quantity']} {d['log_median_per_deviation']:+.3f} ± {d['standard_error']:.3f}"
+                        for d in f["drawn"])] for f in mine if f["drawn"] and f["identifiable"]]
+    quoted = [[f["body"], f"{q['multiple']:.3g} × {q['of']}", report.amplitude(q["amplitude"]), probability(q),
+               value_of(q["lower"], 2), value_of(q["upper"], 2), remarks(report, q, limit)]
+              for f in mine for q in f["probabilities"]]
+    kinds = report.ends if limit == OVERTURNING else ["undecided", "failed"]
+    head = ["body", "level", "trials", *([] if limit == OVERTURNING else [did]), *(e.replace("_", " ") for e in kinds),
+            "P", "lower", "upper"]
+    rows = [[s["body"], report.amplitude(s["amplitude"]), s["trials"], *([] if limit == OVERTURNING else [s[did]]),
+             *(s[end] for end in kinds), *(value_of(s[key], 3) for key in ("probability", "lower", "upper"))]
+            for s in stripes]
+    name = "fragility" if limit == OVERTURNING else f"fragility-{limit}"
+    what = "overturning" if limit == OVERTURNING else f"exceeding {limit}"
+    bodies = len(report.results.bodies)
+    many = bodies > fragility_figures.MOST_COMPARED
+    ranked = [[f["body"], f["label"], value_of(f["median"], 4), f["units"], value_of(f["beta"], 3), interval(ends(f, "beta"), 3),
+               value_of(f["rank_area"], 3), interval(ends(f, "rank_area"), 3), ", ".join(f["flags"]) or "none"] for f in fits.values()]
+    over_all = [] if report.fit["grid"] else [
+        "" if limit == OVERTURNING else report.figure(  # the criterion's section has that of overturning
+            f"measures-{limit}", lambda path: fragility_figures.measures(report.results, fits, path),
+            f"intensity measures compared by {what}"),
+        of_the_levels(report),
+        fold("curves over every measure, and how each ranks the trials (AUC)",
+             table(["body", "over", "median", "", "beta", "interval", "rank", "interval", "flags"], ranked))]
+    return [paragraphs([f"{bodies} bodies: no more than {fragility_figures.MOST_COMPARED} are drawn in one picture."]) if many else "",
+            report.figure(f"{name}-compared", lambda path: fragility_figures.compared(report.results, fits, stripes, what, path),
+                          f"probability of {what} of all bodies"),
+            *(report.figure(name + part, lambda path, shown=shown: fragility_figures.fragility(
+                report.results, shown, fits, stripes, what, path), f"probability of {what} against amplitude")
+              for part, shown in in_pages(report.results.bodies, fragility_figures.MOST_ON_A_PAGE)),
+            table(["body", "median", "interval", "beta", "interval", "5 % point", "interval", "HCLPF", "interval",
+                   "1 % point", "flags"], fitted, f"Waves differ by {report.fit['variability']}."),
+            table(["body", "beta", "beta_R (waves)", "beta_U (body)", "change of ln median per deviation of"], split)
+            if split else "",
+            table(["body", "at", "amplitude", "P", "lower", "upper", ""], quoted) if quoted else "",
+            *together(report, limit), *over_all,
+            paragraphs((f"{f['body']}: {line}" for f in mine for line in f["warnings"]), " class=warning"),
+            fold("all stripes", table(head, rows)) if len(rows) > MOST_OPEN_ROWS else table(head, rows)]
+
+
+def fragility(report):
+    stripes = report.stripes[OVERTURNING]
+    report.csv("stripes", STRIPE_KEYS, [[s[key] for key in STRIPE_KEYS] for s in stripes])
+    kinds = report.ends
+    report.csv("ends", ["body", "level", "amplitude", "trials", *kinds],
+               [[s["body"], s["level"], s["amplitude"], s["trials"], *(s[end] for end in kinds)] for s in stripes])
+    write_fits(report, "fragility", report.fits.values(), FIT_KEYS)
+    report.section("fragility", "Fragility", *curves(report, OVERTURNING))
+
+
+def limits(report):
+    stated = report.fit["limit_states"][1:]
+    if not stated:
+        return
+    parts = []
+    for limit in stated:
+        parts += [f"<h3>{escape(limit['name'])}: {escape(limit['definition'])}</h3>", *curves(report, limit["name"])]
+    names = [limit["name"] for limit in stated]
+    report.csv("limits", LIMIT_KEYS, [[s[key] for key in LIMIT_KEYS] for name in names for s in report.stripes[name]])
+    write_fits(report, "limit-fragility", [fit for name in names for fit in report.fits_of(name).values()],
+               ["limit", *FIT_KEYS])
+    report.section("limits", "Limit states of the campaign's own", *parts)
+
+
+def spread(row, key):
+    return f"{response(row, key)} ({interval([row[f'{key}_lower'], row[f'{key}_upper']], 3)})"
+
+
+def responses(report):
+    """Median, 84 % and 95 % per level, drawn and as a table."""
+    parts = []
+    rows = report.fit["quantiles"]
+    keys = ["body", "quantity", "units", "level", "amplitude", "trials", "unknown",
+            *(key + end for key, _ in QUANTILES for end in ("", "_lower", "_upper"))]
+    report.csv("quantiles", keys, [[q[key] for key in keys] for q in rows])
+    for body in report.results.bodies:
+        for quantity, (name, unit) in RESPONSES.items():
+            mine = [q for q in rows if q["body"] == body.name and q["quantity"] == quantity]
+            if not any(q["p95"] or q["overturned"] for q in mine):
+                continue
+            limits_of_it = [limit for limit in report.fit["limit_states"] if limit.get("quantity") == quantity]
+            drawn = report.figure(f"{quantity.replace('_', '-')}-{body.name}",
+                                  lambda path, mine=mine, of_it=limits_of_it: fragility_figures.responses(
+                                      report.results, mine, of_it, path), f"{name} of {body.name} per level")
+            parts += [f"<h3>{escape(body.name)}: {name}{f' [{unit}]' if unit else ''}</h3>", drawn,
+                      table(["level", *(title for _, title in QUANTILES), "trials"],
+                            [[report.amplitude(q["amplitude"]), *(spread(q, key) for key, _ in QUANTILES), q["trials"]]
+                             for q in mine])]
+    if parts:
+        said = ("In brackets: distribution-free interval between two order statistics of the trials; open where there are "
+                "too few. A body that fell lies above every slip, and counts as π/2 over α.")
+        report.section("responses", "How far they slide and rock", *parts, paragraphs([said], " class=quiet"))
+
+
+def add(report):
+    if report.fit["grid"]:
+        grid_map.section(report)
+        return
+    fragility(report)
+    limits(report)
+    responses(report)

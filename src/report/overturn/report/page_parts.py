@@ -1,0 +1,75 @@
+"""Pieces of a page: numbers, intervals, tables and paragraphs as HTML."""
+
+import html
+import re
+
+from .style import plain
+
+
+MOST_SHORT = 26  # letters
+
+
+def escape(value):
+    return html.escape(str(value))
+
+
+def value_of(value, digits=4, unknown="–"):
+    if value is None or value != value:
+        return unknown
+    return plain(value, digits) if isinstance(value, float) else str(value)
+
+
+def ends(row, name):
+    """The interval of a number: [lower, upper], None where nothing bounds it; None where there is no interval."""
+    both = [row[f"{name}_lower"], row[f"{name}_upper"]]
+    return None if both == [None, None] else both
+
+
+def shares(row, name):
+    """A share and its exact interval, as two cells."""
+    if row[f"{name}_lower"] is None:  # nothing to count, or no sample
+        return value_of(row[name], 3), "–"
+    return value_of(row[name], 3), interval(ends(row, name), 3)
+
+
+def interval(ends, digits=4):
+    if not ends:
+        return "–"
+    low, high = ends
+    return f"{value_of(low, digits, 'open')} – {value_of(high, digits, 'open')}"
+
+
+def cell_of(value):
+    """What is short keeps to one line."""
+    text = str(value)
+    return f"<td{' class=short' if len(text) <= MOST_SHORT else ''}>{escape(text)}</td>"
+
+
+def table(head, rows, note=""):
+    cells = "".join(f"<th>{escape(name)}</th>" for name in head)
+    body = "".join("<tr>" + "".join(cell_of(cell) for cell in row) + "</tr>\n" for row in rows)
+    note = f"<p class=quiet>{escape(note)}</p>" if note else ""
+    return f"<div class=scroll><table><thead><tr>{cells}</tr></thead><tbody>\n{body}</tbody></table></div>{note}\n"
+
+
+def fold(title, content):
+    """What is long: a box that scrolls on a screen, and is whole in print."""
+    return f'<p class=label>{escape(title)}</p><div class=fold tabindex=0>{content}</div>\n'
+
+
+def figure_of(svg, alt, scale):
+    """A drawing on a page: as wide as drawn, times `scale`, where there is room; where there is less it shrinks until its
+    letters of 8 points are 8 pixels high, and then scrolls."""
+    width = float(re.search(r'width="([0-9.]+)pt"', svg).group(1))
+    svg = svg[svg.index("<svg"):].replace(
+        "<svg", f'<svg role="img" aria-label="{escape(alt)}" style="width:{scale * width:.0f}pt;--least:{0.75 * width:.0f}pt"', 1)
+    return f"<figure>{svg}</figure>\n"
+
+
+def in_pages(bodies, most):
+    """Bodies in turn, as many as a figure of one page shows, with what tells its name from the first one's."""
+    return [(f"-{start // most + 1}" if start else "", bodies[start:start + most]) for start in range(0, len(bodies), most)]
+
+
+def paragraphs(lines, kind=""):
+    return "".join(f"<p{kind}>{escape(line)}</p>\n" for line in lines)

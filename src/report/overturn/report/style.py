@@ -1,0 +1,101 @@
+"""How every figure of overturn looks: one palette, one type size, the same bytes for the same data."""
+
+import textwrap
+
+from ..errors import require
+
+require("numpy", "matplotlib")
+
+import matplotlib  # noqa: E402
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+# Okabe & Ito (2008): told apart by colour-blind readers, and by their lightness in grey print.
+BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY = "#0072b2", "#d55e00", "#009e73", "#e69f00", "#cc79a7", "#56b4e9"
+INK, GREY, PALE = "#1a1a1a", "#7a7a7a", "#dddddd"
+SERIES = [BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY]
+BODIES = [(VERMILION, "-"), (GREEN, "--"), (PURPLE, "-."), (ORANGE, ":"), (SKY, (0, (5, 1, 1, 1)))]
+
+
+def looks(count):
+    """As many colours with dashes as there are bodies: the dashes go on where colours begin again."""
+    dashes = [line for _, line in BODIES]
+    return [(BODIES[n % len(BODIES)][0], dashes[(n + n // len(BODIES)) % len(dashes)]) for n in range(count)]
+
+
+def use():
+    """The house's settings, whatever the reader's own matplotlibrc says."""
+    matplotlib.rcdefaults()
+    matplotlib.rcParams.update({
+        "font.family": "DejaVu Sans", "font.size": 8, "axes.titlesize": 8.5, "axes.titleweight": "bold",
+        "axes.titlelocation": "left", "axes.labelsize": 8, "xtick.labelsize": 7.5, "ytick.labelsize": 7.5,
+        "legend.fontsize": 7.5, "legend.frameon": False, "legend.borderaxespad": 0.3, "legend.handlelength": 2.2,
+        "axes.edgecolor": GREY, "axes.labelcolor": INK, "text.color": INK, "xtick.color": INK, "ytick.color": INK,
+        "axes.linewidth": 0.6, "xtick.major.width": 0.6, "ytick.major.width": 0.6, "xtick.minor.width": 0.4,
+        "ytick.minor.width": 0.4, "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True,
+        "grid.color": PALE, "grid.linewidth": 0.5, "axes.axisbelow": True, "lines.linewidth": 1.0,
+        "lines.solid_joinstyle": "round", "figure.facecolor": "white", "savefig.dpi": 150,
+        "svg.hashsalt": "overturn", "svg.fonttype": "path", "path.simplify_threshold": 0.1,
+    })
+
+
+SPEED = {"symbol": "m/s", "si": 1.0}  # in which velocities are shown
+
+
+def told(data):
+    """Takes from a figure's data in which unit it shows velocities; returns the data."""
+    SPEED.update(data.get("velocity_unit", {}))
+    return data
+
+
+def speed(mps):
+    """A velocity, or an array of them, in the unit it is shown in."""
+    return mps / SPEED["si"]
+
+
+def speed_unit():
+    return SPEED["symbol"]
+
+
+def name(figure, text):
+    """Heads a figure with a user's own words, on one line."""
+    figure.suptitle(literal(textwrap.shorten(text, 70)), x=0.012, ha="left", fontsize=9.5, fontweight="bold")
+
+
+def legend_below(figure, handles, labels, columns=3):
+    """A legend under everything, in room of its own, so that no panel shrinks for it."""
+    room = 0.18 * -(-len(labels) // columns) + 0.08
+    height = figure.get_figheight() + room
+    figure.set_figheight(height)
+    figure.get_layout_engine().set(rect=(0, room / height, 1, 1 - room / height))
+    figure.legend(handles, labels, loc="lower center", bbox_to_anchor=(0.5, 0), ncols=columns)
+
+
+def save(figure, path):
+    """Without dates, names or versions: equal data give equal bytes."""
+    nothing = {"svg": {"Date": None, "Creator": None}, "png": {"Software": None},
+               "pdf": {"CreationDate": None, "Creator": None, "Producer": None}}
+    figure.savefig(path, metadata=nothing[path.rsplit(".", 1)[1]])
+    plt.close(figure)
+
+
+def literal(name):
+    """A user's own words, drawn as they are: no mathematics, and no leading underscore, which hides a legend's entry."""
+    name = name.replace("$", r"\$")
+    return "\u200b" + name if name.startswith("_") else name
+
+
+def plain(value, digits=3):
+    """That many significant figures, written out between 0.001 and a million."""
+    if value == 0:
+        return "0"
+    if not 1e-3 <= abs(value) < 1e6:
+        return f"{value:.{max(digits - 1, 0)}e}"
+    from math import floor, log10
+    return f"{round(value, digits - 1 - floor(log10(abs(value)))):.{max(0, digits - 1 - floor(log10(abs(value))))}f}"
+
+
+def number(value, digits=3):
+    """Three significant figures without an exponent where that is readable."""
+    return f"{value:.{digits}g}" if 1e-3 <= abs(value) < 1e4 else f"{value:.{digits - 1}e}"

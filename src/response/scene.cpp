@@ -1,0 +1,10 @@
+#include "response/ladder.hpp"
+
+namespace overturn {
+
+Footing const& Scene::on_corners() {
+    static Footing const footing;
+    return footing;
+}
+
+}  // namespace overturn

@@ -1,0 +1,18 @@
+/// Recorded motions that are too few for percentiles: what became of each.
+#pragma once
+
+#include <vector>
+
+#include "campaign/campaign_spec.hpp"
+#include "campaign/rows.hpp"
+#include "store/results_file.hpp"
+
+namespace overturn {
+
+/// Are these recorded motions, and so few that each is shown by itself? Of more, percentiles say enough.
+[[nodiscard]] bool are_few_records(CampaignSpec const& spec, std::int64_t waves);
+
+/// All trials of a campaign of few recorded motions, in the order of /trials; none of any other.
+[[nodiscard]] std::vector<TrialRow> trials_of_few_waves(CampaignSpec const& spec, store::ResultsReader const& file);
+
+}  // namespace overturn

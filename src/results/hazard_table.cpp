@@ -1,0 +1,240 @@
+#include "results/hazard_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "motion/column_unit.hpp"
+#include "motion/openquake.hpp"
+#include "motion/pair_table.hpp"
+#include "motion/text_lines.hpp"
+
+namespace overturn {
+namespace {
+
+// "pga" of "PGA [g]" and "pga_gal"; "sa(1.9 s)" of "Sa(1.9 s) [g]".
+std::string measure_in(std::string_view name) {
+    auto const text = lowered(name);
+    auto const bracket = text.starts_with("sa(") ? text.find(')') + 1 : 0;
+    return std::string(trimmed(text.substr(0, text.find_first_of(" _\t([", bracket))));
+}
+
+void check_measure(PairTable const& table, HazardAxis const& axis, Location const& where) {
+    auto const name = lowered(table.first_name);
+    auto const behind = name.substr(std::min(axis.label.size(), name.size()));
+    bool const other = !name.starts_with(axis.label)
+                       || (!behind.empty() && std::string_view(" _\t([").find(behind[0]) == std::string::npos);
+    if (!axis.label.empty() && other) {
+        throw InputError(where, fmt::format("hazard over '{}' (the levels are {}). State it over {}", table.first_name,
+                                            axis.label, axis.label));
+    }
+}
+
+// A frequency in a year by any of its usual names, with its unit in brackets or none.
+bool is_annual_frequency(std::string_view name) {
+    constexpr std::array<std::string_view, 10> names{"annual exceedance",
+                                                     "annual exceedance frequency",
+                                                     "annual exceedance rate",
+                                                     "annual frequency of exceedance",
+                                                     "annual rate of exceedance",
+                                                     "mean annual frequency of exceedance",
+                                                     "mean annual rate of exceedance",
+                                                     "mafe",
+                                                     "mare",
+                                                     "afe"};
+    constexpr std::array<std::string_view, 9> units{"",    "1/a",   "1/yr",     "1/year", "/a",
+                                                    "/yr", "/year", "per year", "a-1"};
+    auto lower = lowered(name);
+    std::ranges::replace(lower, '_', ' ');
+    auto const open = lower.find_first_of("[(");
+    auto const close = lower.find_first_of("])", std::min(open, lower.size()));
+    auto const unit =
+        open == std::string::npos ? std::string_view() : std::string_view(lower).substr(open + 1, close - open - 1);
+    bool const ended = open == std::string::npos || (close != std::string::npos && close + 1 == lower.size());
+    return ended && std::ranges::find(names, trimmed(std::string_view(lower).substr(0, open))) != names.end()
+           && std::ranges::find(units, trimmed(unit)) != units.end();
+}
+
+void check_frequency(PairTable const& table, Location const& where) {
+    if (!is_annual_frequency(table.second_name)) {
+        throw InputError(
+            where, fmt::format("'{}' (must be annual_exceedance [1/a]: exceedances in a year; of a return period its "
+                               "inverse, of a probability in t years -ln(1 - p) / t). Convert it",
+                               table.second_name));
+    }
+}
+
+// The number that ends before `at`; nothing if none does.
+std::optional<double> number_before(std::string_view text, std::size_t at) {
+    auto const end = text.find_last_not_of(" \t-", at == 0 ? 0 : at - 1);
+    if (at == 0 || end == std::string_view::npos) {
+        return std::nullopt;
+    }
+    auto const begin = text.find_last_not_of("0123456789.", end);
+    auto const digits = text.substr(begin == std::string_view::npos ? 0 : begin + 1, end - begin);
+    double value = 0;
+    return parse_number(digits, value) ? std::optional(value) : std::nullopt;
+}
+
+// "investigation_time = 50", "10 % probability of exceedance in 50 years", "PoE in 50 yr": the years; 0 where it speaks
+// of a probability or of such a time without them; nothing of all else.
+std::optional<double> years_in(std::string const& text) {
+    bool const investigation = text.find("investigation") != std::string::npos;
+    bool const probability = text.find("probab") != std::string::npos || text.find("poe") != std::string::npos;
+    bool const exceeded = text.find("exceed") != std::string::npos;
+    if (!investigation && !probability && !exceeded) {
+        return std::nullopt;
+    }
+    for (std::string_view const word : {"year", "yr"}) {
+        for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+            if (auto const years = number_before(text, at)) {
+                return years;
+            }
+        }
+    }
+    if (!investigation) {
+        bool const annual = text.find("annual") != std::string::npos || text.find("per year") != std::string::npos;
+        return probability && !annual ? std::optional(0.0) : std::nullopt;
+    }
+    auto const at = text.find("investigation");
+    auto const first = std::min(text.find_first_of("0123456789", at), text.size());
+    auto const end = std::min(text.find_first_not_of("0123456789.e+", first), text.size());
+    double years = 0;
+    return parse_number(text.substr(first, end - first), years) ? years : 0.0;
+}
+
+// A line above the numbers that speaks of more years than one: what is below it may be probabilities.
+void refuse_investigation_time(PairTable const& table, std::string const& name) {
+    for (auto const& line : table.head) {
+        auto const years = years_in(lowered(line.text));
+        if (!years || *years == 1) {
+            continue;
+        }
+        auto const time = *years > 0 ? fmt::format("{:g}", *years) : std::string("t");
+        throw InputError({name, line.number},
+                         fmt::format("{} (are these probabilities in {} years?). If so, convert them by -ln(1 - p) / "
+                                     "{}; if they are exceedances in a year, remove this line",
+                                     in_quotes(line.text), time, time));
+    }
+}
+
+// The unit that the first column's name states, none of a pure number.
+IntensityUnit unit_of(PairTable const& table, HazardAxis const& axis, Location const& where) {
+    if (axis.dimension == Dimension::none) {
+        return {};
+    }
+    auto const name = lowered(table.first_name);
+    auto const label = axis.label.empty() ? measure_in(table.first_name) : axis.label;
+    auto const column = "a" + name.substr(std::min(label.size(), name.size()));
+    auto const unit = unit_of_values(column, axis.dimension);
+    if (!unit) {
+        throw InputError(where, fmt::format("'{}' states no unit of {} (one of {}). Write for example '{} [{}]'",
+                                            table.first_name, name_of(axis.dimension), accepted_units(axis.dimension),
+                                            label, si_symbol(axis.dimension)));
+    }
+    return {std::string(unit_text_in_name(column).text), *unit};
+}
+
+// Rows that tables hold although they say nothing: no motion first, no exceedance last.
+void check_row(Pair const& point, Pair const* before) {
+    HazardPoint const last{before != nullptr ? before->first : 0, before != nullptr ? before->second : 0};
+    bool const first_of_none = before == nullptr && point.first == 0 && point.second > 0;
+    bool const none_left = before != nullptr && point.second == 0 && point.first > last.intensity;
+    if (!first_of_none && !none_left) {
+        check_hazard_point({point.first, point.second}, before != nullptr ? &last : nullptr);
+    }
+}
+
+struct Cut {
+    std::vector<HazardPoint> points;
+    std::vector<std::string> remarks;
+};
+
+Cut without_zeros(PairTable const& table, double unit_si) {
+    Cut cut;
+    std::optional<int> first_zero;
+    for (std::size_t i = 0; i < table.points.size(); ++i) {
+        auto const& [intensity, annual] = table.points[i];
+        if (intensity == 0) {
+            cut.remarks.push_back(fmt::format("line {} is left out: intensity 0 is no motion", table.line[i]));
+        } else if (annual == 0) {
+            first_zero = first_zero.value_or(table.line[i]);
+        } else {
+            cut.points.push_back({intensity * unit_si, annual});
+        }
+    }
+    if (first_zero) {
+        cut.remarks.push_back(fmt::format(
+            "from line {} on no exceedances are stated: the curve ends at the row before, and what lies beyond is "
+            "bounded as beyond any end",
+            *first_zero));
+    }
+    return cut;
+}
+
+void check_overlap(HazardCurve const& hazard, HazardAxis const& axis, Location const& where) {
+    if (axis.highest == 0 || (hazard.last() >= axis.lowest && hazard.first() <= axis.highest)) {
+        return;
+    }
+    auto const own = axis.lowest == axis.highest
+                         ? axis.unit.text(axis.lowest)
+                         : fmt::format("{} to {}", axis.unit.text(axis.lowest), axis.unit.text(axis.highest));
+    throw InputError(where, fmt::format("hazard curve from {} to {}, fragility over {} (nothing in common). Check the "
+                                        "units, or state the hazard over all of it",
+                                        hazard_text(hazard, hazard.first()), hazard_text(hazard, hazard.last()), own));
+}
+
+}  // namespace
+
+std::string hazard_text(HazardCurve const& hazard, double intensity) {
+    auto const& unit = hazard.stated();
+    auto const value = fmt::format("{:.6g}", unit.of(intensity));
+    return unit.symbol.empty() || unit.symbol == "1" ? value : fmt::format("{} {}", value, unit.symbol);
+}
+
+HazardAxis hazard_axis(LevelSpec const& levels) {
+    return {levels.measure_label(),
+            levels.dimension(),
+            {levels.shown_units(), levels.stated_unit_si},
+            levels.levels.front().value,
+            levels.levels.back().value};
+}
+
+HazardCurve parse_hazard(std::string_view content, std::string const& name, HazardAxis const& axis) {
+    if (auto const converted = hazard_of_openquake(content, name)) {
+        return parse_hazard(*converted, name, axis);
+    }
+    auto const table = read_pair_table(content, name, "intensity and annual exceedance", check_row);
+    Location const where{name, table.names_line};
+    if (table.names_line == 0) {
+        auto const label = axis.label.empty() ? std::string("pga") : axis.label;
+        auto const unit = axis.unit.symbol.empty() ? std::string("g") : axis.unit.symbol;
+        throw InputError(Location{name, 1}, fmt::format("no line of names (what is exceeded, in which unit?). Begin "
+                                                        "with '{} [{}], annual_exceedance'",
+                                                        label, unit));
+    }
+    check_measure(table, axis, where);
+    check_frequency(table, where);
+    refuse_investigation_time(table, name);
+    auto unit = unit_of(table, axis, where);
+    auto cut = without_zeros(table, unit.si);
+    auto& points = cut.points;
+    if (points.size() < 2) {
+        throw InputError(where, fmt::format("hazard curve of {} point{} (at least two). Add some", points.size(),
+                                            points.size() == 1 ? "" : "s"));
+    }
+    if (points.front().annual_exceedance == points.back().annual_exceedance) {
+        throw InputError({name, table.line.back()},
+                         fmt::format("annual exceedance {} throughout (no curve). Add stronger motions",
+                                     points.back().annual_exceedance));
+    }
+    HazardCurve hazard(std::move(points), std::move(unit), std::move(cut.remarks));
+    check_overlap(hazard, axis, where);
+    return hazard;
+}
+
+}  // namespace overturn

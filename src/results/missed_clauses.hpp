@@ -1,0 +1,50 @@
+/// Which clauses of an acceptance rule waves missed, by component, and at which periods.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "campaign/rows.hpp"
+
+namespace overturn {
+
+/// One clause that some waves missed.
+struct MissedClause {
+    std::string component;  ///< whose spectrum; empty: it is about the wave as a whole
+    std::string clause;
+    std::int64_t waves = 0;
+    std::optional<double> worst = {};                            ///< the figure of the wave that missed it most
+    std::optional<double> from_period_s = {}, to_period_s = {};  ///< where nine tenths of them miss it [s]
+};
+
+/// Counts over waves that miss the rule, in any order.
+class MissedClauses {
+  public:
+    void add(WaveRow const& row);
+    /// Those that were missed, the most often first.
+    [[nodiscard]] std::vector<MissedClause> rows() const;
+    [[nodiscard]] bool empty() const { return seen_.empty(); }
+
+  private:
+    struct Seen {
+        std::int64_t waves = 0;
+        std::optional<double> worst;
+        std::vector<double> periods_s;
+    };
+    void add_component(std::size_t component, std::int64_t failures, ComponentMatch const& match, double worst_decade);
+
+    std::map<std::pair<std::size_t, std::size_t>, Seen> seen_;  ///< by clause and component
+};
+
+/// What MissedClause::clause may be.
+[[nodiscard]] std::vector<std::string> names_of_all_clauses();
+
+/// A line for each: "lowest ratio, vertical: missed by 81 waves, worst 0.78 (at 0.031 s to 0.12 s)".
+[[nodiscard]] std::string missed_clauses_text(MissedClauses const& missed);
+
+}  // namespace overturn

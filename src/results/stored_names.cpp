@@ -1,0 +1,78 @@
+#include "results/stored_names.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
+#include "core/error.hpp"
+#include "response/registry.hpp"
+#include "results/schema.hpp"
+
+namespace overturn {
+namespace {
+
+constexpr char const* verdict_column = "trials/verdict";
+
+// Is the name one of the column's attribute, "rocked, overturned"?
+bool is_listed(store::ResultsReader const& file, char const* attribute, std::string_view name) {
+    auto const list = ", " + file.attribute_or(verdict_column, attribute, "") + ", ";
+    return list.find(fmt::format(", {}, ", name)) != std::string::npos;
+}
+
+Verdict meaning_of(store::ResultsReader const& file, std::string_view name) {
+    if (is_listed(file, "fell", name)) {
+        return Verdict::overturned;
+    }
+    if (!is_listed(file, "decided", name)) {
+        return Verdict::contact_lost;
+    }
+    return is_listed(file, "moved", name) ? Verdict::rocked : Verdict::at_rest;
+}
+
+}  // namespace
+
+std::vector<Category> verdicts_in(store::ResultsReader const& file) {
+    auto categories = verdict_categories();
+    for (auto const& stored : file.categories(verdict_column)) {
+        if (std::ranges::find(categories, stored.name, &Category::name) == categories.end()) {
+            categories.push_back({static_cast<std::int64_t>(meaning_of(file, stored.name)), stored.name});
+        }
+    }
+    return categories;
+}
+
+std::string unknown_verdicts(store::ResultsReader const& file) {
+    auto const known = verdict_categories();
+    std::string text;
+    for (auto const& [value, name] : verdicts_in(file)) {
+        if (std::ranges::find(known, name, &Category::name) == known.end()) {
+            text += fmt::format("{}verdict '{}' is not known to this program: its trials count as {}",
+                                text.empty() ? "" : "; ", name, entry_of(static_cast<Verdict>(value)).name);
+        }
+    }
+    return text;
+}
+
+std::vector<Verdict> stored_verdicts(store::ResultsReader const& file) {
+    auto const numbers = file.named(verdict_column, verdicts_in(file));
+    std::vector<Verdict> verdicts;
+    verdicts.reserve(numbers.size());
+    std::ranges::transform(numbers, std::back_inserter(verdicts),
+                           [](std::int64_t number) { return static_cast<Verdict>(number); });
+    return verdicts;
+}
+
+store::TableSpec stored_trial_table(store::ResultsReader const& file, CampaignSpec const& spec) {
+    auto table = trial_table(spec);
+    auto const verdict = std::ranges::find(table.columns, "verdict", &Field::name);
+    OVERTURN_EXPECT(verdict != table.columns.end());
+    verdict->categories = verdicts_in(file);
+    return table;
+}
+
+store::TableSpec held_in(store::ResultsReader const& file, store::TableSpec table) {
+    std::erase_if(table.columns, [&](Field const& column) { return !file.has(table.group + "/" + column.name); });
+    return table;
+}
+
+}  // namespace overturn

@@ -1,0 +1,31 @@
+/// What a results file names, in this program's terms: files of programs with more or fewer columns, verdicts and
+/// models stay readable, because names are compared and never places or numbers.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "campaign/campaign_spec.hpp"
+#include "model/verdict.hpp"
+#include "store/results_file.hpp"
+
+namespace overturn {
+
+/// The verdicts of the file's trials by name. One that this program does not know has the value of a known verdict that
+/// means the same: overturned where the body fell, contact-lost where it is not decided, else rocked or at rest (from
+/// the attributes `fell`, `decided` and `moved` of /trials/verdict; not decided where they are missing).
+[[nodiscard]] std::vector<Category> verdicts_in(store::ResultsReader const& file);
+
+/// "verdict 'crushed' is not known to this program: its trials count as rocked"; empty where all are known.
+[[nodiscard]] std::string unknown_verdicts(store::ResultsReader const& file);
+
+/// How each trial ended, in the order of /trials.
+[[nodiscard]] std::vector<Verdict> stored_verdicts(store::ResultsReader const& file);
+
+/// /trials as trial_table has it, with the verdicts of the file.
+[[nodiscard]] store::TableSpec stored_trial_table(store::ResultsReader const& file, CampaignSpec const& spec);
+
+/// The columns of a table that the file has.
+[[nodiscard]] store::TableSpec held_in(store::ResultsReader const& file, store::TableSpec table);
+
+}  // namespace overturn

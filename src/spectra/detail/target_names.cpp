@@ -1,0 +1,210 @@
+#include "spectra/detail/target_names.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/units.hpp"
+#include "motion/claims.hpp"
+#include "motion/column_role.hpp"
+#include "motion/column_unit.hpp"
+#include "motion/text_lines.hpp"
+
+namespace overturn {
+namespace {
+
+using Text = std::string_view;
+
+bool holds_any(Text text, std::initializer_list<Text> words) {
+    return std::ranges::any_of(words, [&](Text word) { return text.find(word) != Text::npos; });
+}
+
+/// Before its brackets, in lower case.
+std::string stem_of(Text name) { return lowered(trimmed(name.substr(0, name.find_first_of("([")))); }
+
+bool is_letter(char c) { return c >= 'a' && c <= 'z'; }
+
+/// "T", "T*", "T_n", "T1", "Tn", "period", in several languages.
+bool is_period(Text stem) {
+    bool const letter = stem.starts_with('t') && (stem.size() == 1 || !is_letter(stem[1]) || stem == "tn");
+    return letter || holds_any(stem, {"perio", "p\xC3\xA9rio", "periyo", "\xE5\x91\xA8\xE6\x9C\x9F"});
+}
+
+/// What a name calls the ordinates, where it says so.
+std::optional<TargetKind> kind_named(Text name) {
+    auto const lower = lowered(trimmed(name));
+    struct Word {
+        Text text;
+        TargetKind kind;
+    };
+    constexpr auto parts = std::to_array<Word>({{"accel", TargetKind::acceleration},
+                                                {"\xE5\x8A\xA0\xE9\x80\x9F\xE5\xBA\xA6", TargetKind::acceleration},
+                                                {"veloc", TargetKind::pseudo_velocity},
+                                                {"\xE9\x80\x9F\xE5\xBA\xA6", TargetKind::pseudo_velocity},
+                                                {"displ", TargetKind::displacement},
+                                                {"\xE5\xA4\x89\xE4\xBD\x8D", TargetKind::displacement}});
+    constexpr auto words = std::to_array<Word>({{"sa", TargetKind::acceleration},
+                                                {"psa", TargetKind::acceleration},
+                                                {"sv", TargetKind::pseudo_velocity},
+                                                {"psv", TargetKind::pseudo_velocity},
+                                                {"v", TargetKind::pseudo_velocity},
+                                                {"sd", TargetKind::displacement},
+                                                {"d", TargetKind::displacement}});
+    for (auto const& [text, kind] : parts) {
+        if (lower.find(text) != std::string::npos) {
+            return kind;
+        }
+    }
+    auto const word = Text(lower).substr(0, lower.find_first_of(" ([_,/"));
+    auto const* const found = std::ranges::find(words, word, &Word::text);
+    return found == words.end() ? std::nullopt : std::optional(found->kind);
+}
+
+/// Of no response spectrum, whatever its kind.
+bool is_something_else(Text name) {
+    auto const lower = lowered(trimmed(name));
+    auto const quantity = column_role(ordinate_name(name)).quantity;
+    return quantity == Quantity::hazard || quantity == Quantity::counts || quantity == Quantity::index
+           || quantity == Quantity::frequency || quantity == Quantity::other || lower == "t" || lower == "pga"
+           || lower.starts_with("ratio") || lower.starts_with("pga ") || lower.starts_with("pga(")
+           || holds_any(lower, {"sigma", "std", " ratio", "norm", "/pga", "/ pga", "amplif", "fourier", "fas", "time",
+                                "rate", "\xCF\x83"});
+}
+
+/// What the text's other quantity is as a kind; nothing if it is of no spectrum.
+std::optional<TargetKind> kind_of_text(Text other) {
+    return other == "velocities"      ? std::optional(TargetKind::pseudo_velocity)
+           : other == "displacements" ? std::optional(TargetKind::displacement)
+                                      : std::nullopt;
+}
+
+std::optional<double> number_before(Text text) {
+    text = trimmed(text);
+    auto const begin = text.find_last_not_of("0123456789.");
+    double value = 0;
+    return parse_number(text.substr(begin == Text::npos ? 0 : begin + 1), value) ? std::optional(value) : std::nullopt;
+}
+
+std::optional<double> number_behind(Text text) {
+    text = text.substr(std::min(text.find_first_not_of(" \t:=of"), text.size()));
+    double value = 0;
+    return parse_number(text.substr(0, text.find_first_not_of("0123456789.")), value) ? std::optional(value)
+                                                                                      : std::nullopt;
+}
+
+}  // namespace
+
+std::string ordinate_name(std::string_view name) {
+    auto plain = trimmed(name);
+    if (!lowered(plain).starts_with("ln")) {
+        return std::string(plain);
+    }
+    plain = trimmed(plain.substr(2));
+    if (plain.starts_with('_')) {
+        plain = trimmed(plain.substr(1));
+    }
+    if (plain.starts_with('(') && !unit_spelled(plain.substr(1, plain.find(')') - 1), Dimension::acceleration)) {
+        auto const close = plain.find(')');
+        return std::string(plain.substr(1, close - 1))
+               + std::string(plain.substr(std::min(close == Text::npos ? close : close + 1, plain.size())));
+    }
+    return std::string(plain);
+}
+
+std::optional<double> frequency_unit(PairTable const& table, Location const& where) {
+    auto const [text, bracketed] = unit_text_in_name(table.first_name);
+    auto const stem = stem_of(table.first_name.substr(0, table.first_name.find('_')));
+    auto const unit = unit_spelled(text, Dimension::frequency);
+    if (unit || stem == "f" || stem.starts_with("freq") || stem.starts_with("fr\xC3\xA9q")) {
+        return unit.value_or(1);
+    }
+    bool const seconds = bracketed && unit_spelled(text, Dimension::time) && stem.starts_with('t') && stem != "time";
+    bool const wordless = table.names_line == 0 || stem.empty();
+    if (!wordless && !seconds && !is_period(stem)) {
+        throw InputError(where, fmt::format("'{}' (a period or a frequency belongs into the first column). Name it T "
+                                            "(s), or f (Hz)",
+                                            table.first_name));
+    }
+    return std::nullopt;
+}
+
+bool are_logarithms(PairTable const& table, Location const& where) {
+    auto const lower = lowered(trimmed(table.second_name));
+    if (lower.starts_with("log")) {
+        throw InputError(where, fmt::format("'{}' (a logarithm of which base?). Give the ordinates themselves, or ln "
+                                            "of them",
+                                            table.second_name));
+    }
+    return lower.starts_with("ln");
+}
+
+void check_kind(PairTable const& table, TargetKind kind, Location const& where) {
+    if (table.second_name.find_first_of(",;\t") != std::string::npos) {
+        throw InputError(where, fmt::format("'{}' over the second of two columns (names of more columns than there "
+                                            "are). Mend the names",
+                                            table.second_name));
+    }
+    if (table.names_line == 0) {
+        return;
+    }
+    if (is_something_else(table.second_name)) {
+        throw InputError(where, fmt::format("'{}' (no ordinate of a response spectrum). Give Sa, Sv or Sd, or name the "
+                                            "column so",
+                                            table.second_name));
+    }
+    auto const named = kind_named(ordinate_name(table.second_name));
+    bool const energy = kind == TargetKind::energy_velocity && named == TargetKind::pseudo_velocity;
+    if (named && *named != kind && !energy) {
+        throw InputError(where, fmt::format("'{}' where kind says {} (they contradict each other). Mend the kind, or "
+                                            "the header",
+                                            table.second_name, name_of(dimension_of(kind))));
+    }
+}
+
+void check_text(PairTable const& table, TargetKind kind, double damping, std::string const& name) {
+    for (auto const& line : table.head) {
+        if (line.number == table.names_line) {
+            continue;
+        }
+        Claims claims;
+        claims.take(line.text, line.number);
+        auto const other = claims.other();
+        auto const said = kind_of_text(other);
+        bool const energy = kind == TargetKind::energy_velocity && said == TargetKind::pseudo_velocity;
+        if (!other.empty() && other != "a spectrum" && said != kind && !energy) {
+            throw InputError({name, line.number},
+                             fmt::format("{}, says the text, where kind says {} (they contradict each other). Mend the "
+                                         "kind, or the text",
+                                         other, name_of(dimension_of(kind))));
+        }
+        constexpr double printed = 1e-3;
+        if (auto const stated = damping_in(lowered(line.text)); stated && std::abs(*stated - damping) > printed) {
+            throw InputError({name, line.number},
+                             fmt::format("damping {} in the text, {} in the campaign (they contradict each other). "
+                                         "State stated_damping = {}",
+                                         *stated, damping, *stated));
+        }
+    }
+}
+
+std::optional<double> damping_in(std::string_view lower) {
+    auto const damp = lower.find("damp");
+    auto const percent = lower.find('%');
+    if (damp != Text::npos && percent != Text::npos) {
+        auto const value = number_before(lower.substr(0, percent));
+        return value ? std::optional(*value / 100) : std::nullopt;
+    }
+    for (Text const key : {"damping ratio", "damping factor", "damping", "zeta", "\xCE\xB6", "h =", "h="}) {
+        auto const at = lower.find(key);
+        if (at == Text::npos || (at > 0 && is_letter(lower[at - 1]))) {
+            continue;
+        }
+        auto const value = number_behind(lower.substr(at + key.size()));
+        if (value && *value > 0 && *value < 1) {
+            return value;
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace overturn

@@ -1,0 +1,34 @@
+/// What names and text say of a target's table, and what contradicts its kind.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/error.hpp"
+#include "motion/pair_table.hpp"
+#include "spectra/target_spectrum.hpp"
+
+namespace overturn {
+
+/// SI value of the frequencies' unit, if the first column holds frequencies [Hz]; nothing for periods.
+/// \throws InputError if its name says neither, or a logarithm
+[[nodiscard]] std::optional<double> frequency_unit(PairTable const& table, Location const& where);
+
+/// Are the ordinates natural logarithms? \throws InputError at logarithms of another base
+[[nodiscard]] bool are_logarithms(PairTable const& table, Location const& where);
+
+/// Without "ln": "ln(Sa)" is "Sa".
+[[nodiscard]] std::string ordinate_name(std::string_view name);
+
+/// \throws InputError if the second name calls the values another quantity than `kind`: a velocity, a hazard curve, a
+/// ratio, a standard deviation
+void check_kind(PairTable const& table, TargetKind kind, Location const& where);
+
+/// \throws InputError if the text calls them another quantity, or states another damping
+void check_text(PairTable const& table, TargetKind kind, double damping, std::string const& name);
+
+/// "5 % damped", "h = 0.02", "damping ratio: 0.05"
+[[nodiscard]] std::optional<double> damping_in(std::string_view lower);
+
+}  // namespace overturn

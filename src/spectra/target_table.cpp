@@ -1,0 +1,148 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/units.hpp"
+#include "motion/claims.hpp"
+#include "motion/column_unit.hpp"
+#include "motion/openquake.hpp"
+#include "motion/pair_table.hpp"
+#include "motion/text_lines.hpp"
+#include "spectra/detail/design_json.hpp"
+#include "spectra/detail/target_names.hpp"
+#include "spectra/target_spectrum.hpp"
+
+namespace overturn {
+namespace {
+
+double period_unit(PairTable const& table, Location const& where) {
+    auto const [text, bracketed] = unit_text_in_name(table.first_name);
+    auto const unit = unit_in_name(table.first_name, Dimension::time);
+    if (bracketed && !unit) {
+        throw InputError(where, fmt::format("unit '{}' of the periods (it is not known: one of {}). Mend the header",
+                                            text, accepted_units(Dimension::time)));
+    }
+    return unit.value_or(1);
+}
+
+std::optional<double> value_unit(PairTable const& table, TargetKind kind, std::optional<double> stated,
+                                 Location const& where) {
+    auto const dimension = dimension_of(kind);
+    auto const ordinates = ordinate_name(table.second_name);
+    auto const unit = unit_of_values(ordinates, dimension);
+    auto const [text, bracketed] = unit_text_in_name(ordinates);
+    constexpr double same = 1e-9;
+    if (unit && stated && std::abs(*unit - *stated) > same * *unit) {
+        auto const named = dimension == Dimension::acceleration
+                               ? name_of_acceleration_unit(*stated)
+                               : fmt::format("{:.6g} {}", *stated, si_symbol(dimension));
+        throw InputError(where, fmt::format("unit '{}' in the header, {} stated in the campaign (they contradict each "
+                                            "other). Leave the stated one out",
+                                            text, named));
+    }
+    bool const another = unit_spelled(text, Dimension::acceleration) || unit_spelled(text, Dimension::velocity)
+                         || (bracketed && unit_spelled(text, Dimension::length));
+    if (!unit && (another || (bracketed && !stated))) {
+        throw InputError(where, fmt::format("unit '{}' in the header (not a unit of {}, which kind says the values "
+                                            "are: one of {}). Mend the kind, or the header",
+                                            text, name_of(dimension), accepted_units(dimension)));
+    }
+    return unit ? unit : stated;
+}
+
+/// In a comment or in prose, "units g"; an acceleration's only.
+std::optional<double> claimed_unit(PairTable const& table, TargetKind kind) {
+    Claims claims;
+    for (auto const& line : table.head) {
+        if (line.number != table.names_line) {
+            claims.take(line.text, line.number);
+        }
+    }
+    return kind == TargetKind::acceleration ? claims.unit() : std::nullopt;
+}
+
+std::string units_to_state(TargetKind kind) {
+    return kind == TargetKind::acceleration   ? R"(unit = "g", "gal" or "m/s2")"
+           : kind == TargetKind::displacement ? R"(unit = "cm" or "m")"
+                                              : R"(unit = "kine" or "m/s")";
+}
+
+/// Rows in the units of the header, in rising order of periods.
+std::vector<Pair> in_si(PairTable const& table, double abscissa, double ordinate, bool frequencies, bool logarithms) {
+    auto points = table.points;
+    for (auto& [x, y] : points) {
+        x = frequencies ? 1 / (x * abscissa) : x * abscissa;
+        y = (logarithms ? std::exp(y) : y) * ordinate;
+    }
+    if (frequencies) {
+        std::ranges::reverse(points);
+    }
+    return points;
+}
+
+/// \throws InputError at the first row that is no point of a spectrum
+void check_rows(PairTable const& table, bool frequencies, bool logarithms, TargetKind kind, std::string const& name) {
+    for (std::size_t i = 0; i < table.points.size(); ++i) {
+        auto const [x, y] = table.points[i];
+        bool const pga = i == 0 && x == 0 && !frequencies && kind == TargetKind::acceleration;
+        try {
+            validate((x > 0 || pga) && std::isfinite(x), "{} {} (must be positive and finite). Mend it",
+                     frequencies ? "frequency" : "period", x);
+            validate((y > 0 || logarithms) && std::isfinite(y),
+                     "ordinate {} at {} (must be positive and finite). "
+                     "Mend it",
+                     y, x);
+            validate(i == 0 || x > table.points[i - 1].first, "{} after {} ({} must rise). Sort the table", x,
+                     i == 0 ? 0.0 : table.points[i - 1].first, frequencies ? "frequencies" : "periods");
+        } catch (InputError const& error) {
+            throw InputError({name, table.line[i]}, error.what());
+        }
+    }
+}
+
+/// \throws InputError at what is no table of text
+void check_is_table(std::string_view content, std::string const& name) {
+    if (content.find('\0') != std::string_view::npos) {
+        throw InputError({name}, "zero bytes in it (a binary or UTF-16 file). Save it as plain text");
+    }
+    if (is_json(content)) {
+        throw InputError({name}, "JSON where a table is read. Write the periods and ordinates as columns T (s),Sa (g)");
+    }
+}
+
+}  // namespace
+
+TargetSpectrum parse_target_table(std::string_view content, std::string const& name, TargetKind kind, double damping,
+                                  std::optional<double> unit_si, bool silence_is_si) {
+    check_is_table(content, name);
+    auto const uniform = uniform_hazard_of_openquake(content, name);
+    auto const table =
+        read_pair_table(uniform ? *uniform : content, name, "period and value", [](Pair const&, Pair const*) {});
+    Location const where{name, table.names_line};
+    auto const hertz = frequency_unit(table, where);
+    bool const logarithms = are_logarithms(table, where);
+    check_kind(table, kind, where);
+    check_text(table, kind, damping, name);
+    double const abscissa = hertz ? *hertz : table.names_line > 0 ? period_unit(table, where) : 1;
+    auto unit = value_unit(table, kind, unit_si, where);
+    auto const claimed = claimed_unit(table, kind);
+    constexpr double same = 1e-9;
+    if (unit && claimed && std::abs(*unit - *claimed) > same * *claimed) {
+        throw InputError(where, fmt::format("unit {} in the text, {} stated or in the names (they contradict each "
+                                            "other). Leave one of them out",
+                                            name_of_acceleration_unit(*claimed), name_of_acceleration_unit(*unit)));
+    }
+    unit = unit ? unit : claimed;
+    unit = !unit && silence_is_si ? std::optional(1.0) : unit;
+    if (!unit) {
+        throw InputError({name, table.line.empty() ? 0 : table.line.front()},
+                         fmt::format("unit of the ordinates missing (neither names nor text say it). State {}",
+                                     units_to_state(kind)));
+    }
+    check_rows(table, hertz.has_value(), logarithms, kind, name);
+    return TargetSpectrum::from_points(name, damping, kind,
+                                       in_si(table, abscissa, *unit, hertz.has_value(), logarithms));
+}
+
+}  // namespace overturn

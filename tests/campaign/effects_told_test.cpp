@@ -1,0 +1,92 @@
+// Requirement R-506: effects that no model holds together are refused where they are stated, and told where auto meets
+// them; so is friction that stated effects ignore.
+#include <algorithm>
+#include <array>
+
+#include <gtest/gtest.h>
+
+#include "campaign/trial.hpp"
+#include "campaign/warnings.hpp"
+#include "support/campaigns.hpp"
+#include "support/expect_input_error.hpp"
+
+namespace overturn {
+namespace {
+
+using testing::campaign_from;
+
+// A made-up model that every body calls for and that holds no bed.
+constexpr Effect tied{16};
+
+class TiedModel : public Model {
+  public:
+    static ModelTraits const& entry() {
+        static constexpr std::array effects{EffectEntry{tied, "tied", "made up"}};
+        static ModelTraits const traits{.name = "tied",
+                                        .number = 9,
+                                        .holds = mask_of(tied) | mask_of(Effect::vertical) | mask_of(Effect::sliding),
+                                        .always = mask_of(tied),
+                                        .effects = effects};
+        return traits;
+    }
+    [[nodiscard]] ModelTraits const& traits() const override { return entry(); }
+    [[nodiscard]] Call called_for(Trial const& /*trial*/, Outcome const* /*said*/) const override {
+        return {mask_of(tied)};
+    }
+    std::unique_ptr<Checkpoints> run(Batch const& /*batch*/) const override { return nullptr; }
+};
+
+bool told(std::vector<std::string> const& lines, std::string const& part) {
+    return std::ranges::any_of(lines, [&](auto const& line) { return line.find(part) != std::string::npos; });
+}
+
+std::string campaign_with(std::string const& body_keys, std::string const& effects) {
+    return testing::quick_waves + testing::type_b + body_keys + testing::levels("values=[6]\n") + effects;
+}
+
+TEST(EffectsTold, WhatAutoLeavesOutIsToldBeforeARun) {
+    static std::array const with_ties{
+        models()[0], models()[1],
+        ModelEntry{TiedModel::entry,
+                   [](Accuracy const&) -> std::unique_ptr<Model> { return std::make_unique<TiedModel>(); }},
+        models()[2]};
+    auto const warnings = [](std::string const& body_keys, std::span<ModelEntry const> entries) {
+        auto const spec = campaign_from(campaign_with(body_keys, ""));
+        PhaseSeconds seconds;
+        return warnings_of_effects(spec, prepare_wave(spec, Plan(spec), 0, seconds), Ladder(spec.effects, {}, entries));
+    };
+    std::string const flat = "base={bedding='flat'}\npad={match_restitution=false}\n";
+    EXPECT_TRUE(
+        told(warnings(flat, with_ties), "type-b calls for contact beside effects with which no model holds it"));
+    EXPECT_TRUE(warnings("", with_ties).empty()) << "its corners call for no bed";
+    EXPECT_TRUE(warnings(flat, models()).empty());
+}
+
+TEST(EffectsTold, FrictionThatForcedEffectsIgnoreIsTold) {
+    auto const warnings = [](std::string const& body_keys, std::string const& effects) {
+        return warnings_of(campaign_from(campaign_with(body_keys, effects)));
+    };
+    char const* const stuck = "it does not slip";
+    EXPECT_TRUE(told(warnings("friction=0.5\n", "[effects]\ninclude=['contact']\n"), stuck));
+    EXPECT_TRUE(told(warnings("friction=0.5\n", "[effects]\ninclude=['vertical']\n"), stuck));
+    EXPECT_FALSE(told(warnings("friction=0.5\n", "[effects]\ninclude=['contact', 'sliding']\n"), stuck));
+    EXPECT_FALSE(told(warnings("friction=0.5\n", ""), stuck));
+    EXPECT_FALSE(told(warnings("", "[effects]\ninclude=['contact']\n"), stuck)) << "it states none";
+}
+
+TEST(EffectsTold, ForcedEffectsThatABodyCannotHaveAreRefusedWithTheirPlace) {
+    std::string const reed =
+        "[[bodies]]\nname='reed'\nmass='1 t'\nbase_width='0.02 m'\ncentre_height='2 m'\ninertia='uniform-block'\n";
+    auto const reads = [&](std::string const& keys, std::string const& included) {
+        return [=] {
+            (void)campaign_from(testing::quick_waves + reed + keys + testing::levels("values=[6]\n")
+                                + "[effects]\ninclude=" + included + "\n");
+        };
+    };
+    testing::expect_input_error(reads("", "['contact']"), "effects.include", "contact forced on 'reed'");
+    testing::expect_input_error(reads("", "['sliding']"), "effects.include", "states no friction");
+    EXPECT_NO_THROW(reads("pad={vertical_frequency='900 Hz', match_restitution=false}\n", "['contact']")());
+}
+
+}  // namespace
+}  // namespace overturn

@@ -1,0 +1,152 @@
+// Requirement R-904: what can only be a slip is refused where a campaign is to be run, or is a line that tells what to
+// look at; what is sound is not doubted.
+#include "campaign/unsound.hpp"
+
+#include <algorithm>
+
+#include "campaign/warnings.hpp"
+#include "support/campaigns.hpp"
+#include "support/expect_input_error.hpp"
+
+namespace overturn {
+namespace {
+
+std::string const slip_limit = "[[limits]]\nname='touches'\nquantity='peak_slip'\nabove=";
+
+void judge(std::string const& text) {
+    auto const input = testing::input_from(text);
+    refuse_unsound(input, parse_campaign(input));
+}
+
+std::string scene(std::string const& levels, std::string const& limits = {}) {
+    return testing::quick_waves + testing::type_b + "friction=0.5\n" + testing::levels(levels) + limits;
+}
+
+TEST(Unsound, NumberWithoutAUnitBesideLevelsThatHaveOne) {
+    for (auto const* levels :
+         {"values=['0.3 g', 0.5]\n", "values=['0.3 g']\ndesign_basis=0.3\n", "values=['0.3 g']\nbeyond_design=[0.5]\n",
+          "values=[0.3]\ndesign_basis='0.3 g'\n", "values={from='0.1 g', to=1, count=4}\n"}) {
+        testing::expect_input_error([&] { judge(scene(levels)); }, "levels.", "without a unit beside levels in g");
+    }
+    testing::expect_input_error([&] { judge(scene("values=['0.3 g']\n", slip_limit + "0.8\n")); }, "limits[0].above",
+                                "0.8 without a unit beside levels in g (a bare number is m). Write its unit");
+    for (auto const* sound :
+         {"values=[3, 5]\ndesign_basis=3\n", "values=['0.3 g']\n", "values={from='0.1 g', to='1 g', count=4}\n"}) {
+        EXPECT_NO_THROW(judge(scene(sound, slip_limit + "'0.8 m'\n"))) << sound;
+    }
+    EXPECT_NO_THROW(judge(scene("values=[3, 5]\n", slip_limit + "0.8\n"))) << "all of it is SI";
+    EXPECT_NO_THROW(
+        judge(scene("values=['0.3 g']\n", "[[limits]]\nname='rises'\nquantity='peak_rotation_ratio'\nabove=0.5\n")));
+}
+
+TEST(Unsound, LimitThatNoStandingBodyCanPass) {
+    auto const limit = [](char const* quantity, char const* above) {
+        return scene("values=[3]\n",
+                     fmt::format("[[limits]]\nname='tips'\nquantity='{}'\nabove={}\n", quantity, above));
+    };
+    testing::expect_input_error([&] { judge(limit("peak_rotation", "10")); }, "limits[0].above", "Write \"10 deg\"");
+    testing::expect_input_error([&] { judge(limit("peak_rotation_ratio", "50")); }, "limits[0].above", "at most 3.8");
+    EXPECT_NO_THROW(judge(limit("peak_rotation", "'10 deg'")));
+    EXPECT_NO_THROW(judge(limit("peak_rotation_ratio", "0.5")));
+}
+
+// A results file that has them is still read.
+TEST(Unsound, IsNotAskedOfWhatIsReadOnly) {
+    EXPECT_NO_THROW((void)testing::campaign_from(scene("values=['0.3 g', 0.5]\n")));
+}
+
+bool told(std::vector<std::string> const& lines, std::string const& what) {
+    return std::ranges::any_of(lines, [&](std::string const& line) { return line.find(what) != std::string::npos; });
+}
+
+/// A 138 t cask, 3.4 m wide, its centre of gravity at 2.9 m: what is mistyped of it.
+std::vector<std::string> body_warnings(char const* width, char const* height, char const* more = "") {
+    return warnings_of(testing::campaign_from(testing::quick_waves
+                                              + fmt::format("[[bodies]]\nname='cask'\nmass='138 t'\nbase_width={}\n"
+                                                            "centre_height={}\ninertia='uniform-block'\n{}\n",
+                                                            width, height, more)
+                                              + testing::levels("values=[3]\n"))
+                           .bodies.front());
+}
+
+TEST(Plausible, BodiesAsTheyAreGetNoLine) {
+    EXPECT_TRUE(body_warnings("3.4", "2.9").empty());
+    EXPECT_TRUE(body_warnings("3.4", "2.9", "restitution=0.6\nfriction=0.5").empty());
+    EXPECT_TRUE(body_warnings("'11 ft'", "'114 in'").empty()) << "other units of the same";
+}
+
+TEST(Plausible, MistypedBodiesGetOne) {
+    EXPECT_TRUE(told(body_warnings("1.7", "2.9"), "kg/m3")) << "half the width";
+    EXPECT_TRUE(told(body_warnings("3.4", "5.8"), "kg/m3")) << "the full height";
+    EXPECT_TRUE(told(body_warnings("5.8", "1.7", "restitution=0.3"), "over half the width is 0.586")) << "swapped";
+    EXPECT_TRUE(told(body_warnings("3.4", "2.9", "restitution=0.05"), "restitution 0.05 is 0.081 of Housner's"));
+    EXPECT_TRUE(told(body_warnings("3.4", "2.9", "friction=1.25"), "static friction 1.25"));
+}
+
+TEST(Plausible, MistypedCampaignsGetOne) {
+    auto const lines = [](std::string const& waves, std::string const& levels, std::string const& limits = {}) {
+        return warnings_of(testing::campaign_from(waves + testing::type_b + "friction=0.5\n" + levels + limits));
+    };
+    auto waves = testing::quick_waves;
+    auto const with = [&](std::string const& before, std::string const& now) {
+        auto text = testing::quick_waves;
+        return text.replace(text.find(before), before.size(), now);
+    };
+    EXPECT_TRUE(told(lines(waves, testing::levels("values=[0.3, 0.5]\n")), "Write \"0.5 g\" if that was meant"));
+    EXPECT_TRUE(told(
+        lines(waves, testing::levels("values=[3]\n"), "[[limits]]\nname='hits'\nquantity='peak_slip'\nbelow='0.3 m'\n"),
+        "limit 'hits': passed where peak_slip is below 0.3 m, so by a body at rest"));
+    EXPECT_TRUE(told(lines(waves + "[waves.vertical]\nratio=6.67\n", testing::levels("values=[3]\n")),
+                     "wave 0 is stronger vertically"));
+    EXPECT_TRUE(told(lines(with("time_step='0.02 s'", "time_step='0.1 s'"), testing::levels("values=[3]\n")),
+                     "time step of 0.1 s: nothing above 5 Hz"));
+    auto const rg = with("spectrum='mlit-ch1'\ntime_scale=0.632", "spectrum='rg-1.60'\npga='0.3 g'");
+    EXPECT_TRUE(
+        told(lines(rg, testing::levels("values=['0.3 g']\ndesign_basis='0.2 g'\n")), "design basis 0.2 g where"));
+    EXPECT_FALSE(told(lines(rg, testing::levels("values=['0.3 g']\ndesign_basis='0.3 g'\n")), "design basis"));
+    for (auto const& line : lines(waves + "[waves.vertical]\nratio=0.667\n", testing::levels("values=[3, 6]\n"))) {
+        EXPECT_EQ(line.find("time step"), std::string::npos) << line;
+        EXPECT_EQ(line.find("vertically"), std::string::npos) << line;
+        EXPECT_EQ(line.find("if that was meant"), std::string::npos) << line;
+    }
+}
+
+// Published: RG 1.60 prints its vertical spectra for the horizontal peak acceleration, so that both have one pga.
+TEST(Plausible, AVerticalTargetTakesThePgaOfTheHorizontalOne) {
+    auto const vertical_pga = [](std::string const& target, std::string const& vertical) {
+        auto waves = testing::quick_waves;
+        waves.replace(waves.find("spectrum='mlit-ch1'\ntime_scale=0.632"), 36, target);
+        waves.replace(waves.find("match='none'"), 12, "match='each'");
+        auto const spec = testing::campaign_from(waves + "[waves.vertical.target]\nspectrum='rg-1.60-vertical'\n"
+                                                 + vertical + testing::type_b + testing::levels("values=[3]\n"));
+        return peak_of(spec.source->make(1, 0).motion.vertical_mps2);
+    };
+    std::string const rg = "spectrum='rg-1.60'\npga='0.3 g'\n";
+    EXPECT_EQ(vertical_pga(rg, ""), vertical_pga(rg, "pga='0.3 g'\n"));
+    EXPECT_GT(vertical_pga(rg, "pga='0.6 g'\n"), 1.5 * vertical_pga(rg, ""));
+    testing::expect_input_error([&] { (void)vertical_pga("spectrum='mlit-ch1'\n", ""); },
+                                "waves.vertical.target.spectrum", "'rg-1.60-vertical' without pga");
+}
+
+// A body so squat that Housner's restitution is negative stands by the one that is stated, in its own file as well.
+TEST(Squat, BodiesStandByTheirStatedRestitution) {
+    std::string const squat = "mass='1 t'\nbase_width='1.8 m'\ncentre_height='0.6 m'\ninertia='uniform-block'\n";
+    auto const read = [&](std::string const& more, std::string const& file) {
+        auto const body =
+            file.empty() ? "[[bodies]]\nname='box'\n" + squat + more : "[[bodies]]\nname='box'\nfile='b.toml'\n" + more;
+        return testing::campaign_from(testing::quick_waves + body + testing::levels("values=[3]\n"),
+                                      {{"b.toml", squat + file}});
+    };
+    EXPECT_EQ(read("restitution=0.3\n", "").bodies[0].body.restitution(), 0.3);
+    EXPECT_EQ(read("", "restitution=0.3\n").bodies[0].body.restitution(), 0.3);
+    EXPECT_EQ(read("restitution=0.4\n", "restitution=0.3\n").bodies[0].body.restitution(), 0.4);
+    EXPECT_EQ(read("restitution=0.4\n", "friction=0.5\n").bodies[0].body.restitution(), 0.4) << "the file states none";
+    auto const drawn = read("restitution={distribution='uniform', low=0.2, high=0.4}\n", "");
+    EXPECT_NEAR(drawn.bodies[0].body.restitution(), 0.3, 1e-12);
+    for (auto const* without : {"", "restitution='housner'\n"}) {
+        testing::expect_input_error([&] { (void)read(without, ""); }, "Housner's restitution is -0.03846");
+    }
+}
+
+}  // namespace
+}  // namespace overturn

@@ -1,0 +1,76 @@
+// Requirement R-711: `fit --capacities` takes a row per wave, with ties and with those not reached, and refuses what it
+// cannot read where it stands.
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/campaign_files.hpp"
+#include "support/command.hpp"
+
+namespace overturn::testing {
+namespace {
+
+using nlohmann::json;
+
+// The example of Baker (2015), Earthquake Spectra 31(1), tried up to 1.3.
+std::string const published =
+    "IM "
+    "[g]\n0.49\n0.62\n0.63\n0.63\n0.65\n0.70\n0.71\n0.72\n0.77\n0.79\n0.80\n0.84\n0.91\n0.92\n0.93\n0.97\n1.04\n1.04\n"
+    "1.05\n1.08\n1.08\n1.09\n1.12\n1.13\n1.22\n>1.3\n>1.3\n>1.3\n>1.3\n>1.3\n>1.3\n>1.3\n>1.3\n>1.3\n>1.3\n>1.3\n>1."
+    "3\n";
+
+class Capacities : public ::testing::Test {
+  protected:
+    void refuse(std::string const& text, std::string const& part) {
+        folder.write("c.csv", text);
+        auto const ended = overturn(folder, {"fit", "--capacities", "c.csv"});
+        EXPECT_EQ(ended.code, 2) << text;
+        EXPECT_TRUE(is_one_error_line(ended.err)) << ended.err;
+        EXPECT_NE(ended.err.find(part), std::string::npos) << ended.err;
+    }
+    Folder folder;
+};
+
+TEST_F(Capacities, OfThePublishedExample) {
+    folder.write("c.csv", published);
+    auto const ended = overturn(folder, {"fit", "--capacities", "c.csv", "--json"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    auto const answer = json::parse(ended.out);
+    EXPECT_NEAR(answer["fragility"][0]["median"].get<double>(), 1.0582, 5e-5);
+    EXPECT_NEAR(answer["fragility"][0]["beta"].get<double>(), 0.3821, 5e-5);
+    EXPECT_EQ(answer["capacities"]["count"], 37);
+    EXPECT_EQ(answer["capacities"]["not_reached"], 12);
+    EXPECT_TRUE(answer["capacities"]["moments_median"].is_null());
+}
+
+TEST_F(Capacities, AColumnOfVerdictsSaysTheSame) {
+    folder.write("c.csv", "record;collapsed;pga [g]\nA;1;0.7\nB;1;0.9\nC;0;1.3\nD;1;1.1\n");
+    auto const by_column = overturn(folder, {"fit", "--capacities", "c.csv", "--json"});
+    folder.write("c.csv", "pga [g]\n0.7\n0.9\n>1.3\n1.1\n");
+    auto const by_sign = overturn(folder, {"fit", "--capacities", "c.csv", "--json"});
+    EXPECT_EQ(by_column.code, 0) << by_column.err;
+    EXPECT_EQ(by_column.out, by_sign.out);
+}
+
+TEST_F(Capacities, GiveAnAnnualFrequency) {
+    folder.write("c.csv", published);
+    folder.write("h.csv", "pga [g], annual_exceedance\n0.1,2e-3\n0.3,1e-4\n0.5,2.5e-5\n1.0,3e-6\n2.0,3e-7\n");
+    auto const ended = overturn(folder, {"fit", "--capacities", "c.csv", "--hazard", "h.csv", "--json"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    auto const row = json::parse(ended.out)["frequency"][0];
+    EXPECT_LT(row["frequency_lower_per_year"], row["mean_per_year"]);
+    EXPECT_GT(row["frequency_upper_per_year"], row["mean_per_year"]);
+}
+
+TEST_F(Capacities, WhatCannotBeReadIsRefusedWhereItStands) {
+    refuse("pga [g]\n0.7\nx\n", "c.csv:3:1: 'x' (not a number)");
+    refuse("pga [g]\n0.7\n-1\n", "must be above 0");
+    refuse("pga [g],collapsed\n0.7,2\n", "must be 1 or 0");
+    refuse("pga [g],collapsed\n>0.7,1\n", "that fell");
+    refuse("pga [g],drift\n0.7,2\n", "'drift' (unknown)");
+    refuse("collapsed\n1\n", "no column of intensities");
+    refuse("pga [g]\n", "no capacity");
+}
+
+}  // namespace
+}  // namespace overturn::testing

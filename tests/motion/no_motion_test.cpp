@@ -1,0 +1,148 @@
+// Requirement R-107: what is no motion is read as none: times, counts of rows, and what looks like nothing that shakes.
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "motion/record.hpp"
+#include "support/expect_input_error.hpp"
+#include "support/read_record.hpp"
+
+namespace overturn {
+namespace {
+
+using testing::expect_input_error;
+
+constexpr double gal = 0.01;
+
+GroundMotion read(std::string const& content, RecordRequest request = {.unit_mps2 = gal}) {
+    request.name = "a.csv";
+    return testing::read_record(content, request);
+}
+
+std::vector<double> const three{100 * gal, -200 * gal, 300 * gal};
+
+// a column named time or index, or in seconds, is no motion.
+TEST(Columns, TimesAndIndicesAreNoMotion) {
+    for (char const* names : {"index,time,acc", ",time (s),acc", "No.,t,acc", "Unnamed: 0,time,acc", "i,s,acc"}) {
+        auto const motion = read(std::string(names) + "\n0,0,100\n1,0.5,-200\n2,1,300\n");
+        EXPECT_EQ(motion.horizontal_mps2, three) << names;
+        EXPECT_EQ(motion.time_step_s, 0.5) << names;
+    }
+    expect_input_error([] { (void)read("index,time,acc\n0,0,1\n7,0.5,2\n8,1,3\n"); }, "a count of rows by its name");
+    expect_input_error([] { (void)read("index,time\n0,0\n1,0.5\n2,1\n"); }, "no column of accelerations");
+}
+
+// a line of names that are more or fewer than the columns is not dropped.
+TEST(Columns, NamesOfAnotherNumberAreRefused) {
+    expect_input_error([] { (void)read("time,NS,EW,UD\n0,1,2\n1,2,3\n"); }, "a.csv:1: ", "another number of columns");
+    EXPECT_NO_THROW((void)read("time,NS,EW,UD\n0,1,2\n1,2,3\n", {.unit_mps2 = gal, .columns = "time,h1,h2"}));
+}
+
+// what nothing calls an acceleration and looks like none is refused.
+TEST(Columns, WhatLooksLikeNoMotionIsRefused) {
+    std::string positive, rising, offset, named = "t,acc\n";
+    for (int i = 0; i < 100; ++i) {
+        double const swing = std::sin(0.7 * i);
+        positive += fmt::format("{},{}\n", 0.5 * i, 1 + swing * swing);
+        rising += fmt::format("{},{}\n", 0.5 * i, i - 50);
+        offset += fmt::format("{},{}\n", 0.5 * i, 0.9 + swing);
+        named += fmt::format("{},{}\n", i, 1 + swing * swing);
+    }
+    expect_input_error([&] { (void)read(positive); }, "values of one sign throughout");
+    expect_input_error([&] { (void)read(rising); }, "only rise");
+    expect_input_error([&] { (void)read(offset); }, "about another one than zero");
+    EXPECT_NO_THROW((void)read(named));
+    // Prose that names two directions makes no component of a time.
+    expect_input_error([&] { (void)read("# at N, E\n" + rising, {.unit_mps2 = gal, .time_step_s = 1}); }, "only rise");
+    EXPECT_NO_THROW((void)read(positive, {.unit_mps2 = gal, .columns = "time,h1"}));
+}
+
+// 1, 2, 3, ... are rows as well as seconds; a first value may be the count of the others, or their step.
+TEST(Columns, CountsOfRowsAreNoTimes) {
+    std::string counted, list;
+    for (int i = 1; i <= 40; ++i) {
+        counted += fmt::format("{} {}\n", i, std::sin(0.7 * i));
+        list += fmt::format("{}\n", std::sin(0.7 * i));
+    }
+    expect_input_error([&] { (void)read(counted); }, "a.csv:1: 1, 2, 3, ... in column 1");
+    EXPECT_EQ(read("t,acc\n" + counted).time_step_s, 1);
+    EXPECT_EQ(read(counted, {.unit_mps2 = gal, .time_step_s = 0.01, .columns = "-,h1"}).samples(), 40U);
+    RecordRequest const stated{.unit_mps2 = gal, .time_step_s = 0.01};
+    EXPECT_EQ(read(list, stated).samples(), 40U);
+    for (char const* above : {"40\n", "40\n0.01\n", "0.01\n"}) {
+        expect_input_error([&] { (void)read(above + list, stated); }, "a.csv:1: ", "in the first row");
+    }
+    EXPECT_EQ(read("acc\n" + list, stated).samples(), 40U);
+}
+
+// a name that says another quantity is that of no motion, be it of one column, of letters alone, or a channel's.
+TEST(Columns, NamesOfOtherQuantitiesAreRefused) {
+    for (char const* name : {"velNS",
+                             "NSvel",
+                             "VelX",
+                             "vx",
+                             "v_y",
+                             "dz",
+                             "v",
+                             "HHE",
+                             "cnt",
+                             "AFE",
+                             "hazard",
+                             "probability",
+                             "jerk",
+                             "theta",
+                             "pressure",
+                             "arias",
+                             "H\xC4\xB1z",
+                             "\xEC\x86\x8D\xEB\x8F\x84",
+                             "d\xE9placement",
+                             "voltage"}) {
+        auto const text = fmt::format("time,{}\n0,1\n0.5,-2\n1,3\n", name);
+        expect_input_error([&] { (void)read(text); }, "a.csv:1: column '");
+    }
+    for (char const* name : {"velocity", "vel", "v", "d", "psa", "index", "time", "Disp [cm]"}) {
+        expect_input_error(
+            [&] { (void)read(std::string(name) + "\n1\n-2\n3\n", {.unit_mps2 = gal, .time_step_s = 1}); }, "a.csv:1: ");
+    }
+    for (char const* name : {"HHE (gal)", "vx (gal)", "D (gal)", "HLE"}) {
+        EXPECT_NO_THROW((void)read(fmt::format("time,{}\n0,1\n0.5,-2\n1,3\n", name))) << name;
+    }
+    auto const down = read("time,S (gal),W (gal),D (gal)\n0,1,2,3\n0.5,4,5,6\n", {});
+    EXPECT_EQ(down.vertical_mps2, (std::vector{-3 * gal, -6 * gal}));
+}
+
+// text between and below the numbers claims as much as that above; a count and a step may stand above rows.
+TEST(Columns, CommentsBelowCount) {
+    std::string const rows = "0 1\n0.5 -2\n";
+    expect_input_error([&] { (void)read(rows + "# units: m/s2\n"); }, "a.csv:3: unit m/s2 in the file, gal stated");
+    expect_input_error([&] { (void)read(rows + "# units: m/s2\n1 3\n"); }, "a.csv:3: ", "contradict");
+    EXPECT_EQ(read("12 0.5\n1 2 3 4 5 6\n-1 -2 -3 -4 -5 -6\n").time_step_s, 0.5);
+    expect_input_error(
+        [] { (void)read("12 0.5\n1 2 3 4 5 6\n-1 -2 -3 -4 -5 -6\n", {.unit_mps2 = gal, .time_step_s = 1}); },
+        "contradict");
+}
+
+// letters of West Europe, of Turkey and of Japan's mail are read as such.
+TEST(Columns, LettersOfOtherEncodings) {
+    for (char const* name : {"acc\xE9l\xE9ration (cm/s\xB2)", "\xDDvme (gal)", "\x1b$B2CB.EY\x1b(B(gal)"}) {
+        EXPECT_EQ(read(fmt::format("t,{}\n0,100\n0.5,-200\n1,300\n", name), {}).horizontal_mps2, three) << name;
+    }
+    expect_input_error([] { (void)read("acc\xE9l\xE9ration en m/s\xB2\n0,100\n0.5,-200\n"); }, "contradict");
+}
+
+// A ramp is a motion where its name says so, in the names that this program writes itself.
+TEST(NoMotion, ARampThatIsNamedAnAccelerationIsOne) {
+    std::string ramp;
+    for (int i = 0; i < 64; ++i) {
+        ramp += fmt::format("{:.2f},{}\n", 0.01 * i, 0.1 * i);
+    }
+    RecordRequest request{.name = "r.csv", .unit_mps2 = 1.0};
+    for (auto const* names : {"time,a_horizontal\n", "time,acc\n"}) {
+        EXPECT_EQ(read_recording(names + ramp, request).components.size(), 1U) << names;
+    }
+    testing::expect_input_error([&] { (void)read_recording("time,x\n" + ramp, request); }, "only rise");
+}
+
+}  // namespace
+}  // namespace overturn

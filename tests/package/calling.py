@@ -1,0 +1,67 @@
+"""The program called from Python: its results opened, its errors raised with its own words."""
+
+import os
+import pathlib
+import unittest
+from unittest import mock
+
+import overturn
+from overturn import program
+
+
+class Calling(unittest.TestCase):
+    def test_run_opens_what_it_computed(self):
+        with overturn.run("campaign.toml", "small.h5", settings={"waves.count": 2, "title": "two waves"}) as results:
+            self.assertEqual(len(results.trials["verdict"]), 2 * 3 * 2)
+            self.assertEqual(results.about["title"], "two waves")
+        with overturn.open("campaign.h5") as four, overturn.open("small.h5") as two:  # a wave is the same whatever lies beside it
+            self.assertEqual(list(four.trials["peak_rotation"].values[:12]), list(two.trials["peak_rotation"].values))
+
+    def test_errors_are_the_programs(self):
+        with self.assertRaises(overturn.Failed) as caught:
+            overturn.run("campaign.toml", "small.h5", settings={"waves.cuont": 2})
+        self.assertEqual(caught.exception.code, 2)
+        self.assertIn("waves.cuont", str(caught.exception))
+        with self.assertRaisesRegex(overturn.Failed, "nowhere.toml"):
+            overturn.run("nowhere.toml")
+        with self.assertRaisesRegex(overturn.Error, "/nowhere/overturn: cannot be run"):
+            overturn.run("campaign.toml", program="/nowhere/overturn")
+
+    def test_a_stopped_run_goes_on(self):
+        many = {"waves.count": 40}
+        with self.assertRaises(overturn.Stopped) as caught:
+            overturn.run("campaign.toml", "stopped.h5", settings=many, max_walltime="0.05 s")
+        self.assertEqual(caught.exception.code, 3)
+        self.assertFalse(overturn.status("stopped.h5").complete)
+        with overturn.run("campaign.toml", "stopped.h5", settings=many, resume=True) as results:
+            self.assertEqual(len(results.waves["id"]), 40)
+        self.assertTrue(overturn.status("stopped.h5").complete)
+
+    def test_status_and_fit_are_parsed(self):
+        told = overturn.status("campaign.h5")
+        self.assertTrue(told.complete)
+        self.assertIn("24 trials", told.text)
+        with self.assertRaises(overturn.Failed):
+            overturn.status("campaign.toml")
+        stripes = overturn.fit("campaign.h5")["stripes"]
+        with overturn.open("campaign.h5") as results:
+            counted = [s["overturned"] for s in stripes if s["body"] == "flat" and s["limit"] == "overturning"]
+            self.assertEqual(counted, list(results.stripes["flat"]["overturned"].values))
+
+    def test_the_program_is_the_one_beside_the_package(self):
+        prefix = pathlib.Path("prefix").absolute()
+        package, beside = prefix / "share/overturn/python/overturn", prefix / "bin/overturn"
+        for folder in (package, beside.parent):
+            folder.mkdir(parents=True)
+        beside.touch(0o755)
+        with mock.patch.dict(os.environ), mock.patch.object(program, "HERE", package):
+            del os.environ["OVERTURN"]
+            self.assertEqual(program.program_path(), str(beside))
+            beside.unlink()
+            os.environ["PATH"] = ""
+            with self.assertRaisesRegex(overturn.Error, "no program overturn"):
+                program.program_path()
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,192 @@
+// Requirement R-916: the answer first, within a screen, and the rest by name.
+#include "output/answer.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "core/wrapped.hpp"
+#include "output/detail/outward.hpp"
+#include "output/sections.hpp"
+#include "support/campaigns.hpp"
+#include "support/expect_input_error.hpp"
+
+namespace overturn {
+namespace {
+
+using output::answer_levels;
+using output::probability_text;
+
+std::string body_named(std::string const& name) {
+    return "[[bodies]]\nname='" + name
+           + "'\nmass='12.6 t'\nbase_width='0.9 m'\ncentre_height='1.045 m'\ninertia='uniform-block'\nfriction=0.5\n";
+}
+
+// A campaign whose trials are made up: at each level so many of 40 overturned.
+struct Made {
+    CampaignSpec spec;
+    Statistics statistics;
+    std::vector<BodyAnalysis> analysis;
+
+    Made(std::string const& bodies, std::string const& more, std::vector<int> const& overturned)
+        : spec(testing::campaign_from(testing::quick_waves + bodies
+                                      + testing::levels("values=['300 gal','600 gal','900 gal','1200 gal']\n" + more))),
+          statistics(spec) {
+        for (std::int64_t wave = 0; wave < 40; ++wave) {
+            WaveRow row;
+            row.id = wave;
+            row.pga_mps2 = 3;
+            statistics.add(row, std::vector<MeasureRow>(spec.bodies.size()));
+            for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+                for (std::size_t l = 0; l < spec.levels.levels.size(); ++l) {
+                    TrialRow trial;
+                    trial.wave = wave;
+                    trial.body = static_cast<std::int64_t>(b);
+                    trial.level = static_cast<std::int64_t>(l);
+                    trial.amplitude = spec.levels.levels[l].value;
+                    bool const fell = wave < overturned.at(l);
+                    trial.verdict = fell ? Verdict::overturned : Verdict::slid;
+                    trial.peak_slip_m = 0.001 * static_cast<double>(wave);
+                    trial.peak_rotation_ratio = 0.01;
+                    statistics.add(trial);
+                }
+            }
+        }
+        analysis = analyse(spec, statistics, {});
+    }
+    [[nodiscard]] std::string text() const {
+        return output::answer_text({.spec = spec, .statistics = statistics, .analysis = analysis});
+    }
+};
+
+std::vector<std::string> lines_of(std::string const& text) {
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) {
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+// one body; then so many that rows have to go: never more than 15 lines before what the numbers depend on, nor
+// 100 columns.
+TEST(Answer, FitsAScreen) {
+    for (int const bodies : {1, 2, 3, 5, 13, 40}) {
+        std::string text;
+        for (int b = 0; b < bodies; ++b) {
+            text += body_named("cask of a rather long name " + std::to_string(b));
+        }
+        Made const made(text,
+                        "design_basis='600 gal'\n[[limits]]\nname='touches'\nquantity='peak_slip'\nabove='20 mm'\n",
+                        {0, 0, 5, 20});
+        auto const lines = lines_of(made.text());
+        auto const end = std::ranges::find_if(lines, [](auto const& line) { return line.starts_with("Waves: "); });
+        ASSERT_NE(end, lines.end());
+        EXPECT_LE(end - lines.begin(), 15) << made.text();
+        for (auto const& line : lines) {
+            EXPECT_LE(line.size(), 100) << line;
+        }
+        EXPECT_EQ(made.text().find("more bodies, with lower P") != std::string::npos, bodies > 12) << made.text();
+    }
+}
+
+// what was found stands there, with the exact interval of 0 of 40 and of 5 of 40 (Clopper and Pearson 1934).
+TEST(Answer, HoldsTheNumbers) {
+    Made const made(body_named("cask"),
+                    "design_basis='600 gal'\n[[limits]]\nname='touches'\nquantity='peak_slip'\nabove='20 mm'\n",
+                    {0, 0, 5, 40});
+    auto const text = made.text();
+    for (auto const* const part :
+         {"600 gal = design", "900 gal = 1.5 x", "1200 gal = 2 x", "< 0.0881 (0 of 40)", "0.125 [0.0418, 0.269]",
+          "> 0.911 (40 of 40)", "P(touches)", "19.5 / 37.1 (no limit)", "fell / fell", "HCLPF"}) {
+        EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+    }
+    EXPECT_EQ(text.find("300 gal"), std::string::npos) << text;
+}
+
+// the design basis and named levels first; else the ends and the middle.
+TEST(Answer, IsGivenAtTheLevelsThatMatter) {
+    using Places = std::vector<std::size_t>;
+    auto const levels = [](std::vector<LevelClass> const& purposes) {
+        LevelSpec spec;
+        for (auto const purpose : purposes) {
+            spec.levels.push_back({1 + static_cast<double>(spec.levels.size()), purpose});
+        }
+        return spec;
+    };
+    constexpr auto other = LevelClass::ordinary;
+    constexpr auto design = LevelClass::design_basis;
+    constexpr auto beyond = LevelClass::beyond_design;
+    EXPECT_EQ(answer_levels(levels({other})), Places({0}));
+    EXPECT_EQ(answer_levels(levels({other, other, other, other, other})), Places({0, 2, 4}));
+    EXPECT_EQ(answer_levels(levels({other, design, other, other, other})), Places({1, 2, 4}));
+    EXPECT_EQ(answer_levels(levels({other, design, beyond, other, other, beyond})), Places({1, 2, 5}));
+    EXPECT_EQ(answer_levels(levels({other, other, other, design})), Places({3}));
+}
+
+// ends of intervals are rounded outwards; 1 - 0.025^(1/40) = 0.08810.
+TEST(Answer, RoundsToTheSafeSide) {
+    EXPECT_EQ(probability_text({.trials = 40}, 0.95), "< 0.0881 (0 of 40)");
+    EXPECT_EQ(probability_text({.trials = 200}, 0.95), "< 0.0183 (0 of 200)");
+    EXPECT_EQ(probability_text({.trials = 400}, 0.95), "< 0.00918 (0 of 400)");  // 0.0091798
+    EXPECT_EQ(probability_text({.trials = 40, .overturned = 40}, 0.95), "> 0.911 (40 of 40)");
+    EXPECT_EQ(probability_text({.trials = 40, .failed = 40}, 0.95), "not known");
+    EXPECT_EQ(probability_text({.trials = 40, .undecided = 4}, 0.95), "< 0.237 (4 undecided)");  // as of 4 of 40
+    EXPECT_EQ(output::rounded_up(0.12301), 0.124);
+    EXPECT_EQ(output::rounded_up(0.123), 0.123);
+    EXPECT_EQ(output::rounded_down(0.12399), 0.123);
+    EXPECT_EQ(output::rounded_up(1234), 1240);
+    EXPECT_EQ(output::rounded_up(-0.12399), -0.123);
+    EXPECT_EQ(output::rounded_up(0), 0);
+}
+
+// lines end between words, and a long word stands alone.
+TEST(Answer, WrapsBetweenWords) {
+    EXPECT_EQ(wrapped("one two three", 2, 7), "one two\n  three\n");
+    EXPECT_EQ(wrapped("one", 2, 7), "one\n");
+    EXPECT_EQ(wrapped("incomprehensible x", 0, 7), "incomprehensible\nx\n");
+    EXPECT_EQ(wrapped("one two", 4, 7, "  a "), "  a one\n    two\n");
+    EXPECT_EQ(wrapped("of 95 % x", 0, 7), "of 95 %\nx\n");
+}
+
+// a row for each body, limit state and level, in SI, under the names of the other tables.
+TEST(Answer, IsATableToo) {
+    Made const made(body_named("one") + body_named("two"), "design_basis='600 gal'\n", {0, 0, 5, 20});
+    auto const table =
+        output::answer_table({.spec = made.spec, .statistics = made.statistics, .analysis = made.analysis});
+    ASSERT_EQ(table.rows.size(), 2 * 3);
+    auto const& row = table.rows.at(1);
+    EXPECT_EQ(std::get<std::string>(row.at(table.place_of("body"))), "one");
+    EXPECT_EQ(std::get<double>(row.at(table.place_of("amplitude"))), 9.0);
+    EXPECT_EQ(std::get<std::int64_t>(row.at(table.place_of("passed"))), 5);
+    EXPECT_EQ(std::get<double>(row.at(table.place_of("probability"))), 0.125);
+    EXPECT_TRUE(std::holds_alternative<std::monostate>(row.at(table.place_of("hclpf"))));
+}
+
+// sections by name; another name is refused with all that there are.
+TEST(Sections, AreChosenByName) {
+    EXPECT_EQ(output::read_sections("curves,stripes"), (std::vector<std::string>{"curves", "stripes"}));
+    EXPECT_TRUE(output::read_sections("").empty());
+    testing::expect_input_error([] { (void)output::read_sections("curve"); },
+                                "'curve' (no such section). There are records, stripes");
+
+    Made const made(body_named("cask"), "design_basis='600 gal'\n", {0, 0, 5, 20});
+    output::Printed const printed{
+        .answered = {.spec = made.spec, .statistics = made.statistics, .analysis = made.analysis}, .file = "c.h5"};
+    auto const short_one = output::results_text(printed, {});
+    EXPECT_EQ(short_one.find("\n== "), std::string::npos);
+    EXPECT_NE(short_one.find("more: overturn fit c.h5 --full"), std::string::npos) << short_one;
+    auto const curves = output::results_text(printed, {.sections = {"curves"}});
+    EXPECT_NE(curves.find("\n== curves\n"), std::string::npos);
+    EXPECT_EQ(curves.find("\n== stripes\n"), std::string::npos);
+    EXPECT_NE(output::results_text(printed, {.sections = {"rare"}}).find("\n== rare\nnothing in this campaign\n"),
+              std::string::npos);
+    auto const full = output::results_text(printed, {.full = true});
+    EXPECT_NE(full.find("\n== curves\n"), std::string::npos);
+    EXPECT_NE(full.find("\n== stripes\n"), std::string::npos);
+    EXPECT_EQ(full.find("more: "), std::string::npos);
+}
+
+}  // namespace
+}  // namespace overturn

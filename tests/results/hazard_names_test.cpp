@@ -1,0 +1,45 @@
+// Requirement R-707: a hazard curve's second column is a frequency in a year, which its names and the text above must
+// say.
+#include <string>
+
+#include "results/hazard_table.hpp"
+#include "support/expect_input_error.hpp"
+
+namespace overturn {
+namespace {
+
+using testing::expect_input_error;
+
+HazardAxis const over_pga{.label = "pga", .dimension = Dimension::acceleration, .unit = {}};
+
+// a probability in so many years is none, whatever the names below say.
+TEST(HazardNames, ProbabilitiesInTheTextAreRefused) {
+    auto const parse = [&](std::string const& comment) {
+        return parse_hazard(comment + "\npga [g], annual_exceedance\n0.1,1e-2\n1,1e-5\n", "h.csv", over_pga);
+    };
+    expect_input_error([&] { (void)parse("# probability of exceedance in 50 years"); }, "h.csv:1", "-ln(1 - p) / 50");
+    expect_input_error([&] { (void)parse("# PoE in 50-yr"); }, "h.csv:1", "-ln(1 - p) / 50");
+    expect_input_error([&] { (void)parse("# probability of exceedance"); }, "h.csv:1", "/ t");
+    for (char const* text : {"# annual probability of exceedance", "# probability of exceedance in 1 year",
+                             "# exceedances per year", "# of 2014"}) {
+        EXPECT_EQ(parse(text).points().size(), 2U) << text;
+    }
+}
+
+// a frequency in a year by any of its names; a probability, a return period or another unit is none.
+TEST(HazardNames, AnnualFrequenciesHaveManyNames) {
+    auto const parse = [&](std::string const& name) {
+        return parse_hazard("pga [g], " + name + "\n0.1,1e-2\n1,1e-5\n", "h.csv", over_pga);
+    };
+    for (char const* name : {"MAFE", "mean annual frequency of exceedance (1/yr)", "annual rate of exceedance [1/year]",
+                             "Annual_Exceedance", "AFE (/yr)"}) {
+        EXPECT_EQ(parse(name).points().front().annual_exceedance, 1e-2) << name;
+    }
+    for (char const* name : {"annual probability of exceedance", "poe", "return period [a]", "MAFE [1/50a]", "lambda",
+                             "MAFE (1/yr) of SA"}) {
+        expect_input_error([&] { (void)parse(name); }, "h.csv:1", "must be annual_exceedance");
+    }
+}
+
+}  // namespace
+}  // namespace overturn

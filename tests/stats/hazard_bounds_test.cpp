@@ -1,0 +1,104 @@
+// Requirement R-707: where levels or hazard curve end, the annual frequency is bounded by what they allow there.
+#include "stats/hazard_bounds.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace overturn {
+namespace {
+
+HazardCurve const of_two({{0.5, 8e-3}, {4, 8e-3 / 512}});  // slope 3
+constexpr double k = 3;
+
+// Cornell (1996): of a power law that goes on at both ends.
+TEST(FrequencyBounds, ContinuedPowerLawIsTheClosedForm) {
+    for (double const median : {0.2, 1.0, 3.0, 20.0}) {
+        for (double const beta : {0.1, 0.4, 0.8}) {
+            double const closed = 1e-3 * std::pow(median, -k) * std::exp(k * k * beta * beta / 2);
+            EXPECT_NEAR(continued_frequency(of_two, {median, beta}) / closed, 1, 1e-9) << median << ", " << beta;
+        }
+        EXPECT_NEAR(continued_frequency(of_two, {median, 0}) / (1e-3 * std::pow(median, -k)), 1, 1e-9) << median;
+    }
+    HazardCurve const flat({{0.1, 8e-3}, {0.5, 8e-3}, {4, 8e-3 / 512}});  // saturated: no more of weaker motions
+    auto const bounded = annual_frequency(flat, {0.05, 0.1});
+    EXPECT_NEAR(continued_frequency(flat, {0.05, 0.1}), bounded.annual + bounded.beyond_least, 1e-12);
+}
+
+// A step between the levels is known to pass as often as it is exceeded, whatever lies outside.
+TEST(FrequencyBounds, AStepWithinTheLevelsIsKnown) {
+    auto const bounds = frequency_bounds(of_two, {2, 0}, {1, 3, 0});
+    EXPECT_NEAR(bounds.least(), 1e-3 / 8, 1e-15);
+    EXPECT_NEAR(bounds.most(), 1e-3 / 8, 1e-15);
+    // Above the levels it may be anywhere from there on: never, or always.
+    auto const above = frequency_bounds(of_two, {3.5, 0}, {1, 3, 0});
+    EXPECT_EQ(above.least(), 0);
+    EXPECT_NEAR(above.most(), 1e-3 / 27, 1e-15);
+    EXPECT_DOUBLE_EQ(above.top, 3);
+}
+
+TEST(FrequencyBounds, EachPartIsWhatItsEndAllows) {
+    LognormalFragility const fragility{2, 0.4};
+    auto const bounds = frequency_bounds(of_two, fragility, {1, 8, 0});
+    double const last = 1e-3 / 64;
+    EXPECT_DOUBLE_EQ(bounds.top, 4);
+    EXPECT_NEAR(bounds.above_most, last, 1e-15);
+    EXPECT_NEAR(bounds.above_least, fragility.probability(4) * last, 1e-15);
+    EXPECT_NEAR(bounds.below_most, fragility.probability(1) * (8e-3 - 1e-3), 1e-15);
+    EXPECT_NEAR(bounds.within, annual_between(of_two, fragility, 1, 4), 1e-15);
+    // No motion below 0.8 moves it, and none is weaker than the curve's first point that does.
+    auto const quiet = frequency_bounds(of_two, fragility, {1, 8, 0.8});
+    EXPECT_NEAR(quiet.below_most, fragility.probability(1) * (1e-3 / 0.512 - 1e-3), 1e-15);
+    EXPECT_EQ(quiet.weaker_most, 0);
+    // Weaker ones: of the whole power law what is left.
+    double const whole = continued_frequency(of_two, fragility);
+    auto const inside = annual_frequency(of_two, fragility);
+    HazardCurve const longer({{0.5, 8e-3}, {4, last}, {400, last * 1e-6}});
+    double const stronger = annual_frequency(longer, fragility).annual - inside.annual;
+    EXPECT_NEAR(bounds.weaker_most / (whole - inside.annual - stronger), 1, 1e-4);
+    EXPECT_NEAR(frequency_bounds(of_two, fragility, {1, 8, 0.3}).weaker_most,
+                annual_between(HazardCurve({{0.3, 1e-3 / 0.027}, {4, last}}), fragility, 0.3, 0.5), 1e-12);
+}
+
+// Whatever the hazard does beyond its end, what was bounded before holds it.
+TEST(FrequencyBounds, AProlongedHazardLiesInside) {
+    std::vector<HazardPoint> const to_two{{0.05, 1e-2}, {0.1, 2e-3}, {0.3, 1e-4}, {0.5, 2.5e-5}, {1, 3e-6}, {2, 3e-7}};
+    HazardCurve const ended(to_two);
+    for (auto const& beyond : {HazardPoint{8, 3e-9}, HazardPoint{8, 2.9e-7}, HazardPoint{2.1, 1e-12}}) {
+        auto points = to_two;
+        points.push_back(beyond);
+        HazardCurve const prolonged(points);
+        for (double const median : {0.4, 1.0, 2.0, 5.0}) {
+            for (double const beta : {0.2, 0.6}) {
+                for (double const highest : {0.9, 2.0, 3.0, 10.0}) {
+                    TriedRange const tried{0.2, highest, 0};
+                    auto const first = frequency_bounds(ended, {median, beta}, tried);
+                    auto const second = frequency_bounds(prolonged, {median, beta}, tried);
+                    constexpr double rounding = 1e-12;
+                    EXPECT_GE(second.least(), first.least() * (1 - rounding)) << median << ", " << highest;
+                    EXPECT_LE(second.most(), first.most() * (1 + rounding)) << median << ", " << highest;
+                    EXPECT_LE(second.least(), second.most());
+                }
+            }
+        }
+    }
+}
+
+// Two points over four decades: their straight line is nearly all of the answer.
+TEST(FrequencyBounds, AStraightLineThatDecidesIsNumbered) {
+    LognormalFragility const fragility{9, 0.35};
+    HazardCurve const two({{1, 2e-2}, {20, 1.3e-6}});
+    auto const wide = widest_piece(two, fragility);
+    ASSERT_TRUE(wide.has_value());
+    EXPECT_NEAR(wide->decades, std::log10(2e-2 / 1.3e-6), 1e-12);
+    EXPECT_NEAR(wide->halfway, std::sqrt(20.0), 1e-12);
+    HazardCurve const bent({{1, 2e-2}, {std::sqrt(20.0), 2 * std::sqrt(2e-2 * 1.3e-6)}, {20, 1.3e-6}});
+    auto const other = annual_frequency(bent, fragility);
+    EXPECT_NEAR(wide->if_doubled / (other.annual + other.beyond_least), 1, 1e-12);
+    EXPECT_GT(wide->share, 0.95);
+    HazardCurve const fine({{1, 2e-2}, {3, 8e-4}, {6, 1e-4}, {10, 2e-5}, {20, 1.3e-6}});
+    EXPECT_FALSE(widest_piece(fine, fragility).has_value());
+}
+
+}  // namespace
+}  // namespace overturn
