@@ -1,4 +1,5 @@
-# cmake -DSOURCE_DIR=... -DROOMS_FILE=... -P layering.cmake : fails on any #include that no ROOMS list allows.
+# cmake -DSOURCE_DIR=... -DROOMS_FILE=... -P layering.cmake : fails on any #include that no ROOMS list allows, and on HDF5's
+# or MPI's header where another room could see it.
 cmake_minimum_required(VERSION 3.25)
 file(STRINGS "${ROOMS_FILE}" lines)
 set(rooms "")
@@ -27,6 +28,12 @@ foreach(room IN LISTS rooms)
         list(APPEND intruders "${file}: ${include} (room '${room}' may use: ${room} ${allowed_${room}})")
       elseif(NOT other STREQUAL room AND include MATCHES "\"${other}/detail/")
         list(APPEND intruders "${file}: ${include} (room '${other}' keeps it to itself)")
+      endif()
+    endforeach()
+    file(STRINGS "${file}" doors REGEX "^[ \t]*#[ \t]*include[ \t]*<(hdf5|mpi)")
+    foreach(include IN LISTS doors)
+      if(NOT file MATCHES "/store/detail/|/parallel/.*\\.cpp$")
+        list(APPEND intruders "${file}: ${include} (store/detail and the sources of parallel alone call HDF5 and MPI)")
       endif()
     endforeach()
   endforeach()

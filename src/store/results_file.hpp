@@ -4,15 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/field.hpp"
-#include "store/columns.hpp"
-#include "store/h5.hpp"
 #include "store/seal.hpp"
 
 namespace overturn::store {
@@ -75,26 +73,12 @@ class ResultsWriter {
     void finish();
 
   private:
-    struct Table;
-    void abandon();
+    struct Growing;
     void add_digests();
-    Group& group(std::string const& path);
-    Dataset create(std::string const& where, Field const& spec, std::int64_t rows);
-    void write_categories(Dataset const& dataset, Field const& spec, std::span<std::int64_t const> values,
-                          std::int64_t first, std::string const& name);
-    void write_array(std::string const& where, Field const& spec, hid_t memory_type, void const* values,
-                     std::size_t count, std::string const& scale);
-    [[nodiscard]] Dataset open(std::string const& path) const;
-    void lay_along(std::string const& where, Dataset const& dataset, std::string const& name, std::string const& axis);
-    void number_rows(TableSpec const& spec, std::int64_t rows);
 
     std::filesystem::path path_;
-    std::filesystem::path growing_;
-    Quiet quiet_;
-    File file_;
-    ColumnTypes types_;
-    std::map<std::string, Group> groups_;
-    std::vector<Table> tables_;
+    std::filesystem::path growing_path_;
+    std::unique_ptr<Growing> growing_;
     bool finished_ = false;
 };
 
@@ -117,6 +101,11 @@ class ResultsReader {
     /// changed is named), or not all inside the file
     explicit ResultsReader(std::filesystem::path const& path, Trust trust = Trust::sealed,
                            std::string_view format = format_name);
+    ~ResultsReader();
+    ResultsReader(ResultsReader const&) = delete;
+    ResultsReader& operator=(ResultsReader const&) = delete;
+    ResultsReader(ResultsReader&&) = delete;
+    ResultsReader& operator=(ResultsReader&&) = delete;
 
     /// Was it held against what was written when it was opened?
     [[nodiscard]] bool is_sealed() const { return trust_ == Trust::sealed; }
@@ -154,6 +143,7 @@ class ResultsReader {
                                            std::string const& other) const;
 
   private:
+    struct Opened;
     [[nodiscard]] std::string text_or(std::string const& name) const;
     void open(std::string_view format);
     [[noreturn]] void refuse(Seal seal, std::string_view format);
@@ -162,8 +152,7 @@ class ResultsReader {
 
     std::filesystem::path path_;
     Trust trust_;
-    Quiet quiet_;
-    File file_;
+    std::unique_ptr<Opened> opened_;
 };
 
 /// "1.10.8"

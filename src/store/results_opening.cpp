@@ -9,8 +9,8 @@
 #include "core/error.hpp"
 #include "store/detail/apart.hpp"
 #include "store/detail/objects.hpp"
+#include "store/detail/opened_file.hpp"
 #include "store/format_versions.hpp"
-#include "store/results_file.hpp"
 #include "store/sha256.hpp"
 
 namespace overturn::store {
@@ -55,7 +55,7 @@ std::string damaged(std::filesystem::path const& path, std::string const& why) {
 }  // namespace
 
 ResultsReader::ResultsReader(std::filesystem::path const& path, Trust trust, std::string_view format)
-    : path_(path), trust_(trust) {
+    : path_(path), trust_(trust), opened_(std::make_unique<Opened>()) {
     auto const parts = path.string() + ".parts";
     validate(std::filesystem::exists(path) || !std::filesystem::is_directory(parts),
              "{}: not there yet (its run is unfinished, {} holds what is done). Ask overturn status {}, and go on with "
@@ -76,6 +76,8 @@ ResultsReader::ResultsReader(std::filesystem::path const& path, Trust trust, std
     }
 }
 
+ResultsReader::~ResultsReader() = default;
+
 void ResultsReader::open(std::string_view format) {
     PropertyList const access(checked(H5Pcreate(H5P_FILE_ACCESS), "make file properties"));
     checked(H5Pset_file_locking(access.id(), false, true), "leave locks out");
@@ -83,10 +85,10 @@ void ResultsReader::open(std::string_view format) {
     auto const id = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, access.id());
     auto const path = path_.string();
     validate(id >= 0, "{}: not an HDF5 file (or damaged). Give a results file of overturn run", path);
-    file_ = File(id);
-    validate(is_ours(file_, format), "{}: not a results file (its format is not '{}'). Give a file of overturn run",
-             path, format);
-    auto const version = version_of(file_);
+    opened_->file = File(id);
+    validate(is_ours(opened_->file, format),
+             "{}: not a results file (its format is not '{}'). Give a file of overturn run", path, format);
+    auto const version = version_of(opened_->file);
     validate(version >= 1, "{}: damaged (no format version). Give a whole file of overturn run", path);
     validate(format != format_name || version <= format_version,
              "{}: format version {} (this program knows up to {}). Use a newer overturn", path, version,
@@ -98,7 +100,7 @@ void ResultsReader::open(std::string_view format) {
                         text_or("git_revision"), known_errors_of(version)));
     }
     try {
-        each_object(file_, [](std::string const&, Object const&) {});
+        each_object(opened_->file, [](std::string const&, Object const&) {});
     } catch (InputError const& error) {
         throw InputError(fmt::format("{}: {}", path, error.what()));
     }
@@ -147,7 +149,7 @@ std::string ResultsReader::digest_faults() const {
         if (text(digest_of_all) != sha256(told)) {
             return fmt::format("/{} is not as it was written", list);
         }
-        return differences(told, digests_of(file_));
+        return differences(told, digests_of(opened_->file));
     } catch (SystemError const&) {
         return fmt::format("/{} or what it lists cannot be read", list);
     }

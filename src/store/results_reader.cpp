@@ -8,7 +8,7 @@
 #include "core/error.hpp"
 #include "store/detail/category_names.hpp"
 #include "store/detail/objects.hpp"
-#include "store/results_file.hpp"
+#include "store/detail/opened_file.hpp"
 
 namespace overturn::store {
 namespace {
@@ -72,16 +72,18 @@ void fill_absent(Field const& column, std::size_t row_bytes, std::span<std::byte
 
 }  // namespace
 
-std::string ResultsReader::text(std::string const& name) const { return read_text_attribute(file_.id(), name); }
-std::int64_t ResultsReader::integer(std::string const& name) const { return read_integer_attribute(file_.id(), name); }
+std::string ResultsReader::text(std::string const& name) const { return read_text_attribute(opened_->file.id(), name); }
+std::int64_t ResultsReader::integer(std::string const& name) const {
+    return read_integer_attribute(opened_->file.id(), name);
+}
 
 bool ResultsReader::has(std::string const& dataset) const {
     for (std::size_t slash = dataset.find('/'); slash != std::string::npos; slash = dataset.find('/', slash + 1)) {
-        if (H5Lexists(file_.id(), dataset.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) {
+        if (H5Lexists(opened_->file.id(), dataset.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) {
             return false;
         }
     }
-    return H5Lexists(file_.id(), dataset.c_str(), H5P_DEFAULT) > 0;
+    return H5Lexists(opened_->file.id(), dataset.c_str(), H5P_DEFAULT) > 0;
 }
 
 std::vector<std::string> ResultsReader::members(std::string const& group) const {
@@ -93,14 +95,14 @@ std::vector<std::string> ResultsReader::members(std::string const& group) const 
         static_cast<std::vector<std::string>*>(list)->emplace_back(name);
         return 0;
     };
-    Group const handle(checked(H5Gopen2(file_.id(), group.c_str(), H5P_DEFAULT), "open group " + group));
+    Group const handle(checked(H5Gopen2(opened_->file.id(), group.c_str(), H5P_DEFAULT), "open group " + group));
     checked(H5Literate(handle.id(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names), "list " + group);
     return names;
 }
 
 std::vector<ColumnMeaning> ResultsReader::columns() const {
     std::vector<ColumnMeaning> found;
-    each_object(file_, [&](std::string const& path, Object const& object) {
+    each_object(opened_->file, [&](std::string const& path, Object const& object) {
         if (H5Iget_type(object.id()) != H5I_DATASET) {
             return;
         }
@@ -114,17 +116,17 @@ std::vector<ColumnMeaning> ResultsReader::columns() const {
 }
 
 std::vector<double> ResultsReader::reals(std::string const& dataset) const {
-    return read_all<double>(file_, dataset, H5T_NATIVE_DOUBLE);
+    return read_all<double>(opened_->file, dataset, H5T_NATIVE_DOUBLE);
 }
 
 std::vector<std::int64_t> ResultsReader::integers(std::string const& dataset) const {
-    auto const handle = open_numbers(file_, dataset);
+    auto const handle = open_numbers(opened_->file, dataset);
     if (is_category(handle)) {
         auto const length = length_of(handle);
-        require_plausible(file_, dataset, length);
+        require_plausible(opened_->file, dataset, length);
         return read_categories(handle, dataset, 0, std::max<std::int64_t>(0, length));
     }
-    return read_all<std::int64_t>(file_, dataset, H5T_NATIVE_INT64);
+    return read_all<std::int64_t>(opened_->file, dataset, H5T_NATIVE_INT64);
 }
 
 std::vector<std::string> ResultsReader::texts(std::string const& dataset) const {
@@ -150,7 +152,7 @@ std::vector<Category> ResultsReader::categories(std::string const& dataset) cons
     if (!has(dataset)) {
         return {};
     }
-    auto const handle = open_numbers(file_, dataset);
+    auto const handle = open_numbers(opened_->file, dataset);
     return is_category(handle) ? stored_names(handle) : flagged_names(handle);
 }
 
@@ -163,11 +165,11 @@ std::vector<std::int64_t> ResultsReader::named(std::string const& dataset, std::
 }
 
 double ResultsReader::real_at(std::string const& dataset, std::int64_t row) const {
-    return read_one<double>(open_numbers(file_, dataset), dataset, H5T_NATIVE_DOUBLE, row);
+    return read_one<double>(open_numbers(opened_->file, dataset), dataset, H5T_NATIVE_DOUBLE, row);
 }
 
 std::int64_t ResultsReader::integer_at(std::string const& dataset, std::int64_t row) const {
-    auto const handle = open_numbers(file_, dataset);
+    auto const handle = open_numbers(opened_->file, dataset);
     if (is_category(handle)) {
         return read_categories(handle, dataset, row, 1).front();
     }
@@ -186,7 +188,7 @@ void ResultsReader::rows(TableSpec const& spec, std::int64_t length, std::int64_
             fill_absent(column, spec.row_bytes, rows);
             continue;
         }
-        auto const dataset = open_numbers(file_, name);
+        auto const dataset = open_numbers(opened_->file, name);
         auto const stored = length_of(dataset);
         validate(stored == length, "results file: {} has {} rows, the campaign {} {}", name, stored, length, advice);
         if (column.type == FieldType::category) {
@@ -204,18 +206,18 @@ void ResultsReader::rows(TableSpec const& spec, std::int64_t length, std::int64_
 }
 
 std::string ResultsReader::content(std::string const& dataset) const {
-    auto const bytes = read_all<std::uint8_t>(file_, dataset, H5T_NATIVE_UINT8);
+    auto const bytes = read_all<std::uint8_t>(opened_->file, dataset, H5T_NATIVE_UINT8);
     return {bytes.begin(), bytes.end()};
 }
 
 std::string ResultsReader::text_attribute(std::string const& object, std::string const& name) const {
-    Handle<H5Oclose> const handle(checked(H5Oopen(file_.id(), object.c_str(), H5P_DEFAULT), "open " + object));
+    Handle<H5Oclose> const handle(checked(H5Oopen(opened_->file.id(), object.c_str(), H5P_DEFAULT), "open " + object));
     return read_text_attribute(handle.id(), name);
 }
 
 std::string ResultsReader::attribute_or(std::string const& object, std::string const& name,
                                         std::string const& other) const {
-    if (!has(object) || H5Aexists_by_name(file_.id(), object.c_str(), name.c_str(), H5P_DEFAULT) <= 0) {
+    if (!has(object) || H5Aexists_by_name(opened_->file.id(), object.c_str(), name.c_str(), H5P_DEFAULT) <= 0) {
         return other;
     }
     return text_attribute(object, name);

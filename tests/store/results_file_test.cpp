@@ -7,6 +7,7 @@
 
 #include <hdf5_hl.h>
 
+#include "store/detail/h5.hpp"
 #include "support/expect_input_error.hpp"
 #include "support/expect_system_error.hpp"
 #include "support/full_disk.hpp"

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "store/detail/h5.hpp"
 #include "store/results_file.hpp"
 #include "store/sha256.hpp"
 #include "support/expect_input_error.hpp"

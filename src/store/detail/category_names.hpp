@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/field.hpp"
-#include "store/h5.hpp"
+#include "store/detail/h5.hpp"
 
 namespace overturn::store {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "store/h5.hpp"
+#include "store/detail/h5.hpp"
 
 namespace overturn::store {
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "store/h5.hpp"
+#include "store/detail/h5.hpp"
 
 namespace overturn::store {
 

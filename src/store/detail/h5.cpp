@@ -1,4 +1,4 @@
-#include "store/h5.hpp"
+#include "store/detail/h5.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "store/columns.hpp"
+#include "store/detail/columns.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/field.hpp"
-#include "store/h5.hpp"
+#include "store/detail/h5.hpp"
 
 namespace overturn::store {
 
