@@ -70,10 +70,10 @@ TEST_F(Leaving, AtOnceOnASecondSignal) {
 TEST_F(Leaving, BeforeTheWalltimeIsUp) {
     write_short_blocks(20'000);  // half a minute even on a fast machine
     auto const begin = Clock::now();
-    auto const ended = execute(folder, mpirun(2, {"run", "c.toml", "--max-walltime", "1.5 s", "--part", "1/2"}));
+    auto const ended = execute(folder, mpirun(2, {"run", "c.toml", "--max-walltime", "3 s", "--part", "1/2"}));
 
     expect_told(ended, "overturn run c.toml -o c.h5 --resume --part 1/2");
-    EXPECT_LT(seconds_since(begin), 6) << "a second and a half, one that mpirun waits, and more on a busy machine";
+    EXPECT_LT(seconds_since(begin), 9) << "three seconds, one that mpirun waits, and more on a busy machine";
     EXPECT_GT(blocks_done(folder, "c.h5"), 0);
 }
 
