@@ -9,7 +9,7 @@
 
 #include "generators/detail/components.hpp"
 #include "generators/detail/spectrum_matcher.hpp"
-#include "generators/target_variability.hpp"
+#include "generators/detail/target_variability.hpp"
 #include "generators/wave_source.hpp"
 
 namespace overturn {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/campaign_spec.hpp"
-#include "campaign/unsound.hpp"
+#include "campaign/detail/unsound.hpp"
 #include "campaign/withdrawn_keys.hpp"
 #include "store/sha256.hpp"
 

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "campaign/detail/campaign_keys.hpp"
+#include "campaign/detail/limit_spec.hpp"
 #include "campaign/detail/placement_spec.hpp"
-#include "campaign/limit_spec.hpp"
 #include "campaign/rows.hpp"
 #include "campaign/wave_check.hpp"
 #include "campaign/withheld_inputs.hpp"

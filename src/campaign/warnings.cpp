@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "campaign/detail/kept_of_seeds.hpp"
+#include "campaign/detail/limit_spec.hpp"
 #include "campaign/detail/plausible.hpp"
 #include "campaign/detail/scaled_records.hpp"
-#include "campaign/limit_spec.hpp"
 #include "campaign/plan.hpp"
 #include "campaign/trial.hpp"
 #include "core/units.hpp"

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "motion/detail/low_pass.hpp"
 #include "motion/intensity.hpp"
-#include "motion/low_pass.hpp"
 
 namespace overturn {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "output/acceptance_tables.hpp"
 #include "output/curve_tables.hpp"
+#include "output/detail/acceptance_tables.hpp"
 #include "output/stripe_tables.hpp"
 #include "output/summary_tables.hpp"
 

@@ -1,7 +1,7 @@
 #include "output/fit_json.hpp"
 
-#include "output/body_table.hpp"
 #include "output/campaign_tables.hpp"
+#include "output/detail/body_table.hpp"
 
 namespace overturn::output {
 namespace {

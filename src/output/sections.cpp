@@ -9,14 +9,14 @@
 
 #include "core/error.hpp"
 #include "core/wrapped.hpp"
-#include "output/criterion_text.hpp"
 #include "output/curve_text.hpp"
+#include "output/detail/criterion_text.hpp"
+#include "output/detail/event_text.hpp"
+#include "output/detail/few_waves_text.hpp"
 #include "output/detail/limit_text.hpp"
-#include "output/event_text.hpp"
-#include "output/few_waves_text.hpp"
+#include "output/detail/together_text.hpp"
 #include "output/frequency_text.hpp"
 #include "output/stripe_text.hpp"
-#include "output/together_text.hpp"
 
 namespace overturn::output {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "core/error.hpp"
 #include "rare/detail/pulse_ladder.hpp"
-#include "rare/scout.hpp"
+#include "rare/detail/scout.hpp"
 
 namespace overturn::rare {
 namespace {

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "rare/detail/normals.hpp"
+#include "rare/detail/scout.hpp"
 #include "rare/detail/subset_run.hpp"
-#include "rare/normals.hpp"
-#include "rare/scout.hpp"
 
 namespace overturn::rare {
 namespace {

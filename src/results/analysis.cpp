@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/field.hpp"
-#include "results/criterion_verdict.hpp"
+#include "results/detail/criterion_verdict.hpp"
 #include "results/detail/drawn_trials.hpp"
 #include "results/detail/fitted_measures.hpp"
 #include "results/detail/level_quantiles.hpp"

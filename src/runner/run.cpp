@@ -13,12 +13,12 @@
 #include "core/print_note.hpp"
 #include "output/stripe_text.hpp"
 #include "runner/detail/part_plan.hpp"
+#include "runner/detail/rare_run.hpp"
 #include "runner/detail/stopping.hpp"
 #include "runner/detail/worker.hpp"
 #include "runner/merge.hpp"
 #include "runner/output_place.hpp"
 #include "runner/progress.hpp"
-#include "runner/rare_run.hpp"
 #include "runner/root_broadcast.hpp"
 #include "runner/runtime_file.hpp"
 

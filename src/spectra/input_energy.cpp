@@ -6,7 +6,7 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "spectra/detail/energy_sweep.hpp"
-#include "spectra/fourier.hpp"
+#include "spectra/detail/fourier.hpp"
 #include "spectra/oscillator.hpp"
 
 namespace overturn {

@@ -5,8 +5,8 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "spectra/detail/free_vibration.hpp"
 #include "spectra/detail/searched_tiles.hpp"
-#include "spectra/free_vibration.hpp"
 #include "spectra/response_spectrum.hpp"
 
 namespace overturn {

@@ -1,7 +1,7 @@
 #include <cmath>
 
+#include "spectra/detail/free_vibration.hpp"
 #include "spectra/detail/searched_tiles.hpp"
-#include "spectra/free_vibration.hpp"
 #include "spectra/peak_response.hpp"
 
 namespace overturn {

@@ -6,8 +6,8 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "spectra/detail/free_vibration.hpp"
 #include "spectra/detail/response_sweep.hpp"
-#include "spectra/free_vibration.hpp"
 #include "spectra/oscillator.hpp"
 
 namespace overturn {

@@ -10,9 +10,9 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "spectra/band_rule.hpp"
+#include "spectra/detail/fourier.hpp"
 #include "spectra/detail/window_kernel.hpp"
 #include "spectra/detail/window_sweep.hpp"
-#include "spectra/fourier.hpp"
 
 namespace overturn {
 namespace {

@@ -8,8 +8,8 @@
 #include <gsl/gsl_cdf.h>
 
 #include "core/error.hpp"
+#include "stats/detail/extended_real.hpp"
 #include "stats/detail/probit_regression.hpp"
-#include "stats/extended_real.hpp"
 
 namespace overturn {
 namespace {

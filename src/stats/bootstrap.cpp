@@ -8,8 +8,8 @@
 
 #include "core/error.hpp"
 #include "core/random_stream.hpp"
+#include "stats/detail/extended_real.hpp"
 #include "stats/detail/wave_cells.hpp"
-#include "stats/extended_real.hpp"
 #include "stats/quantile.hpp"
 
 namespace overturn {

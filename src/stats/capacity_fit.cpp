@@ -10,7 +10,7 @@
 #include "core/error.hpp"
 #include "core/random_stream.hpp"
 #include "stats/detail/curve_fit.hpp"
-#include "stats/extended_real.hpp"
+#include "stats/detail/extended_real.hpp"
 
 namespace overturn {
 namespace {

@@ -9,8 +9,8 @@
 #include "stats/detail/curve_fit.hpp"
 #include "stats/detail/quotes.hpp"
 #include "stats/detail/seen_bound.hpp"
+#include "stats/detail/shape_tests.hpp"
 #include "stats/detail/tail_bounds.hpp"
-#include "stats/shape_tests.hpp"
 
 namespace overturn {
 namespace {

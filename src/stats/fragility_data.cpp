@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "core/error.hpp"
-#include "stats/extended_real.hpp"
+#include "stats/detail/extended_real.hpp"
 
 namespace overturn {
 namespace {

@@ -7,9 +7,9 @@
 #include <gsl/gsl_cdf.h>
 
 #include "core/error.hpp"
+#include "stats/detail/extended_real.hpp"
 #include "stats/detail/normal_tail.hpp"
 #include "stats/detail/quotes.hpp"
-#include "stats/extended_real.hpp"
 
 namespace overturn {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stats/extended_real.hpp"
+#include "stats/detail/extended_real.hpp"
 
 namespace overturn {
 

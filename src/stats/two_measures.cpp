@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stats/detail/extended_real.hpp"
 #include "stats/detail/probit_regression.hpp"
-#include "stats/extended_real.hpp"
 #include "stats/quantile.hpp"
 
 namespace overturn {

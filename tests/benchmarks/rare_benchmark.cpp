@@ -7,7 +7,7 @@
 #include "campaign/plan.hpp"
 #include "campaign/rare_problem.hpp"
 #include "campaign/trial.hpp"
-#include "rare/normals.hpp"
+#include "rare/detail/normals.hpp"
 #include "rare/pulse_mixture.hpp"
 #include "support/campaigns.hpp"
 

@@ -1,6 +1,6 @@
 // Requirement R-904: what can only be a slip is refused where a campaign is to be run, or is a line that tells what to
 // look at; what is sound is not doubted.
-#include "campaign/unsound.hpp"
+#include "campaign/detail/unsound.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // Requirement R-103: targets vary from wave to wave with the stated standard deviation and correlation, a pure function
 // of the seed and the wave's number, and each wave follows its own.
-#include "generators/target_variability.hpp"
+#include "generators/detail/target_variability.hpp"
 
 #include <cmath>
 

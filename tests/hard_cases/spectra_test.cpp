@@ -8,7 +8,7 @@
 #include "core/units.hpp"
 #include "motion/ground_motion.hpp"
 #include "motion/intensity.hpp"
-#include "spectra/fourier.hpp"
+#include "spectra/detail/fourier.hpp"
 #include "spectra/input_energy.hpp"
 #include "spectra/oscillator.hpp"
 #include "spectra/response_spectrum.hpp"

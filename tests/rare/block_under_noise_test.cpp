@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "rare/crude.hpp"
-#include "rare/normals.hpp"
+#include "rare/detail/normals.hpp"
 #include "rare/pulse_mixture.hpp"
 #include "rare/subset.hpp"
 #include "support/rocking_noise.hpp"

@@ -1,6 +1,6 @@
 // Requirement R-801, R-1002: the normals of a rare-event trial are a function of its identity alone, the same bits on
 // every instruction set, and standard normal far into the tails.
-#include "rare/normals.hpp"
+#include "rare/detail/normals.hpp"
 
 #include <cmath>
 #include <numbers>

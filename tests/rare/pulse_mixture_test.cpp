@@ -9,7 +9,7 @@
 #include <gsl/gsl_cdf.h>
 #include <gtest/gtest.h>
 
-#include "rare/normals.hpp"
+#include "rare/detail/normals.hpp"
 #include "rare/subset.hpp"
 #include "support/rocking_noise.hpp"
 

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "output/curve_text.hpp"
-#include "results/criterion_verdict.hpp"
+#include "results/detail/criterion_verdict.hpp"
 #include "results/statistics.hpp"
 #include "support/campaigns.hpp"
 

@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "output/event_text.hpp"
+#include "output/detail/event_text.hpp"
 #include "support/campaigns.hpp"
 
 namespace overturn {

@@ -1,6 +1,6 @@
 // Requirement R-201: what oscillators do behind a wave's last sample is part of their spectrum, in closed form: zeros
 // that are appended to a wave change nothing.
-#include "spectra/free_vibration.hpp"
+#include "spectra/detail/free_vibration.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 
 #include "core/units.hpp"
 #include "motion/ground_motion.hpp"
-#include "spectra/fourier.hpp"
+#include "spectra/detail/fourier.hpp"
 #include "spectra/oscillator.hpp"
 #include "spectra/response_spectrum.hpp"
 #include "support/fourier_amplitude.hpp"

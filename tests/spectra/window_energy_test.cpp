@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "core/units.hpp"
-#include "spectra/fourier.hpp"
+#include "spectra/detail/fourier.hpp"
 #include "support/expect_input_error.hpp"
 #include "support/tolerance.hpp"
 #include "support/waves.hpp"

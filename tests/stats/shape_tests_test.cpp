@@ -1,6 +1,6 @@
 // Requirement R-710: tests of a curve's shape find no fault with data of a rising lognormal curve more often than they
 // say, whatever the number of levels and of trials, and whether waves are shared or not.
-#include "stats/shape_tests.hpp"
+#include "stats/detail/shape_tests.hpp"
 
 #include <algorithm>
 #include <cmath>

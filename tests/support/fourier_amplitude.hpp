@@ -4,7 +4,7 @@
 #include <complex>
 #include <span>
 
-#include "spectra/fourier.hpp"
+#include "spectra/detail/fourier.hpp"
 
 namespace overturn::testing {
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "stats/extended_real.hpp"
+#include "stats/detail/extended_real.hpp"
 #include "stats/kolmogorov.hpp"
 
 namespace overturn::testing {

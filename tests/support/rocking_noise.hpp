@@ -13,7 +13,7 @@
 
 #include "core/units.hpp"
 #include "model/chunk_extremes.hpp"
-#include "rare/normals.hpp"
+#include "rare/detail/normals.hpp"
 #include "rare/peak.hpp"
 #include "rare/problem.hpp"
 #include "rocking/planar_rocking.hpp"

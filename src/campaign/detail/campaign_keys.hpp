@@ -6,7 +6,7 @@
 
 #include "campaign/body_spec.hpp"
 #include "campaign/campaign_spec.hpp"
-#include "campaign/limit_spec.hpp"
+#include "campaign/detail/limit_spec.hpp"
 #include "campaign/withheld_inputs.hpp"
 #include "config/table.hpp"
 #include "contact/contact_accuracy.hpp"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "rare/normals.hpp"
+#include "rare/detail/normals.hpp"
 
 namespace overturn::rare {
 namespace {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "rare/normals.hpp"
+#include "rare/detail/normals.hpp"
 
 namespace overturn::rare {
 namespace {

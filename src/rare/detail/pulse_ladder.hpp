@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "rare/detail/scout.hpp"
 #include "rare/pulse_mixture.hpp"
-#include "rare/scout.hpp"
 
 namespace overturn::rare {
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/error.hpp"
-#include "spectra/fourier.hpp"
+#include "spectra/detail/fourier.hpp"
 #include "spectra/transform.hpp"
 
 namespace overturn {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "spectra/detail/fourier.hpp"
 #include "spectra/detail/window_nodes.hpp"
-#include "spectra/fourier.hpp"
 
 namespace overturn {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <gsl/gsl_cdf.h>
 
-#include "stats/extended_real.hpp"
+#include "stats/detail/extended_real.hpp"
 #include "stats/quantile.hpp"
 
 namespace overturn {

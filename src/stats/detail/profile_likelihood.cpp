@@ -7,8 +7,8 @@
 #include <gsl/gsl_roots.h>
 
 #include "core/error.hpp"
+#include "stats/detail/extended_real.hpp"
 #include "stats/detail/gsl_quiet.hpp"
-#include "stats/extended_real.hpp"
 
 namespace overturn {
 namespace {

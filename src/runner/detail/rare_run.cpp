@@ -1,4 +1,4 @@
-#include "runner/rare_run.hpp"
+#include "runner/detail/rare_run.hpp"
 
 #include <utility>
 

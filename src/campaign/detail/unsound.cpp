@@ -1,4 +1,4 @@
-#include "campaign/unsound.hpp"
+#include "campaign/detail/unsound.hpp"
 
 #include <algorithm>
 #include <limits>

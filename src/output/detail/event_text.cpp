@@ -1,4 +1,4 @@
-#include "output/event_text.hpp"
+#include "output/detail/event_text.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "output/together_text.hpp"
+#include "output/detail/together_text.hpp"
 
 #include <algorithm>
 
@@ -13,7 +13,7 @@ namespace {
 
 std::string phi_text(std::optional<double> const& phi) { return phi ? fmt::format("{:+.2f}", *phi) : "-"; }
 
-std::string estimate_text(Estimate const& estimate) {
+std::string slope_text(Estimate const& estimate) {
     return fmt::format("{:.3g} {}", estimate.value, interval_text(estimate.interval));
 }
 
@@ -77,8 +77,8 @@ std::string two_measures_text(std::span<TwoMeasures const> fits, double confiden
             "  {}: P = Phi({:.4g} {:+.4g} ln {} {:+.4g} ln {}); ln {} {}, ln {} {}, beta where both scale {}; deviance "
             "{:.4g} below that of {} alone, the better one\n",
             who, fit.constant.value, fit.slopes[0].value, of.names[0], fit.slopes[1].value, of.names[1], of.names[0],
-            estimate_text(fit.slopes[0]), of.names[1], estimate_text(fit.slopes[1]), estimate_text(fit.beta),
-            fit.deviance_gain, of.names.at(fit.better));
+            slope_text(fit.slopes[0]), of.names[1], slope_text(fit.slopes[1]), slope_text(fit.beta), fit.deviance_gain,
+            of.names.at(fit.better));
     }
     return text;
 }

@@ -1,4 +1,4 @@
-#include "spectra/free_vibration.hpp"
+#include "spectra/detail/free_vibration.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "output/criterion_text.hpp"
+#include "output/detail/criterion_text.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "output/body_table.hpp"
+#include "output/detail/body_table.hpp"
 
 #include <span>
 

@@ -1,4 +1,4 @@
-#include "motion/low_pass.hpp"
+#include "motion/detail/low_pass.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "output/acceptance_tables.hpp"
+#include "output/detail/acceptance_tables.hpp"
 
 #include "stats/proportion.hpp"
 

@@ -1,4 +1,4 @@
-#include "rare/normals.hpp"
+#include "rare/detail/normals.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include "simd/targets.hpp"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "rare/normals.cpp"
+#define HWY_TARGET_INCLUDE "rare/detail/normals.cpp"
 #include <hwy/foreach_target.h>
 // foreach_target comes first: it includes this file once per instruction set
 #include "rare/detail/lane_functions-inl.hpp"

@@ -1,4 +1,4 @@
-#include "campaign/limit_spec.hpp"
+#include "campaign/detail/limit_spec.hpp"
 
 #include <algorithm>
 #include <array>

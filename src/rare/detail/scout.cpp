@@ -1,11 +1,11 @@
-#include "rare/scout.hpp"
+#include "rare/detail/scout.hpp"
 
 #include <algorithm>
 #include <functional>
 
 #include <fmt/format.h>
 
-#include "rare/normals.hpp"
+#include "rare/detail/normals.hpp"
 
 namespace overturn::rare {
 namespace {

@@ -1,4 +1,4 @@
-#include "results/criterion_verdict.hpp"
+#include "results/detail/criterion_verdict.hpp"
 
 #include <algorithm>
 #include <cmath>

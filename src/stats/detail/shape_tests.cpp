@@ -1,4 +1,4 @@
-#include "stats/shape_tests.hpp"
+#include "stats/detail/shape_tests.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "output/few_waves_text.hpp"
+#include "output/detail/few_waves_text.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "generators/target_variability.hpp"
+#include "generators/detail/target_variability.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "spectra/fourier.hpp"
+#include "spectra/detail/fourier.hpp"
 
 #include <cmath>
 
