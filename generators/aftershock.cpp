@@ -27,7 +27,7 @@ struct Aftershock {
 class MainshockAndAftershock : public WaveSource {
   public:
     MainshockAndAftershock(std::unique_ptr<WaveSource> shocks, Aftershock const& second)
-        : shocks_(std::move(shocks)), second_(second) {}
+        : WaveSource(both(shocks->about(), second)), shocks_(std::move(shocks)), second_(second) {}
 
     [[nodiscard]] GeneratedWave make(std::uint64_t seed, std::uint64_t wave) const override {
         return joined(shocks_->make(seed, wave), shocks_->make(seed, of_aftershock(wave)));
@@ -35,22 +35,16 @@ class MainshockAndAftershock : public WaveSource {
     [[nodiscard]] GeneratedWave make_unjudged(std::uint64_t seed, std::uint64_t wave) const override {
         return joined(shocks_->make_unjudged(seed, wave), shocks_->make_unjudged(seed, of_aftershock(wave)));
     }
-    [[nodiscard]] Acceptance acceptance() const override { return shocks_->acceptance(); }
-    [[nodiscard]] std::string variability() const override { return shocks_->variability(); }
-    [[nodiscard]] bool draws_targets() const override { return shocks_->draws_targets(); }
-    [[nodiscard]] bool draws_events() const override { return shocks_->draws_events(); }
     [[nodiscard]] std::string pgd_drift() const override { return shocks_->pgd_drift(); }
-    [[nodiscard]] bool of_one_spectrum() const override { return shocks_->of_one_spectrum(); }
-    [[nodiscard]] std::uint64_t waves_alike() const override { return shocks_->waves_alike(); }
-    [[nodiscard]] std::optional<ComparedPeriods> compared_periods() const override {
-        return shocks_->compared_periods();
-    }
-    [[nodiscard]] std::string describe() const override {
-        return fmt::format("{}; then, after {:g} s of quiet, an independent one times {:g}", shocks_->describe(),
-                           second_.pause_s, second_.scale);
-    }
 
   private:
+    static WaveDescription both(WaveDescription about, Aftershock const& second) {
+        about.text +=
+            fmt::format("; then, after {:g} s of quiet, an independent one times {:g}", second.pause_s, second.scale);
+        about.stated_sigma.reset();  // of single shocks
+        return about;
+    }
+
     // Waves are numbered below this bit: an aftershock's streams are no other wave's.
     static std::uint64_t of_aftershock(std::uint64_t wave) { return wave | std::uint64_t{1} << 63U; }
 
@@ -93,7 +87,7 @@ std::unique_ptr<WaveSource> with_aftershock(config::Table const& waves, std::uni
     second.scale = given.number(second_shock_keys["scale"]);
     second.pause_s = given.number(second_shock_keys["pause"]);
     given.finish();
-    if (source->available()) {
+    if (source->about().available) {
         waves.fail("aftershock",
                    "of waves that are not drawn (there is no independent one of the same kind to follow). Use "
                    "spectrum-compatible or filtered-noise, or join records in their files");

@@ -64,16 +64,19 @@ class FilteredNoise : public WaveSource {
         for (double& amplitude : line_amplitude_) {
             amplitude *= input.rms_mps2 / std::sqrt(held);
         }
-        summary_ = fmt::format("{} samples of {} s, noise of {} m/s2, {}", input.samples, time_step_s_, input.rms_mps2,
-                               input.shape.text);
+        auto text = fmt::format("{} samples of {} s, noise of {} m/s2, {}", input.samples, time_step_s_, input.rms_mps2,
+                                input.shape.text);
         constexpr double nearly_all = 0.98;
         if (double const share = held / input.shape.integral_radps; share < nearly_all) {
-            summary_ += fmt::format(" (its spectrum cut at {:g} Hz, where {:.0f} % of its power lie below)",
-                                    0.5 / time_step_s_, 100 * share);
+            text += fmt::format(" (its spectrum cut at {:g} Hz, where {:.0f} % of its power lie below)",
+                                0.5 / time_step_s_, 100 * share);
         }
         for (auto const& [component, ratio, correlation] : further_) {
-            summary_ += fmt::format(", {} {:g} of it, correlation {:g}", component.name, ratio, correlation);
+            text += fmt::format(", {} {:g} of it, correlation {:g}", component.name, ratio, correlation);
         }
+        describe({.text = text,
+                  .variability = "random noise of one power spectral density; event, path and site do not vary",
+                  .of_one_spectrum = true});
     }
 
     [[nodiscard]] GeneratedWave make(std::uint64_t seed, std::uint64_t wave) const override {
@@ -102,13 +105,8 @@ class FilteredNoise : public WaveSource {
     [[nodiscard]] double spacing_radps() const { return 2 * pi / (time_step_s_ * static_cast<double>(fft_.length())); }
     [[nodiscard]] bool is_gaussian() const { return gaussian_; }
 
-    [[nodiscard]] std::string describe() const override { return summary_; }
     [[nodiscard]] std::string pgd_drift() const override {
         return "noise behind a filter has what the envelope spreads to long periods: it grows with the duration";
-    }
-    [[nodiscard]] bool of_one_spectrum() const override { return true; }
-    [[nodiscard]] std::string variability() const override {
-        return "random noise of one power spectral density; event, path and site do not vary";
     }
 
   private:
@@ -155,7 +153,6 @@ class FilteredNoise : public WaveSource {
     std::vector<FilteredNoiseInput::Further> further_;
     std::vector<double> envelope_;
     std::vector<double> line_amplitude_;
-    std::string summary_;
 };
 
 // Line k is A_k z / sqrt 2, z the k-th pair of normals; with fixed amplitudes A_k z / |z|.

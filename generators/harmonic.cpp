@@ -24,9 +24,20 @@ struct HarmonicInput {
     std::vector<Further> further{};
 };
 
+WaveDescription description_of(HarmonicInput const& input) {
+    auto text = fmt::format("{} sinusoids of {} m/s2", input.periods_s.size(), input.amplitude_mps2);
+    for (auto const& [component, ratio, phase_rad] : input.further) {
+        text += fmt::format(", {} {:g} of it, {:g} deg ahead", component.name, ratio, phase_rad * 180 / pi);
+    }
+    return {.text = text,
+            .variability = fmt::format("a grid of {} frequencies: no random sample", input.periods_s.size()),
+            .available = input.periods_s.size(),
+            .grid_periods_s = input.periods_s};
+}
+
 class Harmonic : public WaveSource {
   public:
-    explicit Harmonic(HarmonicInput input) : input_(std::move(input)) {}
+    explicit Harmonic(HarmonicInput input) : WaveSource(description_of(input)), input_(std::move(input)) {}
 
     [[nodiscard]] GeneratedWave make(std::uint64_t /*seed*/, std::uint64_t wave) const override {
         validate_wave(wave, input_.periods_s.size());
@@ -43,25 +54,11 @@ class Harmonic : public WaveSource {
         return made;
     }
 
-    [[nodiscard]] std::optional<std::uint64_t> available() const override { return input_.periods_s.size(); }
-
-    [[nodiscard]] std::string variability() const override {
-        return fmt::format("a grid of {} frequencies: no random sample", input_.periods_s.size());
-    }
-    [[nodiscard]] std::optional<std::vector<double>> grid_periods_s() const override { return input_.periods_s; }
     [[nodiscard]] std::string pgd_drift() const override {
         bool const short_ramp = std::ranges::any_of(input_.periods_s, [&](double p) { return input_.ramp_s < p; });
         return short_ramp ? "a sinusoid that begins at once drifts on the velocity it begins with; state a ramp of "
                             "some cycles in [waves]"
                           : "";
-    }
-
-    [[nodiscard]] std::string describe() const override {
-        auto text = fmt::format("{} sinusoids of {} m/s2", input_.periods_s.size(), input_.amplitude_mps2);
-        for (auto const& [component, ratio, phase_rad] : input_.further) {
-            text += fmt::format(", {} {:g} of it, {:g} deg ahead", component.name, ratio, phase_rad * 180 / pi);
-        }
-        return text;
     }
 
   private:

@@ -36,9 +36,20 @@ struct PulseInput {
 
 std::size_t steps_in(double time_s, double step_s) { return static_cast<std::size_t>(std::round(time_s / step_s)); }
 
+WaveDescription description_of(PulseInput const& input) {
+    auto text = fmt::format("{} {} pulses of {} m/s2", input.periods_s.size(), input.name, input.amplitude_mps2);
+    for (auto const& [component, ratio, lag_s] : input.further) {
+        text += fmt::format(", {} {:g} of it, {:g} s later", component.name, ratio, lag_s);
+    }
+    return {.text = text,
+            .variability = fmt::format("a grid of {} periods: no random sample", input.periods_s.size()),
+            .available = input.periods_s.size(),
+            .grid_periods_s = input.periods_s};
+}
+
 class Pulse : public WaveSource {
   public:
-    explicit Pulse(PulseInput input) : input_(std::move(input)) {}
+    explicit Pulse(PulseInput input) : WaveSource(description_of(input)), input_(std::move(input)) {}
 
     [[nodiscard]] GeneratedWave make(std::uint64_t /*seed*/, std::uint64_t wave) const override {
         validate_wave(wave, input_.periods_s.size());
@@ -71,12 +82,6 @@ class Pulse : public WaveSource {
         return made;
     }
 
-    [[nodiscard]] std::optional<std::uint64_t> available() const override { return input_.periods_s.size(); }
-
-    [[nodiscard]] std::string variability() const override {
-        return fmt::format("a grid of {} periods: no random sample", input_.periods_s.size());
-    }
-    [[nodiscard]] std::optional<std::vector<double>> grid_periods_s() const override { return input_.periods_s; }
     [[nodiscard]] std::string pgd_drift() const override {
         auto const motion = make(0, 0).motion;
         constexpr double rest = 1e-3;  // of the largest velocity
@@ -84,14 +89,6 @@ class Pulse : public WaveSource {
         return std::abs(velocity.back()) > rest * peak_of(velocity) ? fmt::format(
                    "a {} pulse leaves the ground moving, on and on through the quiet behind it", input_.name)
                                                                     : "";
-    }
-
-    [[nodiscard]] std::string describe() const override {
-        auto text = fmt::format("{} {} pulses of {} m/s2", input_.periods_s.size(), input_.name, input_.amplitude_mps2);
-        for (auto const& [component, ratio, lag_s] : input_.further) {
-            text += fmt::format(", {} {:g} of it, {:g} s later", component.name, ratio, lag_s);
-        }
-        return text;
     }
 
   private:

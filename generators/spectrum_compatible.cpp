@@ -114,7 +114,7 @@ void read_seeds(config::Table const& waves, InputFiles& files, CompatibleRequest
     auto const records = make_records(table, files);
     table.finish();
     std::size_t longest = 0;
-    for (std::uint64_t i = 0; i < records->available().value_or(0); ++i) {
+    for (std::uint64_t i = 0; i < records->about().available.value_or(0); ++i) {
         auto made = records->make(0, i);
         if (made.motion.time_step_s != request.input.time_step_s && (i > 0 || waves.has("time_step"))) {
             waves.fail("seed",

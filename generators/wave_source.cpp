@@ -13,6 +13,26 @@
 
 namespace overturn {
 
+std::optional<Drift> WaveSource::drift(std::uint64_t wave) const {
+    if (about_.measured.empty()) {
+        return std::nullopt;
+    }
+    validate_wave(wave, about_.measured.size());
+    return about_.measured[wave].drift;
+}
+
+std::string WaveSource::name(std::uint64_t wave) const {
+    if (about_.measured.empty()) {
+        return {};
+    }
+    validate_wave(wave, about_.measured.size());
+    return about_.measured[wave].name;
+}
+
+GroundMotion const* WaveSource::began_with(std::uint64_t wave) const {
+    return wave < about_.began_with.size() ? &about_.began_with[wave] : nullptr;
+}
+
 namespace {
 
 constexpr config::Keys every_wave_keys{config::word_key<wave_sources>("source", "where the waves come from"),

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "config/table.hpp"
@@ -59,17 +60,48 @@ struct StatedSigma {
     std::function<double(double period_s)> at;  ///< of ln Sa at a period of the waves, as conditions leave it
 };
 
+/// A wave that was measured.
+struct MeasuredWave {
+    std::string name;  ///< what the campaign calls it: its file
+    Drift drift;       ///< how it ends
+};
+
+/// What is known of a source's waves before any is made.
+struct WaveDescription {
+    std::string text;         ///< one line on what it makes
+    std::string variability;  ///< what makes its waves differ, in a line that goes beside every curve drawn from them
+    std::optional<std::uint64_t> available = {};  ///< how many different waves there are; nothing: as many as one likes
+    /// Of a source whose n-th wave is the n-th point of a grid of periods: these [s]. Its waves are no random sample,
+    /// so that shares of them are no probabilities. Empty of all others.
+    std::vector<double> grid_periods_s = {};
+    Acceptance acceptance = {};  ///< the rule its waves must meet; without one any will do
+    bool draws_targets = false;  ///< has every wave a target of its own (GeneratedWave::drawn)?
+    bool draws_events = false;   ///< is stated what targets of one event share (DrawnTarget::epsilon_between)?
+    /// Of a source whose waves are each matched to the Sa that was drawn for it, and hold nothing else. Asked while the
+    /// source lives.
+    std::optional<StatedSigma> stated_sigma = {};
+    /// Are all waves of one spectrum or density, matched to it or not, so that chance phases alone tell them apart?
+    /// Their trials cannot tell which measure of intensity is the better one among motions of several events and sites.
+    bool of_one_spectrum = false;
+    std::uint64_t waves_alike = 1;  ///< so many in a row may share what was drawn, and are no independent samples
+    /// The periods at which its waves are compared with what its target states; nothing if there is none.
+    std::optional<ComparedPeriods> compared_periods = {};
+    std::vector<MeasuredWave> measured = {};  ///< each wave, where they were measured
+    /// The measured motion that the match of each wave began with, where one did; the source's own.
+    std::span<GroundMotion const> began_with = {};
+};
+
 /// A source of numbered waves. make is pure: the same wave alone or in a crowd, from any thread.
 class WaveSource {
   public:
-    WaveSource() = default;
     WaveSource(WaveSource const&) = delete;
     WaveSource& operator=(WaveSource const&) = delete;
     WaveSource(WaveSource&&) = delete;
     WaveSource& operator=(WaveSource&&) = delete;
     virtual ~WaveSource() = default;
 
-    /// \throws InputError if `wave` is not below available().
+    [[nodiscard]] WaveDescription const& about() const { return about_; }
+    /// \throws InputError if `wave` is not below available.
     [[nodiscard]] virtual GeneratedWave make(std::uint64_t seed, std::uint64_t wave) const = 0;
     /// The motion that make gives, with no more said of it than costs no time: of waves that are not iterated no match,
     /// of iterated ones what iteration knows anyway.
@@ -78,39 +110,25 @@ class WaveSource {
     }
     /// Its waves as a map of normals; null where they are not random. \pre the source outlives it
     [[nodiscard]] virtual std::unique_ptr<NormalWaves> from_normals() const { return nullptr; }
-    /// How many different waves there are; nothing if as many as one likes.
-    [[nodiscard]] virtual std::optional<std::uint64_t> available() const { return std::nullopt; }
-    /// Of a source whose n-th wave is the n-th point of a grid of periods: these [s]. Its waves are no random sample,
-    /// so that shares of them are no probabilities. Nothing of all others.
-    [[nodiscard]] virtual std::optional<std::vector<double>> grid_periods_s() const { return std::nullopt; }
-    /// The rule its waves must meet; without one any will do.
-    [[nodiscard]] virtual Acceptance acceptance() const { return {}; }
-    /// What makes its waves differ from each other, in a line that goes beside every curve drawn from them.
-    [[nodiscard]] virtual std::string variability() const = 0;
-    /// Has every wave a target of its own (GeneratedWave::drawn)?
-    [[nodiscard]] virtual bool draws_targets() const { return false; }
-    /// Are what targets of one event share and their own parts stated (DrawnTarget::epsilon_between)?
-    [[nodiscard]] virtual bool draws_events() const { return false; }
-    /// Of a source whose waves are each matched to the Sa that was drawn for it, and hold nothing else. \pre the source
-    /// outlives it
-    [[nodiscard]] virtual std::optional<StatedSigma> stated_sigma() const { return std::nullopt; }
-    /// Why PGD of its waves is no amplitude of the ground but what their baseline does; empty: it is one.
+    /// Why PGD of its waves is no amplitude of the ground but what their baseline does; empty: it is one. Makes some
+    /// waves to see.
     [[nodiscard]] virtual std::string pgd_drift() const { return {}; }
-    /// Are all waves of one spectrum or density, matched to it or not, so that chance phases alone tell them apart?
-    /// Their trials cannot tell which measure of intensity is the better one among motions of several events and sites.
-    [[nodiscard]] virtual bool of_one_spectrum() const { return false; }
-    /// So many waves in a row may share what was drawn, and are no independent samples.
-    [[nodiscard]] virtual std::uint64_t waves_alike() const { return 1; }
-    /// The periods at which its waves are compared with what its target states; nothing if there is none.
-    [[nodiscard]] virtual std::optional<ComparedPeriods> compared_periods() const { return std::nullopt; }
+
     /// How a measured wave ends; nothing of waves that were not measured. \throws InputError as make
-    [[nodiscard]] virtual std::optional<Drift> drift(std::uint64_t /*wave*/) const { return std::nullopt; }
+    [[nodiscard]] std::optional<Drift> drift(std::uint64_t wave) const;
+    /// What the campaign calls a measured wave; empty of all others. \throws InputError as make
+    [[nodiscard]] std::string name(std::uint64_t wave) const;
     /// The measured motion that the match of a wave began with; null of all others.
-    [[nodiscard]] virtual GroundMotion const* began_with(std::uint64_t /*wave*/) const { return nullptr; }
-    /// What the campaign calls a measured wave: its file. Empty of all others.
-    [[nodiscard]] virtual std::string name(std::uint64_t /*wave*/) const { return {}; }
-    /// One line on what it makes.
-    [[nodiscard]] virtual std::string describe() const = 0;
+    [[nodiscard]] GroundMotion const* began_with(std::uint64_t wave) const;
+
+  protected:
+    WaveSource() = default;
+    explicit WaveSource(WaveDescription about) : about_(std::move(about)) {}
+    /// For sources that know it only once they are made.
+    void describe(WaveDescription about) { about_ = std::move(about); }
+
+  private:
+    WaveDescription about_;
 };
 
 /// What makes a source from the [waves] table. It reads its own keys and finishes its own child tables; finishing

@@ -8,49 +8,66 @@
 #include "generators/wave_quality.hpp"
 
 namespace overturn {
+namespace {
+
+constexpr double compared_at_s = 1;  // targets of two components
+
+}  // namespace
 
 SpectrumCompatible::SpectrumCompatible(CompatibleRequest request, std::vector<FurtherTarget> const& further)
     : rule_(request.input.rule),
-      acceptance_(std::move(request.acceptance)),
       match_(request.match),
       time_step_s_(request.input.time_step_s),
       variability_(std::move(request.variability)),
       seeds_(std::move(request.seeds)),
-      seed_labels_(std::move(request.seed_labels)),
-      stated_from_s_(request.input.target.first_period_s()),
-      stated_to_s_(request.input.target.last_period_s()) {
+      seed_labels_(std::move(request.seed_labels)) {
     auto const& target = request.input.target;
-    summarise(request.input);
     add(horizontal_kind, request.input, std::nullopt, 1);
-    if (auto const& median = parts_.front().matcher.median(); median.max_misfit > 0) {
-        summary_ += fmt::format(" (to {:.1f} % on the mean, {:.1f} % at {:.3g} s)", 100 * median.mean_misfit,
-                                100 * median.max_misfit, median.max_misfit_period_s);
-    }
     for (auto const& [kind, own, correlation] : further) {
         auto input = request.input;
         input.target = own;
         input.longest_s = std::min(input.longest_s, std::max(own.last_period_s(), 1.0));
-        constexpr double at_s = 1;
-        double const of_horizontal = own.psa_mps2(at_s) / target.psa_mps2(at_s);
-        add(kind, input, correlation, of_horizontal);
-        summary_ += fmt::format(", {} target {}, {:.3g} of the horizontal one at {} s", kind.name, own.name(),
-                                of_horizontal, at_s);
-        summary_ += correlation ? fmt::format(", correlation {:g}", *correlation) : "";
+        add(kind, input, correlation, own.psa_mps2(compared_at_s) / target.psa_mps2(compared_at_s));
     }
+    describe(
+        {.text = summary(request.acceptance.rule),
+         .variability = variability(),
+         .available = seeds_.empty() ? std::nullopt : std::optional<std::uint64_t>(seeds_.size()),
+         .acceptance = request.acceptance,
+         .draws_targets = variability_.has_value(),
+         .draws_events = variability_ && variability_->parted(),
+         .stated_sigma = stated_sigma(),
+         .of_one_spectrum = !variability_,
+         .waves_alike = variability_ ? variability_->input().per_target * variability_->input().targets_per_event : 1,
+         // What lies beyond the target's own ends is compared with nothing that anybody stated.
+         .compared_periods =
+             ComparedPeriods{target.first_period_s(), std::min(request.input.longest_s, target.last_period_s())},
+         .began_with = seeds_});
 }
 
-void SpectrumCompatible::summarise(SpectrumMatcherInput const& input) {
+std::string SpectrumCompatible::summary(std::string const& rule) const {
+    auto const& input = parts_.front().input;
     auto const& target = input.target;
     constexpr std::array how{"each wave matched", "matched in the median", "not matched"};
-    summary_ =
+    auto text =
         fmt::format("{} samples of {} s, target {} at {} % damping to {:g} s, {}", input.samples, time_step_s_,
                     target.name(), 100 * target.damping(), input.longest_s, how.at(static_cast<std::size_t>(match_)));
-    summary_ += variability_ ? fmt::format(" to a target of its own: {}", variability_->describe()) : "";
-    summary_ += rule_.enabled() ? " by " + acceptance_.rule : "";
-    if (constexpr double rounding = 1e-9; input.longest_s > stated_to_s_ * (1 + rounding)) {
-        summary_ += fmt::format(", beyond its end at {:g} s on at constant displacement", stated_to_s_);
+    text += variability_ ? fmt::format(" to a target of its own: {}", variability_->describe()) : "";
+    text += rule_.enabled() ? " by " + rule : "";
+    if (constexpr double rounding = 1e-9; input.longest_s > target.last_period_s() * (1 + rounding)) {
+        text += fmt::format(", beyond its end at {:g} s on at constant displacement", target.last_period_s());
     }
-    summary_ += seeds_.empty() ? "" : fmt::format(", phases of {} records", seeds_.size());
+    text += seeds_.empty() ? "" : fmt::format(", phases of {} records", seeds_.size());
+    if (auto const& median = parts_.front().matcher.median(); median.max_misfit > 0) {
+        text += fmt::format(" (to {:.1f} % on the mean, {:.1f} % at {:.3g} s)", 100 * median.mean_misfit,
+                            100 * median.max_misfit, median.max_misfit_period_s);
+    }
+    for (auto const& part : std::span(parts_).subspan(1)) {
+        text += fmt::format(", {} target {}, {:.3g} of the horizontal one at {} s", part.kind.name,
+                            part.input.target.name(), part.of_horizontal, compared_at_s);
+        text += part.correlation ? fmt::format(", correlation {:g}", *part.correlation) : "";
+    }
+    return text;
 }
 
 std::string SpectrumCompatible::variability() const {

@@ -53,28 +53,8 @@ class SpectrumCompatible : public WaveSource {
         return make(seed, wave, Judging::least);
     }
     [[nodiscard]] std::unique_ptr<NormalWaves> from_normals() const override;
-    [[nodiscard]] std::optional<std::uint64_t> available() const override {
-        return seeds_.empty() ? std::nullopt : std::optional<std::uint64_t>(seeds_.size());
-    }
-    [[nodiscard]] GroundMotion const* began_with(std::uint64_t wave) const override {
-        return wave < seeds_.size() ? &seeds_[wave] : nullptr;
-    }
-    [[nodiscard]] std::string describe() const override { return summary_; }
-    [[nodiscard]] std::string variability() const override;
-    [[nodiscard]] bool draws_targets() const override { return variability_.has_value(); }
-    [[nodiscard]] bool draws_events() const override { return variability_ && variability_->parted(); }
-    [[nodiscard]] std::optional<StatedSigma> stated_sigma() const override;
     /// By some draws, or by the seeds: does what is slower than the wave is meant to be rule the displacement?
     [[nodiscard]] std::string pgd_drift() const override;
-    [[nodiscard]] bool of_one_spectrum() const override { return !variability_; }
-    [[nodiscard]] std::uint64_t waves_alike() const override {
-        return variability_ ? variability_->input().per_target * variability_->input().targets_per_event : 1;
-    }
-    [[nodiscard]] Acceptance acceptance() const override { return acceptance_; }
-    /// What lies beyond the target's own first and last period is compared with nothing that anybody stated.
-    [[nodiscard]] std::optional<ComparedPeriods> compared_periods() const override {
-        return ComparedPeriods{stated_from_s_, std::min(parts_.front().input.longest_s, stated_to_s_)};
-    }
 
   private:
     using Judging = SpectrumMatcher::Judging;
@@ -90,7 +70,9 @@ class SpectrumCompatible : public WaveSource {
 
     void add(ComponentKind const& kind, SpectrumMatcherInput const& input, std::optional<double> correlation,
              double of_horizontal);
-    void summarise(SpectrumMatcherInput const& input);
+    [[nodiscard]] std::string summary(std::string const& rule) const;
+    [[nodiscard]] std::string variability() const;
+    [[nodiscard]] std::optional<StatedSigma> stated_sigma() const;
     [[nodiscard]] GeneratedWave make(std::uint64_t seed, std::uint64_t wave, Judging judging) const;
     [[nodiscard]] static SpectrumMatcher::Component drawn(Part const& part, SpectrumMatcher const& matcher,
                                                           GroundMotion const& before, std::uint64_t seed,
@@ -101,15 +83,12 @@ class SpectrumCompatible : public WaveSource {
     void add_clauses(Part const& part, MatchReport const& match, std::vector<Clause>& clauses) const;
 
     AcceptanceRule rule_;
-    Acceptance acceptance_;
     Match match_;
     double time_step_s_;
     std::optional<TargetVariability> variability_;
     std::vector<GroundMotion> seeds_;
     std::vector<std::string> seed_labels_;
     std::vector<Part> parts_;
-    double stated_from_s_, stated_to_s_;
-    std::string summary_;
 };
 
 }  // namespace overturn

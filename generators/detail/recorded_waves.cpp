@@ -1,8 +1,8 @@
 #include "generators/detail/recorded_waves.hpp"
 
-#include <algorithm>
 #include <cstdint>
-#include <optional>
+#include <span>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -11,9 +11,25 @@
 namespace overturn {
 namespace {
 
+WaveDescription description_of(std::span<Record const> records) {
+    auto const noun = [&](std::string_view one) { return fmt::format("{}{}", one, records.size() == 1 ? "" : "s"); };
+    constexpr std::size_t most = 20;
+    WaveDescription about{.text = fmt::format("{} {}", records.size(), noun("record")),
+                          .variability = fmt::format("{} measured {}, as chosen", records.size(), noun("motion")),
+                          .available = records.size()};
+    for (auto const& record : records) {
+        if (about.measured.size() < most) {
+            about.text += fmt::format("{} {}", about.measured.empty() ? ":" : ";", record.label);
+        }
+        about.measured.push_back({record.name, record.drift});
+    }
+    about.text += records.size() > most ? fmt::format("; and {} more", records.size() - most) : "";
+    return about;
+}
+
 class Records : public WaveSource {
   public:
-    explicit Records(std::vector<Record> records) : records_(std::move(records)) {}
+    explicit Records(std::vector<Record> records) : WaveSource(description_of(records)), records_(std::move(records)) {}
 
     [[nodiscard]] GeneratedWave make(std::uint64_t /*seed*/, std::uint64_t wave) const override {
         validate_wave(wave, records_.size());
@@ -24,30 +40,6 @@ class Records : public WaveSource {
         made.label = records_[wave].label;
         made.turned_rad = records_[wave].turned_rad;
         return made;
-    }
-
-    [[nodiscard]] std::optional<std::uint64_t> available() const override { return records_.size(); }
-
-    [[nodiscard]] std::optional<Drift> drift(std::uint64_t wave) const override {
-        validate_wave(wave, records_.size());
-        return records_[wave].drift;
-    }
-
-    [[nodiscard]] std::string name(std::uint64_t wave) const override {
-        validate_wave(wave, records_.size());
-        return records_[wave].name;
-    }
-
-    [[nodiscard]] std::string variability() const override {
-        return fmt::format("{} measured motion{}, as chosen", records_.size(), records_.size() == 1 ? "" : "s");
-    }
-    [[nodiscard]] std::string describe() const override {
-        constexpr std::size_t most = 20;
-        auto text = fmt::format("{} record{}", records_.size(), records_.size() == 1 ? "" : "s");
-        for (std::size_t i = 0; i < std::min(most, records_.size()); ++i) {
-            text += fmt::format("{} {}", i == 0 ? ":" : ";", records_[i].label);
-        }
-        return records_.size() > most ? fmt::format("{}; and {} more", text, records_.size() - most) : text;
     }
 
   private:

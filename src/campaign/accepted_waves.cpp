@@ -50,7 +50,7 @@ std::string missed_text(std::vector<std::int64_t> const& missed) {
 }  // namespace
 
 AcceptedWaves::AcceptedWaves(CampaignSpec const& spec, Plan const& drawn)
-    : acceptance_(spec.source->acceptance()),
+    : acceptance_(spec.source->about().acceptance),
       drawn_(drawn),
       known_(static_cast<std::size_t>(drawn.blocks())),
       waves_(needs_rows() ? static_cast<std::size_t>(drawn.waves()) : 0, Wave::unknown),

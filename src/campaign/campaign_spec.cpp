@@ -166,7 +166,7 @@ void check_drift(Table const& levels, LevelSpec const& spec, WaveSource const& s
 // Waves and how many of them.
 void read_source(Table const& root, Table const& waves, InputFiles& files, CampaignSpec& spec) {
     spec.source = make_wave_source(waves, files);
-    auto const available = spec.source->available();
+    auto const available = spec.source->about().available;
     spec.wave_count = waves.integer(
         wave_count_key, {.otherwise = available ? std::optional(static_cast<std::int64_t>(*available)) : std::nullopt});
     if (available && spec.wave_count > static_cast<std::int64_t>(*available)) {
@@ -204,7 +204,7 @@ void check_forced_effects(Table const& effects, CampaignSpec const& spec) {
 }
 
 void check_quality(Table const& root, CampaignSpec const& spec) {
-    if (!spec.measures.wave_quality && spec.source->acceptance().asked()) {
+    if (!spec.measures.wave_quality && spec.source->about().acceptance.asked()) {
         root.child("measures")
             .fail("wave_quality",
                   "false beside waves.acceptance (a rule judges the quality of every "
@@ -224,7 +224,7 @@ void check_pulses(Table const& root, CampaignSpec const& spec) {
 
 void refuse_drifting_levels(CampaignInput const& input, CampaignSpec const& spec) {
     auto const root = Table::parse(input.text, input.name, input.settings);
-    check_drift(root.child("levels"), spec.levels, *spec.source, spec.source->available() ? spec.wave_count : 0);
+    check_drift(root.child("levels"), spec.levels, *spec.source, spec.source->about().available ? spec.wave_count : 0);
 }
 
 bool CampaignSpec::has_target() const {
@@ -232,7 +232,7 @@ bool CampaignSpec::has_target() const {
 }
 
 std::vector<double> CampaignSpec::grid_periods_s() const {
-    auto periods = source->grid_periods_s().value_or(std::vector<double>{});
+    auto periods = source->about().grid_periods_s;
     periods.resize(std::min(periods.size(), static_cast<std::size_t>(wave_count)));
     return periods;
 }

@@ -78,7 +78,7 @@ Bears of_known_bodies(CampaignSpec const& spec) {
 Bears of_drawn_waves(CampaignSpec const& spec) { return is_drawn(spec) ? Bears::yes : Bears::no; }
 
 Bears of_one_spectrum(CampaignSpec const& spec) {
-    return is_drawn(spec) && !spec.source->draws_targets() ? Bears::yes : Bears::no;
+    return is_drawn(spec) && !spec.source->about().draws_targets ? Bears::yes : Bears::no;
 }
 
 Bears of_several_components(CampaignSpec const& spec) {

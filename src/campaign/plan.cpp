@@ -21,11 +21,11 @@ std::int64_t groups_of(CampaignSpec const& spec) {
 
 // Waves of one level, or that all levels share, of which none is drawn beyond.
 std::int64_t may_be_drawn(CampaignSpec const& spec) {
-    auto const acceptance = spec.source->acceptance();
+    auto const acceptance = spec.source->about().acceptance;
     if (!acceptance.refuses()) {
         return spec.wave_count;
     }
-    auto const available = spec.source->available();
+    auto const available = spec.source->about().available;
     return available ? static_cast<std::int64_t>(*available) : spec.wave_count * acceptance.most_drawn;
 }
 

@@ -143,7 +143,7 @@ std::vector<std::string> implausible_statements(CampaignSpec const& spec) {
 
 std::vector<std::string> implausible_wave(CampaignSpec const& spec, WaveRow const& row, GroundMotion const& motion) {
     Lines lines;
-    if (spec.source->available()) {
+    if (spec.source->about().available) {
         return lines;  // what was measured is as it is
     }
     if (row.vertical_pga_mps2 > row.pga_mps2) {

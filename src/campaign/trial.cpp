@@ -56,7 +56,7 @@ PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64
         if (judged) {
             describe_check(prepared, check_wave(generated, spec.bodies, spec.measures.radius_unit));
         }
-        prepared.tried = is_tried(spec.source->acceptance(), prepared.row);
+        prepared.tried = is_tried(spec.source->about().acceptance, prepared.row);
         describe_match(prepared.row, generated);
         if (generated.drawn) {
             describe_drawn(prepared.row, *generated.drawn);

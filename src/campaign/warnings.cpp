@@ -21,7 +21,7 @@ using Lines = std::vector<std::string>;
 
 // Of each wave that was measured.
 template <class Visit> void each_drift(CampaignSpec const& spec, Visit&& visit) {
-    auto const count = spec.source->available() ? spec.wave_count : 0;
+    auto const count = spec.source->about().available ? spec.wave_count : 0;
     for (std::int64_t wave = 0; wave < count; ++wave) {
         auto const drift = spec.source->drift(static_cast<std::uint64_t>(wave));
         if (!drift) {
@@ -60,7 +60,7 @@ void add_drifts(CampaignSpec const& spec, Lines& lines) {
 }
 
 void add_targets(CampaignSpec const& spec, Lines& lines) {
-    auto const judged = spec.source->compared_periods();
+    auto const judged = spec.source->about().compared_periods;
     for (auto const& body : spec.bodies) {
         auto const band = rocking_period_band(body.body.radius_m(), spec.measures.radius_unit);
         if (judged && ends_inside(*judged, band)) {
@@ -112,7 +112,7 @@ void add_rare(CampaignSpec const& spec, Lines& lines) {
         lines.push_back(
             fmt::format("rare events of waves that differ by {}: what is rare among them says nothing of motions that "
                         "differ by more. Read P with that",
-                        spec.source->variability()));
+                        spec.source->about().variability));
     }
 }
 
@@ -151,7 +151,7 @@ void add_limits(CampaignSpec const& spec, Lines& lines) {
 
 void add_motions(CampaignSpec const& spec, Lines& lines) {
     constexpr std::uint64_t most = 1000;
-    if (!spec.source->available() || !spec.source->drift(0)) {
+    if (!spec.source->about().available || !spec.source->drift(0)) {
         return;
     }
     auto const count = std::min(most, static_cast<std::uint64_t>(spec.wave_count));
@@ -166,7 +166,7 @@ void add_motions(CampaignSpec const& spec, Lines& lines) {
 }  // namespace
 
 std::string warning_of_alike_waves(CampaignSpec const& spec) {
-    auto const alike = spec.source->waves_alike();
+    auto const alike = spec.source->about().waves_alike;
     return alike == 1
                ? std::string()
                : fmt::format(

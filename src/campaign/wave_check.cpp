@@ -28,8 +28,8 @@ WaveCheck check_wave(GeneratedWave const& wave, std::vector<BodySpec> const& bod
 }
 
 void validate_bands(WaveSource const& source, std::vector<BodySpec> const& bodies, RadiusUnit radius_unit) {
-    auto const judged = source.compared_periods();
-    if (!source.acceptance().asked() || !judged) {
+    auto const judged = source.about().compared_periods;
+    if (!source.about().acceptance.asked() || !judged) {
         return;
     }
     for (auto const& body : bodies) {
@@ -37,7 +37,7 @@ void validate_bands(WaveSource const& source, std::vector<BodySpec> const& bodie
         validate(band.t1_s <= judged->to_s,
                  "'{}' beside a body '{}' with T1 = {:.3g} s (waves are compared with their target to {:.3g} s only). "
                  "Use a target that goes on, and waves.target.longest no shorter",
-                 source.acceptance().rule, body.name, band.t1_s, judged->to_s);
+                 source.about().acceptance.rule, body.name, band.t1_s, judged->to_s);
     }
 }
 

@@ -36,14 +36,14 @@ report::WaveFigure campaign_wave_figure(CampaignInput const& input, CampaignSpec
                                         GeneratedWave const& made) {
     report::WaveFigure figure;
     figure.title = spec.title.empty() ? input.name : spec.title;
-    auto const source = spec.source->describe();
+    auto const source = spec.source->about().text;
     bool const named_there = source.find(made.label) != std::string::npos;  // records list their waves
     figure.subtitle = named_there ? made.label : fmt::format("{}: {}", made.label, source);
     figure.motion = made.motion;
     figure.target = target_of(input);
     if (figure.target) {
         figure.damping = figure.target->damping();
-        if (spec.source->acceptance().rule == "srp-3.7.1") {
+        if (spec.source->about().acceptance.rule == "srp-3.7.1") {
             figure.bands = {report::srp_acceptance_band()};
         }
     }

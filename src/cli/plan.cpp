@@ -158,8 +158,8 @@ void print_levels(LevelSpec const& levels) {
 
 // What is asked: waves, bodies, levels, limits, and what is hardly meant or assumed.
 void print_scene(CampaignSpec const& spec, Plan const& plan, VelocityUnit const& unit) {
-    fmt::print("waves     {} ({})\n", plan.waves(), spec.source->describe());
-    fmt::print("differ by {}\n", spec.source->variability());
+    fmt::print("waves     {} ({})\n", plan.waves(), spec.source->about().text);
+    fmt::print("differ by {}\n", spec.source->about().variability);
     for (auto const& line : ends_of_records(spec)) {
         fmt::print("record    {}\n", line);
     }
@@ -177,7 +177,7 @@ void print_scene(CampaignSpec const& spec, Plan const& plan, VelocityUnit const&
 
 // A timed probe: a few waves, spread over the campaign, whole. \return seconds of all waves on one rank
 double print_probe(CampaignSpec const& spec, Plan const& plan) {
-    bool const refuses = spec.source->acceptance().refuses();
+    bool const refuses = spec.source->about().acceptance.refuses();
     auto const probes = std::min<std::int64_t>(refuses ? 16 : 4, plan.asked());
     PhaseSeconds seconds;
     TrialRows trials;
@@ -187,7 +187,7 @@ double print_probe(CampaignSpec const& spec, Plan const& plan) {
         auto const wave = plan.without_refusals().number(i * plan.asked() / probes);
         auto const prepared = prepare_wave(spec, plan, wave, seconds);
         append_trials(spec, plan, std::span(&prepared, 1), trials, seconds);
-        if (is_tried(spec.source->acceptance(), prepared.row)) {
+        if (is_tried(spec.source->about().acceptance, prepared.row)) {
             waves.add(prepared.row);
         } else {
             ++waves.refused;
@@ -198,7 +198,7 @@ double print_probe(CampaignSpec const& spec, Plan const& plan) {
     fmt::print("probe     {:.1f} ms a wave: {:.1f} to make it, {:.1f} to measure it, {:.1f} for its {} trials\n",
                1e3 * each, 1e3 * seconds.waves / n, 1e3 * seconds.measures / n,
                1e3 * (each - (seconds.waves + seconds.measures) / n), plan.trials_per_wave());
-    if (auto const text = waves.text(spec.source->acceptance(), spec.confidence); !text.empty()) {
+    if (auto const text = waves.text(spec.source->about().acceptance, spec.confidence); !text.empty()) {
         fmt::print("probed    {}\n", text);
     }
     fmt::print("rungs     {}\n", output::rung_costs(seconds));

@@ -164,7 +164,7 @@ void check_places(ReportOptions const& options) {
 // What the page says of the waves in words.
 Json notes_of(CampaignSpec const& spec, Statistics const& statistics) {
     auto notes = Json::array();
-    if (auto const said = statistics.waves().text(spec.source->acceptance(), spec.confidence); !said.empty()) {
+    if (auto const said = statistics.waves().text(spec.source->about().acceptance, spec.confidence); !said.empty()) {
         notes.push_back(said);
     }
     for (auto const& line : ends_of_records(spec)) {

@@ -43,15 +43,15 @@ Json facts_of(CampaignSpec const& spec, Plan const& plan, Statistics const& stat
     auto const add = [&](char const* name, std::string value) { facts.push_back({name, std::move(value)}); };
     auto const& levels = spec.levels.levels;
     auto const waves = statistics.waves().waves;
-    add("waves", fmt::format("{} ({})", ran_text(waves, plan.asked()), spec.source->describe()));
-    add("waves differ by", spec.source->variability());
+    add("waves", fmt::format("{} ({})", ran_text(waves, plan.asked()), spec.source->about().text));
+    add("waves differ by", spec.source->about().variability);
     if (auto const sigma = statistics.achieved_sigma()) {
         add("by how much", sigma->text());
     }
     add("validated range", validated_range_text(spec));
-    auto const rule =
-        std::ranges::find(acceptance_rules(), spec.source->acceptance().rule, &config::Entry<AcceptanceRule>::name);
-    add("acceptance of waves", rule == acceptance_rules().end() ? spec.source->acceptance().rule
+    auto const rule = std::ranges::find(acceptance_rules(), spec.source->about().acceptance.rule,
+                                        &config::Entry<AcceptanceRule>::name);
+    add("acceptance of waves", rule == acceptance_rules().end() ? spec.source->about().acceptance.rule
                                                                 : fmt::format("{}: {}", rule->name, rule->summary));
     add("levels", fmt::format("{} of {}, {:.6g} to {}{}", levels.size(), spec.levels.measure_name(),
                               spec.levels.shown(levels.front().value), spec.levels.text(levels.back().value),

@@ -27,7 +27,7 @@ struct SpectraOptions {
 void print_spectra(CampaignSpec const& spec, SpectraOfWaves const& spectra, VelocityUnit const& unit) {
     fmt::print("{} waves{}, unscaled; they differ by {}\n", spectra.waves.size(),
                spectra.left_out > 0 ? fmt::format(" ({} more cannot be made)", spectra.left_out) : "",
-               spec.source->variability());
+               spec.source->about().variability);
     auto const heads = [](std::string const& what) { return fmt::format(" {:>10} {:>10} {:>10}", what, "", ""); };
     auto const three = [] { return fmt::format(" {:>10} {:>10} {:>10}", "16 %", "50 %", "84 %"); };
     auto const cell = [](double value) { return std::isnan(value) ? std::string("-") : fmt::format("{:.4g}", value); };

@@ -74,7 +74,7 @@ SpectraOfWaves spectra_of_waves(CampaignInput const& input, CampaignSpec const& 
     Plan const plan(spec);
     Rows psa, v_e, targets;
     auto const most = static_cast<std::size_t>(std::min(count, plan.asked()));
-    bool const refuses = spec.source->acceptance().refuses();
+    bool const refuses = spec.source->about().acceptance.refuses();
     for (std::int64_t number = 0; number < plan.waves() && all.waves.size() + all.left_out < most; ++number) {
         try {
             auto const made = spec.source->make(spec.seed, plan.wave_id(number));
@@ -106,7 +106,7 @@ Json spectra_json(CampaignSpec const& spec, SpectraOfWaves const& spectra) {
     Json json{{"title", spec.title},
               {"waves", spectra.waves.size()},
               {"left_out", spectra.left_out},
-              {"differ_by", spec.source->variability()},
+              {"differ_by", spec.source->about().variability},
               {"damping", spectra.damping},
               {"energy_damping", spectra.energy_damping},
               {"period_s", spectra.period_s},

@@ -27,7 +27,7 @@ int status_of_file(std::string const& path, Unverified const& unverified) {
     bool const changed = unverified.warn_if_changed(file, path);
     auto const verdicts = stored_verdicts(file);
     auto const counted = recount(file, spec);
-    auto const waves = counted.waves().text(spec.source->acceptance(), spec.confidence);
+    auto const waves = counted.waves().text(spec.source->about().acceptance, spec.confidence);
     auto const done_waves = counted.waves().waves;
     Plan const drawn(spec);
     auto const planned = spec.has_target() ? drawn.asked() : done_waves;
@@ -68,7 +68,7 @@ void print_so_far(CampaignSpec const& spec, Plan const& plan, store::ShardFolder
     WaveCounts waves;
     MissedClauses missed;
     FailedTrials failed(spec);
-    auto const acceptance = spec.source->acceptance();
+    auto const acceptance = spec.source->about().acceptance;
     auto const each = plan.trials_per_wave();
     for (auto const block : committed) {
         auto const [first, count] = plan.waves_of_block(block);

@@ -27,7 +27,7 @@ std::string match_text(char const* name, MatchReport const& match) {
 
 // What of a body's band no target says anything about.
 std::string uncovered_text(CampaignSpec const& spec, PeriodBand const& band) {
-    auto const judged = spec.source->compared_periods();
+    auto const judged = spec.source->about().compared_periods;
     return judged && ends_inside(*judged, band)
                ? fmt::format(" (compared from {:.2f} s to {:.2f} s only)", judged->from_s, judged->to_s)
                : "";
@@ -73,10 +73,10 @@ std::string wave_report(CampaignSpec const& spec, GeneratedWave const& wave, Wav
     text += fmt::format("strong motion: {:.1f} s (5 to 75 %), {:.1f} s (5 to 95 %)\n", check.quality.duration_5_75_s,
                         check.quality.duration_5_95_s);
     for (auto const& clause : check.clauses) {
-        text += fmt::format("{}: {}\n", spec.source->acceptance().rule, clause.text());
+        text += fmt::format("{}: {}\n", spec.source->about().acceptance.rule, clause.text());
     }
     if (!check.clauses.empty()) {
-        text += fmt::format("{}: {}\n", spec.source->acceptance().rule,
+        text += fmt::format("{}: {}\n", spec.source->about().acceptance.rule,
                             all_passed(check.clauses) ? "accepted" : "NOT accepted");
     }
     return text;
@@ -122,7 +122,7 @@ std::string wave_json(CampaignSpec const& spec, GeneratedWave const& wave, WaveC
             json[name] = match_json(*match);
         }
     }
-    Json acceptance{{"rule", spec.source->acceptance().rule}};
+    Json acceptance{{"rule", spec.source->about().acceptance.rule}};
     acceptance["accepted"] = check.clauses.empty() ? Json() : Json(all_passed(check.clauses));
     acceptance["clauses"] = Json::array();
     for (auto const& clause : check.clauses) {

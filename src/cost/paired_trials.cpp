@@ -22,7 +22,7 @@ PairedTrials::PairedTrials(CampaignSpec const& spec, Plan const& plan, std::span
         }
     }
     std::ranges::transform(waves, std::back_inserter(groups_), [&](PreparedWave const& wave) {
-        return wave.number / static_cast<std::int64_t>(spec.source->waves_alike());
+        return wave.number / static_cast<std::int64_t>(spec.source->about().waves_alike);
     });
     auto const together = static_cast<std::size_t>(waves_together(plan));
     auto const each = ladder.own_bytes();

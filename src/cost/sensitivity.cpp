@@ -26,7 +26,7 @@ constexpr std::uint64_t bootstrap_stream = 0x5E45;  // of draws that nothing els
 
 // How often each wave of the sample is drawn in every replicate; waves that share a target come together.
 std::vector<std::vector<double>> drawn_weights(CampaignSpec const& spec, std::span<std::int64_t const> numbers) {
-    auto const alike = static_cast<std::int64_t>(spec.source->waves_alike());
+    auto const alike = static_cast<std::int64_t>(spec.source->about().waves_alike);
     std::vector<std::vector<std::size_t>> groups;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         if (i == 0 || numbers[i] / alike != numbers[i - 1] / alike) {
@@ -49,7 +49,7 @@ std::vector<std::vector<double>> drawn_weights(CampaignSpec const& spec, std::sp
 // What no verdict hangs on costs no time; a rule that refuses waves has to see their quality.
 void measure_nothing(CampaignSpec& spec) {
     spec.measures.energy = false;
-    spec.measures.wave_quality = spec.source->acceptance().asked();
+    spec.measures.wave_quality = spec.source->about().acceptance.asked();
 }
 
 class SensitivityRunner {

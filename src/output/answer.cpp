@@ -52,7 +52,7 @@ class SheetMaker {
 
   private:
     [[nodiscard]] std::string title() const {
-        auto const waves = of_.statistics.waves().text(of_.spec.source->acceptance(), of_.confidence);
+        auto const waves = of_.statistics.waves().text(of_.spec.source->about().acceptance, of_.confidence);
         return fmt::format("{}; {:g} % intervals; slip and tilt: median / 95th percentile (<= its upper end)",
                            waves.empty() ? count_text(of_.statistics.waves().waves) : waves, 100 * of_.confidence);
     }
@@ -153,8 +153,8 @@ class SheetMaker {
 
     // What the numbers rest on.
     [[nodiscard]] std::string dependence() const {
-        auto text =
-            fmt::format("Waves: {}. {}.", of_.spec.source->variability(), text_of(tally_of(physical_inputs(of_.spec))));
+        auto text = fmt::format("Waves: {}. {}.", of_.spec.source->about().variability,
+                                text_of(tally_of(physical_inputs(of_.spec))));
         auto const outside = outside_validated_range(of_.spec);
         if (!outside.empty()) {
             auto const more = outside.size() - 1;

@@ -33,9 +33,9 @@ void write_provenance(store::ResultsWriter& file, CampaignInput const& input, Ca
     file.attribute("seed", static_cast<std::int64_t>(spec.seed));
     file.attribute("level_measure", spec.levels.measure_name());
     file.attribute("level_units", spec.levels.units());
-    file.attribute("wave_source", spec.source->describe());
-    file.attribute("wave_variability", spec.source->variability());
-    file.attribute("wave_acceptance", spec.source->acceptance().rule);
+    file.attribute("wave_source", spec.source->about().text);
+    file.attribute("wave_variability", spec.source->about().variability);
+    file.attribute("wave_acceptance", spec.source->about().acceptance.rule);
     auto const kept = kept_inputs(input);
     for (auto const& [name, content] : kept) {
         // Names hold '/', which HDF5 reads as a path; the number is the place, the attribute the name.
@@ -90,7 +90,7 @@ std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, Campa
         }
         statistics.add(rows);
     }
-    if (spec.source->acceptance().refuses()) {
+    if (spec.source->about().acceptance.refuses()) {
         file.append(file.table(refused_wave_table(spec), static_cast<std::int64_t>(refused.size())),
                     std::as_bytes(std::span(refused)));
     }

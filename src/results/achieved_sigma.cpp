@@ -8,8 +8,8 @@
 
 namespace overturn {
 
-SigmaCount::SigmaCount(CampaignSpec const& spec) : of_events_(spec.source->draws_events()) {
-    auto const sigma = spec.source->stated_sigma();
+SigmaCount::SigmaCount(CampaignSpec const& spec) : of_events_(spec.source->about().draws_events) {
+    auto const sigma = spec.source->about().stated_sigma;
     if (!sigma) {
         return;
     }

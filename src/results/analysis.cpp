@@ -78,9 +78,9 @@ class Analyst {
     [[nodiscard]] BodyAnalysis of(std::size_t b) const {
         BodyAnalysis body;
         body.body = spec_.bodies[b].name;
-        body.variability = spec_.source->variability();
+        body.variability = spec_.source->about().variability;
         body.sigma = statistics_.achieved_sigma();
-        body.one_spectrum = spec_.source->of_one_spectrum();
+        body.one_spectrum = spec_.source->about().of_one_spectrum;
         body.fragility = fragility(b, 0);
         for (std::size_t limit = 1; limit < spec_.limits.size(); ++limit) {
             auto const& stated = spec_.limits[limit];
@@ -140,7 +140,7 @@ class Analyst {
     [[nodiscard]] bool shared() const {
         return alike() > 1 || (!spec_.levels.independent_waves && spec_.levels.levels.size() > 1);
     }
-    [[nodiscard]] std::int64_t alike() const { return static_cast<std::int64_t>(spec_.source->waves_alike()); }
+    [[nodiscard]] std::int64_t alike() const { return static_cast<std::int64_t>(spec_.source->about().waves_alike); }
     [[nodiscard]] FragilityRequest request_of(std::size_t b, std::size_t limit,
                                               std::optional<BetaSplit> const& split) const {
         FragilityRequest request;

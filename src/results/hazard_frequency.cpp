@@ -54,7 +54,7 @@ Interval interval_of_fit(FragilityFit const& fit, HazardCurve const& hazard, Tri
 
 // Has any wave a component beside the horizontal one? Waves that are drawn are alike in that.
 bool has_further_components(CampaignSpec const& spec) {
-    auto const waves = spec.source->available() ? static_cast<std::uint64_t>(spec.wave_count) : 1;
+    auto const waves = spec.source->about().available ? static_cast<std::uint64_t>(spec.wave_count) : 1;
     for (std::uint64_t wave = 0; wave < waves; ++wave) {
         auto const motion = spec.source->make_unjudged(spec.seed, wave).motion;
         if (!motion.transverse_mps2.empty() || !motion.vertical_mps2.empty()) {

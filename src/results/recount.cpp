@@ -49,7 +49,7 @@ namespace {
 
 // All waves of the campaign, or fewer where it asks to end once it is precise enough or fewer meet its rule.
 void check_waves(std::int64_t done, CampaignSpec const& spec, std::int64_t asked) {
-    bool const may_be_fewer = spec.has_target() || spec.source->acceptance().refuses();
+    bool const may_be_fewer = spec.has_target() || spec.source->about().acceptance.refuses();
     require(done == asked || (may_be_fewer && done > 0 && done < asked),
             fmt::format("waves/id has {} rows, the campaign {}", done, asked));
 }

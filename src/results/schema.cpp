@@ -66,8 +66,8 @@ Field& field_of(Fields& columns, std::string_view name) {
 // Columns that say what targets were drawn and what Sa is at the campaign's periods: named by period, or not there.
 void name_periods(CampaignSpec const& spec, Fields& columns) {
     auto const& periods_s = spec.measures.sa_periods_s;
-    bool const varies = spec.source->draws_targets();
-    bool const parted = spec.source->draws_events();
+    bool const varies = spec.source->about().draws_targets;
+    bool const parted = spec.source->about().draws_events;
     std::erase_if(columns, [&](Field const& column) {
         bool const part = column.name.starts_with("epsilon_between_") || column.name.starts_with("epsilon_within_");
         bool const drawn = column.name == "target" || column.name == "event" || column.name.starts_with("epsilon_");
@@ -137,7 +137,7 @@ store::TableSpec wave_table(CampaignSpec const& spec) {
     if (!spec.measures.wave_quality) {
         std::erase_if(table.columns, [](Field const& column) { return is_quality(column.name); });
     }
-    if (!spec.source->acceptance().asked()) {
+    if (!spec.source->about().acceptance.asked()) {
         std::erase_if(table.columns, [](Field const& column) { return is_for_rules(column.name); });
     }
     name_periods(spec, table.columns);

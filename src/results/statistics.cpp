@@ -25,13 +25,13 @@ void count(LimitStatistics& limit, std::size_t level, VerdictEntry const& end, b
 Statistics::Statistics(CampaignSpec const& spec)
     : judge_(spec.limits, Ladder(spec.effects, spec.accuracy)),
       sigma_(spec),
-      measured_(held_measures(spec), spec.source->waves_alike()) {
+      measured_(held_measures(spec), spec.source->about().waves_alike) {
     for (auto const& body : spec.bodies) {
         BodyStatistics statistics;
         statistics.body = body.name;
         for (auto const& level : spec.levels.levels) {
             statistics.stripes.push_back(
-                {.amplitude = level.value, .alike = static_cast<std::int64_t>(spec.source->waves_alike())});
+                {.amplitude = level.value, .alike = static_cast<std::int64_t>(spec.source->about().waves_alike)});
         }
         statistics.limits.resize(spec.limits.size() - 1, {statistics.stripes, 0, 0});
         statistics.v_wes.resize(statistics.stripes.size());

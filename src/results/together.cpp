@@ -70,7 +70,7 @@ std::vector<BodiesTogether> bodies_together(CampaignSpec const& spec, Statistics
     for (std::size_t limit = 0; limit < spec.limits.size(); ++limit) {
         together.push_back({spec.limits[limit].name, spec.limits[limit].passing(),
                             study_joint(joint_trials(spec, statistics.measured(), limit),
-                                        static_cast<std::int64_t>(spec.source->waves_alike()))});
+                                        static_cast<std::int64_t>(spec.source->about().waves_alike))});
     }
     return together;
 }

@@ -97,8 +97,8 @@ class Run {
         require_shared(shards_, input_.block_key(), comm_);
         committed_ = take_blocks(options_.output, shards_, plan_, wish, found.at("begun").get<bool>(), comm_);
         if (comm_.is_root()) {
-            print_note("waves: {}\n", spec_.source->describe());
-            print_note("they differ by {}\n", spec_.source->variability());
+            print_note("waves: {}\n", spec_.source->about().text);
+            print_note("they differ by {}\n", spec_.source->about().variability);
             print_note("validated range: {}\n", validated_range_text(spec_));
             for (auto const& line : warnings_of(spec_)) {
                 print_note("warning: {}\n", line);

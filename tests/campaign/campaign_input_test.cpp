@@ -123,7 +123,7 @@ TEST(CampaignInput, OfAnEarlierFormatIsReadAsThen) {
     target.before_format_5 = record.before_format_5 = true;
     auto const in_si = parse_campaign(target).source->make(1, 0);
     EXPECT_LT(in_si.match.all.mean_misfit, 0.05) << "of the table's numbers as m/s2";
-    EXPECT_NE(parse_campaign(target).source->describe().find("t.csv"), std::string::npos);
+    EXPECT_NE(parse_campaign(target).source->about().text.find("t.csv"), std::string::npos);
     auto const motion = parse_campaign(record).source->make(1, 0).motion;
     EXPECT_NEAR(motion.horizontal_mps2[2], 1, 1e-12);
     EXPECT_NEAR(motion.transverse_mps2[2], 2, 1e-12);

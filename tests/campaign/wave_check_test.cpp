@@ -48,7 +48,7 @@ TEST(WaveCheck, AcceptedWavesAreUsed) {
     for (auto const& row : rows.trials.rows) {
         EXPECT_NE(row.verdict, Verdict::failed);
     }
-    EXPECT_EQ(statistics.waves().text(spec.source->acceptance(), 0.95),
+    EXPECT_EQ(statistics.waves().text(spec.source->about().acceptance, 0.95),
               "4 waves that meet srp-3.7.1; 0 of 4 drawn were refused: 0 % [0 %, 60.2 %]");
 }
 
@@ -69,7 +69,7 @@ TEST(WaveCheck, NoTrialIsComputedOfOthers) {
         EXPECT_EQ(row.failure, FailureReason::wave_not_accepted);
         EXPECT_EQ(row.steps, 0);
     }
-    EXPECT_EQ(statistics.waves().text(spec.source->acceptance(), 0.95),
+    EXPECT_EQ(statistics.waves().text(spec.source->about().acceptance, 0.95),
               "0 waves that meet srp-3.7.1; 4 of 4 drawn were refused: 100 % [39.8 %, 100 %]");
     auto const missed = statistics.missed_clauses().rows();
     ASSERT_FALSE(missed.empty());

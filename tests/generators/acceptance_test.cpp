@@ -164,8 +164,8 @@ TEST(Acceptance, IsRefusedWhereNoTargetIsStated) {
         "at 5 % damping");
     EXPECT_NO_THROW((void)with("points=[[0.1,6],[0.5,6],[10,1]]\nkind='acceleration'\n")) << "judged from 0.1 s on";
     auto const source = with("points=[[0.02,2],[0.1,6],[0.5,6],[3,1]]\nkind='acceleration'\nlongest=10\n");
-    EXPECT_EQ(source->compared_periods()->to_s, 3);
-    EXPECT_NE(source->describe().find("beyond its end at 3 s"), std::string::npos) << source->describe();
+    EXPECT_EQ(source->about().compared_periods->to_s, 3);
+    EXPECT_NE(source->about().text.find("beyond its end at 3 s"), std::string::npos) << source->about().text;
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(Targets, Ensemble,
 
 // Where the median cannot meet the target, the source says so.
 TEST(Ensemble, SaysHowWellItsMedianFits) {
-    auto const text = testing::source_of(keys("rg-1.60"))->describe();
+    auto const text = testing::source_of(keys("rg-1.60"))->about().text;
     EXPECT_NE(text.find("matched in the median (to "), std::string::npos) << text;
     EXPECT_NE(text.find(" % at 0.03"), std::string::npos) << text;
 }

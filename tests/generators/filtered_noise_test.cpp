@@ -178,7 +178,7 @@ TEST(FilteredNoise, HasItsRmsAtAnyTimeStep) {
         }
         EXPECT_TRUE(near(variance / samples, 1, testing::Tolerance{0.01, "a window of the period, and its ends"}))
             << step;
-        EXPECT_EQ(source->describe().find("cut at") != std::string::npos, std::string(step) != "0.005 s") << step;
+        EXPECT_EQ(source->about().text.find("cut at") != std::string::npos, std::string(step) != "0.005 s") << step;
     }
     testing::expect_input_error(
         [] {

@@ -30,7 +30,7 @@ TEST(Harmonic, IsTheFormula) {
 TEST(Harmonic, SweepTakesTheNthEntry) {
     auto const source = source_of("source='harmonic'\namplitude=1\nfrequencies=[0.5,1,2]\nduration='10 s'\n");
 
-    EXPECT_EQ(source->available(), 3U);
+    EXPECT_EQ(source->about().available, 3U);
     EXPECT_EQ(source->make(1, 2).label, "sinusoid of 2 Hz");
     EXPECT_TRUE(near(source->make(9, 0).motion.horizontal_mps2[50], 1, testing::exact_formula));
     testing::expect_input_error([&] { (void)source->make(1, 3); }, "wave 3 of 3");

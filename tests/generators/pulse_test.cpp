@@ -82,7 +82,7 @@ TEST(Pulse, QuietTimeSurroundsIt) {
 TEST(Pulse, ListOfPeriodsIsASweep) {
     auto const source = source_of("source='pulse'\nshape='one-sine'\namplitude='300 gal'\nperiods=[0.5,'1 s',2]\n");
 
-    EXPECT_EQ(source->available(), 3U);
+    EXPECT_EQ(source->about().available, 3U);
     EXPECT_TRUE(near(source->make(1, 2).motion.duration_s(), 2, rounding));
     EXPECT_EQ(source->make(1, 1).label, "one-sine of 1 s");
     testing::expect_input_error([&] { (void)source->make(1, 3); }, "wave 3 of 3");
@@ -100,7 +100,7 @@ TEST(Pulse, HasThreeComponents) {
         EXPECT_EQ(motion.vertical_mps2[i], 0.1 * motion.horizontal_mps2[i]) << i;
     }
     EXPECT_EQ(motion.horizontal_mps2[25], 0);
-    EXPECT_NE(source->describe().find("transverse 0.5 of it, 0.25 s later"), std::string::npos);
+    EXPECT_NE(source->about().text.find("transverse 0.5 of it, 0.25 s later"), std::string::npos);
 }
 
 TEST(Pulse, RefusesNonsense) {

@@ -24,7 +24,7 @@ std::map<std::string, std::string> const files{{"a.csv", "0,0\n0.01,10\n0.02,-20
 TEST(Records, FilesAreWavesInTheirOrder) {
     auto const source = source_of("source='records'\nfiles=['a.csv','b.csv']\nunit='gal'\n", files);
 
-    EXPECT_EQ(source->available(), 2U);
+    EXPECT_EQ(source->about().available, 2U);
     auto const first = source->make(1, 0);
     EXPECT_EQ(first.label, "a.csv");
     ASSERT_EQ(first.motion.samples(), 4U);
@@ -153,11 +153,11 @@ TEST(Records, StationBringsItsOtherComponents) {
     auto const station = source_of("source='records'\nfiles=['r/a-000.AT2']\ncomponents='station'\n", folder);
 
     EXPECT_TRUE(alone->make(1, 0).motion.vertical_mps2.empty());
-    EXPECT_EQ(alone->describe(), "1 record: r/a-000.AT2");
+    EXPECT_EQ(alone->about().text, "1 record: r/a-000.AT2");
     auto const made = station->make(1, 0);
     EXPECT_DOUBLE_EQ(made.motion.vertical_mps2[1], -0.05 * g0);
     EXPECT_DOUBLE_EQ(made.motion.transverse_mps2[1], 0.2 * g0);
-    EXPECT_EQ(station->describe(),
+    EXPECT_EQ(station->about().text,
               "1 record: r/a-000.AT2, transverse r/a-090.AT2, vertical r/a-DWN.AT2 with its sign turned");
 }
 

@@ -53,7 +53,7 @@ TEST(Seed, MatchKeepsThePhasesOfTheRecord) {
     auto const source = testing::source_of(source_key + tables, files());
     auto const made = source->make(1, 0);
 
-    EXPECT_EQ(source->available(), 2U);
+    EXPECT_EQ(source->about().available, 2U);
     EXPECT_NE(made.label.find("a.csv"), std::string::npos);
     ASSERT_EQ(made.motion.samples(), 6001U);
     EXPECT_TRUE(made.match.matched);

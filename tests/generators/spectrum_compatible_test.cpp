@@ -84,7 +84,7 @@ TEST(SpectrumCompatible, ComponentsMayBeCorrelatedAsStated) {
         EXPECT_LT(made.transverse_match.all.mean_misfit, 0.05);
     }
     EXPECT_GE(close, 17) << "the match of few takes more than mixtures make good";
-    EXPECT_NE(source->describe().find("correlation 0.5"), std::string::npos);
+    EXPECT_NE(source->about().text.find("correlation 0.5"), std::string::npos);
     EXPECT_EQ(source->make(1, 3).motion.horizontal_mps2, source_of(base + target)->make(1, 3).motion.horizontal_mps2);
 }
 
@@ -171,8 +171,8 @@ TEST(SpectrumCompatible, PriceListHasSummaries) {
     for (auto const& entry : wave_sources()) {
         EXPECT_FALSE(entry.summary.empty()) << entry.name;
     }
-    EXPECT_NE(source_of(base + target)->describe().find("mlit-ch1"), std::string::npos);
-    EXPECT_FALSE(source_of(base + target)->available());
+    EXPECT_NE(source_of(base + target)->about().text.find("mlit-ch1"), std::string::npos);
+    EXPECT_FALSE(source_of(base + target)->about().available);
 }
 
 }  // namespace

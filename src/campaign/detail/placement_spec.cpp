@@ -79,7 +79,8 @@ bool shakes_across(Table const& waves, CampaignSpec const& spec) {
     if (waves.has("transverse")) {
         return true;
     }
-    auto const count = spec.source->available() && !spec.source->grid_periods_s() ? spec.wave_count : 0;
+    auto const count =
+        spec.source->about().available && spec.source->about().grid_periods_s.empty() ? spec.wave_count : 0;
     for (std::int64_t wave = 0; wave < count; ++wave) {
         auto const number = static_cast<std::uint64_t>(wave);
         if (spec.source->drift(number)

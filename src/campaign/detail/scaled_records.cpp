@@ -28,7 +28,7 @@ double measured(Intensity const& intensity, std::string_view level) {
 }  // namespace
 
 std::string warning_of_scaled_records(CampaignSpec const& spec) {
-    if (!spec.source->available() || spec.levels.levels.empty()) {
+    if (!spec.source->about().available || spec.levels.levels.empty()) {
         return {};
     }
     double const highest = spec.levels.levels.back().value;

@@ -7,14 +7,14 @@ namespace {
 
 Table count_table(CampaignSpec const& spec, WaveCounts const& waves, double confidence) {
     std::vector<WaveCounts> rows;
-    if (spec.source->acceptance().asked()) {
+    if (spec.source->about().acceptance.asked()) {
         rows.push_back(waves);
     }
     TableOf<WaveCounts> table({.name = "acceptance", .group = "acceptance", .constants = {{"confidence", confidence}}},
                               rows);
     table
         .add("rule", "1", "the rule that waves are held to",
-             [&](WaveCounts const&) { return spec.source->acceptance().rule; })
+             [&](WaveCounts const&) { return spec.source->about().acceptance.rule; })
         .add("tried", "1", "waves with trials", [](WaveCounts const& row) { return row.waves; })
         .add("refused", "1", "waves that were drawn beside them, miss the rule and are no trials",
              [](WaveCounts const& row) { return row.refused; })

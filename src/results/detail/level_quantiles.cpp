@@ -29,7 +29,7 @@ SampleQuantile with_falls(SampleQuantile quantile, double fallen) {
 std::vector<LevelQuantiles> level_quantiles(CampaignSpec const& spec, MeasuredTrials const& trials, std::size_t body,
                                             double confidence) {
     std::vector<LevelQuantiles> list;
-    auto const alike = static_cast<std::int64_t>(spec.source->waves_alike());
+    auto const alike = static_cast<std::int64_t>(spec.source->about().waves_alike);
     auto const add = [&](LevelResponse response, char const* quantity, char const* units, double fallen) {
         auto const& levels = spec.levels.levels;
         auto by_level = trials.by_level(static_cast<std::int64_t>(body), response);

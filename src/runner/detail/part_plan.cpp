@@ -10,7 +10,7 @@ namespace overturn {
 
 Plan plan_of_part(CampaignSpec const& spec, Part part) {
     Plan plan(spec);
-    if (part.is_whole() || !spec.source->acceptance().refuses()) {
+    if (part.is_whole() || !spec.source->about().acceptance.refuses()) {
         return plan;
     }
     validate(
