@@ -4,6 +4,7 @@
 
 #include "cli/campaign_files.hpp"
 #include "support/command.hpp"
+#include "support/csv_of_json.hpp"
 
 namespace overturn::testing {
 namespace {
@@ -173,15 +174,14 @@ TEST_F(Limits, ReportShowsThem) {
           "<td class=short>slip [mm]</td>", "<th>at rest</th>", "how each ranks the trials"}) {
         EXPECT_NE(page.find(part), std::string::npos) << part;
     }
-    EXPECT_TRUE(folder.read("figures/limits.csv")
-                    .starts_with("limit,body,level,amplitude,trials,exceeded,failed,undecided,probability,lower,upper,"
-                                 "amplitude_measure,amplitude_units\n"));
-    EXPECT_TRUE(folder.read("figures/limit-fragility.csv").starts_with("limit,body,measure,"));
-    EXPECT_TRUE(
-        folder.read("figures/quantiles.csv")
-            .starts_with("body,quantity,units,level,amplitude,trials,unknown,median,median_lower,median_upper,p84,"));
-    EXPECT_TRUE(folder.read("figures/ends.csv")
-                    .starts_with("body,level,amplitude,trials,at_rest,slid,rocked,overturned,contact_lost,failed,"));
+    auto const fitted = nlohmann::ordered_json::parse(overturn(folder, {"fit", "1.h5", "--json"}).out);
+    auto const& stripes = fitted.at("stripes");
+    expect_rows(folder.read("figures/stripes.csv"), rows_where(stripes, "limit", "overturning"));
+    expect_rows(folder.read("figures/limits.csv"), rows_where(stripes, "limit", "_a $\\int < b$"));
+    expect_rows(folder.read("figures/limit-fragility.csv"),
+                rows_where(fitted.at("fragility"), "limit", "_a $\\int < b$"));
+    expect_rows(folder.read("figures/quantiles.csv"),
+                fitted.at("quantiles").get<std::vector<nlohmann::ordered_json>>());
     EXPECT_TRUE(folder.has("figures/peak-slip-type-a.svg"));
     ASSERT_EQ(overturn(folder, {"run", "plain.toml", "-o", "0.h5"}).code, 0);
     ASSERT_EQ(overturn(folder, {"report", "0.h5", "-o", "b.html"}).code, 0);

@@ -10,7 +10,8 @@ from . import (assumption_sections, body_figure, fragility_figures, frequency_se
                outcome_sections, rare_figures, spectra_figure, style, trial_figures, wave_figure)
 from .fragility_figures import MEASURES
 from .limit_sections import OVERTURNING
-from .page_parts import escape, figure_of, fold, in_pages, interval, paragraphs, shares, table, value_of
+from .page_parts import (csv_cell, escape, figure_of, fold, in_pages, interval, paragraphs, rows_by, shares, table,
+                         value_of)
 from .page_style import CSS
 from .campaign_results import CampaignResults
 from .style import plain
@@ -31,20 +32,15 @@ class Report:
         self.stripes = {limit["name"]: [s for s in self.fit["stripes"] if s["limit"] == limit["name"]]
                         for limit in self.fit["limit_states"]}
         self.ends = [end for end in self.results.ends if end in self.fit["stripes"][0]]  # of those that the program knows
-        for part in ("probabilities", "band", "isotonic", "drawn", "warnings"):  # each curve with what is of it
-            of = {}
-            for row in self.fit[part]:
-                of.setdefault((row["body"], row["limit"], row["measure"]), []).append(row)
-            for fit in self.fit["fragility"]:
-                fit[part] = of.get((fit["body"], fit["limit"], fit["measure"]), [])
-        for fit in self.fit["fragility"]:
-            fit["warnings"] = [row["text"] for row in fit["warnings"]]
+        parts = {part: rows_by(self.fit[part], "body", "limit", "measure")
+                 for part in ("probabilities", "band", "isotonic", "drawn", "warnings")}
+        self.curves = [{**fit, **{part: of.get((fit["body"], fit["limit"], fit["measure"]), []) for part, of in parts.items()}}
+                       for fit in self.fit["fragility"]]  # each with what is of it
+        for curve in self.curves:
+            curve["warnings"] = [row["text"] for row in curve["warnings"]]
         MEASURES.update((fit["measure"], fit["title"]) for fit in self.fit["fragility"])
-        by_line = {}
-        for row in self.fit.get("grid_by_level", []):
-            by_line.setdefault((row["body"], row["wave"]), []).append(row)
-        for line in self.fit["grid"]:
-            line["levels"] = by_line[line["body"], line["wave"]]
+        levels = rows_by(self.fit.get("grid_by_level", []), "body", "wave")
+        self.grid = [{**line, "levels": levels[line["body"], line["wave"]]} for line in self.fit["grid"]]
         self.fits = self.fits_of(OVERTURNING)
         self.folder = path_of(data["figures"]) or scratch
         self.keep = bool(data["figures"])
@@ -52,7 +48,7 @@ class Report:
 
     def fits_of(self, limit):
         """The fits of one limit state, by body and measure."""
-        return {(fit["body"], fit["measure"]): fit for fit in self.fit["fragility"] if fit["limit"] == limit}
+        return {(fit["body"], fit["measure"]): fit for fit in self.curves if fit["limit"] == limit}
 
     def figure(self, name, draw, alt):
         """Draws a figure for the page, and for its folder if one is wanted; nothing where there is nothing to draw."""
@@ -66,15 +62,18 @@ class Report:
         return figure_of(svg, alt, SCALE)
 
     def csv(self, name, head, rows):
-        """A table beside the figures; amplitudes, in SI as all numbers, with their measure and its unit."""
-        if "amplitude" in head:
-            head = [*head, "amplitude_measure", "amplitude_units"]
-            rows = [[*row, self.results.measure, self.fit["stripes"][0]["units"]] for row in rows]
+        """A table beside the figures, in SI."""
         if self.keep:
             with open(os.path.join(self.folder, name + ".csv"), "w", encoding="utf-8", newline="") as file:
                 writer = csv.writer(file, lineterminator="\n")
                 writer.writerow(head)
-                writer.writerows([["" if cell is None else cell for cell in row] for row in rows])
+                writer.writerows([[csv_cell(value) for value in row] for row in rows])
+
+    def rows(self, name, rows):
+        """Rows of a table of `overturn fit --json` as they are there, under the names that they have there."""
+        rows = list(rows)
+        if rows:
+            self.csv(name, rows[0].keys(), [row.values() for row in rows])
 
     def section(self, anchor, title, *parts):
         self.contents.append(f'<a href="#{anchor}">{escape(title)}</a>')
@@ -139,9 +138,7 @@ class Report:
                          c["false_alarm"], c["true_safe"], c["true_overturn"], *shares(c, "false_safe_share"), *shares(c, "false_alarm_share")])
         head = ["body", "measure", "unit of R", "false safe", "false alarm", "true safe", "true overturn",
                 "safe, yet fell", "interval", "unsafe, yet stood", "interval"]
-        counts = ["body", "measure", "radius_unit", "false_safe", "false_alarm", "true_safe", "true_overturn"]
-        keys = counts + [share + end for share in ("false_safe_share", "false_alarm_share") for end in ("", "_lower", "_upper")]
-        self.csv("criterion", keys, [[c[key] for key in keys] for c in self.fit["criterion"]])
+        self.rows("criterion", self.fit["criterion"])
         for body in self.results.bodies:
             parts.append(f"<h3>{escape(body.name)}</h3>" + self.figure(
                 f"criterion-{body.name}", lambda path, body=body: fragility_figures.criterion(self.results, body, path),
@@ -196,9 +193,7 @@ class Report:
         head = ["body", "limit", "factor", "P", "95 % interval", "c.o.v.", "method", "waves", "crude would need", "state", "why"]
         health = [[c["body"], c["limit"], value_of(self.rare_level(c)["amplitude"]), c["check"], value_of(c["value"], 3), value_of(c["limit_value"], 3),
                    "passed" if c["passed"] else "failed"] for c in self.fit["rare_health"]]
-        self.csv("rare", ["body", "limit", "amplitude", "probability", "lower", "upper", "cov", "method", "runs", "crude_runs", "state"],
-                 [[e["body"], e["limit"], e["amplitude"], e["probability"], e["lower"], e["upper"], e["cov"], e["method"], e["runs"],
-                   e["crude_runs"], e["state"]] for e in rare])
+        self.rows("rare", rare)
         self.section("rare", "Rare events", *parts, table(head, rows, "What is not trusted or not resolved has a bound "
                      "that plain trials alone give, and no number."),
                      fold("health of the estimators", table(["body", "limit", "factor", "check", "found", "limit", ""], health))
@@ -209,9 +204,8 @@ class Report:
         return [e for e in self.fit["rare"] if (e["body"], e["limit"]) == (row["body"], row["limit"])][row["level"]]
 
     def tail(self, body, limit):
-        rare = [e for e in self.fit["rare"] if e["body"] == body and e["limit"] == limit]
-        for e in rare:
-            e["replicates"] = [row["estimate"] for row in self.fit["rare_replicates"] if self.rare_level(row) is e]
+        rare = [{**e, "replicates": [row["estimate"] for row in self.fit["rare_replicates"] if self.rare_level(row) is e]}
+                for e in self.fit["rare"] if e["body"] == body and e["limit"] == limit]
         stripes = [s for s in self.stripes[limit] if s["body"] == body]
         fit = self.fits_of(limit).get((body, self.results.measure))
         name = f"tail-{body}" if limit == OVERTURNING else f"tail-{limit}-{body}"
@@ -223,9 +217,7 @@ class Report:
         trials = self.fit["telling_trials"]
         if not trials:
             return ""
-        keys = ["body", "kind", "trial", "wave", "level", "amplitude", "verdict", "peak_rotation_ratio", "peak_slip_m",
-                "overturned_at"]
-        self.csv("telling_trials", keys, [[trial[key] for key in keys] for trial in trials])
+        self.rows("telling_trials", trials)
         rows = [[t["body"], t["kind"], t["trial"], t["wave"], self.amplitude(t["amplitude"]), t["verdict"],
                  value_of(t["peak_rotation_ratio"]), value_of(t["peak_slip_m"], 3), self.amplitude(t["overturned_at"])]
                 for t in trials]

@@ -3,9 +3,6 @@
 from .page_parts import interval, paragraphs, table, value_of
 
 DIGITS = 3
-KEYS = ["body", "limit", *(name + "_per_year" for name in (
-    "frequency_lower", "frequency_upper", "mean", "extrapolated", "continued", "above_levels_most", "below_levels_most",
-    "below_curve_most", "fractile_5", "fractile_50", "fractile_95", "stripes_alone_lower", "stripes_alone_upper")), "poor_fit"]
 
 
 def answer(report, body, limit):
@@ -32,7 +29,7 @@ def add(report):
     rows = report.fit.get("frequency", [])
     if not rows:
         return
-    report.csv("frequency", KEYS, [[row[key] for key in KEYS] for row in rows])
+    report.rows("frequency", rows)
     head = ["body", "limit state", f"{100 * report.confidence:g} % interval", "by the curve", "extrapolated",
             "confidence 5, 50, 95 %", "stripes alone"]
     note = ("Times a year. The interval is the answer: it bounds what lies outside of levels and hazard curve. Beside it "

@@ -143,7 +143,7 @@ def reached(report, value, line):
 
 def answer(report, body):
     """One sentence on a body: from which level on it overturns, and where."""
-    lines = [line for line in report.fit["grid"] if line["body"] == body.name]
+    lines = [line for line in report.grid if line["body"] == body.name]
     why = report.fits[(body.name, report.results.measure)]["warnings"][0]
     parts = [passed(report, body, lines, "overturns", lambda line: line["overturning"])]
     parts += [passed(report, body, lines, f"exceeds {limit}", lambda line, limit=limit: line[f"limit_{limit}"])
@@ -162,20 +162,15 @@ def passed(report, body, lines, what, level):
 
 
 def section(report):
-    lines = report.fit["grid"]
+    lines = report.grid
     limits = limits_of(lines)
     rows = [[line["body"], plain(line["frequency_hz"], 4), plain(line["period_s"], 4), reached(report, line["uplift"], line),
              reached(report, line["overturning"], line), report.amplitude(line["standing"]),
              *(reached(report, line[f"limit_{limit}"], line) for limit in limits), line["undecided"]] for line in lines]
     head = ["body", "frequency [Hz]", "period [s]", "lifts off from", "overturns from", "stood up to",
             *(f"{limit} from" for limit in limits), "undecided"]
-    keys = ["body", "wave", "frequency_hz", "period_s", "uplift", "overturning", "standing", "undecided"]
-    report.csv("grid", keys + [f"limit_{limit}" for limit in limits],
-               [[line[key] for key in keys] + [line[f"limit_{limit}"] for limit in limits] for line in lines])
-    stripes = report.stripes["overturning"]
-    ends = report.ends
-    report.csv("ends", ["body", "level", "amplitude", "trials", *ends],
-               [[s["body"], s["level"], s["amplitude"], s["trials"], *(s[end] for end in ends)] for s in stripes])
+    report.rows("grid", report.fit["grid"])
+    report.rows("stripes", report.stripes["overturning"])
     why = report.fits[(report.results.bodies[0].name, report.results.measure)]["warnings"][0]
     report.section(
         "grid", "What overturns at which frequency and level",

@@ -5,12 +5,6 @@ from .page_parts import ends, escape, fold, in_pages, interval, paragraphs, tabl
 from .style import plain
 
 OVERTURNING = "overturning"  # the limit state that every campaign has
-STRIPE_KEYS = ["body", "level", "amplitude", "trials", "overturned", "failed", "probability", "lower", "upper"]
-LIMIT_KEYS = ["limit", "body", "level", "amplitude", "trials", "exceeded", "failed", "undecided", "probability", "lower",
-              "upper"]
-FIT_KEYS = ["body", "measure", "units", "identifiable", "median", "beta", "median_lower", "median_upper", "beta_lower",
-            "beta_upper", "five_percent_point", "five_percent_point_lower", "five_percent_point_upper", "hclpf",
-            "hclpf_lower", "hclpf_upper", "one_percent_point", "flags"]
 MOST_PAIRS = 6  # of bodies, columns of a table
 MOST_OPEN_ROWS = 40  # of the stripes: longer tables scroll in a box
 QUANTILES = [("median", "median"), ("p84", "84 %"), ("p95", "95 %")]
@@ -76,8 +70,8 @@ def answers(report):
 
 # The sections.
 
-def write_fits(report, name, fits, keys):
-    report.csv(name, keys, [[" ".join(fit[key]) if isinstance(fit[key], list) else fit[key] for key in keys] for fit in fits])
+def fits_told(report, limits):
+    return [fit for fit in report.fit["fragility"] if fit["limit"] in limits]
 
 
 def bounded(quoted):
@@ -195,12 +189,8 @@ def curves(report, limit):
 
 
 def fragility(report):
-    stripes = report.stripes[OVERTURNING]
-    report.csv("stripes", STRIPE_KEYS, [[s[key] for key in STRIPE_KEYS] for s in stripes])
-    kinds = report.ends
-    report.csv("ends", ["body", "level", "amplitude", "trials", *kinds],
-               [[s["body"], s["level"], s["amplitude"], s["trials"], *(s[end] for end in kinds)] for s in stripes])
-    write_fits(report, "fragility", report.fits.values(), FIT_KEYS)
+    report.rows("stripes", report.stripes[OVERTURNING])
+    report.rows("fragility", fits_told(report, [OVERTURNING]))
     report.section("fragility", "Fragility", *curves(report, OVERTURNING))
 
 
@@ -212,9 +202,8 @@ def limits(report):
     for limit in stated:
         parts += [f"<h3>{escape(limit['name'])}: {escape(limit['definition'])}</h3>", *curves(report, limit["name"])]
     names = [limit["name"] for limit in stated]
-    report.csv("limits", LIMIT_KEYS, [[s[key] for key in LIMIT_KEYS] for name in names for s in report.stripes[name]])
-    write_fits(report, "limit-fragility", [fit for name in names for fit in report.fits_of(name).values()],
-               ["limit", *FIT_KEYS])
+    report.rows("limits", [s for name in names for s in report.stripes[name]])
+    report.rows("limit-fragility", fits_told(report, names))
     report.section("limits", "Limit states of the campaign's own", *parts)
 
 
@@ -226,9 +215,7 @@ def responses(report):
     """Median, 84 % and 95 % per level, drawn and as a table."""
     parts = []
     rows = report.fit["quantiles"]
-    keys = ["body", "quantity", "units", "level", "amplitude", "trials", "unknown",
-            *(key + end for key, _ in QUANTILES for end in ("", "_lower", "_upper"))]
-    report.csv("quantiles", keys, [[q[key] for key in keys] for q in rows])
+    report.rows("quantiles", rows)
     for body in report.results.bodies:
         for quantity, (name, unit) in RESPONSES.items():
             mine = [q for q in rows if q["body"] == body.name and q["quantity"] == quantity]

@@ -73,3 +73,16 @@ def in_pages(bodies, most):
 
 def paragraphs(lines, kind=""):
     return "".join(f"<p{kind}>{escape(line)}</p>\n" for line in lines)
+
+
+def csv_cell(value):
+    """What a csv file holds of it: nothing where it is not known, names one after the other."""
+    return "" if value is None else " ".join(map(str, value)) if isinstance(value, list) else value
+
+
+def rows_by(rows, *keys):
+    """Rows in lists by the values of their keys."""
+    lists = {}
+    for row in rows:
+        lists.setdefault(tuple(row[key] for key in keys), []).append(row)
+    return lists
