@@ -23,7 +23,12 @@
 namespace overturn::cli {
 namespace {
 
-std::string stripes_text(StripeTable const& table, double confidence) {
+std::string stripes_text(StripeTable const& table, double confidence, bool full) {
+    constexpr std::size_t most = 40;
+    if (!full && table.stripes.size() > most) {
+        return fmt::format("{} of {:.4g} to {:.4g}, {} in all: --full shows each\n", table.amplitude,
+                           table.stripes.front().amplitude, table.stripes.back().amplitude, table.stripes.size());
+    }
     auto text = fmt::format("{:>10} {:>7} {:>11} {:>7}  {:>8}  {:>20}\n", table.amplitude, "trials", "overturned",
                             "failed", "P", fmt::format("{:g} % interval", 100 * confidence));
     for (auto const& stripe : table.stripes) {
@@ -74,9 +79,9 @@ int fit_stripes(FitOptions const& options) {
         frequencies.back().limit = overturning_limit;
     }
     if (!options.json) {
-        fmt::print("{}\n{}{}", stripes_text(table, request.confidence),
-                   output::fragility_table({measured}, request.confidence),
-                   hazard ? output::frequency_text(frequencies, *hazard, request.confidence) : std::string());
+        fmt::print("{}{}\n{}", output::fragility_table({measured}, request.confidence),
+                   hazard ? output::frequency_text(frequencies, *hazard, request.confidence) : std::string(),
+                   stripes_text(table, request.confidence, options.text.full));
         return done;
     }
     std::vector<MeasuredFragility> const fits{measured};

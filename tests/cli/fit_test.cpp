@@ -1,7 +1,9 @@
 // Requirement: `overturn fit` says by the contract's names what the trials hold, from a results file or
 // from anybody's table; what is not identifiable is null, and bad tables are refused where they are wrong.
+#include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/campaign_files.hpp"
@@ -144,6 +146,22 @@ TEST_F(Fit, BetaUMovesHclpf) {
     auto const text = overturn(folder, {"fit", "--stripes", "t.csv"}).out;
     EXPECT_NE(text.find("5 % point    HCLPF 1 % point"), std::string::npos) << text;
     EXPECT_NE(text.find("1.008        -         -"), std::string::npos) << text;
+}
+
+// the curve comes first, and a table of many single trials is not printed row by row unless asked for.
+TEST_F(Fit, TheCurveComesBeforeItsTable) {
+    std::string rows = "pga [g],collapsed\n";
+    for (int i = 0; i < 50; ++i) {
+        rows += fmt::format("{},{}\n", 0.5 + 0.02 * i, (i * i) % 50 < i ? 1 : 0);
+    }
+    folder.write("t.csv", rows);
+    auto const text = overturn(folder, {"fit", "--stripes", "t.csv"}).out;
+    auto const full = overturn(folder, {"fit", "--stripes", "t.csv", "--full"}).out;
+
+    EXPECT_LT(text.find("fragility"), text.find("pga [g] of 0.5 to 1.48, 50 in all: --full shows each")) << text;
+    EXPECT_LT(std::count(text.begin(), text.end(), '\n'), 10) << text;
+    EXPECT_LT(full.find("fragility"), full.find("trials  overturned")) << full;
+    EXPECT_GT(std::count(full.begin(), full.end(), '\n'), 50) << full;
 }
 
 // Nothing overturned, everything, one level, separation: null, never a number.
