@@ -22,6 +22,7 @@ Found, of 60 tables each:
                12x40         2             1       2   of 60
                5x100         0             2       2   of 60
               40x100         0             1       1   of 60
+            1000x100         2             1       3   of 60
 
 and of 40 tables each of shared waves (5, 20, 100, 1000 levels by 10, 30, 100 waves): poor-fit 2 at 100 by 30, else none.
 Until then chi squared found falls in 45 of 100 tables of 20x1, 91 of 37x1, 40 of 40 of 100x1, 57 of 100 of 40x3 and 36 of 40x5.
