@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/units.hpp"
 #include "response/registry.hpp"
 
 namespace overturn {
@@ -63,11 +64,16 @@ std::span<LimitQuantity const> limit_quantities() {
     return quantities;
 }
 
+std::string LimitState::threshold_text() const {
+    auto const symbol = !shown.symbol.empty() ? shown.symbol : quantity.units == "1" ? std::string() : quantity.units;
+    auto text = fmt::format("{:.6g}{}{}", shown.of(threshold), symbol.empty() ? "" : " ", symbol);
+    if (symbol == "rad") {
+        text += fmt::format(" = {:.4g} deg", threshold * 180 / pi);
+    }
+    return text;
+}
+
 std::string definition_of(LimitState const& limit, std::span<LimitState const> limits) {
-    auto const with_units = [&] {
-        return limit.quantity.units == "1" ? fmt::format("{:.6g}", limit.threshold)
-                                           : fmt::format("{:.6g} {}", limit.threshold, limit.quantity.units);
-    };
     auto const* const without = limit.falls_pass || limit.quantity.is_of_the_fall() ? "" : " without overturning";
     auto const names = [&] {
         std::string text;
@@ -78,9 +84,9 @@ std::string definition_of(LimitState const& limit, std::span<LimitState const> l
     };
     switch (limit.rule) {
         case LimitState::Rule::above:
-            return fmt::format("{} > {}{}", limit.quantity.name, with_units(), without);
+            return fmt::format("{} > {}{}", limit.quantity.name, limit.threshold_text(), without);
         case LimitState::Rule::below:
-            return fmt::format("{} < {}{}", limit.quantity.name, with_units(), without);
+            return fmt::format("{} < {}{}", limit.quantity.name, limit.threshold_text(), without);
         case LimitState::Rule::any:
             return "any of " + names();
         case LimitState::Rule::all:

@@ -38,6 +38,7 @@ struct LimitState {
     Rule rule = Rule::overturning;
     LimitQuantity quantity;  ///< of above and below
     double threshold = 0;    ///< likewise [SI]
+    IntensityUnit shown;     ///< that the threshold was written in; no symbol: in none
     /// Of above and below: a trial that overturned has passed it, whatever it did before. Else its response up to the
     /// fall is compared, and the definition says "without overturning".
     bool falls_pass = true;
@@ -45,6 +46,8 @@ struct LimitState {
     PrecisionTarget target;       ///< met, together with all others, before all waves are done, it ends the campaign
 
     [[nodiscard]] bool is_overturning() const { return rule == Rule::overturning; }
+    /// "30 cm" as it was written; an angle that was not in degrees has them beside it: "0.349 rad = 20 deg".
+    [[nodiscard]] std::string threshold_text() const;
     /// How its fits speak of it.
     [[nodiscard]] Passing passing() const { return is_overturning() ? Passing::overturned : Passing::exceeded; }
 };
@@ -52,7 +55,7 @@ struct LimitState {
 /// The name of the one that is always there, the first.
 inline constexpr char const* overturning_limit = "overturning";
 
-/// "peak_slip > 0.3 m"; "peak_slip > 0.3 m without overturning"; "any of touches, overturning".
+/// "peak_slip > 30 cm"; "peak_slip > 30 cm without overturning"; "any of touches, overturning".
 [[nodiscard]] std::string definition_of(LimitState const& limit, std::span<LimitState const> limits);
 
 /// What one trial says of all limit states: a bit each, in their order.

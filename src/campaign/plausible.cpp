@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "campaign/detail/gyration.hpp"
+#include "campaign/detail/limit_range.hpp"
+#include "campaign/limit_spec.hpp"
 #include "campaign/warnings.hpp"
 #include "core/units.hpp"
 
@@ -106,16 +109,47 @@ void add_weak_levels(LevelSpec const& levels, Lines& lines) {
     }
 }
 
-void add_limits_turned_round(CampaignSpec const& spec, Lines& lines) {
+// "peak_slip above 300 m"
+std::string rule_text(LimitState const& limit) {
+    return fmt::format("{} {} {}", limit.quantity.name, limit.rule == LimitState::Rule::above ? "above" : "below",
+                       limit.threshold_text());
+}
+
+// Of what all bodies have in common: where one of them may pass the limit as usual, it is meant.
+void add_unusual_threshold(LimitState const& limit, std::span<LimitRange const> ranges, Lines& lines) {
+    auto const all = [&](auto holds) { return std::ranges::all_of(ranges, holds); };
+    auto const& first = ranges.front();
+    if (all([&](LimitRange const& range) { return passed_at_rest(limit, range); })) {
+        bool const above = limit.rule == LimitState::Rule::above;
+        lines.push_back(fmt::format("limit '{}': {} is passed by a body at rest. Write {} if {} is worse", limit.name,
+                                    rule_text(limit), above ? "below" : "above", above ? "smaller" : "larger"));
+    } else if (limit.rule == LimitState::Rule::below) {
+        return;
+    } else if (all([&](LimitRange const& range) { return limit.threshold >= range.usual_high; })) {
+        lines.push_back(
+            fmt::format("limit '{}': {} ({}). Check it and its unit", limit.name, rule_text(limit), first.high_known));
+    } else if (all([&](LimitRange const& range) { return limit.threshold < range.usual_low; })) {
+        lines.push_back(
+            fmt::format("limit '{}': {} ({}). Check it and its unit", limit.name, rule_text(limit), first.low_known));
+    }
+}
+
+void add_limits(CampaignSpec const& spec, Lines& lines) {
     for (auto const& limit : spec.limits) {
-        bool const grows = limit.quantity.name != "min_contact_force_ratio";
-        if (limit.rule == LimitState::Rule::below && grows) {
-            lines.push_back(
-                fmt::format("limit '{}': passed where {} is below {:g}{}, so by a body at rest. Write above if "
-                            "larger is worse",
-                            limit.name, limit.quantity.name, limit.threshold,
-                            limit.quantity.units == "1" ? "" : " " + limit.quantity.units));
+        if (limit.rule != LimitState::Rule::above && limit.rule != LimitState::Rule::below) {
+            continue;
         }
+        std::vector<LimitRange> ranges;
+        for (auto const& body : spec.bodies) {
+            ranges.push_back(range_of(limit.quantity, body));
+            if (auto const why = unreachable(limit, body); !why.empty()) {
+                lines.push_back(fmt::format("limit '{}': {}", limit.name, why));
+            } else if (passable(limit, ranges.back()) == Passable::none) {
+                lines.push_back(fmt::format("limit '{}': no trial of {} passes {} but by falling", limit.name,
+                                            body.name, rule_text(limit)));
+            }
+        }
+        add_unusual_threshold(limit, ranges, lines);
     }
 }
 
@@ -137,7 +171,7 @@ std::vector<std::string> implausible_statements(CampaignSpec const& spec) {
     Lines lines;
     add_design_basis(spec, lines);
     add_weak_levels(spec.levels, lines);
-    add_limits_turned_round(spec, lines);
+    add_limits(spec, lines);
     return lines;
 }
 

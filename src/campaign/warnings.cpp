@@ -129,26 +129,6 @@ void add_levels(LevelSpec const& levels, Lines& lines) {
     }
 }
 
-// What bodies cannot do as they are stated, and what none does: metres where millimetres were meant.
-void add_limits(CampaignSpec const& spec, Lines& lines) {
-    constexpr double farthest_m = 20, fastest_mps = 30;
-    for (auto const& limit : spec.limits) {
-        for (auto const& body : spec.bodies) {
-            if (auto const why = unreachable(limit, body); !why.empty()) {
-                lines.push_back(fmt::format("limit '{}': {}", limit.name, why));
-            }
-        }
-        auto const& units = limit.quantity.units;
-        if ((units == "m" && limit.threshold > farthest_m) || (units == "m/s" && limit.threshold > fastest_mps)) {
-            lines.push_back(
-                fmt::format("limit '{}': {} of {:g} {} (a bare number is SI). Write its unit, \"{:g} {}\", "
-                            "if another was meant",
-                            limit.name, limit.quantity.name, limit.threshold, units, limit.threshold,
-                            units == "m" ? "mm" : "cm/s"));
-        }
-    }
-}
-
 void add_motions(CampaignSpec const& spec, Lines& lines) {
     constexpr std::uint64_t most = 1000;
     if (!spec.source->about().available || !spec.source->drift(0)) {
@@ -245,7 +225,6 @@ std::vector<std::string> warnings_of(CampaignSpec const& spec) {
         lines.push_back(std::move(alike));
     }
     add_rare(spec, lines);
-    add_limits(spec, lines);
     add_motions(spec, lines);
     for (auto const& body : spec.bodies) {
         auto const more = warnings_of(body);

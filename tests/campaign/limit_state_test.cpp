@@ -68,7 +68,7 @@ TEST(LimitState, OverturningIsAlwaysThereAndFirst) {
 TEST(LimitState, ThresholdOnAStoredQuantity) {
     Judged const judged(touches);
 
-    EXPECT_EQ(definition_of(judged.spec.limits[1], judged.spec.limits), "peak_slip > 0.3 m");
+    EXPECT_EQ(definition_of(judged.spec.limits[1], judged.spec.limits), "peak_slip > 30 cm");
     EXPECT_EQ(judged(row_of(Verdict::slid, std::nextafter(0.3, 1), 0)), 'p');
     EXPECT_EQ(judged(row_of(Verdict::slid, 0.3, 0)), 'k');
     EXPECT_EQ(judged(row_of(Verdict::at_rest, 0, 0)), 'k');
@@ -99,7 +99,7 @@ TEST(LimitState, AFallPassesEveryLimit) {
     EXPECT_EQ(without(row, 3), 'k');
     EXPECT_EQ(without(row_of(Verdict::overturned, never, 1.2)), '?');
     EXPECT_DOUBLE_EQ(without.near(row, 1), 0.1 / 0.3);
-    EXPECT_EQ(definition_of(without.spec.limits[1], without.spec.limits), "peak_slip > 0.3 m without overturning");
+    EXPECT_EQ(definition_of(without.spec.limits[1], without.spec.limits), "peak_slip > 30 cm without overturning");
 }
 
 /// How near a trial came is at least 1 where it passed a limit and at most 1 where it kept within it, and rises with

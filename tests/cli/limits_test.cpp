@@ -76,7 +76,7 @@ said = {'touches': slip, 'tilts': tilt, 'either': slip | tilt, 'both': slip & ti
 text = lambda a: a.decode() if isinstance(a, bytes) else a
 names_of = lambda d: [{v: k for k, v in h5py.check_enum_dtype(d.dtype).items()}[n] for n in d[:]]
 definitions = dict(zip(names_of(f['limit_states/name']), names_of(f['limit_states/definition'])))
-assert definitions['touches'] == 'peak_slip > 0.04 m'
+assert definitions['touches'] == 'peak_slip > 4 cm'
 assert definitions['either'] == 'any of touches, tilts, overturning'
 seen = 0
 for b, body in enumerate(['type-a', 'type-b']):
@@ -119,7 +119,7 @@ TEST_F(Limits, FitTellsThemByName) {
     ASSERT_EQ(run.code, 0);
     EXPECT_EQ(run.out, overturn(folder, {"fit", "1.h5"}).out + "results: 1.h5\n");
     auto const told = overturn(folder, {"fit", "1.h5", "--full"});
-    EXPECT_NE(told.out.find("type-a, limit state touches: peak_slip > 0.04 m"), std::string::npos) << told.out;
+    EXPECT_NE(told.out.find("type-a, limit state touches: peak_slip > 4 cm"), std::string::npos) << told.out;
     EXPECT_NE(told.out.find("peak_slip m of the trials, with 95 % intervals"), std::string::npos) << told.out;
     auto const json = fit("1.h5");
 
@@ -170,7 +170,7 @@ TEST_F(Limits, ReportShowsThem) {
     auto const page = folder.read("a.html");
 
     for (auto const* part :
-         {"<section id=\"limits\"", "<section id=\"responses\"", "_a $\\int &lt; b$: peak_slip &gt; 0.04 m",
+         {"<section id=\"limits\"", "<section id=\"responses\"", "_a $\\int &lt; b$: peak_slip &gt; 4 cm",
           "<td class=short>slip [mm]</td>", "<th>at rest</th>", "how each ranks the trials"}) {
         EXPECT_NE(page.find(part), std::string::npos) << part;
     }

@@ -153,7 +153,11 @@ void read_threshold(Table const& table, LimitState& limit, bool falls_pass, Effe
     if (table.has("above") && table.has("below")) {
         table.fail("below", "stated beside above (one side fails). Keep one, or join two limits with any or all");
     }
-    limit.threshold = table.number(key, {.dimension = dimension_of(limit.quantity)});
+    auto const dimension = dimension_of(limit.quantity);
+    limit.threshold = table.number(key, {.dimension = dimension});
+    if (auto const unit = table.unit_at(key.name); !unit.empty()) {
+        limit.shown = {unit, unit_factor(unit, dimension)};
+    }
     call_for(table, limit.quantity, effects);
 }
 

@@ -1,15 +1,15 @@
 #include "campaign/detail/unsound.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "campaign/detail/limit_range.hpp"
 #include "config/table.hpp"
-#include "core/units.hpp"
 
 namespace overturn {
 namespace {
@@ -39,30 +39,36 @@ void refuse_bare_threshold(Table const& limit, LimitState const& state, LevelSpe
     }
 }
 
-// The largest value that a quantity can have in a trial that stands; infinite where nothing bounds it.
-double largest_of(std::string_view quantity, BodySpec const& body) {
-    double const alpha = std::max(body.body.corner(1).alpha_rad, body.body.corner(-1).alpha_rad);
-    // In space a body that stands on a corner tilts further: at most as if it were flat.
-    return quantity == "peak_rotation"         ? pi / 2
-           : quantity == "peak_rotation_ratio" ? pi / 2 / alpha
-                                               : std::numeric_limits<double>::infinity();
+// What all bodies answer alike; else some trials pass.
+Passable passable_by_all(LimitState const& state, std::span<BodySpec const> bodies) {
+    auto const of = [&](BodySpec const& body) { return passable(state, range_of(state.quantity, body)); };
+    auto const first = of(bodies.front());
+    bool const alike = std::ranges::all_of(bodies, [&](BodySpec const& body) { return of(body) == first; });
+    return alike ? first : Passable::some;
 }
 
+// A threshold that no trial passes but by falling, or that every trial passes.
 void refuse_out_of_reach(Table const& limit, LimitState const& state, std::span<BodySpec const> bodies) {
-    if (state.rule != LimitState::Rule::above) {
+    if (state.rule != LimitState::Rule::above && state.rule != LimitState::Rule::below) {
         return;
     }
-    bool const reached = std::ranges::any_of(
-        bodies, [&](BodySpec const& body) { return state.threshold < largest_of(state.quantity.name, body); });
-    if (!reached) {
-        auto const& of = state.quantity;
-        limit.fail(
-            "above",
-            fmt::format("{:g}{} of {} (it is at most {:.4g}: no trial passes that but by falling). {}", state.threshold,
-                        of.units == "1" ? "" : " " + of.units, of.name, largest_of(of.name, bodies.front()),
-                        of.units == "rad" ? fmt::format("Write \"{:g} deg\" if that was meant", state.threshold)
-                                          : std::string("Lower it")));
+    auto const reach = passable_by_all(state, bodies);
+    if (reach == Passable::some) {
+        return;
     }
+    bool const above = state.rule == LimitState::Rule::above;
+    bool const too_high = above == (reach == Passable::none);
+    auto const range = range_of(state.quantity, bodies.front());
+    auto const bound = too_high                     ? fmt::format("at most {:.4g}", range.most)
+                       : std::isnormal(range.least) ? fmt::format("at least {:.4g}, of a body at rest too", range.least)
+                                                    : std::string("never 0");
+    auto const* const who = reach == Passable::none ? "no trial passes that but by falling" : "every trial passes that";
+    bool const of_degrees = too_high && above && state.quantity.units == "rad" && state.shown.symbol.empty();
+    limit.fail(above ? "above" : "below",
+               fmt::format("{} of {} (it is {}: {}). {}", state.threshold_text(), state.quantity.name, bound, who,
+                           of_degrees ? fmt::format("Write \"{:g} deg\" if that was meant", state.threshold)
+                           : too_high ? std::string("Lower it")
+                                      : std::string("Raise it")));
 }
 
 }  // namespace
