@@ -14,6 +14,7 @@
 #include "output/json.hpp"
 #include "output/summary_tables.hpp"
 #include "results/hazard_frequency.hpp"
+#include "stats/curve_spread.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -55,6 +56,7 @@ struct StatedCurve {
     [[nodiscard]] double composite() const { return std::hypot(beta, beta_u); }
     [[nodiscard]] double five_percent_point() const { return at(five_percent_score * beta); }
     [[nodiscard]] double one_percent_point() const { return at(one_percent_score * composite()); }
+    [[nodiscard]] std::vector<std::string> warnings() const { return unusual_spread({beta, beta_u, true, beta_u > 0}); }
     [[nodiscard]] std::optional<double> hclpf() const {
         return beta_u > 0 ? std::optional(at(five_percent_score * (beta + beta_u))) : std::nullopt;
     }
@@ -63,11 +65,15 @@ struct StatedCurve {
 std::string stated_text(StatedCurve const& curve) {
     auto const& unit = curve.median.unit;
     auto const hclpf = curve.hclpf();
-    return fmt::format(
+    auto text = fmt::format(
         "stated curve (no trials): median {}, {} {:g}{}\n  5 % point {}, HCLPF {}, 1 % point {}\n",
         unit.text(curve.median.value), hclpf ? "beta_R" : "beta", curve.beta,
         hclpf ? fmt::format(", beta_U {:g}", curve.beta_u) : std::string(), unit.text(curve.five_percent_point()),
         hclpf ? unit.text(*hclpf) : std::string("not known without --beta-u"), unit.text(curve.one_percent_point()));
+    for (auto const& line : curve.warnings()) {
+        text += fmt::format("  note: {}\n", line);
+    }
+    return text;
 }
 
 output::Json stated_json(StatedCurve const& curve) {
@@ -78,7 +84,8 @@ output::Json stated_json(StatedCurve const& curve) {
                       {"beta_u", nullptr},
                       {"five_percent_point", unit.of(curve.five_percent_point())},
                       {"one_percent_point", unit.of(curve.one_percent_point())},
-                      {"hclpf", nullptr}};
+                      {"hclpf", nullptr},
+                      {"warnings", curve.warnings()}};
     if (auto const hclpf = curve.hclpf()) {
         json["beta_u"] = curve.beta_u;
         json["hclpf"] = unit.of(*hclpf);
@@ -91,6 +98,7 @@ output::Json stated_json(StatedCurve const& curve) {
 int fit_stated(FitOptions const& options) {
     validate(*options.beta > 0 && std::isfinite(*options.beta),
              "--beta: {} (must be above 0). It is a lognormal standard deviation", *options.beta);
+    check_spread("--beta", *options.beta);
     StatedCurve const curve{read_median(options.median), *options.beta, options.beta_u};
     std::optional<HazardCurve> hazard;
     std::vector<BodyFrequency> frequencies;
@@ -117,6 +125,7 @@ int fit_stated(FitOptions const& options) {
     if (hazard) {
         auto const si = std::string(si_symbol(curve.median.dimension));
         json.update(output::json_of(output::frequency_tables(si, frequencies, *hazard, none)));
+        json["hazard_notes"] = hazard->remarks();
     }
     fmt::print("{}\n", json.dump(2));
     return done;

@@ -1,8 +1,11 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
+#include "stats/curve_spread.hpp"
 #include "stats/fragility.hpp"
 
 namespace overturn {
@@ -230,6 +233,10 @@ std::vector<std::string> warnings_of(FragilityFit const& fit, IntensityUnit cons
                                               ? "only one trial exceeded it: the fit depends on that one"
                                               : "only one trial overturned: the fit depends on that one");
     if (fit.identifiable()) {
+        std::ranges::copy(
+            unusual_spread(
+                {.beta_r = fit.beta_r(), .beta_u = fit.beta_u, .beta_u_stated = fit.beta_u > fit.beta_u_drawn}),
+            std::back_inserter(texts));
         add_if(FragilityFlag::two_levels, "two levels only: the shape of the curve is not tested");
     }
     add_if(FragilityFlag::non_monotone, fmt::format("P decreases significantly between some levels (p = {:.2g} "
