@@ -159,6 +159,7 @@ void print_fitted_json(Fitted const& all, CampaignSpec const& spec, Statistics c
     if (all.hazard) {
         std::ranges::move(output::frequency_tables(spec.levels.units(), all.frequencies, *all.hazard, all.confidence),
                           std::back_inserter(tables));
+        json["hazard_notes"] = all.hazard->remarks();
     }
     if (spec.rare) {
         std::ranges::move(output::rare_tables(spec, all.rare), std::back_inserter(tables));

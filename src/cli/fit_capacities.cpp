@@ -96,6 +96,9 @@ int fit_capacities(FitOptions const& options) {
     }
     auto json = output::json_of(tables);
     json["capacities"] = head_json(table);
+    if (hazard) {
+        json["hazard_notes"] = hazard->remarks();
+    }
     json["warnings"] = output::warnings_json("", fits, request.confidence);
     fmt::print("{}\n", json.dump(2));
     return done;

@@ -92,6 +92,9 @@ int fit_stripes(FitOptions const& options) {
                           std::back_inserter(tables));
     }
     auto json = output::json_of(tables);
+    if (hazard) {
+        json["hazard_notes"] = hazard->remarks();
+    }
     json["warnings"] = output::warnings_json("", fits, request.confidence);
     json["amplitude"] = table.amplitude;
     fmt::print("{}\n", json.dump(2));

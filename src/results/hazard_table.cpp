@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "motion/openquake.hpp"
 #include "motion/pair_table.hpp"
 #include "motion/text_lines.hpp"
+#include "results/detail/unusual_hazard.hpp"
 
 namespace overturn {
 namespace {
@@ -232,9 +234,12 @@ HazardCurve parse_hazard(std::string_view content, std::string const& name, Haza
                          fmt::format("annual exceedance {} throughout (no curve). Add stronger motions",
                                      points.back().annual_exceedance));
     }
-    HazardCurve hazard(std::move(points), std::move(unit), std::move(cut.remarks));
+    HazardCurve const hazard(std::move(points), std::move(unit), std::move(cut.remarks));
     check_overlap(hazard, axis, where);
-    return hazard;
+    auto remarks = hazard.remarks();
+    std::ranges::move(unusual_hazard(hazard, axis, axis.label.empty() ? measure_in(table.first_name) : axis.label),
+                      std::back_inserter(remarks));
+    return HazardCurve(hazard.points(), hazard.stated(), std::move(remarks));
 }
 
 }  // namespace overturn
