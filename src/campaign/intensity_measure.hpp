@@ -24,12 +24,13 @@ struct MeasureSpec;
 /// How many periods of the user's own a campaign measures Sa at.
 inline constexpr std::size_t most_sa_periods = 4;
 
-/// Levels above `most` are a mistake in the unit, by a factor of some two.
+/// Levels above `most` are a mistake in the unit, by a factor of some two; where all are below `least` nothing moves.
 struct PlausibleLevels {
     double most = 0;  ///< [SI]; 0: nothing is known
     std::string_view unit = {};
     double unit_si = 1;
     std::string_view known = {};  ///< by what
+    double least = 0;             ///< [SI]
 };
 
 /// Over which measures a campaign has curves.
@@ -136,7 +137,7 @@ inline constexpr std::array intensity_measures{
                      .curves = Curves::measured,
                      .measured = &measuring::always,
                      .of_wave = &measuring::pga,
-                     .plausible = {10 * g0, "gal", 0.01, "the strongest records stay below 5 g"}},
+                     .plausible = {10 * g0, "gal", 0.01, "the strongest records stay below 5 g", 0.2}},
     IntensityMeasure{.number = 1,
                      .name = "pgv",
                      .title = "PGV",
@@ -147,7 +148,7 @@ inline constexpr std::array intensity_measures{
                      .measured = &measuring::always,
                      .of_wave = &measuring::pgv,
                      .drifts = true,
-                     .plausible = {10, "kine", 0.01, "the strongest records stay below 4 m/s"}},
+                     .plausible = {10, "kine", 0.01, "the strongest records stay below 4 m/s", 0.01}},
     IntensityMeasure{.number = 13,
                      .name = "pgd",
                      .title = "PGD",
@@ -156,7 +157,7 @@ inline constexpr std::array intensity_measures{
                      .meaning = "peak horizontal displacement",
                      .of_wave = &measuring::pgd,
                      .drifts = true,
-                     .plausible = {30, "cm", 0.01, "the strongest records stay below 10 m"}},
+                     .plausible = {30, "cm", 0.01, "the strongest records stay below 10 m", 0.001}},
     IntensityMeasure{.number = 14,
                      .name = "vector_pga",
                      .title = "PGA of both axes",
@@ -164,7 +165,7 @@ inline constexpr std::array intensity_measures{
                      .dimension = Dimension::acceleration,
                      .meaning = "peak length of the horizontal acceleration, of both components together",
                      .of_wave = &measuring::vector_pga,
-                     .plausible = {10 * g0, "gal", 0.01, "the strongest records stay below 5 g"}},
+                     .plausible = {10 * g0, "gal", 0.01, "the strongest records stay below 5 g", 0.2}},
     IntensityMeasure{.number = 15,
                      .name = "cav",
                      .title = "CAV",

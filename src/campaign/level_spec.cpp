@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "campaign/rows.hpp"
 
@@ -154,7 +155,11 @@ LevelSpec read_levels(config::Table const& table) {
     spec.independent_waves = table.choice<bool>(level_keys["waves"], independence);
     // Named levels alone make a campaign too.
     if (table.has("values") || !(table.has("design_basis") || table.has("beyond_design"))) {
-        for (double const value : read_values(table, dimension)) {
+        auto const values = read_values(table, dimension);
+        if (auto const falls = std::ranges::adjacent_find(values, std::greater{}); falls != values.end()) {
+            spec.falling = {*falls, *(falls + 1)};
+        }
+        for (double const value : values) {
             spec.levels.push_back({value, LevelClass::ordinary});
         }
     }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -34,6 +35,7 @@ struct LevelSpec {
     bool independent_waves = false;          ///< every level has waves of its own
     std::string stated_unit = {};            ///< in which the values are written; empty: as bare numbers, or pure ones
     double stated_unit_si = 1;               ///< SI value of one of it
+    std::optional<std::pair<double, double>> falling = {};  ///< the first two values that were not listed rising
 
     [[nodiscard]] std::string measure_name() const;
     /// The same for people: "sa(3 s)".

@@ -24,7 +24,7 @@ double flat_ratio(BodySpec const& body) { return pi / 2 / alpha(body); }
 double limit_velocity(BodySpec const& body) {
     return std::max(body.body.corner(1).limit_velocity_mps, body.body.corner(-1).limit_velocity_mps);
 }
-double static_friction(BodySpec const& body) {
+double largest_grip(BodySpec const& body) {
     return !body.friction          ? infinite_bound
            : body.scatter.friction ? body.scatter.friction->highest()
                                    : body.friction->static_coefficient;
@@ -61,7 +61,7 @@ constexpr std::array entries{
     Entry{"peak_energy_ratio", &none, &none, &unbounded, 1e-8, &one, any_give,
           "with the energy of critical uplift a body falls by itself"},
     Entry{"v_resp", &none, &none, &unbounded, 1e-4, &limit_velocity, any_give, falls_by_itself},
-    Entry{"friction_demand", &none, [](BodySpec const&) { return above_nothing; }, &unbounded, 0.01, &static_friction,
+    Entry{"friction_demand", &none, [](BodySpec const&) { return above_nothing; }, &unbounded, 0.01, &largest_grip,
           any_shaking, "at its static coefficient a body slips, and no more is asked of the ground"},
     Entry{"min_contact_force_ratio", &one, &none, &one, 0, &one, {}, {}},
     Entry{"peak_contact_force_ratio", &one, &one, &unbounded, 1.01, &many_weights, any_shaking,

@@ -8,76 +8,15 @@
 
 #include <fmt/format.h>
 
-#include "campaign/detail/gyration.hpp"
 #include "campaign/detail/limit_range.hpp"
 #include "campaign/limit_spec.hpp"
-#include "campaign/warnings.hpp"
 #include "core/units.hpp"
+#include "core/usual_range.hpp"
 
 namespace overturn {
 namespace {
 
 using Lines = std::vector<std::string>;
-
-/// A number that follows from what is stated of a body, and where it usually lies.
-struct BodyRange {
-    double (*of)(BodySpec const& body);  ///< NaN: does not apply
-    double low, high;
-    std::string (*said)(BodySpec const& body, double value);
-    std::string_view known;   ///< what is usual
-    std::string_view remedy;  ///< what to look at
-};
-
-double density(BodySpec const& body) {
-    auto const& b = body.body;
-    return b.mass_kg() / (8 * b.half_width_m() * b.half_width_m() * b.centre_height_m());
-}
-double gyration(BodySpec const& body) { return gyration_share(body.body); }
-double slenderness(BodySpec const& body) { return body.body.centre_height_m() / body.body.half_width_m(); }
-double of_housner(BodySpec const& body) {
-    double const housner = body.body.housner_restitution();
-    return housner > 0 ? body.body.restitution() / housner : never;
-}
-double friction(BodySpec const& body) { return body.friction ? body.friction->static_coefficient : never; }
-
-std::string density_said(BodySpec const& body, double value) {
-    return fmt::format("mass {:.4g} kg in the box of base and centre height is {:.3g} kg/m3", body.body.mass_kg(),
-                       value);
-}
-std::string gyration_said(BodySpec const& body, double value) {
-    return fmt::format("inertia {:.4g} kg m2 is a radius of gyration of {:.3g} m, {:.2g} of R",
-                       body.body.inertia_kgm2(), value * body.body.radius_m(), value);
-}
-std::string slenderness_said(BodySpec const& body, double value) {
-    return fmt::format("centre height {:.4g} m over half the width is {:.3g}", body.body.centre_height_m(), value);
-}
-std::string restitution_said(BodySpec const& body, double value) {
-    return fmt::format("restitution {:.4g} is {:.2g} of Housner's for its shape, {:.4g}", body.body.restitution(),
-                       value, body.body.housner_restitution());
-}
-std::string friction_said(BodySpec const& /*body*/, double value) {
-    return fmt::format("static friction {:.4g}", value);
-}
-
-constexpr std::array body_ranges{
-    BodyRange{
-        &density, 1200, 8000, &density_said, "casks 1500 to 5000, concrete 2400, steel 7850",
-        "Check its unit (kg or t?), base_width (the whole width) and centre_height (of the centre of gravity, not the "
-        "top)"},
-    BodyRange{&gyration, least_gyration_share, 1.2, &gyration_said, "0.58 of a uniform block",
-              "Check its unit, or write \"uniform-block\""},
-    BodyRange{&slenderness, 0.8, 15, &slenderness_said, "casks 1.5 to 3, slender test blocks 7 to 13",
-              "Check that base_width and centre_height are not swapped, and their units"},
-    BodyRange{&of_housner, 0.7, 1.6, &restitution_said, "measured: 0.9 to 1.3 of it",
-              "State another, or \"housner\": one too low takes energy that a real body keeps"},
-    BodyRange{&friction, 0.05, 1.2, &friction_said, "steel on concrete 0.2 to 0.8", "Check it"}};
-
-// What the campaign states at a key [SI]; NaN: nothing.
-double stated(CampaignSpec const& spec, std::string_view key) {
-    auto const found = std::ranges::find(spec.inputs, key, &config::InputValue::key);
-    bool const is_stated = found != spec.inputs.end() && found->basis != config::Basis::by_default;
-    return is_stated ? found->number.value_or(never) : never;
-}
 
 void add_design_basis(CampaignSpec const& spec, Lines& lines) {
     auto const& levels = spec.levels;
@@ -86,7 +25,7 @@ void add_design_basis(CampaignSpec const& spec, Lines& lines) {
             continue;
         }
         double const target = levels.measure == measure_named("factor") ? 1.0
-                              : levels.measure == measure_named("pga")  ? stated(spec, "waves.target.pga")
+                              : levels.measure == measure_named("pga")  ? stated_number(spec, "waves.target.pga")
                                                                         : never;
         constexpr double close = 0.02;
         if (std::abs(level.value / target - 1) > close) {
@@ -98,14 +37,31 @@ void add_design_basis(CampaignSpec const& spec, Lines& lines) {
     }
 }
 
-void add_weak_levels(LevelSpec const& levels, Lines& lines) {
-    constexpr double weakest_mps2 = 1;
+// Beyond anything felt, by a factor of some two, or too weak to move anything: a unit was left out, or another.
+void add_levels(LevelSpec const& levels, Lines& lines) {
+    auto const& usual = levels.measure->plausible;
     double const highest = levels.levels.back().value;
-    if (levels.stated_unit.empty() && levels.measure == measure_named("pga") && highest < weakest_mps2) {
+    bool const bare = levels.stated_unit.empty();
+    constexpr double weakest_mps2 = 1;
+    if (usual.most > 0 && highest > usual.most) {
+        lines.push_back(fmt::format("levels up to {} {:g} {} = {:g} {} ({}{}). {}", levels.measure_name(), highest,
+                                    levels.units(), highest / usual.unit_si, usual.unit, usual.known,
+                                    bare ? "; a bare number is SI" : "",
+                                    bare ? fmt::format("Write \"{:g} {}\" if that was meant", highest, usual.unit)
+                                         : fmt::format("Check the unit, {}", levels.stated_unit)));
+    } else if (bare && levels.measure == measure_named("pga") && highest < weakest_mps2) {
         lines.push_back(
             fmt::format("levels up to pga {:g} m/s2 = {:.2g} g (a bare number is SI). Write \"{:g} g\" if "
                         "that was meant",
                         highest, highest / g0, highest));
+    } else if (highest < usual.least) {
+        lines.push_back(fmt::format("levels up to {} {} (casks do not move below {:g} {}). Check the unit",
+                                    levels.measure_name(), levels.text(highest), usual.least / usual.unit_si,
+                                    usual.unit));
+    }
+    if (levels.falling) {
+        lines.push_back(fmt::format("level {} is listed behind {} (levels are sorted). Check that it is meant",
+                                    levels.text(levels.falling->second), levels.text(levels.falling->first)));
     }
 }
 
@@ -153,49 +109,48 @@ void add_limits(CampaignSpec const& spec, Lines& lines) {
     }
 }
 
-}  // namespace
+struct DrawnWave {
+    WaveRow const& row;
+    GroundMotion const& motion;
+};
 
-std::vector<std::string> warnings_of(BodySpec const& body) {
-    Lines lines;
-    for (auto const& range : body_ranges) {
-        double const value = range.of(body);
-        if (value < range.low || value > range.high) {
-            lines.push_back(
-                fmt::format("{}: {} ({}). {}", body.name, range.said(body, value), range.known, range.remedy));
-        }
-    }
-    return lines;
+double vertical_share(DrawnWave const& wave) {
+    return wave.row.pga_mps2 > 0 ? wave.row.vertical_pga_mps2 / wave.row.pga_mps2 : never;
+}
+double step(DrawnWave const& wave) { return wave.motion.time_step_s; }
+
+std::string vertical_said(DrawnWave const& wave, double /*share*/) {
+    return fmt::format("wave 0 is stronger vertically: {:.3g} m/s2 beside {:.3g} m/s2", wave.row.vertical_pga_mps2,
+                       wave.row.pga_mps2);
+}
+std::string step_said(DrawnWave const& /*wave*/, double step_s) {
+    return fmt::format("time step of {:g} s: nothing above {:.3g} Hz is in the waves", step_s, 0.5 / step_s);
 }
 
+constexpr double drawn_apart = 1.25;  // of one spectrum, by chance
+constexpr double rounding = 1e-9;
+constexpr std::array wave_ranges{
+    UsualRange<DrawnWave>{&vertical_share, 0, drawn_apart, &vertical_said,
+                          "usual: half to two thirds, near a fault up to 1", "Check waves.vertical"},
+    UsualRange<DrawnWave>{&step, 0, 0.02 + rounding, &step_said,
+                          "spectra are stated to 33 or 50 Hz, pads and bodies move at 10 Hz and more",
+                          "State waves.time_step = \"0.01 s\""}};
+
+}  // namespace
+
 std::vector<std::string> implausible_statements(CampaignSpec const& spec) {
-    Lines lines;
+    auto lines = implausible_keys(spec);
     add_design_basis(spec, lines);
-    add_weak_levels(spec.levels, lines);
+    add_levels(spec.levels, lines);
     add_limits(spec, lines);
     return lines;
 }
 
 std::vector<std::string> implausible_wave(CampaignSpec const& spec, WaveRow const& row, GroundMotion const& motion) {
-    Lines lines;
-    if (spec.source->about().available) {
-        return lines;  // what was measured is as it is
-    }
-    if (row.vertical_pga_mps2 > row.pga_mps2) {
-        lines.push_back(
-            fmt::format("wave 0 is stronger vertically: {:.3g} m/s2 beside {:.3g} m/s2 (usual: half to two "
-                        "thirds, near a fault up to 1). Check waves.vertical",
-                        row.vertical_pga_mps2, row.pga_mps2));
-    }
-    constexpr double longest_s = 0.02;
-    constexpr double rounding = 1e-9;
-    if (motion.time_step_s > longest_s * (1 + rounding)) {
-        lines.push_back(
-            fmt::format("time step of {:g} s: nothing above {:.3g} Hz is in the waves (spectra are stated to 33 "
-                        "or 50 Hz, pads and bodies move at 10 Hz and more). State waves.time_step = \"0.01 "
-                        "s\"",
-                        motion.time_step_s, 0.5 / motion.time_step_s));
-    }
-    return lines;
+    // What was measured is as it is.
+    return spec.source->about().available
+               ? Lines{}
+               : unusual(DrawnWave{row, motion}, std::span<UsualRange<DrawnWave> const>(wave_ranges));
 }
 
 }  // namespace overturn

@@ -116,19 +116,6 @@ void add_rare(CampaignSpec const& spec, Lines& lines) {
     }
 }
 
-// Beyond anything felt, by a factor of some two: a unit was left out.
-void add_levels(LevelSpec const& levels, Lines& lines) {
-    auto const& bound = levels.measure->plausible;
-    double const highest = levels.levels.back().value;
-    if (bound.most > 0 && highest > bound.most) {
-        lines.push_back(
-            fmt::format("levels up to {} {:g} {} = {:g} {} ({}; a bare number is SI). Write \"{:g} {}\" if "
-                        "that was meant",
-                        levels.measure_name(), highest, levels.units(), highest / bound.unit_si, bound.unit,
-                        bound.known, highest, bound.unit));
-    }
-}
-
 void add_motions(CampaignSpec const& spec, Lines& lines) {
     constexpr std::uint64_t most = 1000;
     if (!spec.source->about().available || !spec.source->drift(0)) {
@@ -217,7 +204,6 @@ std::vector<std::string> warnings_of(CampaignSpec const& spec) {
     }
     add_targets(spec, lines);
     add_first_wave(spec, lines);
-    add_levels(spec.levels, lines);
     for (auto& line : implausible_statements(spec)) {
         lines.push_back(std::move(line));
     }

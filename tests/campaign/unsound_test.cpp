@@ -48,30 +48,6 @@ TEST(Unsound, IsNotAskedOfWhatIsReadOnly) {
     EXPECT_NO_THROW((void)testing::campaign_from(scene("values=['0.3 g', 0.5]\n")));
 }
 
-/// A 138 t cask, 3.4 m wide, its centre of gravity at 2.9 m: what is mistyped of it.
-std::vector<std::string> body_warnings(char const* width, char const* height, char const* more = "") {
-    return warnings_of(testing::campaign_from(testing::quick_waves
-                                              + fmt::format("[[bodies]]\nname='cask'\nmass='138 t'\nbase_width={}\n"
-                                                            "centre_height={}\ninertia='uniform-block'\n{}\n",
-                                                            width, height, more)
-                                              + testing::levels("values=[3]\n"))
-                           .bodies.front());
-}
-
-TEST(Plausible, BodiesAsTheyAreGetNoLine) {
-    EXPECT_TRUE(body_warnings("3.4", "2.9").empty());
-    EXPECT_TRUE(body_warnings("3.4", "2.9", "restitution=0.6\nfriction=0.5").empty());
-    EXPECT_TRUE(body_warnings("'11 ft'", "'114 in'").empty()) << "other units of the same";
-}
-
-TEST(Plausible, MistypedBodiesGetOne) {
-    EXPECT_TRUE(told(body_warnings("1.7", "2.9"), "kg/m3")) << "half the width";
-    EXPECT_TRUE(told(body_warnings("3.4", "5.8"), "kg/m3")) << "the full height";
-    EXPECT_TRUE(told(body_warnings("5.8", "1.7", "restitution=0.3"), "over half the width is 0.586")) << "swapped";
-    EXPECT_TRUE(told(body_warnings("3.4", "2.9", "restitution=0.05"), "restitution 0.05 is 0.081 of Housner's"));
-    EXPECT_TRUE(told(body_warnings("3.4", "2.9", "friction=1.25"), "static friction 1.25"));
-}
-
 TEST(Plausible, MistypedCampaignsGetOne) {
     auto const lines = [](std::string const& waves, std::string const& levels, std::string const& limits = {}) {
         return warnings_of(testing::campaign_from(waves + testing::type_b + "friction=0.5\n" + levels + limits));

@@ -1,0 +1,135 @@
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "campaign/detail/gyration.hpp"
+#include "campaign/warnings.hpp"
+#include "core/units.hpp"
+#include "core/usual_range.hpp"
+
+namespace overturn {
+namespace {
+
+constexpr double does_not_apply = std::numeric_limits<double>::quiet_NaN();
+constexpr double heavy_kg = 20e3;  // casks are, models and test blocks are not
+
+bool is_heavy(BodySpec const& body) { return body.body.mass_kg() >= heavy_kg; }
+
+double box_density(BodySpec const& body) {
+    auto const& b = body.body;
+    return b.mass_kg() / (8 * b.half_width_m() * b.half_width_m() * b.centre_height_m());
+}
+double density_of_casks(BodySpec const& body) { return is_heavy(body) ? box_density(body) : does_not_apply; }
+double density_of_models(BodySpec const& body) { return is_heavy(body) ? does_not_apply : box_density(body); }
+double ratio(BodySpec const& body) { return body.body.centre_height_m() / body.body.half_width_m(); }
+double ratio_of_casks(BodySpec const& body) { return is_heavy(body) ? ratio(body) : does_not_apply; }
+double ratio_of_models(BodySpec const& body) { return is_heavy(body) ? does_not_apply : ratio(body); }
+double gyration(BodySpec const& body) { return gyration_share(body.body); }
+double of_housner(BodySpec const& body) {
+    double const housner = body.body.housner_restitution();
+    return housner > 0 ? body.body.restitution() / housner : does_not_apply;
+}
+double friction(BodySpec const& body) { return body.friction ? body.friction->static_coefficient : does_not_apply; }
+double kinetic_share(BodySpec const& body) {
+    return body.friction && body.friction->static_coefficient > 0
+               ? body.friction->kinetic_coefficient / body.friction->static_coefficient
+               : does_not_apply;
+}
+double gravity(BodySpec const& body) { return body.stated.gravity_mps2; }
+double model_length(BodySpec const& body) { return body.scaling ? body.scaling->law.length : does_not_apply; }
+double slope_deg(BodySpec const& body) { return std::abs(body.stated.slope_rad) * 180 / pi; }
+double offset_share(BodySpec const& body) { return std::abs(body.body.offset_m()) / body.body.half_width_m(); }
+double pad_frequency(BodySpec const& body) {
+    return body.footing.stated ? body.footing.pad.vertical_frequency_hz : does_not_apply;
+}
+double pad_strength_mpa(BodySpec const& body) { return body.footing.pad.strength_pa.value_or(does_not_apply) / 1e6; }
+
+// Half of what lies between the 16 % and the 84 % draw, over the middle.
+template <std::optional<Distribution> BodyScatter::*quantity> double scatter(BodySpec const& body) {
+    auto const& drawn = body.scatter.*quantity;
+    constexpr double below = 0.1586552539;  // of a normal one: a standard deviation from the mean
+    return drawn && drawn->scatters() && drawn->centre() > 0
+               ? (drawn->quantile(1 - below) - drawn->quantile(below)) / 2 / drawn->centre()
+               : does_not_apply;
+}
+std::string scatter_text(std::string_view quantity, double share) {
+    return fmt::format("{} scatters by {:.2g} % either way", quantity, 100 * share);
+}
+std::string mass_said(BodySpec const&, double share) { return scatter_text("mass", share); }
+std::string height_said(BodySpec const&, double share) { return scatter_text("centre_height", share); }
+std::string bounce_said(BodySpec const&, double share) { return scatter_text("restitution", share); }
+std::string grip_said(BodySpec const&, double share) { return scatter_text("friction", share); }
+
+std::string density_said(BodySpec const& body, double value) {
+    return fmt::format("mass {:.4g} kg in the box of base and centre height is {:.3g} kg/m3", body.body.mass_kg(),
+                       value);
+}
+std::string gyration_said(BodySpec const& body, double value) {
+    return fmt::format("inertia {:.4g} kg m2 is a radius of gyration of {:.3g} m, {:.2g} of R",
+                       body.body.inertia_kgm2(), value * body.body.radius_m(), value);
+}
+std::string ratio_said(BodySpec const& body, double value) {
+    return fmt::format("centre height {:.4g} m over half the width is {:.3g}", body.body.centre_height_m(), value);
+}
+std::string restitution_said(BodySpec const& body, double value) {
+    return fmt::format("restitution {:.4g} is {:.2g} of Housner's for its shape, {:.4g}", body.body.restitution(),
+                       value, body.body.housner_restitution());
+}
+std::string friction_said(BodySpec const&, double value) { return fmt::format("static friction {:.4g}", value); }
+std::string kinetic_said(BodySpec const&, double value) {
+    return fmt::format("kinetic friction is {:.2g} of the static one", value);
+}
+std::string gravity_said(BodySpec const&, double value) { return fmt::format("gravity {:.4g} m/s2", value); }
+std::string length_said(BodySpec const&, double value) { return fmt::format("similarity.length {:.4g}", value); }
+std::string slope_said(BodySpec const&, double value) { return fmt::format("slope {:.3g} deg", value); }
+std::string offset_said(BodySpec const& body, double value) {
+    return fmt::format("offset {:.4g} m is {:.2g} of half the width", body.body.offset_m(), value);
+}
+std::string frequency_said(BodySpec const&, double value) {
+    return fmt::format("pad.vertical_frequency {:g} Hz", value);
+}
+std::string strength_said(BodySpec const&, double value) { return fmt::format("pad.strength {:g} MPa", value); }
+
+constexpr std::string_view sizes =
+    "Check its unit (kg, t or lb?), base_width (the whole width) and centre_height (of the centre of gravity, not the "
+    "top)";
+constexpr std::string_view swapped = "Check that base_width and centre_height are not swapped, and their units";
+constexpr std::string_view its_unit = "Check it and its unit";
+constexpr std::string_view distribution = "Check its deviation: 0.05 of the mean for 5 %";
+
+using Range = UsualRange<BodySpec>;
+constexpr std::array body_ranges{
+    Range{&density_of_casks, 1200, 5000, &density_said, "casks 1500 to 4500", sizes},
+    Range{&density_of_models, 1200, 8000, &density_said, "concrete 2400, granite 2700, steel 7850", sizes},
+    Range{&gyration, least_gyration_share, 1.2, &gyration_said, "0.58 of a uniform block",
+          "Check its unit, or write \"uniform-block\""},
+    Range{&ratio_of_casks, 1, 3.5, &ratio_said, "casks 1.5 to 3",
+          "Check that centre_height is that of the centre of gravity, base_width the whole width, and that they are "
+          "not swapped"},
+    Range{&ratio_of_models, 0.8, 15, &ratio_said, "models of casks 1.5 to 3, slender test blocks 7 to 13", swapped},
+    Range{&of_housner, 0.7, 1.6, &restitution_said, "measured: 0.9 to 1.3 of it",
+          "State another, or \"housner\": one too low takes energy that a real body keeps"},
+    Range{&friction, 0.05, 1.2, &friction_said, "steel on concrete 0.2 to 0.8", "Check it"},
+    Range{&kinetic_share, 0.5, 1, &kinetic_said, "0.7 to 1", "Check it"},
+    Range{&gravity, 9.7, 9.9, &gravity_said, "9.78 to 9.83 on Earth", its_unit},
+    Range{&model_length, 0.02, 1, &length_said, "a model over its prototype, 1/10 to 1/2", "Check direction, and it"},
+    Range{&slope_deg, 0, 5, &slope_said, "floors 0 to 2", "Write its unit, \"1 deg\": a bare number is rad"},
+    Range{&offset_share, 0, 0.3, &offset_said, "casks less than 0.05", its_unit},
+    Range{&pad_frequency, 5, 500, &frequency_said, "of casks and models 20 to 100 Hz", its_unit},
+    Range{&pad_strength_mpa, 0.1, 300, &strength_said, "wood 5, concrete 20 to 60", its_unit},
+    Range{&scatter<&BodyScatter::mass>, 0, 0.2, &mass_said, "of a cask 1 to 5 %", distribution},
+    Range{&scatter<&BodyScatter::centre_height>, 0, 0.15, &height_said, "of a cask 1 to 5 %", distribution},
+    Range{&scatter<&BodyScatter::restitution>, 0, 0.3, &bounce_said, "5 to 15 %", distribution},
+    Range{&scatter<&BodyScatter::friction>, 0, 0.5, &grip_said, "10 to 30 %", distribution}};
+
+}  // namespace
+
+std::vector<std::string> warnings_of(BodySpec const& body) {
+    auto lines = unusual(body, std::span<Range const>(body_ranges));
+    for (auto& line : lines) {
+        line = body.name + ": " + line;
+    }
+    return lines;
+}
+
+}  // namespace overturn

@@ -1,0 +1,128 @@
+// Requirement R-904: what is stated of a body, its waves or its levels and hardly meant is a line of one table; what is
+// usual gets none.
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "campaign/warnings.hpp"
+#include "support/campaigns.hpp"
+
+namespace overturn {
+namespace {
+
+struct Stated {
+    std::string mass = "'138 t'", width = "3.4", height = "2.9", more = {};
+};
+
+std::vector<std::string> of_body(Stated const& body) {
+    return warnings_of(
+        testing::campaign_from(testing::quick_waves
+                               + fmt::format("[[bodies]]\nname='cask'\nmass={}\nbase_width={}\ncentre_height={}\n"
+                                             "inertia='uniform-block'\n{}\n",
+                                             body.mass, body.width, body.height, body.more)
+                               + testing::levels("values=[3]\n"))
+            .bodies.front());
+}
+
+void expect_told(std::vector<std::string> const& lines, std::string const& part) {
+    EXPECT_TRUE(
+        std::ranges::any_of(lines, [&](std::string const& line) { return line.find(part) != std::string::npos; }))
+        << "no '" << part << "' in: " << fmt::format("{}", lines.empty() ? "nothing" : lines.front());
+}
+
+// Casks of 30 to 180 t as they are built, a model, a test block; in any unit.
+TEST(Plausible, UsualBodiesGetNoLine) {
+    for (auto const& body : std::vector<Stated>{{},
+                                                {"'118 t'", "2.4", "2.55"},
+                                                {"'163 t'", "3.37", "3.0"},
+                                                {"'304000 lb'", "'11 ft'", "'114 in'"},
+                                                {"'12.6 t'", "0.9", "1.045"},
+                                                {"'138 t'", "3.4", "2.9", "friction={static=0.5, kinetic_ratio=0.9}"},
+                                                {"'138 t'", "3.4", "2.9", "slope='1 deg'\naxes=1"}}) {
+        auto const lines = of_body(body);
+        EXPECT_TRUE(lines.empty()) << body.mass << ' ' << body.width << ": " << lines.front();
+    }
+}
+
+TEST(Plausible, SlipsInABodyGetOne) {
+    expect_told(of_body({"'138 t'", "1.7", "2.9"}), "kg/m3");
+    expect_told(of_body({"'118 t'", "2.4", "5.1"}), "over half the width is 4.25 (casks 1.5 to 3)");  // the full height
+    expect_told(of_body({"'138 t'", "3.4", "1.45"}), "over half the width is 0.853");
+    expect_told(of_body({"'138 t'", "5.8", "1.7", "restitution=0.3"}), "over half the width is 0.586");
+    expect_told(of_body({"260000", "2.4", "2.55"}), "kg, t or lb?");  // pounds as a bare number
+    expect_told(of_body({"'138000 lb'", "3.4", "2.9"}), "kg, t or lb?");
+    expect_told(of_body({"138", "3.4", "2.9"}), "kg, t or lb?");
+    auto const with = [](std::string const& more) { return of_body({"'138 t'", "3.4", "2.9", more}); };
+    expect_told(with("restitution=0.05"), "of Housner's");
+    expect_told(with("friction=0.04"), "static friction 0.04");
+    expect_told(with("friction={static=0.5, kinetic=0.05}"), "kinetic friction is 0.1 of the static one");
+    expect_told(with("gravity=1"), "gravity 1 m/s2 (9.78 to 9.83 on Earth)");
+    expect_told(with("similarity={direction='to-model', length=2.5}"), "similarity.length 2.5");
+    expect_told(with("slope=0.2\naxes=1"), "slope 11.5 deg");
+    expect_told(with("offset=0.6\naxes=1"), "offset 0.6 m is 0.35 of half the width");
+    expect_told(with("pad={vertical_frequency=2}"), "pad.vertical_frequency 2 Hz");
+    expect_told(with("pad={strength='1000 MPa'}"), "pad.strength 1000 MPa");
+    expect_told(with("friction={distribution='lognormal', median=0.3, beta=0.8, high=1}"), "friction scatters by");
+    expect_told(of_body({"{distribution='normal', mean='138 t', deviation='50 t'}", "3.4", "2.9"}),
+                "mass scatters by 36");
+}
+
+std::vector<std::string> of_campaign(std::string const& waves, std::string const& levels = "values=[3]\n",
+                                     std::string const& more = {}) {
+    return warnings_of(testing::campaign_from(waves + testing::type_b + testing::levels(levels) + more));
+}
+std::string with(std::string const& before, std::string const& now) {
+    auto text = testing::quick_waves;
+    return text.replace(text.find(before), before.size(), now);
+}
+std::string const target = "spectrum='mlit-ch1'\ntime_scale=0.632";
+
+TEST(Plausible, KeysOutsideOfWhatIsUsualGetALine) {
+    expect_told(of_campaign("[waves]\nsource='spectrum-compatible'\ncount=1\nduration='1.28 s'\nmatch='none'\n"
+                            "[waves.target]\nspectrum='mlit-ch1'\n"),
+                "waves.duration 1.28 s (earthquakes shake for");
+    expect_told(of_campaign(with(target, "spectrum='rg-1.60'\npga=0.3")), "waves.target.pga 0.3 (design earthquakes");
+    expect_told(of_campaign(with(target, "points=[[0.05,5],[2,5]]\nkind='acceleration'\ndamping=0.5")),
+                "waves.target.damping 0.5");
+    expect_told(of_campaign(with("time_scale=0.632", "time_scale=6.32")), "waves.target.time_scale 6.32");
+    expect_told(of_campaign(testing::quick_waves + "[waves.vertical]\nratio=6.67\n"), "waves.vertical.ratio 6.67");
+    expect_told(of_campaign(testing::quick_waves + "[waves.transverse]\nratio=0.1\n"), "waves.transverse.ratio 0.1");
+    expect_told(of_campaign(testing::quick_waves, "values=[3]\n", "[statistics]\nconfidence=0.05\n"),
+                "statistics.confidence 0.05 (0.9 or 0.95). Check it");
+    expect_told(of_campaign(testing::quick_waves, "values=[3]\n", "[measures]\nslid_from=1\n"),
+                "measures.slid_from 1 (1 mm)");
+    for (auto const& line : of_campaign(testing::quick_waves + "[waves.vertical]\nratio=0.667\n", "values=[3]\n",
+                                        "[statistics]\nconfidence=0.9\n[measures]\nslid_from='2 mm'\n")) {
+        EXPECT_EQ(line.find("Check it and its unit"), std::string::npos) << line;
+    }
+}
+
+// RG 1.60 prints its vertical spectra for the horizontal pga: reduced once more they err to the unsafe side.
+TEST(Plausible, VerticalTargetsThatAreNoneGetALine) {
+    auto const lines = [](std::string const& vertical) {
+        return of_campaign(with(target, "spectrum='rg-1.60'\npga='0.3 g'") + "[waves.vertical.target]\n" + vertical);
+    };
+    expect_told(lines("spectrum='rg-1.60'\npga='0.3 g'\n"), "the horizontal spectrum itself");
+    expect_told(lines("spectrum='rg-1.60-vertical'\npga='0.2 g'\n"), "0.667 times the horizontal pga (RG 1.60 prints");
+    for (auto const* sound : {"spectrum='rg-1.60'\npga='0.2 g'\n", "spectrum='rg-1.60-vertical'\npga='0.3 g'\n",
+                              "spectrum='rg-1.60-vertical'\n"}) {
+        for (auto const& line : lines(sound)) {
+            EXPECT_EQ(line.find("waves.vertical"), std::string::npos) << line;
+        }
+    }
+}
+
+TEST(Plausible, LevelsInAnotherUnitOrOrderGetALine) {
+    auto const lines = [](std::string const& levels) { return of_campaign(testing::quick_waves, levels); };
+    expect_told(lines("values=['30 g']\n"),
+                "levels up to pga 294.2 m/s2 = 29420 gal (the strongest records stay below 5 g). "
+                "Check the unit, g");
+    expect_told(lines("values=['0.3 gal', '0.6 gal']\n"), "levels up to pga 0.6 gal (casks do not move below 20 gal)");
+    expect_told(lines("values=['0.3 g', '0.6 g', '0.09 g']\n"), "level 0.09 g is listed behind 0.6 g");
+    for (auto const& line : lines("values=['0.1 g', '0.3 g', '0.6 g']\ndesign_basis='0.2 g'\n")) {
+        EXPECT_EQ(line.find("level"), std::string::npos) << line;
+    }
+}
+
+}  // namespace
+}  // namespace overturn
