@@ -11,6 +11,7 @@
 #include <gsl/gsl_randist.h>
 
 #include "core/random_stream.hpp"
+#include "stats/fragility.hpp"
 #include "support/tolerance.hpp"
 
 namespace overturn {
@@ -86,8 +87,30 @@ INSTANTIATE_TEST_SUITE_P(Tables, FalseAlarms,
                                            Design{40, 2, false}, Design{40, 3, false}, Design{40, 5, false},
                                            Design{12, 40, false}, Design{5, 100, false}, Design{100, 100, false},
                                            Design{10, 40, true}, Design{50, 40, true}, Design{200, 40, true},
-                                           Design{25, 100, true}, Design{200, 100, true}),
+                                           Design{25, 100, true}, Design{200, 100, true}, Design{5, 3, true},
+                                           Design{10, 3, true}, Design{10, 5, true}, Design{50, 5, true},
+                                           Design{20, 10, true}),
                          [](auto const& info) { return name_of(info.param); });
+
+// Few waves are no fault of a curve: neither poor nor doubtful at 5 % for want of them alone.
+TEST(FewWaves, RaiseNoAlarmAboutTheCurve) {
+    constexpr std::uint64_t tables = 60;
+    for (auto const& design : {Design{5, 3, true}, Design{10, 5, true}, Design{25, 5, true}, Design{10, 10, true}}) {
+        int poor = 0, doubtful = 0, few = 0;
+        for (std::uint64_t r = 0; r < tables; ++r) {
+            FragilityRequest request;
+            request.bootstrap = {r, 0, 199};
+            auto const fit = fit_fragility(drawn(design, 1000 + r), request);
+            poor += has(fit.flags, FragilityFlag::poor_fit) ? 1 : 0;
+            doubtful += has(fit.flags, FragilityFlag::five_percent_doubtful) ? 1 : 0;
+            few += has(fit.flags, FragilityFlag::few_waves) ? 1 : 0;
+        }
+        constexpr int by_chance = 8;  // of 60 at 5 %: more come once in a hundred times
+        EXPECT_LE(poor, by_chance) << name_of(design);
+        EXPECT_LE(doubtful, by_chance) << name_of(design);
+        EXPECT_GT(few, 0) << name_of(design) << ": it says that they are few";
+    }
+}
 
 // For tests/coverage/false_alarms.py: OVERTURN_FALSE_ALARMS=N prints how often, of N tables of shared waves.
 TEST(FalseAlarmTable, OfSharedWaves) {
