@@ -123,8 +123,12 @@ void print_text(BodySpec const& spec, PlacedRecord const& record, Drift const& d
             continue;
         }
         for (auto const& field : traits->fields) {
-            fmt::print("{:<25}{} {}: {}\n", field.name, value_json(own.subspan(offset), field).dump(),
-                       field.units == "1" ? "" : field.units, field.description);
+            auto const values = own.subspan(offset);
+            auto const degrees = field.units == "rad" && std::isfinite(real_at(values, field))
+                                     ? fmt::format(" = {:.4g} deg", real_at(values, field) * 180 / pi)
+                                     : std::string();
+            fmt::print("{:<25}{} {}{}: {}\n", field.name, value_json(values, field).dump(),
+                       field.units == "1" ? "" : field.units, degrees, field.description);
         }
     }
 }

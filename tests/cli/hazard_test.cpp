@@ -106,5 +106,23 @@ TEST_F(HazardOfTables, AStatedCurveStatesItsUnit) {
     EXPECT_NE(said.out.find("5 % point 0.5494 g"), std::string::npos) << said.out;
 }
 
+// what is hardly meant is a line wherever the number stands, a slip is refused.
+TEST_F(HazardOfTables, WhatIsHardlyMeantIsALine) {
+    refuse({"--median", "0.9 g", "--beta", "30"}, "--beta: 30 (more than 5");
+    refuse({"--median", "0.9 g", "--beta", "0.4", "--beta-u", "30"}, "--beta-u: 30 (more than 5");
+    write_stripes("pga [g]");
+    refuse({"--stripes", "t.csv", "--beta-u", "30"}, "--beta-u: 30 (more than 5");
+    auto const wide = std::string("note: beta_U 3 divides HCLPF by 139");
+    for (auto const& curve : {std::vector<std::string>{"--median", "0.9 g", "--beta", "0.4"}, {"--stripes", "t.csv"}}) {
+        EXPECT_NE(overturn(folder, joined({"fit", "--beta-u", "3"}, curve)).out.find(wide), std::string::npos);
+        EXPECT_EQ(overturn(folder, joined({"fit", "--beta-u", "0.3"}, curve)).out.find("divides"), std::string::npos);
+    }
+    folder.write("often.csv", "pga [g], annual_exceedance\n0.1,1000\n0.5,1e-3\n2,1e-6\n");
+    auto const often = overturn(folder, {"fit", "--stripes", "t.csv", "--hazard", "often.csv"}).out;
+    EXPECT_NE(often.find("note: hazard curve: it begins at 1e+03 exceedances a year"), std::string::npos) << often;
+    EXPECT_EQ(answer({"--stripes", "t.csv", "--hazard", "often.csv"})["hazard_notes"].size(), 1U);
+    EXPECT_EQ(answer({"--stripes", "t.csv", "--hazard", "two.csv"})["hazard_notes"].size(), 0U);
+}
+
 }  // namespace
 }  // namespace overturn::testing

@@ -1,5 +1,6 @@
 // Requirement R-903: what the verbs print keeps its keys and columns; scripts depend on them.
 #include <cmath>
+#include <cstdio>
 #include <sstream>
 
 #include <nlohmann/json.hpp>
@@ -53,6 +54,24 @@ std::string sine_csv() {
         text << i * 0.01 << ',' << (i <= 100 ? 0.5 * std::sin(2 * 3.14159265358979 * i * 0.01) : 0.0) << '\n';
     }
     return text.str();
+}
+
+// An angle has its degrees beside it, those of models in space too.
+TEST_F(Verbs, RockTellsAnglesInDegrees) {
+    folder.write("sine.csv", sine_csv());
+    folder.write("round.toml",
+                 "mass='12.6 t'\nbase_width='0.9 m'\ncentre_height='1.045 m'\ninertia='uniform-block'\n"
+                 "friction=0.5\nbase={shape='round'}\n");
+    auto const told = done({"rock", "--body", "round.toml", "--wave", "sine.csv", "--unit", "g"}).out;
+    double rotation = 0, degrees = 0;
+    ASSERT_EQ(
+        std::sscanf(told.c_str() + told.find("peak rotation"), "peak rotation %lf rad = %lf deg", &rotation, &degrees),
+        2)
+        << told;
+    EXPECT_NEAR(degrees, rotation * 180 / 3.14159265358979, 1e-3 * degrees);
+    auto const yaw = told.find("peak_yaw");
+    ASSERT_NE(yaw, std::string::npos) << told;
+    EXPECT_NE(told.substr(yaw, told.find(':', yaw) - yaw).find(" rad = "), std::string::npos) << told;
 }
 
 TEST_F(Verbs, RockJson) {

@@ -112,7 +112,7 @@ TEST_F(Warnings, InertiaOfThreeKilogramSquareMetres) {
 
 TEST_F(Warnings, MassOf138Kilogram) {
     auto const light = "mass=138\nbase_width='3.4 m'\ncentre_height='2.6 m'\ninertia='uniform-block'\n";
-    expect_said(records_campaign("pga", "'300 gal'", light), {"b: mass 138 kg", "2.3 kg/m3", "kg or t?"});
+    expect_said(records_campaign("pga", "'300 gal'", light), {"b: mass 138 kg", "2.3 kg/m3", "kg, t or lb?"});
 }
 
 TEST_F(Warnings, PgvOf5000Kine) {
