@@ -14,12 +14,13 @@ double positive(double value, char const* what, char const* unit, char const* re
     return value;
 }
 
-double checked_restitution(std::optional<double> const& stated, double housner) {
+double checked_restitution(BodyInput const& in, double housner) {
+    auto const& stated = in.restitution;
     if (!stated) {
         validate(housner >= 0,
-                 "Housner's restitution is {:.4g} (the body is so squat that it would rebound at a base impact). State "
-                 "a restitution from 0 to 1",
-                 housner);
+                 "Housner's restitution is {:.4g} (half width {:.4g} m, centre height {:.4g} m: so squat that the body "
+                 "would rebound at a base impact). State a restitution from 0 to 1, or mend the sizes",
+                 housner, in.half_width_m, in.centre_height_m);
         return housner;
     }
     validate(*stated >= 0 && *stated <= 1,
@@ -80,7 +81,7 @@ RigidBody::RigidBody(BodyInput const& in)
       p_radps_(std::sqrt(mass_kg_ * gravity_mps2_ * radius_m_ / corner_inertia_kgm2_)),
       inertia_ratio_(mass_kg_ * radius_m_ * radius_m_ / corner_inertia_kgm2_),
       housner_restitution_(1 - 2 * mass_kg_ * half_width_m_ * half_width_m_ / corner_inertia_kgm2_),
-      restitution_(checked_restitution(in.restitution, housner_restitution_)),
+      restitution_(checked_restitution(in, housner_restitution_)),
       // R - h = b^2 / (R + h): the difference would lose a slender body's digits.
       limit_velocity_mps_(half_width_m_ * std::sqrt(2 * gravity_mps2_ / (radius_m_ + centre_height_m_))),
       uplift_acceleration_mps2_(gravity_mps2_ * half_width_m_ / centre_height_m_),
@@ -115,7 +116,7 @@ void RigidBody::stand_on_two_corners(BodyInput const& in) {
                  "offset of {:.6g} m (the centre of gravity would not lie over a base of half width {:.6g} m: it falls "
                  "by itself). Lower it",
                  offset_m_, half_width_m_);
-        c.restitution = checked_restitution(in.restitution, c.housner_restitution);
+        c.restitution = checked_restitution(in, c.housner_restitution);
     }
     check_corner(corners_[0], corners_[1], in);
     check_corner(corners_[1], corners_[0], in);

@@ -107,6 +107,8 @@ std::string inertia_text(RigidBody const& body) {
                    body.inertia_kgm2(), share);
 }
 
+constexpr double no_surface = 2;  // grips so
+
 // Every draw must be a body that cannot jam.
 void validate_draws(Table const& table, BodySpec const& spec) {
     auto const& height = spec.scatter.centre_height;
@@ -120,9 +122,10 @@ void validate_draws(Table const& table, BodySpec const& spec) {
         if (friction && friction->highest() >= bound) {
             table.fail("friction",
                        fmt::format("{:.6g} (from {:.6g} up a slipping corner may jam, Painleve's paradox, and rigid "
-                                   "sliding has no answer{}). Lower it{}, or leave it out: no slip",
+                                   "sliding has no answer{}). Lower it{}{}, or leave it out: no slip",
                                    friction->highest(), bound, inertia_text(body),
-                                   friction->scatters() ? " by its key high" : ""));
+                                   friction->scatters() ? " by its key high" : "",
+                                   friction->centre() > no_surface ? " (a coefficient: 0.5 for 50 %)" : ""));
         }
     }
 }

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "campaign/detail/limit_range.hpp"
-#include "campaign/limit_spec.hpp"
+#include "campaign/detail/limit_spec.hpp"
 #include "core/units.hpp"
 #include "core/usual_range.hpp"
 
@@ -110,6 +110,7 @@ void add_limits(CampaignSpec const& spec, Lines& lines) {
 }
 
 struct DrawnWave {
+    CampaignSpec const& spec;
     WaveRow const& row;
     GroundMotion const& motion;
 };
@@ -119,6 +120,23 @@ double vertical_share(DrawnWave const& wave) {
 }
 double step(DrawnWave const& wave) { return wave.motion.time_step_s; }
 
+// At the highest level, over the most that is plausible of the measure; of levels by it they tell.
+double of_most(DrawnWave const& wave, Measure measure, double value) {
+    auto const& levels = wave.spec.levels;
+    auto const scale = levels.scale(levels.levels.back(), wave.row);
+    bool const asked = scale && levels.measure != measure;
+    return asked ? value * *scale / measure->plausible.most : never;
+}
+double velocity_of_most(DrawnWave const& wave) { return of_most(wave, measure_named("pgv"), wave.row.pgv_mps); }
+double travel_of_most(DrawnWave const& wave) { return of_most(wave, measure_named("pgd"), wave.row.pgd_m); }
+std::string velocity_said(DrawnWave const& /*wave*/, double share) {
+    return fmt::format("wave 0 reaches {:.3g} m/s at the highest level", share * measure_named("pgv")->plausible.most);
+}
+std::string travel_said(DrawnWave const& /*wave*/, double share) {
+    return fmt::format("wave 0 moves the ground by {:.3g} m at the highest level",
+                       share * measure_named("pgd")->plausible.most);
+}
+
 std::string vertical_said(DrawnWave const& wave, double /*share*/) {
     return fmt::format("wave 0 is stronger vertically: {:.3g} m/s2 beside {:.3g} m/s2", wave.row.vertical_pga_mps2,
                        wave.row.pga_mps2);
@@ -127,6 +145,7 @@ std::string step_said(DrawnWave const& /*wave*/, double step_s) {
     return fmt::format("time step of {:g} s: nothing above {:.3g} Hz is in the waves", step_s, 0.5 / step_s);
 }
 
+constexpr std::string_view of_slow = "Check the levels, and periods and their unit";
 constexpr double drawn_apart = 1.25;  // of one spectrum, by chance
 constexpr double rounding = 1e-9;
 constexpr std::array wave_ranges{
@@ -134,7 +153,9 @@ constexpr std::array wave_ranges{
                           "usual: half to two thirds, near a fault up to 1", "Check waves.vertical"},
     UsualRange<DrawnWave>{&step, 0, 0.02 + rounding, &step_said,
                           "spectra are stated to 33 or 50 Hz, pads and bodies move at 10 Hz and more",
-                          "State waves.time_step = \"0.01 s\""}};
+                          "State waves.time_step = \"0.01 s\""},
+    UsualRange<DrawnWave>{&velocity_of_most, 0, 1, &velocity_said, measure_named("pgv")->plausible.known, of_slow},
+    UsualRange<DrawnWave>{&travel_of_most, 0, 1, &travel_said, measure_named("pgd")->plausible.known, of_slow}};
 
 }  // namespace
 
@@ -148,9 +169,9 @@ std::vector<std::string> implausible_statements(CampaignSpec const& spec) {
 
 std::vector<std::string> implausible_wave(CampaignSpec const& spec, WaveRow const& row, GroundMotion const& motion) {
     // What was measured is as it is.
-    return spec.source->about().available
-               ? Lines{}
-               : unusual(DrawnWave{row, motion}, std::span<UsualRange<DrawnWave> const>(wave_ranges));
+    return spec.source->about().measured.empty()
+               ? unusual(DrawnWave{spec, row, motion}, std::span<UsualRange<DrawnWave> const>(wave_ranges))
+               : Lines{};
 }
 
 }  // namespace overturn

@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <variant>
 
 #include "campaign/detail/gyration.hpp"
 #include "campaign/warnings.hpp"
@@ -41,6 +42,31 @@ double slope_deg(BodySpec const& body) { return std::abs(body.stated.slope_rad) 
 double offset_share(BodySpec const& body) { return std::abs(body.body.offset_m()) / body.body.half_width_m(); }
 double pad_frequency(BodySpec const& body) {
     return body.footing.stated ? body.footing.pad.vertical_frequency_hz : does_not_apply;
+}
+double pad_bounce(BodySpec const& body) {
+    return body.footing.stated ? body.footing.pad.normal_restitution : does_not_apply;
+}
+double pad_shear(BodySpec const& body) {
+    return body.footing.stated ? body.footing.pad.tangential_ratio : does_not_apply;
+}
+double pad_damping(BodySpec const& body) {
+    return body.footing.stated ? body.footing.pad.tangential_damping : does_not_apply;
+}
+double inertia_across(BodySpec const& body) {
+    return body.footing.inertia_across_kgm2.value_or(does_not_apply) / body.body.inertia_kgm2();
+}
+double inertia_vertical(BodySpec const& body) {
+    return body.footing.inertia_vertical_kgm2.value_or(does_not_apply) / body.body.inertia_kgm2();
+}
+// Of a solid cylinder; a box may be of any depth.
+double densest_part(BodySpec const& body) {
+    double densest = does_not_apply;
+    for (auto const& part : body.parts) {
+        if (auto const* const c = std::get_if<Cylinder>(&part); c != nullptr && c->height_m > 0) {
+            densest = std::fmax(densest, c->mass_kg / (pi * c->radius_m * c->radius_m * c->height_m));
+        }
+    }
+    return densest;
 }
 double pad_strength_mpa(BodySpec const& body) { return body.footing.pad.strength_pa.value_or(does_not_apply) / 1e6; }
 
@@ -88,6 +114,16 @@ std::string offset_said(BodySpec const& body, double value) {
 std::string frequency_said(BodySpec const&, double value) {
     return fmt::format("pad.vertical_frequency {:g} Hz", value);
 }
+std::string bouncing_said(BodySpec const&, double value) { return fmt::format("pad.normal_restitution {:g}", value); }
+std::string shear_said(BodySpec const&, double value) { return fmt::format("pad.tangential_ratio {:g}", value); }
+std::string damping_said(BodySpec const&, double value) { return fmt::format("pad.tangential_damping {:g}", value); }
+std::string across_said(BodySpec const&, double value) {
+    return fmt::format("inertia_y is {:.3g} of the inertia in the rocking plane", value);
+}
+std::string vertical_said(BodySpec const&, double value) {
+    return fmt::format("inertia_z is {:.3g} of the inertia in the rocking plane", value);
+}
+std::string part_said(BodySpec const&, double value) { return fmt::format("a cylinder of {:.4g} kg/m3", value); }
 std::string strength_said(BodySpec const&, double value) { return fmt::format("pad.strength {:g} MPa", value); }
 
 constexpr std::string_view sizes =
@@ -97,35 +133,42 @@ constexpr std::string_view swapped = "Check that base_width and centre_height ar
 constexpr std::string_view its_unit = "Check it and its unit";
 constexpr std::string_view distribution = "Check its deviation: 0.05 of the mean for 5 %";
 
-using Range = UsualRange<BodySpec>;
+using OfBody = UsualRange<BodySpec>;
 constexpr std::array body_ranges{
-    Range{&density_of_casks, 1200, 5000, &density_said, "casks 1500 to 4500", sizes},
-    Range{&density_of_models, 1200, 8000, &density_said, "concrete 2400, granite 2700, steel 7850", sizes},
-    Range{&gyration, least_gyration_share, 1.2, &gyration_said, "0.58 of a uniform block",
-          "Check its unit, or write \"uniform-block\""},
-    Range{&ratio_of_casks, 1, 3.5, &ratio_said, "casks 1.5 to 3",
-          "Check that centre_height is that of the centre of gravity, base_width the whole width, and that they are "
-          "not swapped"},
-    Range{&ratio_of_models, 0.8, 15, &ratio_said, "models of casks 1.5 to 3, slender test blocks 7 to 13", swapped},
-    Range{&of_housner, 0.7, 1.6, &restitution_said, "measured: 0.9 to 1.3 of it",
-          "State another, or \"housner\": one too low takes energy that a real body keeps"},
-    Range{&friction, 0.05, 1.2, &friction_said, "steel on concrete 0.2 to 0.8", "Check it"},
-    Range{&kinetic_share, 0.5, 1, &kinetic_said, "0.7 to 1", "Check it"},
-    Range{&gravity, 9.7, 9.9, &gravity_said, "9.78 to 9.83 on Earth", its_unit},
-    Range{&model_length, 0.02, 1, &length_said, "a model over its prototype, 1/10 to 1/2", "Check direction, and it"},
-    Range{&slope_deg, 0, 5, &slope_said, "floors 0 to 2", "Write its unit, \"1 deg\": a bare number is rad"},
-    Range{&offset_share, 0, 0.3, &offset_said, "casks less than 0.05", its_unit},
-    Range{&pad_frequency, 5, 500, &frequency_said, "of casks and models 20 to 100 Hz", its_unit},
-    Range{&pad_strength_mpa, 0.1, 300, &strength_said, "wood 5, concrete 20 to 60", its_unit},
-    Range{&scatter<&BodyScatter::mass>, 0, 0.2, &mass_said, "of a cask 1 to 5 %", distribution},
-    Range{&scatter<&BodyScatter::centre_height>, 0, 0.15, &height_said, "of a cask 1 to 5 %", distribution},
-    Range{&scatter<&BodyScatter::restitution>, 0, 0.3, &bounce_said, "5 to 15 %", distribution},
-    Range{&scatter<&BodyScatter::friction>, 0, 0.5, &grip_said, "10 to 30 %", distribution}};
+    OfBody{&density_of_casks, 1200, 5000, &density_said, "casks 1500 to 4500", sizes},
+    OfBody{&density_of_models, 1200, 8000, &density_said, "concrete 2400, granite 2700, steel 7850", sizes},
+    OfBody{&gyration, least_gyration_share, 1, &gyration_said,
+           "0.58 of a uniform block about its centre of gravity, 1.15 about its corner",
+           "Check its axis and unit, or write \"uniform-block\""},
+    OfBody{&ratio_of_casks, 1, 3.5, &ratio_said, "casks 1.5 to 3",
+           "Check that centre_height is that of the centre of gravity, base_width the whole width, and that they are "
+           "not swapped"},
+    OfBody{&ratio_of_models, 0.8, 15, &ratio_said, "models of casks 1.5 to 3, slender test blocks 7 to 13", swapped},
+    OfBody{&of_housner, 0.7, 1.6, &restitution_said, "measured: 0.9 to 1.3 of it",
+           "State another, or \"housner\": one too low takes energy that a real body keeps"},
+    OfBody{&friction, 0.05, 1.2, &friction_said, "steel on concrete 0.2 to 0.8", "Check it"},
+    OfBody{&kinetic_share, 0.5, 1, &kinetic_said, "0.7 to 1", "Check it"},
+    OfBody{&gravity, 9.7, 9.9, &gravity_said, "9.78 to 9.83 on Earth", its_unit},
+    OfBody{&model_length, 0.02, 1, &length_said, "a model over its prototype, 1/10 to 1/2", "Check direction, and it"},
+    OfBody{&slope_deg, 0, 5, &slope_said, "floors 0 to 2", "Write its unit, \"1 deg\": a bare number is rad"},
+    OfBody{&offset_share, 0, 0.3, &offset_said, "casks less than 0.05", its_unit},
+    OfBody{&pad_frequency, 5, 500, &frequency_said, "of casks and models 20 to 100 Hz", its_unit},
+    OfBody{&pad_strength_mpa, 0.1, 300, &strength_said, "wood 5, concrete 20 to 60", its_unit},
+    OfBody{&pad_bounce, 0, 0.8, &bouncing_said, "0.1 to 0.5 in a flat drop", "Check it"},
+    OfBody{&pad_shear, 0.3, 3, &shear_said, "0.7 to 1 by the theory of contact", "Check it"},
+    OfBody{&pad_damping, 0, 1, &damping_said, "a fraction of critical: 0.3 for 30 %", "Check it"},
+    OfBody{&inertia_across, 0.2, 5, &across_said, "1 of a round or square body", its_unit},
+    OfBody{&inertia_vertical, 0.05, 5, &vertical_said, "0.2 to 0.6 of a cask", its_unit},
+    OfBody{&densest_part, 0, 9000, &part_said, "steel 7850, solid", "Check its unit, and diameter (not the radius)"},
+    OfBody{&scatter<&BodyScatter::mass>, 0, 0.2, &mass_said, "of a cask 1 to 5 %", distribution},
+    OfBody{&scatter<&BodyScatter::centre_height>, 0, 0.15, &height_said, "of a cask 1 to 5 %", distribution},
+    OfBody{&scatter<&BodyScatter::restitution>, 0, 0.3, &bounce_said, "5 to 15 %", distribution},
+    OfBody{&scatter<&BodyScatter::friction>, 0, 0.5, &grip_said, "10 to 30 %", distribution}};
 
 }  // namespace
 
 std::vector<std::string> warnings_of(BodySpec const& body) {
-    auto lines = unusual(body, std::span<Range const>(body_ranges));
+    auto lines = unusual(body, std::span<OfBody const>(body_ranges));
     for (auto& line : lines) {
         line = body.name + ": " + line;
     }

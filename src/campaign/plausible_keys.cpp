@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "campaign/detail/plausible.hpp"
@@ -8,6 +9,8 @@
 
 namespace overturn {
 namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// A key of a campaign that is a number, wherever tables of that name lie, and where it usually is [SI].
 struct UsualKey {
@@ -23,13 +26,15 @@ constexpr std::array usual_keys{
     UsualKey{"waves.target.scale", 0.05, 10, "1"},
     UsualKey{"target.damping", 0.005, 0.2, "0.05 of design spectra"},
     UsualKey{"target.stated_damping", 0.005, 0.2, "0.05 of design spectra"},
-    UsualKey{"waves.target.time_scale", 0.2, 2, "1, or the root of a model's length: 0.632 of 2/5"},
+    UsualKey{"waves.target.time_scale", 0.2, 1.2, "1, or the root of a model's length: 0.632 of 2/5"},
     UsualKey{"waves.time_scale", 0.2, 2, "1, or the root of a model's length: 0.632 of 2/5"},
     UsualKey{"waves.match_tolerance", 0, 0.2, "0.05"},
     UsualKey{"waves.vertical.ratio", 0.1, 1, "half to two thirds, near a fault up to 1"},
     UsualKey{"waves.transverse.ratio", 0.3, 1.5, "horizontal components are much alike"},
+    UsualKey{"waves.transverse.correlation", -0.3, 0.3, "independent components stay within 0.16"},
+    UsualKey{"waves.cycles", 1, 500, "an earthquake has some tens"},
     UsualKey{"waves.aftershock.scale", 0.1, 1.5, "half to 1"},
-    UsualKey{"waves.rms", 0.1, 10, "0.02 to 0.4 g"},
+    UsualKey{"waves.rms", 0.15, 10, "0.02 to 0.4 g"},
     UsualKey{"waves.ground_frequency", 0.3, 15, "0.5 Hz of soft soil to 10 Hz of rock"},
     UsualKey{"waves.ground_damping", 0.1, 1.5, "0.2 to 0.9"},
     UsualKey{"waves.variability.sigma", 0.05, 1.2, "0.5 to 0.8 of recorded spectra"},
@@ -38,6 +43,8 @@ constexpr std::array usual_keys{
     UsualKey{"baseline.high_pass", 0.005, 0.5, "0.02 to 0.2 Hz: slower motion, which rocks casks, is taken off"},
     UsualKey{"measures.slid_from", 1e-5, 0.05, "1 mm"},
     UsualKey{"measures.rocked_from", 1e-5, 0.05, "1 mm"},
+    UsualKey{"statistics.target_half_width", 1e-4, 0.25, "0.02 to 0.1"},
+    UsualKey{"statistics.target_median_half_width", 1e-4, 0.25, "0.05 to 0.2"},
     UsualKey{"statistics.confidence", 0.5, 0.999, "0.9 or 0.95"}};
 
 // "waves.records[0].baseline.high_pass" is of the entry "baseline.high_pass".
@@ -51,9 +58,10 @@ void add_keys(CampaignSpec const& spec, std::vector<std::string>& lines) {
     for (auto const& input : spec.inputs) {
         auto const usual =
             std::ranges::find_if(usual_keys, [&](UsualKey const& entry) { return is_of(input.key, entry.key); });
-        double const value = input.number.value_or(std::numeric_limits<double>::quiet_NaN());
+        double const value = input.number.value_or(nothing);
         if (usual != usual_keys.end() && is_stated(input) && (value < usual->low || value > usual->high)) {
-            lines.push_back(fmt::format("{} {} ({}). Check it and its unit", input.key, input.text, usual->known));
+            lines.push_back(fmt::format("{} {} ({}). Check it{}", input.key, input.text, usual->known,
+                                        input.dimension == Dimension::none ? "" : " and its unit"));
         }
     }
 }
@@ -67,42 +75,74 @@ std::string_view word_of(CampaignSpec const& spec, std::string_view key) {
     return input == nullptr ? std::string_view() : std::string_view(input->text);
 }
 
-// The vertical target's pga over the horizontal one's, where both are of these spectra.
-double vertical_share(CampaignSpec const& spec, bool of_one_spectrum) {
-    auto const across = word_of(spec, "waves.target.spectrum");
-    auto const up = word_of(spec, "waves.vertical.target.spectrum");
-    bool const both = of_one_spectrum ? across == up : across == "rg-1.60" && up == "rg-1.60-vertical";
-    double const share = stated_number(spec, "waves.vertical.target.pga") / stated_number(spec, "waves.target.pga");
-    return both && !across.empty() ? share : std::numeric_limits<double>::quiet_NaN();
+double ratio_of(CampaignSpec const& spec, std::string_view key, double where_neither) {
+    double const up = stated_number(spec, fmt::format("waves.vertical.target.{}", key));
+    double const across = stated_number(spec, fmt::format("waves.target.{}", key));
+    return std::isnan(up) ? where_neither : up / across;
 }
-double same_spectrum(CampaignSpec const& spec) { return vertical_share(spec, true); }
-double own_spectrum(CampaignSpec const& spec) { return vertical_share(spec, false); }
 
-std::string pga_said(CampaignSpec const& spec, double share) {
-    return fmt::format("waves.vertical.target is {} of pga {}, {:.3g} times the horizontal pga",
-                       word_of(spec, "waves.vertical.target.spectrum"), word_of(spec, "waves.vertical.target.pga"),
-                       share);
+// The vertical target over the horizontal one, where both are of one spectrum; a pga that is not stated is inherited.
+double same_spectrum(CampaignSpec const& spec) {
+    auto const across = word_of(spec, "waves.target.spectrum");
+    bool const both = !across.empty() && across == word_of(spec, "waves.vertical.target.spectrum");
+    return both ? ratio_of(spec, "pga", 1) * ratio_of(spec, "scale", 1) : nothing;
+}
+double own_spectrum(CampaignSpec const& spec) {
+    bool const both = word_of(spec, "waves.target.spectrum") == "rg-1.60"
+                      && word_of(spec, "waves.vertical.target.spectrum") == "rg-1.60-vertical";
+    return both ? ratio_of(spec, "pga", nothing) : nothing;
+}
+double vertical_as_horizontal(CampaignSpec const& spec) {
+    return word_of(spec, "waves.target.spectrum").ends_with("vertical") ? 1 : nothing;
+}
+double longest_of_compared(CampaignSpec const& spec) {
+    auto const compared = spec.source->about().compared_periods;
+    return compared ? stated_number(spec, "waves.target.longest") / compared->to_s : nothing;
+}
+double highest_of_basis(CampaignSpec const& spec) {
+    auto const& levels = spec.levels.levels;
+    auto const basis = std::ranges::find(levels, LevelClass::design_basis, &Level::purpose);
+    return basis == levels.end() ? nothing : levels.back().value / basis->value;
+}
+
+std::string target_said(CampaignSpec const& spec, double share) {
+    return fmt::format("waves.vertical.target is {}, {:.3g} times the horizontal one",
+                       word_of(spec, "waves.vertical.target.spectrum"), share);
+}
+std::string horizontal_said(CampaignSpec const& spec, double /*one*/) {
+    return fmt::format("waves.target is {}", word_of(spec, "waves.target.spectrum"));
+}
+std::string longest_said(CampaignSpec const& spec, double /*ratio*/) {
+    return fmt::format("waves.target.longest {}", word_of(spec, "waves.target.longest"));
+}
+std::string highest_said(CampaignSpec const& spec, double ratio) {
+    return fmt::format("the highest level, {}, is {:.3g} times the design basis",
+                       spec.levels.text(spec.levels.levels.back().value), ratio);
 }
 
 constexpr double close = 0.02;
-constexpr std::array target_ranges{
-    UsualRange<CampaignSpec>{&same_spectrum, 0.2, 0.9, &pga_said,
-                             "the horizontal spectrum itself; a vertical one is half to two thirds of it",
-                             "Name a vertical spectrum, or state waves.vertical.ratio"},
-    UsualRange<CampaignSpec>{&own_spectrum, 1 - close, 1 + close, &pga_said,
-                             "RG 1.60 prints its vertical spectra for the horizontal pga, already reduced",
-                             "Leave pga out: it is the horizontal one's"}};
+using OfCampaign = UsualRange<CampaignSpec>;
+constexpr std::array campaign_ranges{
+    OfCampaign{&same_spectrum, 0.2, 0.9, &target_said, "vertical motion is half to two thirds of the horizontal one",
+               "Name a vertical spectrum, or state waves.vertical.ratio"},
+    OfCampaign{&own_spectrum, 1 - close, 1 + close, &target_said,
+               "RG 1.60 prints its vertical spectra for the horizontal pga, already reduced",
+               "Leave pga out: it is the horizontal one's"},
+    OfCampaign{&vertical_as_horizontal, 0, 0, &horizontal_said, "a vertical spectrum, lower than the horizontal one",
+               "Name the horizontal spectrum"},
+    OfCampaign{&longest_of_compared, 0, 1 + close, &longest_said, "the target ends before it: nothing there is matched",
+               "Leave it out"},
+    OfCampaign{&highest_of_basis, 0, 15, &highest_said, "usual: up to 3, in studies 10", "Check the units of both"}};
 
 }  // namespace
 
 double stated_number(CampaignSpec const& spec, std::string_view key) {
     auto const* const input = input_of(spec, key);
-    return input == nullptr ? std::numeric_limits<double>::quiet_NaN()
-                            : input->number.value_or(std::numeric_limits<double>::quiet_NaN());
+    return input == nullptr ? nothing : input->number.value_or(nothing);
 }
 
 std::vector<std::string> implausible_keys(CampaignSpec const& spec) {
-    auto lines = unusual(spec, std::span<UsualRange<CampaignSpec> const>(target_ranges));
+    auto lines = unusual(spec, std::span<OfCampaign const>(campaign_ranges));
     add_keys(spec, lines);
     return lines;
 }

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "campaign/unsound.hpp"
+#include "campaign/detail/unsound.hpp"
 #include "campaign/warnings.hpp"
 #include "support/campaigns.hpp"
 #include "support/expect_input_error.hpp"

@@ -62,9 +62,28 @@ TEST(Plausible, SlipsInABodyGetOne) {
     expect_told(with("offset=0.6\naxes=1"), "offset 0.6 m is 0.35 of half the width");
     expect_told(with("pad={vertical_frequency=2}"), "pad.vertical_frequency 2 Hz");
     expect_told(with("pad={strength='1000 MPa'}"), "pad.strength 1000 MPa");
+    expect_told(with("pad={normal_restitution=0.95, match_restitution=false}"), "pad.normal_restitution 0.95");
+    expect_told(with("pad={tangential_ratio=80}"), "pad.tangential_ratio 80");
+    expect_told(with("pad={tangential_damping=30}"), "pad.tangential_damping 30 (a fraction of critical");
+    expect_told(with("inertia_y='5200 t m2'"), "inertia_y is 10 of");
+    expect_told(with("inertia_z='53200 t m2'"), "inertia_z is 102 of");
     expect_told(with("friction={distribution='lognormal', median=0.3, beta=0.8, high=1}"), "friction scatters by");
     expect_told(of_body({"{distribution='normal', mean='138 t', deviation='50 t'}", "3.4", "2.9"}),
                 "mass scatters by 36");
+}
+
+TEST(Plausible, InertiaAboutACornerAndRadiiForDiametersGetOne) {
+    auto const of = [](std::string const& keys) {
+        return warnings_of(testing::campaign_from(testing::quick_waves + "[[bodies]]\nname='cask'\nbase_width='3.4 m'\n"
+                                                  + keys + testing::levels("values=[3]\n"))
+                               .bodies.front());
+    };
+    std::string const whole = "mass='138 t'\ncentre_height='2.9 m'\ninertia=";
+    expect_told(of(whole + "'2080 t m2'\n"), "1.15 about its corner");
+    EXPECT_TRUE(of(whole + "'520 t m2'\n").empty());
+    std::string const part = "parts=[{kind='cylinder', mass='118 t', height='5.2 m', diameter=";
+    expect_told(of(part + "'1.2 m'}]\n"), "a cylinder of 2.006e+04 kg/m3 (steel 7850, solid)");
+    EXPECT_TRUE(of(part + "'2.4 m'}]\n").empty());
 }
 
 std::vector<std::string> of_campaign(std::string const& waves, std::string const& levels = "values=[3]\n",
@@ -91,9 +110,13 @@ TEST(Plausible, KeysOutsideOfWhatIsUsualGetALine) {
                 "statistics.confidence 0.05 (0.9 or 0.95). Check it");
     expect_told(of_campaign(testing::quick_waves, "values=[3]\n", "[measures]\nslid_from=1\n"),
                 "measures.slid_from 1 (1 mm)");
+    expect_told(of_campaign(testing::quick_waves + "[waves.transverse]\nratio=1\ncorrelation=0.9\n"),
+                "waves.transverse.correlation 0.9");
+    expect_told(of_campaign(testing::quick_waves, "values=[3]\n", "[statistics]\ntarget_half_width=0.45\n"),
+                "statistics.target_half_width 0.45");
     for (auto const& line : of_campaign(testing::quick_waves + "[waves.vertical]\nratio=0.667\n", "values=[3]\n",
                                         "[statistics]\nconfidence=0.9\n[measures]\nslid_from='2 mm'\n")) {
-        EXPECT_EQ(line.find("Check it and its unit"), std::string::npos) << line;
+        EXPECT_EQ(line.find("Check it"), std::string::npos) << line;
     }
 }
 
@@ -102,8 +125,11 @@ TEST(Plausible, VerticalTargetsThatAreNoneGetALine) {
     auto const lines = [](std::string const& vertical) {
         return of_campaign(with(target, "spectrum='rg-1.60'\npga='0.3 g'") + "[waves.vertical.target]\n" + vertical);
     };
-    expect_told(lines("spectrum='rg-1.60'\npga='0.3 g'\n"), "the horizontal spectrum itself");
-    expect_told(lines("spectrum='rg-1.60-vertical'\npga='0.2 g'\n"), "0.667 times the horizontal pga (RG 1.60 prints");
+    expect_told(lines("spectrum='rg-1.60'\npga='0.3 g'\n"), "1 times the horizontal one (vertical motion is half");
+    expect_told(lines("spectrum='rg-1.60'\n"), "waves.vertical.target is rg-1.60, 1 times the horizontal one");
+    expect_told(of_campaign(with(target, "spectrum='rg-1.60-vertical'\npga='0.3 g'")),
+                "waves.target is rg-1.60-vertical (a vertical spectrum, lower");
+    expect_told(lines("spectrum='rg-1.60-vertical'\npga='0.2 g'\n"), "0.667 times the horizontal one (RG 1.60 prints");
     for (auto const* sound : {"spectrum='rg-1.60'\npga='0.2 g'\n", "spectrum='rg-1.60-vertical'\npga='0.3 g'\n",
                               "spectrum='rg-1.60-vertical'\n"}) {
         for (auto const& line : lines(sound)) {
@@ -118,9 +144,37 @@ TEST(Plausible, LevelsInAnotherUnitOrOrderGetALine) {
                 "levels up to pga 294.2 m/s2 = 29420 gal (the strongest records stay below 5 g). "
                 "Check the unit, g");
     expect_told(lines("values=['0.3 gal', '0.6 gal']\n"), "levels up to pga 0.6 gal (casks do not move below 20 gal)");
+    expect_told(lines("values=['9 g']\ndesign_basis='0.3 g'\n"),
+                "the highest level, 9 g, is 30 times the design basis");
     expect_told(lines("values=['0.3 g', '0.6 g', '0.09 g']\n"), "level 0.09 g is listed behind 0.6 g");
     for (auto const& line : lines("values=['0.1 g', '0.3 g', '0.6 g']\ndesign_basis='0.2 g'\n")) {
         EXPECT_EQ(line.find("level"), std::string::npos) << line;
+    }
+}
+
+// Periods in another unit scale to the levels and move the ground as nothing does.
+TEST(Plausible, PeriodsInAnotherUnitGetALine) {
+    auto const lines = [](std::string const& periods) {
+        return of_campaign("[waves]\nsource='pulse'\nshape='one-sine'\namplitude='0.5 g'\nperiods=" + periods + "\n");
+    };
+    expect_told(lines("[50]"), "m/s at the highest level (the strongest records stay below 4 m/s)");
+    expect_told(lines("[50]"), "moves the ground by");
+    for (auto const& line : lines("['0.5 s', '2 s']")) {
+        EXPECT_EQ(line.find("wave 0"), std::string::npos) << line;
+    }
+}
+
+// A longest period beyond the target's end matches nothing.
+TEST(Plausible, LongestBeyondTheTargetGetsALine) {
+    auto const lines = [](std::string const& longest) {
+        auto waves = with("match='none'", "match='each'");
+        waves.replace(waves.find(target), target.size(),
+                      "points=[[0.05,5],[4,5]]\nkind='acceleration'\nlongest=" + longest);
+        return of_campaign(waves);
+    };
+    expect_told(lines("9"), "waves.target.longest 9 (the target ends before it");
+    for (auto const& line : lines("4")) {
+        EXPECT_EQ(line.find("waves.target.longest 4 "), std::string::npos) << line;
     }
 }
 

@@ -150,7 +150,8 @@ TEST(LimitState, AbsurdThresholdsAreTold) {
     auto const told = [](std::string const& above) {
         auto const lines =
             warnings_of(with_limits("[[limits]]\nname='t'\nquantity='peak_slip'\nabove=" + above + "\n"));
-        return std::ranges::any_of(lines, [](auto const& l) { return l.find("limit 't': peak_slip of 300 m") == 0; });
+        return std::ranges::any_of(
+            lines, [](auto const& l) { return l.find("limit 't': peak_slip above 300 m (bodies slide") == 0; });
     };
     EXPECT_TRUE(told("300"));
     EXPECT_FALSE(told("'300 mm'"));
