@@ -81,10 +81,10 @@ template <std::optional<Distribution> BodyScatter::*quantity> double scatter(Bod
 std::string scatter_text(std::string_view quantity, double share) {
     return fmt::format("{} scatters by {:.2g} % either way", quantity, 100 * share);
 }
-std::string mass_said(BodySpec const&, double share) { return scatter_text("mass", share); }
-std::string height_said(BodySpec const&, double share) { return scatter_text("centre_height", share); }
-std::string bounce_said(BodySpec const&, double share) { return scatter_text("restitution", share); }
-std::string grip_said(BodySpec const&, double share) { return scatter_text("friction", share); }
+std::string mass_said(BodySpec const& /*body*/, double share) { return scatter_text("mass", share); }
+std::string height_said(BodySpec const& /*body*/, double share) { return scatter_text("centre_height", share); }
+std::string bounce_said(BodySpec const& /*body*/, double share) { return scatter_text("restitution", share); }
+std::string grip_said(BodySpec const& /*body*/, double share) { return scatter_text("friction", share); }
 
 std::string density_said(BodySpec const& body, double value) {
     return fmt::format("mass {:.4g} kg in the box of base and centre height is {:.3g} kg/m3", body.body.mass_kg(),
@@ -101,30 +101,44 @@ std::string restitution_said(BodySpec const& body, double value) {
     return fmt::format("restitution {:.4g} is {:.2g} of Housner's for its shape, {:.4g}", body.body.restitution(),
                        value, body.body.housner_restitution());
 }
-std::string friction_said(BodySpec const&, double value) { return fmt::format("static friction {:.4g}", value); }
-std::string kinetic_said(BodySpec const&, double value) {
+std::string friction_said(BodySpec const& /*body*/, double value) {
+    return fmt::format("static friction {:.4g}", value);
+}
+std::string kinetic_said(BodySpec const& /*body*/, double value) {
     return fmt::format("kinetic friction is {:.2g} of the static one", value);
 }
-std::string gravity_said(BodySpec const&, double value) { return fmt::format("gravity {:.4g} m/s2", value); }
-std::string length_said(BodySpec const&, double value) { return fmt::format("similarity.length {:.4g}", value); }
-std::string slope_said(BodySpec const&, double value) { return fmt::format("slope {:.3g} deg", value); }
+std::string gravity_said(BodySpec const& /*body*/, double value) { return fmt::format("gravity {:.4g} m/s2", value); }
+std::string length_said(BodySpec const& /*body*/, double value) {
+    return fmt::format("similarity.length {:.4g}", value);
+}
+std::string slope_said(BodySpec const& /*body*/, double value) { return fmt::format("slope {:.3g} deg", value); }
 std::string offset_said(BodySpec const& body, double value) {
     return fmt::format("offset {:.4g} m is {:.2g} of half the width", body.body.offset_m(), value);
 }
-std::string frequency_said(BodySpec const&, double value) {
+std::string frequency_said(BodySpec const& /*body*/, double value) {
     return fmt::format("pad.vertical_frequency {:g} Hz", value);
 }
-std::string bouncing_said(BodySpec const&, double value) { return fmt::format("pad.normal_restitution {:g}", value); }
-std::string shear_said(BodySpec const&, double value) { return fmt::format("pad.tangential_ratio {:g}", value); }
-std::string damping_said(BodySpec const&, double value) { return fmt::format("pad.tangential_damping {:g}", value); }
-std::string across_said(BodySpec const&, double value) {
+std::string bouncing_said(BodySpec const& /*body*/, double value) {
+    return fmt::format("pad.normal_restitution {:g}", value);
+}
+std::string shear_said(BodySpec const& /*body*/, double value) {
+    return fmt::format("pad.tangential_ratio {:g}", value);
+}
+std::string damping_said(BodySpec const& /*body*/, double value) {
+    return fmt::format("pad.tangential_damping {:g}", value);
+}
+std::string across_said(BodySpec const& /*body*/, double value) {
     return fmt::format("inertia_y is {:.3g} of the inertia in the rocking plane", value);
 }
-std::string vertical_said(BodySpec const&, double value) {
+std::string vertical_said(BodySpec const& /*body*/, double value) {
     return fmt::format("inertia_z is {:.3g} of the inertia in the rocking plane", value);
 }
-std::string part_said(BodySpec const&, double value) { return fmt::format("a cylinder of {:.4g} kg/m3", value); }
-std::string strength_said(BodySpec const&, double value) { return fmt::format("pad.strength {:g} MPa", value); }
+std::string part_said(BodySpec const& /*body*/, double value) {
+    return fmt::format("a cylinder of {:.4g} kg/m3", value);
+}
+std::string strength_said(BodySpec const& /*body*/, double value) {
+    return fmt::format("pad.strength {:g} MPa", value);
+}
 
 constexpr std::string_view sizes =
     "Check its unit (kg, t or lb?), base_width (the whole width) and centre_height (of the centre of gravity, not the "
@@ -170,7 +184,7 @@ constexpr std::array body_ranges{
 std::vector<std::string> warnings_of(BodySpec const& body) {
     auto lines = unusual(body, std::span<OfBody const>(body_ranges));
     for (auto& line : lines) {
-        line = body.name + ": " + line;
+        line.insert(0, body.name + ": ");
     }
     return lines;
 }

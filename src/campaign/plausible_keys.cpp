@@ -56,7 +56,7 @@ bool is_stated(config::InputValue const& input) { return input.basis != config::
 
 void add_keys(CampaignSpec const& spec, std::vector<std::string>& lines) {
     for (auto const& input : spec.inputs) {
-        auto const usual =
+        auto const* const usual =
             std::ranges::find_if(usual_keys, [&](UsualKey const& entry) { return is_of(input.key, entry.key); });
         double const value = input.number.value_or(nothing);
         if (usual != usual_keys.end() && is_stated(input) && (value < usual->low || value > usual->high)) {

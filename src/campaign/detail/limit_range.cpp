@@ -61,8 +61,8 @@ constexpr std::array entries{
     Entry{"peak_energy_ratio", &none, &none, &unbounded, 1e-8, &one, any_give,
           "with the energy of critical uplift a body falls by itself"},
     Entry{"v_resp", &none, &none, &unbounded, 1e-4, &limit_velocity, any_give, falls_by_itself},
-    Entry{"friction_demand", &none, [](BodySpec const&) { return above_nothing; }, &unbounded, 0.01, &largest_grip,
-          any_shaking, "at its static coefficient a body slips, and no more is asked of the ground"},
+    Entry{"friction_demand", &none, [](BodySpec const& /*body*/) { return above_nothing; }, &unbounded, 0.01,
+          &largest_grip, any_shaking, "at its static coefficient a body slips, and no more is asked of the ground"},
     Entry{"min_contact_force_ratio", &one, &none, &one, 0, &one, {}, {}},
     Entry{"peak_contact_force_ratio", &one, &one, &unbounded, 1.01, &many_weights, any_shaking,
           "no pad presses with a thousand weights"},
@@ -79,8 +79,8 @@ constexpr std::array entries{
     Entry{"1", &none, &none, &unbounded, 0, &unbounded, {}, {}}};
 
 Entry const& entry_of(LimitQuantity const& quantity) {
-    auto const named = std::ranges::find(entries, quantity.name, &Entry::of);
-    auto const found = named == entries.end() ? std::ranges::find(entries, quantity.units, &Entry::of) : named;
+    auto const* const named = std::ranges::find(entries, quantity.name, &Entry::of);
+    auto const* const found = named == entries.end() ? std::ranges::find(entries, quantity.units, &Entry::of) : named;
     return found == entries.end() ? entries.back() : *found;
 }
 

@@ -40,9 +40,9 @@ constexpr std::array seldom_motions{SeldomMotion{"pga", 0.02 * g0, 3 * g0},
                                     SeldomMotion{"sa", 0.0005 * g0, 8 * g0}, SeldomMotion{"pgv", 0.005, 5}};
 
 SeldomMotion const* seldom_motion(Looked const& of) {
-    auto const known = std::ranges::find_if(
+    auto const* const known = std::ranges::find_if(
         seldom_motions, [&](SeldomMotion const& motion) { return of.measure.starts_with(motion.measure); });
-    return known == seldom_motions.end() ? nullptr : &*known;
+    return known == seldom_motions.end() ? nullptr : known;
 }
 
 enum class Side { low, high };
