@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "campaign/intensity_measure.hpp"
 #include "cli/command_line.hpp"
 #include "cli/fit_tables.hpp"
 #include "core/error.hpp"
@@ -56,11 +57,26 @@ struct StatedCurve {
     [[nodiscard]] double composite() const { return std::hypot(beta, beta_u); }
     [[nodiscard]] double five_percent_point() const { return at(five_percent_score * beta); }
     [[nodiscard]] double one_percent_point() const { return at(one_percent_score * composite()); }
-    [[nodiscard]] std::vector<std::string> warnings() const { return unusual_spread({beta, beta_u, true, beta_u > 0}); }
+    [[nodiscard]] std::vector<std::string> warnings() const;
     [[nodiscard]] std::optional<double> hclpf() const {
         return beta_u > 0 ? std::optional(at(five_percent_score * (beta + beta_u))) : std::nullopt;
     }
 };
+
+// A median that no motion reaches, or under which nothing stands, is in another unit.
+std::vector<std::string> StatedCurve::warnings() const {
+    auto lines = unusual_spread({beta, beta_u, true, beta_u > 0});
+    auto const* const like = measure_named(median.dimension == Dimension::acceleration ? "pga"
+                                           : median.dimension == Dimension::velocity   ? "pgv"
+                                                                                       : "pgd");
+    auto const& usual = like->plausible;
+    if (median.value > usual.most || median.value < usual.least) {
+        lines.push_back(fmt::format("median {} ({}, casks stand below {:g} {}). Check its unit",
+                                    median.unit.text(median.value), usual.known, usual.least / usual.unit_si,
+                                    usual.unit));
+    }
+    return lines;
+}
 
 std::string stated_text(StatedCurve const& curve) {
     auto const& unit = curve.median.unit;

@@ -110,6 +110,8 @@ TEST_F(HazardOfTables, AStatedCurveStatesItsUnit) {
 TEST_F(HazardOfTables, WhatIsHardlyMeantIsALine) {
     refuse({"--median", "0.9 g", "--beta", "30"}, "--beta: 30 (more than 5");
     refuse({"--median", "0.9 g", "--beta", "0.4", "--beta-u", "30"}, "--beta-u: 30 (more than 5");
+    auto const far = overturn(folder, {"fit", "--median", "90 g", "--beta", "0.4"});
+    EXPECT_NE(far.out.find("note: median 90 g (the strongest records stay below 5 g"), std::string::npos) << far.out;
     write_stripes("pga [g]");
     refuse({"--stripes", "t.csv", "--beta-u", "30"}, "--beta-u: 30 (more than 5");
     auto const wide = std::string("note: beta_U 3 divides HCLPF by 139");
