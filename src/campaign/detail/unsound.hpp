@@ -7,9 +7,8 @@
 
 namespace overturn {
 
-/// A level or a limit without a unit beside levels that have one; a limit that no trial can pass but by falling, or that
-/// every trial passes.
-/// \throws InputError at the key
+/// A level or a limit without a unit beside levels that have one; a limit that no trial can pass but by falling, or
+/// that every trial passes. \throws InputError at the key
 void refuse_unsound(CampaignInput const& input, CampaignSpec const& spec);
 
 }  // namespace overturn
