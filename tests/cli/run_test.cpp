@@ -51,7 +51,7 @@ TEST_F(Run, RanksDoNotMatterOnPoints) {
     }
     auto const other = bytes({OVERTURN_PROGRAM, "run", "c.toml", "-o", "o.h5", "--set", "seed=7"}, "o.h5");
     EXPECT_FALSE(alone == other);
-    auto const told = execute(folder, {OVERTURN_PROGRAM, "fit", "0.h5"});
+    auto const told = execute(folder, {OVERTURN_PROGRAM, "fit", "0.h5", "--full"});
     EXPECT_EQ(told.code, 0) << told.err;
     EXPECT_NE(told.out.find(" contact"), std::string::npos) << told.out;
     EXPECT_NE(told.out.find(" spatial"), std::string::npos) << told.out;
