@@ -104,8 +104,8 @@ constexpr std::array assumptions{
                     "Housner 1963", always},
     ModelAssumption{"one-plane", "the body moves in one vertical plane", Misjudged::unsafe,
                     "waves.transverse and bodies.axes",
-                    "overturned of 150, one axis and two: square on corners 4 and 4 (A), 93 and 103 (B); round 23 and "
-                    "96, 109 and 133",
+                    "overturned of 150, one axis and two: square on corners 4 and 4 (A), 93 and 103 (B); round 29 and "
+                    "120, 113 and 150",
                     "campaigns/multi_axis.toml", where_no_second_component},
     ModelAssumption{"no-vertical-motion", "the ground does not move vertically", Misjudged::unsafe,
                     "waves.vertical and bodies.axes",
