@@ -68,7 +68,7 @@ Dataset ResultsWriter::Growing::open(std::string const& path) const {
 }
 
 void ResultsWriter::Growing::lay_along(std::string const& where, Dataset const& dataset, std::string const& name,
-                                       std::string const& axis) {
+                                       std::string const& axis) const {
     if (axis.empty() || axis == name) {
         make_axis(dataset, name);
         return;

@@ -31,7 +31,8 @@ struct ResultsWriter::Growing {
     Dataset create(std::string const& where, Field const& spec, std::int64_t rows);
     [[nodiscard]] Dataset open(std::string const& path) const;
     /// \param axis of the group `where`, or a path; empty or the dataset's own name: itself
-    void lay_along(std::string const& where, Dataset const& dataset, std::string const& name, std::string const& axis);
+    void lay_along(std::string const& where, Dataset const& dataset, std::string const& name,
+                   std::string const& axis) const;
     /// The axis of a table whose rows are numbered.
     void number_rows(TableSpec const& spec, std::int64_t rows);
     void write_categories(Dataset const& dataset, Field const& spec, std::span<std::int64_t const> values,
