@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "store/detail/dataset_rows.hpp"
 #include "store/detail/growing_file.hpp"
 #include "store/detail/objects.hpp"
 #include "store/durable.hpp"
