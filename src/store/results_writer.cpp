@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <bit>
 #include <cstring>
 
 #include <fmt/format.h>
@@ -14,12 +13,6 @@
 #include "store/sha256.hpp"
 
 namespace overturn::store {
-
-namespace {
-
-static_assert(std::endian::native == std::endian::little);
-
-}  // namespace
 
 ResultsWriter::ResultsWriter(std::filesystem::path path) : path_(std::move(path)), growing_path_(path_) {
     growing_path_ += ".merging";

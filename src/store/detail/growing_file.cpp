@@ -1,6 +1,7 @@
 #include "store/detail/growing_file.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <numeric>
 
@@ -91,9 +92,10 @@ void ResultsWriter::Growing::number_rows(TableSpec const& spec, std::int64_t row
 void ResultsWriter::Growing::write_categories(Dataset const& dataset, Field const& spec,
                                               std::span<std::int64_t const> values, std::int64_t first,
                                               std::string const& name) {
+    static_assert(std::endian::native == std::endian::little, "the first bytes of a number are its low ones");
     auto const bytes = category_bytes(spec);
     std::vector<std::byte> categories(values.size() * bytes);
-    for (std::size_t i = 0; i < values.size(); ++i) {  // little-endian, here and there
+    for (std::size_t i = 0; i < values.size(); ++i) {  // little-endian, here and in the file
         std::memcpy(categories.data() + i * bytes, &values[i], bytes);
     }
     write_rows(dataset, types.of(file, spec), categories.data(), first, static_cast<std::int64_t>(values.size()), name);
