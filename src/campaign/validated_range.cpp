@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include <fmt/format.h>
+
+#include "core/texts_of.hpp"
 
 namespace overturn {
 namespace {
@@ -33,7 +36,7 @@ void add_outside(std::vector<std::string>& list, std::size_t place, double least
 std::span<ValidatedRange const> validated_ranges() { return tested; }
 
 std::vector<std::string> outside_validated_range(CampaignSpec const& spec) {
-    std::vector<std::string> lines;
+    TextsOf texts;
     for (auto const& body : spec.bodies) {
         std::vector<std::string> outside;
         add_outside(outside, of_alpha, body.body.alpha_rad(), body.body.alpha_rad());
@@ -47,23 +50,26 @@ std::vector<std::string> outside_validated_range(CampaignSpec const& spec) {
         if (body.footing.stated) {
             outside.emplace_back("base and pad (tested: blocks of uneven base, as two corners)");
         }
-        if (!outside.empty()) {
-            lines.push_back(fmt::format("{}: {}", body.name, fmt::join(outside, ", ")));
-        }
+        texts.add(fmt::format("{}", fmt::join(outside, ", ")), body.name);
+    }
+    std::vector<std::string> lines;
+    for (auto const& [text, names] : texts.entries()) {
+        lines.push_back(fmt::format("{}: {}", names_text(names), text));
     }
     return lines;
 }
 
-std::string validated_range_text(CampaignSpec const& spec) {
-    constexpr std::size_t most_told = 4;  // bodies
+std::string validated_range_text(CampaignSpec const& spec, std::size_t most) {
     constexpr char const* tests = "245 shaking-table tests of two granite blocks";
     auto const outside = outside_validated_range(spec);
-    return outside.empty()
-               ? fmt::format("all bodies lie within what {} hold", tests)
-               : fmt::format(
-                   "outside what {} hold, in {}{}", tests,
-                   fmt::join(std::span(outside).first(std::min(most_told, outside.size())), "; "),
-                   outside.size() > most_told ? fmt::format("; and {} bodies more", outside.size() - most_told) : "");
+    if (outside.empty()) {
+        return fmt::format("all bodies lie within what {} hold", tests);
+    }
+    auto const shown = std::min(most, outside.size());
+    return fmt::format("outside what {} hold, in {}{}", tests, fmt::join(std::span(outside).first(shown), "; "),
+                       shown == outside.size()
+                           ? std::string()
+                           : fmt::format("; and other bodies, in {} other ways", outside.size() - shown));
 }
 
 }  // namespace overturn

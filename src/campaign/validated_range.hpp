@@ -21,11 +21,12 @@ struct ValidatedRange {
 /// one component, no base that was measured to be flat, friction unknown.
 [[nodiscard]] std::span<ValidatedRange const> validated_ranges();
 
-/// "alpha 0.577 (tested: 0.08 to 0.14), ..." for each body that leaves the range: its name, and in which quantities.
+/// "type-a, type-b: alpha 0.577 (tested: 0.08 to 0.14), ...": bodies that leave the range in the same way together.
 /// Empty: all are inside.
 [[nodiscard]] std::vector<std::string> outside_validated_range(CampaignSpec const& spec);
 
 /// One line: what was tested, and which bodies lie outside in what.
-[[nodiscard]] std::string validated_range_text(CampaignSpec const& spec);
+/// \param most of such groups of bodies; further ones are counted
+[[nodiscard]] std::string validated_range_text(CampaignSpec const& spec, std::size_t most = 4);
 
 }  // namespace overturn

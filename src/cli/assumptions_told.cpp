@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/model_assumptions.hpp"
+#include "core/texts_of.hpp"
+#include "core/wrapped.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -53,10 +55,6 @@ Json input_json(InputValue const& input) {
             {"column", or_null(of_file, input.span.column)}};
 }
 
-std::string shortened(std::string const& text, std::size_t most) {
-    return text.size() <= most ? text : text.substr(0, most - 3) + "...";
-}
-
 }  // namespace
 
 std::string model_assumptions_text() {
@@ -98,30 +96,29 @@ Json assumptions_json(CampaignSpec const& spec) {
     return json;
 }
 
-std::string assumptions_lines(CampaignSpec const& spec) {
-    constexpr std::size_t most_lines = 12;
-    constexpr std::size_t most_letters = 60;
+std::string assumptions_lines(CampaignSpec const& spec, bool full) {
+    constexpr std::size_t most_keys = 4;
     auto const inputs = in_order_of_doubt(spec);
-    auto const tally = tally_of(inputs);
-    auto text = fmt::format("inputs    {}\n", text_of(tally));
-    std::size_t told = 0;
-    std::string unstated;
+    auto text = labelled("inputs", text_of(tally_of(inputs)));
+    std::vector<std::string> unstated, assumed;
     for (auto const& input : inputs) {
-        if (input.basis == Basis::not_stated && unstated.size() < 3 * most_letters) {
-            unstated += (unstated.empty() ? "" : ", ") + input.key;
-        } else if (input.basis == Basis::assumed && told++ < most_lines) {
-            text += fmt::format("assumed   {} = {}{}\n", input.key, shortened(input.text, most_letters),
-                                input.source.empty() ? "" : " (" + shortened(input.source, most_letters) + ")");
+        if (input.basis == Basis::not_stated) {
+            unstated.push_back(input.key);
+        } else if (input.basis == Basis::assumed) {
+            assumed.push_back(input.key);
+            text += !full ? ""
+                          : labelled("assumed", fmt::format("{} = {}{}", input.key, input.text,
+                                                            input.source.empty() ? "" : " (" + input.source + ")"));
         }
     }
-    if (told > most_lines) {
-        text += fmt::format("assumed   {} more (--json tells all)\n", told - most_lines);
+    if (!full && !assumed.empty()) {
+        text += labelled("assumed", names_text(assumed, most_keys) + " (values and reasons: --full)");
     }
     if (!unstated.empty()) {
-        text += fmt::format("unstated  {}: say basis = \"published\", \"measured\" or \"assumed\"\n",
-                            shortened(unstated, 3 * most_letters));
+        text += labelled("unstated", names_text(unstated, full ? unstated.size() : most_keys)
+                                         + ": say basis = \"published\", \"measured\" or \"assumed\"");
     }
-    std::string unsafe;
+    std::vector<std::string> unsafe;
     std::size_t bearing = 0;
     for (auto const& one : model_assumptions()) {
         if (one.bears(spec) == Bears::no) {
@@ -129,12 +126,13 @@ std::string assumptions_lines(CampaignSpec const& spec) {
         }
         ++bearing;
         if (one.direction == Misjudged::unsafe) {
-            unsafe += fmt::format("{}{}", unsafe.empty() ? "" : ", ", one.name);
+            unsafe.emplace_back(one.name);
         }
     }
     return text
-           + fmt::format("model     {} assumptions of its own (overturn list assumptions); unsafe where wrong: {}\n",
-                         bearing, unsafe);
+           + labelled("model",
+                      fmt::format("{} assumptions of its own (overturn list assumptions); unsafe where wrong: {}",
+                                  bearing, fmt::join(unsafe, ", ")));
 }
 
 }  // namespace overturn::cli

@@ -16,8 +16,8 @@ namespace overturn::cli {
 /// where-not-called-for or none.
 [[nodiscard]] Json assumptions_json(CampaignSpec const& spec);
 
-/// The lines of `plan`: counts, assumed values with what is said of them, names of what is not stated, and which of the
-/// model's assumptions are unsafe.
-[[nodiscard]] std::string assumptions_lines(CampaignSpec const& spec);
+/// The lines of `plan`: counts, what is assumed and what is not stated, and which of the model's assumptions are
+/// unsafe. \param full every assumed value with its source, in place of the first keys
+[[nodiscard]] std::string assumptions_lines(CampaignSpec const& spec, bool full);
 
 }  // namespace overturn::cli

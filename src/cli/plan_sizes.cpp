@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "campaign/block_rows.hpp"
+#include "core/wrapped.hpp"
 #include "results/measured_trials.hpp"
 #include "results/schema.hpp"
 #include "results/statistics.hpp"
@@ -47,20 +48,25 @@ std::string thinned_line(Plan const& plan) {
         return {};
     }
     auto const waves = (held + plan.trials_per_wave() - 1) / plan.trials_per_wave();
-    return fmt::format(
-        "thinned   intervals by waves, and curves over other measures than the levels', see the first {} "
-        "waves of {} (20 million trials); stripes see all\n",
-        waves, plan.waves());
+    return labelled("thinned",
+                    fmt::format("intervals by waves, and curves over other measures than the levels', see the "
+                                "first {} waves of {} (20 million trials); stripes see all",
+                                waves, plan.waves()));
 }
 
 }  // namespace
 
-std::string size_lines(CampaignInput const& input, CampaignSpec const& spec, Plan const& plan) {
+std::string size_lines(CampaignInput const& input, CampaignSpec const& spec, Plan const& plan, bool full) {
     auto const bytes = static_cast<double>(BlockRows::packed_size(plan, 0));
-    return fmt::format(
-        "file      about {:.2f} MB\nparts     {} files of {:.1f} kB, {:.2f} MB, in {} until they are merged\n",
-        static_cast<double>(file_bytes(input, spec, plan)) / 1e6, plan.blocks(), bytes / 1e3,
-        bytes * static_cast<double>(plan.blocks()) / 1e6, count_of_folders(plan.blocks()));
+    auto const text =
+        fmt::format("file      about {:.2f} MB\n", static_cast<double>(file_bytes(input, spec, plan)) / 1e6);
+    return !full ? text
+                 : text
+                       + fmt::format(
+                           "scratch   {} block files of {} waves, {:.1f} kB each, {:.2f} MB in {}, deleted "
+                           "after merging\n",
+                           plan.blocks(), plan.block_size(), bytes / 1e3,
+                           bytes * static_cast<double>(plan.blocks()) / 1e6, count_of_folders(plan.blocks()));
 }
 
 std::string memory_lines(CampaignSpec const& spec, Plan const& plan) {

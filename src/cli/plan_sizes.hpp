@@ -9,8 +9,8 @@
 
 namespace overturn::cli {
 
-/// The results file, and the files of blocks until they are merged.
-[[nodiscard]] std::string size_lines(CampaignInput const& input, CampaignSpec const& spec, Plan const& plan);
+/// The results file. \param full also the files of blocks until they are merged
+[[nodiscard]] std::string size_lines(CampaignInput const& input, CampaignSpec const& spec, Plan const& plan, bool full);
 
 /// Memory of the trials that curves and intervals need, where it is much, and how many they see where that is not all;
 /// else empty.

@@ -36,10 +36,12 @@ struct VelocityUnit {
         return symbol == usual ? std::optional<IntensityUnit>() : IntensityUnit{symbol, one};
     }
     [[nodiscard]] double of(double mps) const { return mps / si(); }
-    /// "1.3492 m/s", "134.92 kine": the same five digits of a velocity about 1 m/s.
-    [[nodiscard]] std::string text(double mps) const {
-        return symbol == usual ? fmt::format("{:.4f} {}", mps, symbol) : fmt::format("{:.5g} {}", of(mps), symbol);
+    /// "1.3492", "134.92": the same five digits of a velocity about 1 m/s.
+    [[nodiscard]] std::string number(double mps) const {
+        return symbol == usual ? fmt::format("{:.4f}", mps) : fmt::format("{:.5g}", of(mps));
     }
+    /// "1.3492 m/s", "134.92 kine".
+    [[nodiscard]] std::string text(double mps) const { return number(mps) + ' ' + symbol; }
     /// What the scripts of figures read as `velocity_unit`.
     [[nodiscard]] nlohmann::ordered_json json() const { return {{"symbol", symbol}, {"si", si()}}; }
 };

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 namespace overturn {
 
 std::string wrapped(std::string_view text, std::size_t indent, std::size_t width, std::string begun) {
@@ -27,6 +29,10 @@ std::string wrapped(std::string_view text, std::size_t indent, std::size_t width
         fresh = false;
     }
     return lines + '\n';
+}
+
+std::string labelled(std::string_view label, std::string_view text) {
+    return wrapped(text, label_width, line_width, fmt::format("{:<{}}", label, label_width));
 }
 
 }  // namespace overturn

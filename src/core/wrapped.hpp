@@ -14,4 +14,9 @@ inline constexpr std::size_t line_width = 100;
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t indent = 0, std::size_t width = line_width,
                                   std::string begun = {});
 
+inline constexpr std::size_t label_width = 10;
+
+/// A label, and what is said under it, in lines of that width.
+[[nodiscard]] std::string labelled(std::string_view label, std::string_view text);
+
 }  // namespace overturn

@@ -157,11 +157,8 @@ class SheetMaker {
                                 text_of(tally_of(physical_inputs(of_.spec))));
         auto const outside = outside_validated_range(of_.spec);
         if (!outside.empty()) {
-            auto const more = outside.size() - 1;
             text += fmt::format(" Outside the range of the shaking-table tests: {}{}.", outside.front(),
-                                more == 0   ? std::string()
-                                : more == 1 ? std::string("; and another body")
-                                            : fmt::format("; and {} more bodies", more));
+                                outside.size() == 1 ? "" : "; other bodies in other ways (overturn plan)");
         }
         return text;
     }

@@ -31,11 +31,11 @@ TEST(ValidatedRange, HoldsWhatWasTested) {
 }
 
 TEST(ValidatedRange, NamesEveryQuantityThatLeavesIt) {
-    auto const lines =
-        outside_validated_range(spec_of(body("granite", 0.0773, 0.35) + body("wide", 0.2, 0.35)
-                                        + body("large", 0.22, 1.0) + body("slips", 0.0773, 0.35, "friction=0.5\n")));
+    auto const lines = outside_validated_range(spec_of(body("granite", 0.0773, 0.35) + body("wide", 0.2, 0.35)
+                                                       + body("wide, too", 0.2, 0.35) + body("large", 0.22, 1.0)
+                                                       + body("slips", 0.0773, 0.35, "friction=0.5\n")));
     ASSERT_EQ(lines.size(), 3U);
-    EXPECT_EQ(lines[0], "wide: alpha 0.278 (tested: 0.08 to 0.14)");
+    EXPECT_EQ(lines[0], "wide, wide, too: alpha 0.278 (tested: 0.08 to 0.14)");
     EXPECT_EQ(lines[1], "large: p 2.7 rad/s (tested: 4 to 5.4)");
     EXPECT_EQ(lines[2], "slips: friction (no test measured it)");
     auto const fast =

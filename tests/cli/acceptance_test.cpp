@@ -204,14 +204,14 @@ TEST_F(Refusal, EndsWhereHardlyAnyWavePasses) {
     EXPECT_NE(run.err.find("missed by 100"), std::string::npos) << run.err;
     EXPECT_FALSE(folder.has("c.h5"));
     EXPECT_FALSE(folder.has("c.h5.parts"));
-    auto const plan = overturn(folder, {"plan", "c.toml", "--set", "waves.match_iterations=1"});
+    auto const plan = planned(folder, {"c.toml", "--set", "waves.match_iterations=1"});
     EXPECT_NE(plan.out.find("0 waves that meet japan; 9 of 9 drawn were refused"), std::string::npos) << plan.out;
 }
 
 TEST_F(Refusal, KeysAreOfUseOrRefused) {
     for (auto const& [set, why] :
          {std::pair{"waves.acceptance=none", "waves.most_drawn"}, std::pair{"waves.refused=used", "waves.refused"}}) {
-        auto const ended = overturn(folder, {"plan", "c.toml", "--set", "waves.most_drawn=3", "--set", set});
+        auto const ended = planned(folder, {"c.toml", "--set", "waves.most_drawn=3", "--set", set});
         EXPECT_EQ(ended.code, 2) << set;
         EXPECT_NE(ended.err.find(why), std::string::npos) << ended.err;
     }

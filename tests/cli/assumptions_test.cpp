@@ -45,9 +45,9 @@ TEST_F(Assumptions, AreListed) {
 }
 
 TEST_F(Assumptions, ArePlannedWithTheirCounts) {
-    auto const planned = overturn(folder, {"plan", "c.toml"});
-    ASSERT_EQ(planned.code, 0) << planned.err;
-    auto const stated = json::parse(overturn(folder, {"plan", "c.toml", "--json"}).out)["assumptions"];
+    auto const plan = planned(folder, {"c.toml"});
+    ASSERT_EQ(plan.code, 0) << plan.err;
+    auto const stated = json::parse(planned(folder, {"c.toml", "--json"}).out)["assumptions"];
     auto const& counts = stated["counts"];
 
     EXPECT_EQ(counts["assumed"], 1);
@@ -55,10 +55,12 @@ TEST_F(Assumptions, ArePlannedWithTheirCounts) {
     EXPECT_EQ(counts["inputs"], stated["inputs"].size());
     auto const line = "1 of " + counts["inputs"].dump() + " inputs are assumed, 1 published, "
                       + counts["measured"].dump() + " measured, " + counts["not_stated"].dump() + " not stated, ";
-    EXPECT_NE(planned.out.find(line), std::string::npos) << planned.out;
-    EXPECT_NE(planned.out.find("assumed   bodies[1].centre_height = 1.045 m (A & B)"), std::string::npos)
-        << planned.out;
-    EXPECT_NE(planned.out.find("unsafe where wrong: "), std::string::npos);
+    EXPECT_NE(plan.out.find(line), std::string::npos) << plan.out;
+    EXPECT_NE(plan.out.find("assumed   bodies[1].centre_height (values and reasons: --full)"), std::string::npos)
+        << plan.out;
+    EXPECT_NE(planned(folder, {"c.toml", "--full"}).out.find("assumed   bodies[1].centre_height = 1.045 m (A & B)"),
+              std::string::npos);
+    EXPECT_NE(plan.out.find("unsafe where wrong: "), std::string::npos);
     auto const& first = stated["inputs"][0];
     EXPECT_EQ(first["key"], "bodies[1].centre_height");
     EXPECT_EQ(first["si"], 1.045);
@@ -68,12 +70,12 @@ TEST_F(Assumptions, ArePlannedWithTheirCounts) {
 
 TEST_F(Assumptions, AreReadBackFromAResultsFile) {
     ASSERT_EQ(overturn(folder, {"run", "c.toml", "-o", "r.h5"}).code, 0);
-    auto const planned = json::parse(overturn(folder, {"plan", "c.toml", "--json"}).out)["assumptions"];
+    auto const before = json::parse(planned(folder, {"c.toml", "--json"}).out)["assumptions"];
     auto const fitted = json::parse(overturn(folder, {"fit", "r.h5", "--json"}).out)["assumptions"];
 
-    EXPECT_EQ(fitted["counts"], planned["counts"]);
-    EXPECT_EQ(fitted["model"], planned["model"]);
-    EXPECT_EQ(fitted["inputs"].size(), planned["inputs"].size());
+    EXPECT_EQ(fitted["counts"], before["counts"]);
+    EXPECT_EQ(fitted["model"], before["model"]);
+    EXPECT_EQ(fitted["inputs"].size(), before["inputs"].size());
 }
 
 TEST_F(Assumptions, AreASectionOfTheReport) {

@@ -27,7 +27,7 @@ class BadInput : public ::testing::Test {
     /// Changes one thing in a campaign that is fine otherwise.
     void refuse(std::string const& from, std::string const& to, std::string const& part) {
         folder.write("c.toml", changed(from, to));
-        expect_refused(overturn(folder, {"plan", "c.toml"}), part);
+        expect_refused(planned(folder, {"c.toml"}), part);
     }
 
     Folder folder;
@@ -51,8 +51,8 @@ TEST_F(BadInput, WhatIsNotMeasuredIsNotAskedFor) {
     refuse("seed  = 2013", "seed  = 2013\nmeasures={energy=false,both_radius_units=true}",
            "measures.both_radius_units: beside energy = false");
     folder.write("c.toml", small_campaign());
-    expect_refused(overturn(folder, {"plan", "c.toml", "--set", "measures.wave_quality=false", "--set",
-                                     "waves.match='each'", "--set", "waves.acceptance='srp-3.7.1'"}),
+    expect_refused(planned(folder, {"c.toml", "--set", "measures.wave_quality=false", "--set", "waves.match='each'",
+                                    "--set", "waves.acceptance='srp-3.7.1'"}),
                    "measures.wave_quality: false beside waves.acceptance");
 }
 
@@ -84,13 +84,13 @@ TEST_F(BadInput, UnknownNames) {
 
 // R-1106: missing or odd files are named, with the key that asked for them.
 TEST_F(BadInput, Files) {
-    expect_refused(overturn(folder, {"plan", "nope.toml"}), "nope.toml: cannot be read");
+    expect_refused(planned(folder, {"nope.toml"}), "nope.toml: cannot be read");
     expect_refused(overturn(folder, {"run", "nope.toml"}), "nope.toml: cannot be read");
     expect_refused(overturn(folder, {"run", "."}), "cannot be read");
     refuse("target.csv", "nowhere.csv", "nowhere.csv");
     folder.write("target.csv", "# period_s,sa_mps2\n0.02,2.5\n0.1,-6.2\n10,1\n");
     folder.write("c.toml", small_campaign());
-    expect_refused(overturn(folder, {"plan", "c.toml"}), "target.csv:3");
+    expect_refused(planned(folder, {"c.toml"}), "target.csv:3");
 }
 
 // a vertical record shakes no body sideways; its own spectrum may be asked for.
@@ -159,7 +159,7 @@ TEST_F(BadInput, CommandLine) {
 TEST_F(BadInput, Settings) {
     folder.write("c.toml", small_campaign());
     auto const refused = [&](std::string const& setting, std::string const& part) {
-        expect_refused(overturn(folder, {"plan", "c.toml", "--set", setting}), part);
+        expect_refused(planned(folder, {"c.toml", "--set", setting}), part);
     };
     refused("waves.cuont=3", "Did you mean 'count'?");
     refused("waves.count", "no '='");

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <regex>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -20,6 +21,17 @@ std::string records() {
     return std::filesystem::is_directory(folder) ? folder.string() : std::string();
 }
 
+// what `plan` shows of a study fits a terminal's screen.
+void expect_one_screen(std::string const& text) {
+    constexpr std::size_t width = 100;
+    constexpr std::ptrdiff_t height = 45;
+    EXPECT_LE(std::count(text.begin(), text.end(), '\n'), height) << text;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        EXPECT_LE(line.size(), width) << line;
+    }
+}
+
 TEST(Campaigns, AreAcceptedAsTheyStand) {
     Folder const folder;
     int count = 0;
@@ -35,6 +47,7 @@ TEST(Campaigns, AreAcceptedAsTheyStand) {
         }
         auto const ended = overturn(folder, {"plan", file.path()});
         EXPECT_EQ(ended.code, 0) << ended.err;
+        expect_one_screen(ended.out);
         ++count;
     }
     EXPECT_GE(count, 5);
@@ -48,7 +61,7 @@ TEST(Campaigns, ExamplesAreAcceptedAsTheyStand) {
         if (file.path().extension() == ".toml") {
             EXPECT_TRUE(read_text(file.path()).starts_with("#:schema ../schema.json\n# Keys by example: "))
                 << file.path();
-            auto const ended = overturn(folder, {"plan", file.path()});
+            auto const ended = planned(folder, {file.path()});
             EXPECT_EQ(ended.code, 0) << ended.err;
             ++count;
         }
@@ -83,7 +96,7 @@ TEST(Campaigns, RecordsAreTheUsers) {
     std::string const campaign = OVERTURN_CAMPAIGNS "/records_one_axis.toml";
     for (auto const& [file, named] :
          {std::pair<std::string, std::string>{campaign, "records"}, {OVERTURN_CAMPAIGNS "/granite.toml", "granite"}}) {
-        auto const refused = overturn(folder, {"plan", file});
+        auto const refused = planned(folder, {file});
         EXPECT_EQ(refused.code, 2);
         EXPECT_TRUE(is_one_error_line(refused.err));
         EXPECT_NE(

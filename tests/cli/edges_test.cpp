@@ -181,7 +181,7 @@ TEST_F(Edges, MessagesQuoteNoKilobytes) {
     folder.write("long.toml", key + " = 1\n" + small_campaign());
     folder.write("unit.toml", small_campaign() + "[statistics]\nconfidence='0.9 " + key + "'\n");
     for (std::string const campaign : {"long.toml", "unit.toml"}) {
-        auto const ended = overturn(folder, {"plan", campaign});
+        auto const ended = planned(folder, {campaign});
         expect_refused(ended, campaign + ":");
         EXPECT_LT(ended.err.size(), 1100U);
     }
@@ -194,12 +194,12 @@ TEST_F(Edges, OfManyLevelsSomeAreShown) {
     folder.write("c.toml", campaign + "[[limits]]\nname='touches'\nquantity='peak_slip'\nabove='0.1 m'\n");
     auto const lines = [](std::string const& text) { return std::count(text.begin(), text.end(), '\n'); };
 
-    auto const plan = overturn(folder, {"plan", "c.toml"});
+    auto const plan = planned(folder, {"c.toml"});
     EXPECT_EQ(plan.code, 0) << plan.err;
-    EXPECT_LT(lines(plan.out), 60);
-    EXPECT_NE(plan.out.find("level     pga 10 gal\n"), std::string::npos) << plan.out;
-    EXPECT_NE(plan.out.find("level     pga 600 gal  design-basis\n"), std::string::npos) << plan.out;
-    EXPECT_NE(plan.out.find("level     pga 1000 gal\n"), std::string::npos) << plan.out;
+    EXPECT_LT(lines(plan.out), 30);
+    EXPECT_NE(plan.out.find("levels    pga [gal]: 10, "), std::string::npos) << plan.out;
+    EXPECT_NE(plan.out.find(", 600 (design-basis), "), std::string::npos) << plan.out;
+    EXPECT_NE(plan.out.find(", 1000 ("), std::string::npos) << plan.out;
     EXPECT_NE(plan.out.find("levels; all are in the file)\n"), std::string::npos) << plan.out;
     auto const run = overturn(folder, {"run", "c.toml", "--full"});
     EXPECT_EQ(run.code, 0) << run.err;

@@ -220,19 +220,18 @@ TEST_F(Limits, DamagedCountsAreNoticed) {
 }
 
 TEST_F(Limits, PlanTellsThemAndWhatSlidesFirst) {
-    auto const plan = overturn(folder, {"plan", "c.toml"}).out;
+    auto const plan = planned(folder, {"c.toml"}).out;
     EXPECT_NE(plan.find("limit     either: any of touches, tilts, overturning\n"), std::string::npos) << plan;
-    EXPECT_NE(plan.find("slip      type-a: friction 0.5 < tan(alpha) 0.6507: slides before it rocks"),
-              std::string::npos)
+    EXPECT_NE(plan.find("  type-a: friction 0.5 < tan(alpha) 0.6507: slides before it rocks"), std::string::npos)
         << plan;
-    EXPECT_NE(plan.find("slip      type-b: no slip\n"), std::string::npos) << plan;
-    EXPECT_EQ(plan.find("calls     "), std::string::npos);
+    EXPECT_NE(plan.find("  type-b: no slip\n"), std::string::npos) << plan;
+    EXPECT_EQ(plan.find("effects   "), std::string::npos);
 
     auto strong = small_campaign();
     strong.insert(strong.find("friction=0.5\n"), "pad={strength='30 MPa'}\n");
     folder.write("crush.toml", strong + "[[limits]]\nname='crushed'\nquantity='peak_crush'\nabove='1 mm'\n");
-    auto const calls = overturn(folder, {"plan", "crush.toml"}).out;
-    EXPECT_NE(calls.find("calls     sliding, contact in every trial"), std::string::npos) << calls;
+    auto const calls = planned(folder, {"crush.toml"}).out;
+    EXPECT_NE(calls.find("effects   sliding, contact in every trial"), std::string::npos) << calls;
 }
 
 // A limit state's own target ends a run, at the same wave on any ranks, and overturning, of which the first

@@ -54,7 +54,7 @@ TEST_F(Lopsided, SameBytesOnAnyRanksAndReplayed) {
 TEST_F(Lopsided, PlanTellsTheWeakerSide) {
     folder.write("c.toml", campaign_of("[[bodies]]\nslope='1 deg'\ninitial_tilt='-2 deg'\n" + placed));
 
-    auto const plan = overturn(folder, {"plan", "c.toml"});
+    auto const plan = planned(folder, {"c.toml"});
 
     EXPECT_EQ(plan.code, 0) << plan.err;
     EXPECT_NE(plan.out.find("towards +x alpha 32.05 deg"), std::string::npos) << plan.out;

@@ -96,7 +96,7 @@ TEST_F(Precision, WhatCannotBeMetIsSaidOnce) {
 
 TEST_F(Precision, ImpossibleTargetsAreRefused) {
     auto const refuse = [&](std::string const& set, std::string const& part) {
-        auto const ended = overturn(folder, {"plan", "c.toml", "--set", set});
+        auto const ended = planned(folder, {"c.toml", "--set", set});
         EXPECT_EQ(ended.code, 2) << set;
         EXPECT_TRUE(is_one_error_line(ended.err)) << ended.err;
         EXPECT_NE(ended.err.find(part), std::string::npos) << ended.err;

@@ -55,10 +55,10 @@ TEST_F(RecordsOnTheLine, DriftingPgvIsNoLevel) {
         EXPECT_NE(refused.err.find(part), std::string::npos) << refused.err;
     }
     folder.write("d.toml", campaign(files, "pgd", "'0.5 m'"));
-    EXPECT_EQ(overturn(folder, {"plan", "d.toml"}).code, 2);
+    EXPECT_EQ(planned(folder, {"d.toml"}).code, 2);
 
     folder.write("c.toml", campaign(files + "baseline={high_pass='0.05 Hz'}\n", "pgv", "'50 kine'"));
-    auto const plan = overturn(folder, {"plan", "c.toml"});
+    auto const plan = planned(folder, {"c.toml"});
     EXPECT_EQ(plan.code, 0) << plan.err;
     EXPECT_NE(plan.out.find("record    1: PGV 0.3"), std::string::npos) << plan.out;
     EXPECT_EQ(plan.out.find("warning"), std::string::npos) << plan.out;
@@ -72,14 +72,14 @@ TEST_F(RecordsOnTheLine, PgdOfAFlingIsSaid) {
     }
     folder.write("fling.csv", text);
     folder.write("c.toml", campaign("files=['fling.csv']\n", "pgd", "'1 m'"));
-    auto const plan = overturn(folder, {"plan", "c.toml"});
+    auto const plan = planned(folder, {"c.toml"});
     EXPECT_NE(plan.out.find("levels by pgd scale by what it is left at"), std::string::npos) << plan.out << plan.err;
 }
 
 TEST_F(RecordsOnTheLine, DriftIsSaidWhereLevelsDoNotNeedIt) {
     folder.write("c.toml", campaign("files=['drifts.csv']\n", "pga", "'300 gal'"));
     char const* const warning = "record 0 ends at 1.76 m/s (";
-    EXPECT_NE(overturn(folder, {"plan", "c.toml"}).out.find(warning), std::string::npos);
+    EXPECT_NE(planned(folder, {"c.toml"}).out.find(warning), std::string::npos);
     auto const run = overturn(folder, {"run", "c.toml"});
     EXPECT_NE(run.err.find(std::string("warning: ") + warning), std::string::npos) << run.err;
     EXPECT_NE(overturn(folder, {"wave", "c.toml", "--wave", "0", "-o", "w.csv"}).err.find(warning), std::string::npos);
@@ -115,9 +115,9 @@ TEST_F(RecordsOnTheLine, WhatWasReadIsSaid) {
 TEST_F(RecordsOnTheLine, ScaledRecordsAreSaid) {
     std::string const line = "record 0 is scaled by up to ";
     folder.write("c.toml", campaign("files=['rests.csv']\n", "pga", "'300 gal'"));
-    EXPECT_EQ(overturn(folder, {"plan", "c.toml"}).out.find(line), std::string::npos);
+    EXPECT_EQ(planned(folder, {"c.toml"}).out.find(line), std::string::npos);
     folder.write("c.toml", campaign("files=['rests.csv']\nscale=2\n", "pga", "'300 gal','900 gal'"));
-    auto const plan = overturn(folder, {"plan", "c.toml"});
+    auto const plan = planned(folder, {"c.toml"});
     EXPECT_NE(plan.out.find(line + "9.01: beyond 5"), std::string::npos) << plan.out;
     EXPECT_NE(overturn(folder, {"run", "c.toml"}).err.find(line), std::string::npos);
 }
@@ -165,7 +165,7 @@ TEST_F(RecordsOnTheLine, TargetsThatSayTooLittleOrTooMuch) {
     auto const everywhere = [&](std::string const& target) {
         folder.write("t.toml", campaign_of(target));
         std::filesystem::remove(folder / "t.h5");
-        return std::vector{overturn(folder, {"plan", "t.toml"}).out, overturn(folder, {"run", "t.toml"}).err,
+        return std::vector{planned(folder, {"t.toml"}).out, overturn(folder, {"run", "t.toml"}).err,
                            overturn(folder, {"wave", "t.toml", "--wave", "0", "-o", "w.csv"}).err};
     };
     auto const short_one = everywhere("kind='acceleration'\npoints=[[0.05,3],[0.3,5],[2,5]]");
@@ -185,7 +185,7 @@ TEST_F(RecordsOnTheLine, TargetsThatSayTooLittleOrTooMuch) {
         EXPECT_EQ(said.find("warning"), std::string::npos) << said;
     }
     folder.write("t.toml", campaign_of("kind='acceleration'\nfile='none.csv'"));
-    auto const refused = overturn(folder, {"plan", "t.toml"});
+    auto const refused = planned(folder, {"t.toml"});
     EXPECT_EQ(refused.code, 2);
     EXPECT_NE(refused.err.find("unit of the ordinates missing"), std::string::npos) << refused.err;
     for (auto const& said : everywhere("kind='acceleration'\nunit='m/s2'\nfile='none.csv'")) {
@@ -208,7 +208,7 @@ TEST_F(RecordsOnTheLine, ClassicRecordsAtFiftyKine) {
     std::string const keys = "files=['" + files + "ImperialValley1940_ElCentro_NS.csv','" + files
                              + "Hachinohe1968_HachinoheHarbour_NS.csv']\nunit='gal'\n";
     folder.write("none.toml", campaign(keys, "pgv", "'50 kine'"));
-    EXPECT_EQ(overturn(folder, {"plan", "none.toml"}).code, 2);
+    EXPECT_EQ(planned(folder, {"none.toml"}).code, 2);
     folder.write("c.toml", campaign(keys + "baseline='polynomial'\n", "pgv", "'50 kine'"));
     ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
     for (auto const& [wave, pgv_low, pgv_high, factor] :

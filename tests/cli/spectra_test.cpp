@@ -88,7 +88,7 @@ TEST_F(Spectra, CurvesSayByWhatTheirWavesDiffer) {
              {"match='none'\n" + target, "random noise about one spectrum, which is not centred on the target"},
              {target + "[waves.variability]\nsigma=0.6\ncorrelation='full'\n", "targets drawn, "}}) {
         folder.write("w.toml", waves + keys + bodies);
-        EXPECT_NE(overturn(folder, {"plan", "w.toml"}).out.find("differ by " + words), std::string::npos) << words;
+        EXPECT_NE(planned(folder, {"w.toml"}).out.find("differ by " + words), std::string::npos) << words;
         auto const run = overturn(folder, {"run", "w.toml", "-o", "w.h5", "--full"});
         ASSERT_EQ(run.code, 0) << run.err;
         EXPECT_NE(run.out.find("waves differ by " + words), std::string::npos) << run.out;

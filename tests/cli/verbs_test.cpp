@@ -145,11 +145,15 @@ TEST_F(Verbs, WaveIsReadableByTheOtherVerbs) {
 TEST_F(Verbs, PlanCountsAndEstimates) {
     auto const ended = done({"plan", "c.toml", "--set", "waves.count=40"});
 
-    EXPECT_NE(ended.out.find("trials    240 in 40 blocks of 1 waves"), std::string::npos) << ended.out;
+    EXPECT_NE(ended.out.find("\n40 waves x 2 bodies x 3 levels = 240 trials\n"), std::string::npos) << ended.out;
     EXPECT_NE(ended.out.find("design-basis"), std::string::npos);
-    for (auto const* heading : {"\nwaves ", "\nbody ", "\nlevel ", "\nprobe ", "\ntime ", "\nfile "}) {
+    for (auto const* heading : {"\nwaves ", "\nbodies ", "\nlevels ", "\nper wave ", "\ntime ", "\nfile "}) {
         EXPECT_NE(ended.out.find(heading), std::string::npos) << heading;
     }
+    EXPECT_EQ(ended.out.find("\nscratch "), std::string::npos);
+    auto const full = done({"plan", "c.toml", "--set", "waves.count=40", "--full"}).out;
+    EXPECT_NE(full.find("\nscratch   40 block files of 1 waves"), std::string::npos) << full;
+    EXPECT_NE(full.find("\nmodels "), std::string::npos) << full;
 }
 
 //

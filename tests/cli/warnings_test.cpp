@@ -46,7 +46,7 @@ class Warnings : public ::testing::Test {
     std::vector<std::string> said_of(std::string const& campaign) {
         folder.write("c.toml", campaign);
         std::filesystem::remove(folder / "c.h5");
-        auto const plan = overturn(folder, {"plan", "c.toml"});
+        auto const plan = planned(folder, {"c.toml"});
         auto const run = overturn(folder, {"run", "c.toml"});
         EXPECT_EQ(plan.code, 0) << plan.err;
         EXPECT_EQ(run.code, 0) << run.err;
@@ -104,7 +104,7 @@ TEST_F(Warnings, InertiaOfThreeKilogramSquareMetres) {
     auto const tiny = replaced(body, "'uniform-block'", "3");
     expect_said(records_campaign("pga", "'300 gal'", tiny), {"b: inertia 3 kg m2", "radius of gyration of 0.0154 m"});
     folder.write("f.toml", records_campaign("pga", "'300 gal'", tiny + "friction=0.5\n"));
-    EXPECT_NE(overturn(folder, {"plan", "f.toml"}).err.find("so low because inertia 3 kg m2"), std::string::npos);
+    EXPECT_NE(planned(folder, {"f.toml"}).err.find("so low because inertia 3 kg m2"), std::string::npos);
     folder.write("tiny.toml", tiny);
     EXPECT_NE(overturn(folder, {"rock", "--body", "tiny.toml", "--wave", "r.csv"}).err.find("radius of gyration"),
               std::string::npos);
@@ -130,7 +130,7 @@ TEST_F(Warnings, ScatteredFrictionSlidesInAShareOfDraws) {
                                             body
                                                 + "friction={distribution='normal',mean=0.4306220,deviation=0.05,"
                                                   "low=0.3,high=0.561244}\n"));
-    auto const plan = overturn(folder, {"plan", "c.toml"}).out;
+    auto const plan = planned(folder, {"c.toml"}).out;
     EXPECT_NE(plan.find("tan(alpha) 0.4306: slides before it rocks in 50 % of draws"), std::string::npos) << plan;
 }
 
@@ -158,7 +158,7 @@ TEST_F(Warnings, DampingOfFiveIsFiveHundredPercent) {
 // levels are printed in the unit that they were written in, and JSON has both.
 TEST_F(Warnings, LevelsAreEchoedInTheUsersUnit) {
     folder.write("c.toml", records_campaign("pgv", "'20 kine', '50 kine'"));
-    EXPECT_NE(overturn(folder, {"plan", "c.toml"}).out.find("level     pgv 50 kine\n"), std::string::npos);
+    EXPECT_NE(planned(folder, {"c.toml"}).out.find("levels    pgv [kine]: 20, 50\n"), std::string::npos);
     auto const run = overturn(folder, {"run", "c.toml", "--full"}).out;
     EXPECT_NE(run.find("  pgv kine  trials"), std::string::npos) << run;
     EXPECT_NE(run.find("\n        50       1"), std::string::npos) << run;

@@ -98,7 +98,7 @@ TEST_F(Withheld, OtherWavesKeepTheirFiles) {
     folder.write("pulse.toml",
                  "seed=1\ninputs='hash-only'\n[waves]\nsource='pulse'\namplitude=3\nperiod=1\nshape='one-sine'\n"
                  "[[bodies]]\nfile='body.toml'\n[levels]\nmeasure='factor'\nvalues=[1]\n");
-    auto const ended = overturn(folder, {"plan", "pulse.toml"});
+    auto const ended = planned(folder, {"pulse.toml"});
     EXPECT_EQ(ended.code, 2);
     EXPECT_NE(ended.err.find("pulse.toml:2:8: inputs: hash-only (for source = \"records\""), std::string::npos)
         << ended.err;

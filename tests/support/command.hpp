@@ -137,6 +137,22 @@ inline Ended overturn(Folder const& folder, std::vector<std::string> const& argu
     return execute(folder, joined({OVERTURN_PROGRAM}, arguments));
 }
 
+/// Wrapped lines are one again: what begins with four spaces goes on with the line before.
+inline std::string unwrapped(std::string text) {
+    for (std::size_t at = 0; (at = text.find("\n    ", at)) != std::string::npos;) {
+        auto const word = std::min(text.find_first_not_of(' ', at + 1), text.size());
+        text.replace(at, word - at, " ");
+    }
+    return text;
+}
+
+/// `overturn plan ...`, its wrapped lines as one each.
+inline Ended planned(Folder const& folder, std::vector<std::string> const& arguments) {
+    auto ended = overturn(folder, joined({"plan"}, arguments));
+    ended.out = unwrapped(ended.out);
+    return ended;
+}
+
 /// The command line of `mpirun -n ranks overturn ...`; --quiet keeps mpirun from commenting on exit codes.
 inline std::vector<std::string> mpirun(int ranks, std::vector<std::string> const& arguments) {
     return joined({OVERTURN_MPIRUN, "--quiet", "-n", std::to_string(ranks), OVERTURN_PROGRAM}, arguments);

@@ -1,0 +1,159 @@
+#include "cli/plan_bodies.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "contact/matching.hpp"
+#include "core/texts_of.hpp"
+#include "core/wrapped.hpp"
+
+namespace overturn::cli {
+namespace {
+
+std::string base_text(BasePlan const& base) {
+    switch (base.shape) {
+        case BaseShape::round:
+            return base.continuous() ? std::string("round base on its continuous rim")
+                                     : fmt::format("round base, {} points on its rim", base.points);
+        case BaseShape::polygon:
+            return fmt::format("polygon of {} corners", base.corners_m.size());
+        case BaseShape::square:
+            break;
+    }
+    return base.corner_share == 1 ? std::string("square base on its corners")
+           : base.corner_share ? fmt::format("square base, {:.4g} of its stiffness on the corners", *base.corner_share)
+                               : fmt::format("square base, flat on {} points", base.points);
+}
+
+// What base and pad make of the body's restitution.
+std::string footing_text(BodySpec const& body) {
+    auto const& base = body.footing.base;
+    auto const& pad = body.footing.pad;
+    auto text = fmt::format("{}, {:g} Hz, {}", base_text(base), pad.vertical_frequency_hz,
+                            pad.strength_pa ? fmt::format("{:g} MPa", *pad.strength_pa / 1e6) : "elastic");
+    if (base.shape == BaseShape::polygon) {
+        return text;
+    }
+    auto const match = matched_footing(body.body, body.footing);
+    constexpr double close = 1e-3;
+    return text
+           + fmt::format("; rocks with e {:.4f}{}", match.restitution,
+                         !pad.match_restitution ? ", its own"
+                         : std::abs(match.restitution - body.body.restitution()) > close
+                             ? fmt::format(", as near to {:.4f} as it can", body.body.restitution())
+                             : "");
+}
+
+// Does it slide or rock first? Friction against the slope at which it tips.
+std::string friction_text(BodySpec const& body) {
+    if (!body.friction) {
+        return "no slip";
+    }
+    double const mu = body.friction->static_coefficient;
+    auto const& weaker = body.body.corner(body.body.weaker_side());
+    double const slope =
+        body.body.lopsided() ? std::tan(weaker.base_angle_rad) : body.body.half_width_m() / body.body.centre_height_m();
+    auto const& drawn = body.scatter.friction;
+    if (drawn && drawn->scatters() && drawn->lowest() < slope && slope < drawn->highest()) {
+        double const below = 0.5 * std::erfc(-drawn->score(slope) / std::sqrt(2.0));
+        return fmt::format("friction about {:.4g}, tan(alpha) {:.4g}: slides before it rocks in {:.0f} % of draws", mu,
+                           slope, 100 * below);
+    }
+    auto const compared = fmt::format("friction {:.4g} {} tan(alpha) {:.4g}", mu, mu < slope ? "<" : ">=", slope);
+    if (mu < slope) {
+        return compared + ": slides before it rocks, not expected to overturn";
+    }
+    constexpr double near = 1.15;  // up to here slip changes peak rotations by orders of magnitude
+    return compared + (mu < near * slope ? ": rocks and slides at once" : ": rocks before it slides");
+}
+
+// Which side is the weaker one, whose figures V_Ereq and all others are; empty where both are alike.
+std::string placement_text(RigidBody const& body, VelocityUnit const& unit) {
+    std::string text;
+    if (body.lopsided()) {
+        auto const tips = [&](double side) {
+            auto const& c = body.corner(side);
+            return fmt::format("alpha {:.2f} deg, uplift {:.4g} m/s2, V_Ereq {}", c.alpha_rad * 180 / pi,
+                               body.gravity_mps2() * std::tan(c.alpha_rad), unit.text(c.limit_velocity_mps));
+        };
+        text = fmt::format("towards +x {}; towards -x {}; V_Ereq, alpha, p and e are those of the weaker side, {}x",
+                           tips(1), tips(-1), body.weaker_side() > 0 ? '+' : '-');
+    }
+    if (double const tilt = body.initial_tilt_rad(); tilt != 0) {
+        text += fmt::format("{}let go at a tilt of {:.4g} deg, {:.3f} of alpha", text.empty() ? "" : "; ",
+                            tilt * 180 / pi, std::abs(tilt) / body.corner(tilt).alpha_rad);
+    }
+    return text;
+}
+
+// The unit of the levels, where they are accelerations.
+std::string acceleration_text(LevelSpec const& levels, double mps2) {
+    return levels.dimension() == Dimension::acceleration && !levels.stated_unit.empty()
+               ? fmt::format("{:.4g}", levels.shown(mps2))
+               : fmt::format("{:.4g}", mps2);
+}
+
+std::string acceleration_unit(LevelSpec const& levels) {
+    return levels.dimension() == Dimension::acceleration && !levels.stated_unit.empty() ? levels.stated_unit : "m/s2";
+}
+
+// A name keeps to its column.
+std::string short_name(std::string const& name) {
+    constexpr std::size_t most = 22;
+    return name.size() <= most ? name : name.substr(0, most - 2) + "..";
+}
+
+}  // namespace
+
+std::string bodies_text(CampaignSpec const& spec, VelocityUnit const& unit, std::size_t most) {
+    auto const& bodies = spec.bodies;
+    std::size_t width = std::string("bodies").size();
+    for (auto const& body : bodies) {
+        width = std::max(width, short_name(body.name).size());
+    }
+    constexpr std::array columns{9, 11, 9, 7, 8, 13, 12};
+    auto const line = [&](std::string const& name, std::array<std::string, columns.size()> const& cells) {
+        auto text = fmt::format("{:<{}}", name, width);
+        for (std::size_t c = 0; c < columns.size(); ++c) {
+            text += fmt::format(" {:>{}}", cells[c], columns[c]);
+        }
+        return text + '\n';
+    };
+    auto text = line("bodies", {"mass [t]", "alpha [deg]", "p [rad/s]", "e", "Housner",
+                                fmt::format("uplift [{}]", acceleration_unit(spec.levels)),
+                                fmt::format("V_Ereq [{}]", unit.symbol)});
+    TextsOf sayings;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        auto const& [name, body] = std::pair(bodies[b].name, bodies[b].body);
+        if (b < most) {
+            text += line(short_name(name),
+                         {fmt::format("{:.4g}", body.mass_kg() / 1000),
+                          fmt::format("{:.2f}", body.alpha_rad() * 180 / pi), fmt::format("{:.4f}", body.p_radps()),
+                          fmt::format("{:.4f}", body.restitution()), fmt::format("{:.4f}", body.housner_restitution()),
+                          acceleration_text(spec.levels, body.uplift_acceleration_mps2()),
+                          unit.number(body.limit_velocity_mps())});
+        }
+        sayings.add(placement_text(body, unit), name);
+        sayings.add(friction_text(bodies[b]), name);
+        sayings.add(bodies[b].footing.stated ? footing_text(bodies[b]) : "", name);
+    }
+    if (bodies.size() > most) {
+        text += fmt::format("  and {} more (--full)\n", bodies.size() - most);
+    }
+    auto const most_texts = std::max(most / 2, std::size_t{4});
+    std::size_t shown = 0;
+    for (auto const& [saying, names] : sayings.entries()) {
+        if (most < bodies.size() && shown++ == most_texts) {
+            text += fmt::format("  and {} more (--full)\n", sayings.entries().size() - most_texts);
+            break;
+        }
+        bool const all = names.size() == bodies.size();
+        text += wrapped(all ? saying : fmt::format("{}: {}", names_text(names, 2), saying), 4, line_width, "  ");
+    }
+    return text;
+}
+
+}  // namespace overturn::cli

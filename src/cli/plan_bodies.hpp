@@ -1,0 +1,15 @@
+/// The bodies of a campaign as `plan` shows them.
+#pragma once
+
+#include <string>
+
+#include "campaign/campaign_spec.hpp"
+#include "cli/velocity_unit.hpp"
+
+namespace overturn::cli {
+
+/// A row each, and below them what holds of some: placement, friction, base and pad, each text once.
+/// \param most rows; where there are more bodies, half as many texts and at least four. The others are counted
+[[nodiscard]] std::string bodies_text(CampaignSpec const& spec, VelocityUnit const& unit, std::size_t most);
+
+}  // namespace overturn::cli
