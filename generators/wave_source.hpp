@@ -147,7 +147,7 @@ struct WaveSourceKind {
 /// Keys of [waves] that every source has.
 extern config::KeyTable const every_wave_table;
 inline constexpr config::Key wave_count_key = config::integer_key("count", 1, 1'000'000'000, "number of waves")
-                                                  .otherwise_said("all that the source has; of drawn waves required");
+                                                  .otherwise_said("all available waves; required for generated ones");
 /// Key `duration` of waves that are drawn.
 inline constexpr config::Key wave_duration_key =
     config::number_key("duration", Dimension::time, config::Range::positive(), "length of every wave");

@@ -8,7 +8,7 @@
 
 namespace overturn {
 
-/// The components' normals stand one behind the other, the horizontal one's first; chance correlations between
+/// The components' normals are contiguous, the horizontal one's first; chance correlations between
 /// components are left as they come. Linear where waves are neither iterated nor of fixed amplitudes.
 class MatchedNormals : public NormalWaves {
   public:

@@ -20,7 +20,7 @@ struct ShownTrials {
     std::size_t bodies = 0;        ///< how many bodies they are of
 };
 
-/// A trial to be drawn, and the words for what makes it worth a look.
+/// A trial to be drawn, and the words for why to inspect it.
 struct ChosenTrial {
     std::int64_t trial = 0;
     std::string words;
@@ -29,7 +29,7 @@ struct ChosenTrial {
 /// Them, rerun. Trials that have no history (at rest) are left out.
 [[nodiscard]] ShownTrials histories_of(CampaignSpec const& spec, Plan const& plan, std::span<ChosenTrial const> chosen);
 
-/// Of the trials worth a look, and of every body that some trial took to compliant points the nearest miss there,
+/// Of the trials to inspect, and of every body that some trial took to compliant points the nearest miss there,
 /// rerun. Twelve, or as many as there are bodies up to 24, shared fairly among the bodies; of a body those of one kind
 /// before the next, on points last.
 [[nodiscard]] ShownTrials shown_trials(CampaignSpec const& spec, Plan const& plan,

@@ -55,8 +55,8 @@ class Checkpoints {
 /// Trials to be run at once.
 struct Batch {
     std::span<Trial const> trials;
-    std::span<Outcome> outcomes;  ///< one each; hold what the model before said, if one ran
-    /// Rows of the model's own fields, one each, one behind the other; empty: nobody asks.
+    std::span<Outcome> outcomes;  ///< one per trial; on entry the outcome of the model before, if any
+    /// Rows of the model's own fields, one per trial, contiguous; empty if not requested.
     std::span<std::byte> own = {};
     Checkpoints const* before = nullptr;       ///< of the model that ran before
     std::span<std::size_t const> places = {};  ///< of these trials in that model's batch

@@ -97,7 +97,7 @@ Table telling_trial_table(CampaignSpec const& spec, std::span<TellingTrial const
     table
         .category("body", "the body", body_names(spec),
                   [&](Row const& t) { return spec.bodies[static_cast<std::size_t>(t.body)].name; })
-        .category("kind", "why it is worth a look", kinds,
+        .category("kind", "why to inspect it", kinds,
                   [&](Row const& t) { return kinds.at(static_cast<std::size_t>(t.kind)); })
         .add("trial", "1", "number of its row in /trials", [](Row const& t) { return t.trial; })
         .add("wave", "1", "number of its wave", [](Row const& t) { return t.wave; })

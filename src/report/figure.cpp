@@ -63,7 +63,7 @@ class Stopped {
     /// \throws SystemError if there was one
     static void check() {
         if (by() != 0) {
-            throw SystemError(fmt::format("stopped by signal {} (no figure). Ask again", by()));
+            throw SystemError(fmt::format("stopped by signal {} (no figure). Run the same command again", by()));
         }
     }
 

@@ -50,7 +50,7 @@ struct Ladder::TrialState {
     [[nodiscard]] bool followed() const { return last != none && (last > 0 || outcome.verdict != Verdict::at_rest); }
 };
 
-// What the batches left behind, one behind the other.
+// What the batches left behind, contiguous.
 struct Ladder::Ended {
     std::vector<std::unique_ptr<Checkpoints>> batches;
 };

@@ -1,4 +1,4 @@
-/// The trials of a campaign that are worth a look: where a body first fell, how near it came, what contradicts itself.
+/// The trials of a campaign to inspect: where a body first fell, how near it came, what contradicts itself.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace overturn {
 
-/// Why a trial is worth a look.
+/// Why to inspect a trial.
 enum class TellingKind : std::uint8_t {
     first_overturned,  ///< fell at the lowest level of all; of several the one with the lowest number
     nearest_miss,      ///< highest peak rotation of those that moved and stood

@@ -39,9 +39,9 @@ struct RatioQuantiles {
 struct CriterionStudy {
     Confusion counts;
     Share safe_but_overturned;           ///< of all trials said safe: the share that must be 0
-    Share safe_uplifted_but_overturned;  ///< of those that uplifted: the others put no criterion to the test
+    Share safe_uplifted_but_overturned;  ///< of trials that uplifted: no other tests the criterion
     Share overturned_said_safe;          ///< of all trials that overturned
-    Share unsafe_but_stood;              ///< of all trials said unsafe: the price
+    Share unsafe_but_stood;              ///< of all trials predicted unsafe: the false alarms
     Share stood_said_unsafe;             ///< of all trials that stood
     /// Of the waves with a trial said safe, those with one of these overturned: trials of one wave are not independent,
     /// waves are.

@@ -27,13 +27,13 @@ struct Stripe {
 
 /// How a criterion "measure < limit means it does not overturn" did against time histories.
 struct Confusion {
-    std::int64_t false_safe = 0;     ///< said safe, overturned: the count that matters
-    std::int64_t false_alarm = 0;    ///< said unsafe, stood
+    std::int64_t false_safe = 0;     ///< predicted safe, overturned: the count that matters
+    std::int64_t false_alarm = 0;    ///< predicted unsafe, stood
     std::int64_t true_safe = 0;      ///< said safe, stood
-    std::int64_t true_overturn = 0;  ///< said unsafe, overturned
+    std::int64_t true_overturn = 0;  ///< predicted unsafe, overturned
 
     std::int64_t undecided_safe = 0;    ///< said safe, no verdict
-    std::int64_t undecided_unsafe = 0;  ///< said unsafe, no verdict
+    std::int64_t undecided_unsafe = 0;  ///< predicted unsafe, no verdict
 
     void add(bool said_safe, bool overturned);
     void add_undecided(bool said_safe) { ++(said_safe ? undecided_safe : undecided_unsafe); }

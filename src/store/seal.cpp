@@ -27,7 +27,7 @@ std::uint64_t line_length() {
 }
 
 [[noreturn]] void fail(std::filesystem::path const& path) {
-    throw SystemError(fmt::format("cannot read {} (a disk that fails?). Look after it, and try again", path.string()));
+    throw SystemError(fmt::format("cannot read {} (a failing disk?). Check the disk and retry", path.string()));
 }
 
 std::string digits_of(std::ifstream& file, std::uint64_t bytes, std::filesystem::path const& path) {

@@ -36,7 +36,7 @@ def add(report):
     words = (f"{counts['assumed']} of {counts['inputs']} inputs are assumed, {counts['published']} published, "
              f"{counts['measured']} measured, {counts['not_stated']} not stated, {counts['default']} defaults of this program.")
     drawn = table(["input", "value (range)", "basis", "source, and where it is said"], map(input_row, inputs[:MOST]),
-                  f"{len(inputs) - MOST} more: overturn fit --json tells all." if len(inputs) > MOST else "")
+                  f"{len(inputs) - MOST} more: overturn fit --json lists all." if len(inputs) > MOST else "")
     report.section("assumptions", "Assumptions", paragraphs([words]),
                    fold("inputs, by their own word", drawn) if len(inputs) > MOST_OPEN else drawn,
                    "<h3>What the model assumes</h3>",

@@ -213,7 +213,7 @@ class Report:
                            f"{body}: rare events of {limit}")
 
     def telling(self):
-        """The trials worth a look, as a table and a file."""
+        """The trials to inspect, as a table and a file."""
         trials = self.fit["telling_trials"]
         if not trials:
             return ""
@@ -222,7 +222,7 @@ class Report:
                  value_of(t["peak_rotation_ratio"]), value_of(t["peak_slip_m"], 3), self.amplitude(t["overturned_at"])]
                 for t in trials]
         head = ["body", "kind", "trial", "wave", "level", "verdict", "peak rotation / α", "slip [m]", "overturned at"]
-        return "<h3>Trials worth a look</h3>" + table(
+        return "<h3>Trials to inspect</h3>" + table(
             head, rows, "Nearest miss and largest slip are of trials that stood. A verdict changes back where a wave "
                         "that overturned the body stood at a higher level.")
 
