@@ -111,6 +111,14 @@ void Table::finish() const {
         if (node_->used.contains(key.str()) || node_->speaks_of_origin(key.str())) {
             continue;
         }
+        auto const described = node_->descriptions(key.str());
+        auto const conditional = std::ranges::find_if(described, [](Key const* one) { return !one->where.empty(); });
+        if (conditional != described.end()) {
+            throw InputError(node_->locate(&node),
+                             fmt::format("key '{}' (nothing reads it here: it has a meaning only where {}). Remove "
+                                         "it, or what outranks it",
+                                         node_->full(key.str()), (*conditional)->where));
+        }
         if (node_->complete && node_->asked.contains(key.str())) {
             throw InputError(node_->locate(&node), fmt::format("key '{}' (other keys here leave it no meaning). Remove "
                                                                "it, or what outranks it",
