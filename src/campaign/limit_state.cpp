@@ -73,12 +73,41 @@ std::string LimitState::threshold_text() const {
     return text;
 }
 
+namespace {
+
+// Of how a body lands only those speak that fell.
+bool is_passed_by_falling(LimitState const& limit, std::span<LimitState const> limits) {
+    auto const is = [&](std::size_t part) { return is_passed_by_falling(limits[part], limits); };
+    switch (limit.rule) {
+        case LimitState::Rule::above:
+        case LimitState::Rule::below:
+            return limit.falls_pass || limit.quantity.is_of_the_fall();
+        case LimitState::Rule::any:
+            return std::ranges::any_of(limit.of, is);
+        case LimitState::Rule::all:
+            return std::ranges::all_of(limit.of, is);
+        case LimitState::Rule::overturning:
+            break;
+    }
+    return true;
+}
+
+std::string_view words_of_falls(LimitState const& limit, std::span<LimitState const> limits) {
+    return is_passed_by_falling(limit, limits) ? std::string_view() : without_overturning;
+}
+
+}  // namespace
+
+std::string said_name(LimitState const& limit, std::span<LimitState const> limits) {
+    return limit.name + std::string(words_of_falls(limit, limits));
+}
+
 std::string definition_of(LimitState const& limit, std::span<LimitState const> limits) {
-    auto const* const without = limit.falls_pass || limit.quantity.is_of_the_fall() ? "" : " without overturning";
+    auto const without = words_of_falls(limit, limits);
     auto const names = [&] {
         std::string text;
         for (auto const place : limit.of) {
-            text += (text.empty() ? "" : ", ") + limits[place].name;
+            text += (text.empty() ? "" : ", ") + said_name(limits[place], limits);
         }
         return text;
     };

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "campaign/rows.hpp"
@@ -52,8 +53,14 @@ struct LimitState {
     [[nodiscard]] Passing passing() const { return is_overturning() ? Passing::overturned : Passing::exceeded; }
 };
 
+/// Of a limit state that a fall alone does not pass.
+inline constexpr std::string_view without_overturning = " without overturning";
+
 /// The name of the one that is always there, the first.
 inline constexpr char const* overturning_limit = "overturning";
+
+/// How lines of results call it: "touches"; where a fall alone does not pass it "touches without overturning".
+[[nodiscard]] std::string said_name(LimitState const& limit, std::span<LimitState const> limits);
 
 /// "peak_slip > 30 cm"; "peak_slip > 30 cm without overturning"; "any of touches, overturning".
 [[nodiscard]] std::string definition_of(LimitState const& limit, std::span<LimitState const> limits);

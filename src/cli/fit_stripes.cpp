@@ -14,6 +14,7 @@
 #include "output/curve_text.hpp"
 #include "output/fit_json.hpp"
 #include "output/frequency_text.hpp"
+#include "output/interval_text.hpp"
 #include "output/stripe_tables.hpp"
 #include "output/summary_tables.hpp"
 #include "results/analysis.hpp"
@@ -33,10 +34,10 @@ std::string stripes_text(StripeTable const& table, double confidence, bool full)
                             "failed", "P", fmt::format("{:g} % interval", 100 * confidence));
     for (auto const& stripe : table.stripes) {
         auto const interval = stripe.interval(confidence);
-        text += fmt::format("{:>10.4g} {:>7} {:>11} {:>7}  {:>8}  [{:.6f}, {:.6f}]\n", stripe.amplitude, stripe.trials,
+        text += fmt::format("{:>10.4g} {:>7} {:>11} {:>7}  {:>8}  {}\n", stripe.amplitude, stripe.trials,
                             stripe.overturned, stripe.failed,
                             stripe.decided() > 0 ? fmt::format("{:.4f}", stripe.probability()) : std::string("-"),
-                            interval.lower, interval.upper);
+                            output::millionths_text(interval));
     }
     return text;
 }

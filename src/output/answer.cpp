@@ -122,7 +122,7 @@ class SheetMaker {
         auto const& counted = of_.statistics.bodies()[b];
         auto const limits = detail == Detail::overturning ? 1 : of_.spec.limits.size();
         for (std::size_t limit = 0; limit < limits; ++limit) {
-            auto const name = limit == 0 ? std::string("overturn") : of_.spec.limits[limit].name;
+            auto const name = limit == 0 ? std::string("overturn") : said_name(of_.spec.limits[limit], of_.spec.limits);
             add_row(limit == 0 ? body.body : "", "P(" + name + ")",
                     [&](std::size_t l) { return probability_text(counted.stripes_of(limit)[l], of_.confidence); });
         }
@@ -180,13 +180,21 @@ struct Widths {
             body = std::clamp(line[0].size(), body, most_of_body);
         }
         for (auto const& line : sheet.rows) {
-            row = std::clamp(line[1].size(), row, names - 1 - body);
+            row = std::max(row, std::min(line[1].size(), names - 1 - body + words_of(line[1]).size()));
         }
+    }
+    // " without overturning)", which is never shortened.
+    static std::string_view words_of(std::string_view name) {
+        auto const at = name.rfind(without_overturning);
+        return at != std::string_view::npos && name.ends_with(')') ? name.substr(at) : std::string_view();
     }
     [[nodiscard]] std::string line(std::vector<std::string> const& parts) const {
         // "P(hits n..hbour)": the name inside is shortened.
         auto const& name = parts[1];
-        auto const what = name.size() <= row ? name : "P(" + shortened(name.substr(2, name.size() - 3), row - 3) + ")";
+        auto const end = words_of(name).empty() ? std::string(")") : std::string(words_of(name));
+        auto const inside = row - 2 - end.size();
+        auto const what =
+            name.size() <= row ? name : "P(" + shortened(name.substr(2, name.size() - 2 - end.size()), inside) + end;
         auto text = fmt::format("{:<{}} {:<{}}", shortened(parts[0], body), body, what, row);
         for (std::size_t p = 2; p < parts.size(); ++p) {
             text += fmt::format(" {:<{}}", parts[p], cell);

@@ -84,6 +84,8 @@ Table response_table(std::string const& body, std::span<ResponseBin const> bins)
 Table limit_table(CampaignSpec const& spec) {
     TableOf<LimitState> table({.name = "limit_states", .group = "limit_states"}, spec.limits);
     table.add("name", "1", "limit state", [](LimitState const& limit) { return limit.name; })
+        .add("said", "1", "how lines call it: with the words that a fall alone does not pass it, where it does not",
+             [&](LimitState const& limit) { return said_name(limit, spec.limits); })
         .add("definition", "1", "when a trial has passed it",
              [&](LimitState const& limit) { return definition_of(limit, spec.limits); })
         .add("quantity", "1", "response that is held to a threshold; empty: none",

@@ -6,16 +6,20 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "output/detail/outward.hpp"
+#include "core/outward.hpp"
+#include "output/interval_text.hpp"
 #include "results/analysis.hpp"
 
 namespace overturn::output {
 namespace {
 
-std::string end_text(double value) { return std::isfinite(value) ? fmt::format("{:.4g}", value) : "open"; }
+constexpr int digits = 4;
+
+std::string end_text(double value) { return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "open"; }
 
 std::string ends_text(Interval const& interval, IntensityUnit const& unit = {}) {
-    return fmt::format("[{}, {}]", end_text(unit.of(interval.lower)), end_text(unit.of(interval.upper)));
+    return fmt::format("[{}, {}]", end_text(rounded_down(unit.of(interval.lower), digits)),
+                       end_text(rounded_up(unit.of(interval.upper), digits)));
 }
 
 std::string measure_text(MeasuredFragility const& m) {
@@ -23,7 +27,7 @@ std::string measure_text(MeasuredFragility const& m) {
 }
 
 std::string point_text(MeasuredFragility const& m, std::optional<double> const& intensity) {
-    return intensity ? fmt::format("{:.4g}", m.told.of(*intensity)) : std::string("-");
+    return intensity ? fmt::format("{:.{}g}", rounded_down(m.told.of(*intensity), digits), digits) : std::string("-");
 }
 
 std::string fit_line(MeasuredFragility const& m) {
@@ -135,7 +139,7 @@ std::string quote_line(MeasuredFragility const& m, QuotedProbability const& q) {
                       : q.source == Source::neighbours ? neighbours_text(m, *q.neighbours)
                                                        : std::string();
     auto const bounds = q.source == Source::none ? std::string("no bound")
-                                                 : fmt::format("[{:.3g}, {:.3g}]{}", q.bounds.lower, q.bounds.upper,
+                                                 : fmt::format("{}{}", interval_text(q.bounds),
                                                                q.source != Source::curve ? exact_text(q, m.fit.alike)
                                                                : has(m.fit.flags, FragilityFlag::poor_fit)
                                                                    ? " by a curve that does not describe the data"

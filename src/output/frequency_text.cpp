@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "output/detail/interval_text.hpp"
+#include "output/interval_text.hpp"
 
 namespace overturn::output {
 namespace {
@@ -101,7 +101,9 @@ std::string row_of(BodyFrequency const& f) {
 }  // namespace
 
 std::string frequency_name(BodyFrequency const& f) {
-    return f.limit == overturning_limit || f.limit.empty() ? f.body : fmt::format("{}, {}", f.body, f.limit);
+    return f.limit == overturning_limit || f.limit.empty()
+               ? f.body
+               : fmt::format("{}, {}", f.body, f.said.empty() ? f.limit : f.said);
 }
 
 std::vector<std::string> frequency_notes(BodyFrequency const& f, HazardCurve const& hazard) {
@@ -133,7 +135,8 @@ std::string frequency_text(std::span<BodyFrequency const> frequencies, HazardCur
     for (auto const& f : frequencies) {
         text += row_of(f);
         for (auto const& note : frequency_notes(f, hazard)) {
-            text += f.body.empty() ? fmt::format("  note: {}\n", note) : fmt::format("  note: {}: {}\n", f.body, note);
+            text += f.body.empty() ? fmt::format("  note: {}\n", note)
+                                   : fmt::format("  note: {}: {}\n", frequency_name(f), note);
         }
     }
     return text;

@@ -27,7 +27,9 @@ std::vector<std::string> notes_of(Answered const& of) {
     for (auto const& body : of.analysis) {
         for (std::size_t limit = 0; limit < of.spec.limits.size() && !body.grid; ++limit) {
             auto const& curve = body.curves_of(limit).front();
-            auto const name = limit == 0 ? body.body : fmt::format("{} ({})", body.body, curve.limit);
+            auto const name = limit == 0
+                                  ? body.body
+                                  : fmt::format("{} ({})", body.body, said_name(of.spec.limits[limit], of.spec.limits));
             for (auto const& sentence : warnings_of(curve.fit, curve.told, of.confidence)) {
                 auto const known = std::ranges::find(about, sentence, &std::pair<std::string, std::string>::first);
                 if (known == about.end()) {
@@ -75,7 +77,7 @@ bool is_grid(Printed const& printed) { return printed.answered.spec.is_grid(); }
 std::string together(Printed const& printed, TextOptions const& /*options*/) {
     auto const& of = printed.answered;
     return together_text(of.spec, bodies_together(of.spec, of.statistics), of.confidence)
-           + (printed.pairs.empty() ? std::string() : two_measures_text(printed.pairs, of.confidence));
+           + (printed.pairs.empty() ? std::string() : two_measures_text(of.spec, printed.pairs, of.confidence));
 }
 
 struct Section {

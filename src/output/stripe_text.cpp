@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "output/detail/limit_text.hpp"
+#include "output/interval_text.hpp"
 #include "output/shown_levels.hpp"
 #include "response/registry.hpp"
 #include "results/statistics.hpp"
@@ -97,7 +98,7 @@ void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& bo
             text += fmt::format(" {:>{}}", s.ends[v][l], width_of(v));
         }
         if (!grid) {
-            text += fmt::format("  {:>8}  [{:.6f}, {:.6f}]", estimate_text(stripe), interval.lower, interval.upper);
+            text += fmt::format("  {:>8}  {}", estimate_text(stripe), millionths_text(interval));
         }
         if (spec.measures.energy) {
             text += fmt::format("  {:>9} / {:<5}", s.v_wes[l].true_safe + s.v_wes[l].false_safe, s.v_wes[l].false_safe);

@@ -76,6 +76,23 @@ double nothing_below(CampaignSpec const& spec, BodySpec const& body) {
     return std::min(body.body.uplift_acceleration_mps2(), slips);
 }
 
+// Is it passed by a body only that moves? Friction is asked of one at rest, and what is small passes a limit from
+// below.
+bool needs_motion(LimitState const& limit, std::span<LimitState const> limits) {
+    switch (limit.rule) {
+        case LimitState::Rule::above:
+            return limit.quantity.name != "friction_demand";
+        case LimitState::Rule::below:
+            return false;
+        case LimitState::Rule::any:
+        case LimitState::Rule::all:
+            return std::ranges::all_of(limit.of, [&](auto part) { return needs_motion(limits[part], limits); });
+        case LimitState::Rule::overturning:
+            break;
+    }
+    return true;
+}
+
 // What follows from the curve alone, by its median, beta_R and beta_U.
 void add_curve(BodyFrequency& made, LognormalFragility const& mean, HazardCurve const& hazard,
                TriedRange const& tried) {
@@ -149,13 +166,15 @@ std::vector<BodyFrequency> frequencies_of(CampaignSpec const& spec, Statistics c
                                           double confidence) {
     std::vector<BodyFrequency> all;
     for (std::size_t b = 0; b < analysis.size(); ++b) {
-        double const nothing = nothing_below(spec, spec.bodies[b]);
+        double const still = nothing_below(spec, spec.bodies[b]);
         for (std::size_t limit = 0; limit < spec.limits.size(); ++limit) {
             auto const& fits = limit == 0 ? analysis[b].fragility : analysis[b].limits[limit - 1].fragility;
             auto const stripes = FragilityData::of_stripes(statistics.bodies()[b].stripes_of(limit));
+            double const nothing = needs_motion(spec.limits[limit], spec.limits) ? still : 0;
             all.push_back(frequency_of(fits.front().fit, stripes, hazard, confidence, nothing));
             all.back().body = analysis[b].body;
             all.back().limit = spec.limits[limit].name;
+            all.back().said = said_name(spec.limits[limit], spec.limits);
         }
     }
     return all;

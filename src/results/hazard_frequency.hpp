@@ -16,6 +16,7 @@ namespace overturn {
 /// Of one body and limit state. All frequencies in 1/a.
 struct BodyFrequency {
     std::string body, limit;
+    std::string said;  ///< how lines call the limit state; empty: by its name
     /// By the curve over the levels with beta_R and beta_U together, if there is a curve: their mean, the curve taken
     /// to hold outside of the levels too.
     std::optional<AnnualFrequency> mean;

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/outward.hpp"
 #include "stats/curve_spread.hpp"
 #include "stats/fragility.hpp"
 
@@ -48,6 +49,7 @@ std::string alike_text(double alike) {
 
 std::string bound_text(FragilityFit const& fit, IntensityUnit const& unit, double confidence) {
     auto const& bound = *fit.bound;
+    constexpr int digits = 4;
     bool const none = fit.state == FragilityState::none_overturned;
     auto const where = bound.from == bound.to ? unit.text(bound.from)
                                               : fmt::format("{:.4g} to {}", unit.of(bound.from), unit.text(bound.to));
@@ -55,19 +57,20 @@ std::string bound_text(FragilityFit const& fit, IntensityUnit const& unit, doubl
                                  ? none ? "no trial exceeded it" : "every trial exceeded it"
                              : none ? "nothing overturned"
                                     : "everything overturned";
-    return fmt::format("{}: no curve; P {} {:.4g} at {} ({} of {:g}{}, {:g} %)", what,
-                       none ? "<=" : ">=", none ? bound.probability.upper : bound.probability.lower, where,
-                       none ? "none" : "all", bound.units, alike_text(bound.alike), 100 * confidence);
+    return fmt::format(
+        "{}: no curve; P {} {:.4g} at {} ({} of {:g}{}, {:g} %)", what, none ? "<=" : ">=",
+        none ? rounded_up(bound.probability.upper, digits) : rounded_down(bound.probability.lower, digits), where,
+        none ? "none" : "all", bound.units, alike_text(bound.alike), 100 * confidence);
 }
 
 // What several stripes say together, if P does not fall.
 std::string pooled_text(SeenBound const& pooled, IntensityUnit const& unit, double confidence) {
-    auto const least = pooled.overturned > 0
-                           ? fmt::format(", P >= {:.3g} at {}", pooled.probability.lower, unit.text(pooled.to))
-                           : std::string();
+    auto const least = pooled.overturned > 0 ? fmt::format(", P >= {:.3g} at {}",
+                                                           rounded_down(pooled.probability.lower), unit.text(pooled.to))
+                                             : std::string();
     return fmt::format(
         "if P does not decrease with the level: P <= {:.3g} at {}{} ({} from {:.4g} to {:.4g}, {:g} %{})",
-        pooled.probability.upper, unit.text(pooled.from), least, counts_text(pooled), unit.of(pooled.from),
+        rounded_up(pooled.probability.upper), unit.text(pooled.from), least, counts_text(pooled), unit.of(pooled.from),
         unit.of(pooled.to), 100 * confidence, least.empty() ? "" : " for both together");
 }
 
@@ -90,8 +93,8 @@ std::string separated_text(FragilityFit const& fit, IntensityUnit const& unit) {
                             unit.text(std::exp(fit.penalised->log_median())), fit.penalised->beta());
     }
     if (fit.bound) {
-        text +=
-            fmt::format("; P there in [{:.3g}, {:.3g}]", fit.bound->probability.lower, fit.bound->probability.upper);
+        text += fmt::format("; P there in [{:.3g}, {:.3g}]", rounded_down(fit.bound->probability.lower),
+                            rounded_up(fit.bound->probability.upper));
     }
     return text;
 }
@@ -213,7 +216,7 @@ std::string doubtful_text(FragilityFit const& fit, IntensityUnit const& unit, do
     for (auto const* side : {&fit.beside_five_percent->below, &fit.beside_five_percent->above}) {
         if (side->units > 0) {
             text += fmt::format("; {} at {}: P in [{:.3g}, {:.3g}]", counts_text(*side), unit.text(side->from),
-                                side->probability.lower, side->probability.upper);
+                                rounded_down(side->probability.lower), rounded_up(side->probability.upper));
         }
     }
     return text + fmt::format(" ({:g} %)", 100 * confidence);

@@ -102,6 +102,24 @@ TEST(LimitState, AFallPassesEveryLimit) {
     EXPECT_EQ(definition_of(without.spec.limits[1], without.spec.limits), "peak_slip > 30 cm without overturning");
 }
 
+// what is joined says it too, where a fall alone does not pass it, in every line that names it.
+TEST(LimitState, LinesSayWhereAFallDoesNotPassIt) {
+    Judged const judged("[[limits]]\nname='slides'\nquantity='peak_slip'\nabove='30 cm'\noverturned='excluded'\n" + tilts
+                        + "[[limits]]\nname='one'\nany=['slides']\n[[limits]]\nname='either'\nany=['slides','tilts']\n"
+                          "[[limits]]\nname='both'\nall=['slides','overturning']\n");
+    auto const& limits = judged.spec.limits;
+    std::vector<std::string> said;
+    std::vector<std::string> definitions;
+    for (auto const& limit : limits) {
+        said.push_back(said_name(limit, limits));
+        definitions.push_back(definition_of(limit, limits));
+    }
+    EXPECT_EQ(said, (std::vector<std::string>{"overturning", "slides without overturning", "tilts",
+                                              "one without overturning", "either", "both without overturning"}));
+    EXPECT_EQ(definitions[3], "any of slides without overturning");
+    EXPECT_EQ(definitions[4], "any of slides without overturning, tilts");
+}
+
 /// How near a trial came is at least 1 where it passed a limit and at most 1 where it kept within it, and rises with
 /// the response; `any` is as near as its nearest, `all` as its farthest.
 TEST(LimitState, NearnessIsNestedWithPassing) {

@@ -6,8 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/outward.hpp"
 #include "core/wrapped.hpp"
-#include "output/detail/outward.hpp"
+#include "output/interval_text.hpp"
 #include "output/sections.hpp"
 #include "support/campaigns.hpp"
 #include "support/expect_input_error.hpp"
@@ -133,12 +134,33 @@ TEST(Answer, RoundsToTheSafeSide) {
     EXPECT_EQ(probability_text({.trials = 40, .overturned = 40}, 0.95), "> 0.911 (40 of 40)");
     EXPECT_EQ(probability_text({.trials = 40, .failed = 40}, 0.95), "not known");
     EXPECT_EQ(probability_text({.trials = 40, .undecided = 4}, 0.95), "< 0.237 (4 undecided)");  // as of 4 of 40
-    EXPECT_EQ(output::rounded_up(0.12301), 0.124);
-    EXPECT_EQ(output::rounded_up(0.123), 0.123);
-    EXPECT_EQ(output::rounded_down(0.12399), 0.123);
-    EXPECT_EQ(output::rounded_up(1234), 1240);
-    EXPECT_EQ(output::rounded_up(-0.12399), -0.123);
-    EXPECT_EQ(output::rounded_up(0), 0);
+    EXPECT_EQ(rounded_up(0.12301), 0.124);
+    EXPECT_EQ(rounded_up(0.123), 0.123);
+    EXPECT_EQ(rounded_down(0.12399), 0.123);
+    EXPECT_EQ(rounded_up(1234), 1240);
+    EXPECT_EQ(rounded_up(-0.12399), -0.123);
+    EXPECT_EQ(rounded_up(0), 0);
+    EXPECT_EQ(output::interval_text({0.041799, 0.2687024}), "[0.0417, 0.269]");
+    EXPECT_EQ(output::interval_text({0, 0.0182752}), "[0, 0.0183]");
+    EXPECT_EQ(output::interval_text({2.691e-6, 2.401e-3}), "[2.69e-06, 0.00241]");
+    EXPECT_EQ(output::millionths_text({0, 3.7e-7}), "[0.000000, 0.000001]");  // none of ten million
+    EXPECT_EQ(output::millionths_text({0.25, 0.7500001}), "[0.250000, 0.750001]");
+}
+
+// a limit that a fall does not pass says so in every line of the answer, whole where a long name is shortened.
+TEST(Answer, SaysWithoutOverturning) {
+    std::string const limits =
+        "design_basis='600 gal'\n[[limits]]\nname='{}'\nquantity='peak_slip'\nabove='20 mm'\n"
+        "overturned='excluded'\n";
+    auto const text = [&](std::string const& body, std::string const& name) {
+        auto stated = limits;
+        return Made(body_named(body), stated.replace(stated.find("{}"), 2, name), {0, 0, 5, 40}).text();
+    };
+    EXPECT_NE(text("cask", "touches").find("P(touches without overturning) "), std::string::npos)
+        << text("cask", "touches");
+    auto const shortened = text("cask of a rather long name", "touches the wall of the building");
+    EXPECT_NE(shortened.find(" without overturning) "), std::string::npos) << shortened;
+    EXPECT_NE(shortened.find("P(t"), std::string::npos) << shortened;
 }
 
 // lines end between words, and a long word stands alone.

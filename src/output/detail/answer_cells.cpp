@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "output/detail/outward.hpp"
+#include "core/outward.hpp"
 
 namespace overturn::output {
 namespace {

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "output/interval_text.hpp"
+
 namespace overturn::output {
 namespace {
 
@@ -11,9 +13,7 @@ std::string share_line(char const* what, Share const& share) {
     if (share.of == 0) {
         return fmt::format("    {}: no such trials\n", what);
     }
-    auto const ends = std::isnan(share.interval.lower)
-                          ? std::string()
-                          : fmt::format(" [{:.3g}, {:.3g}]", share.interval.lower, share.interval.upper);
+    auto const ends = std::isnan(share.interval.lower) ? std::string() : " " + interval_text(share.interval);
     return fmt::format("    {}: {} of {} = {:.3g}{}\n", what, share.count, share.of, share.value(), ends);
 }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "output/interval_text.hpp"
 #include "response/registry.hpp"
 
 namespace overturn::output {
@@ -14,17 +15,17 @@ std::string rare_text(CampaignSpec const& spec, std::span<RareBody const> bodies
     for (auto const& body : bodies) {
         auto const& limit = spec.limits[body.limit];
         text += fmt::format("\nrare events of {}{}, by {}\n{:>10}  {:>10}  {:>22}  {:>6}  {:>13}  {:>9}  {:>10}\n",
-                            spec.bodies[body.body].name, body.limit == 0 ? "" : ": " + limit.name,
+                            spec.bodies[body.body].name, body.limit == 0 ? "" : ": " + said_name(limit, spec.limits),
                             spec.levels.measure_name(), "amplitude", "P", "95 % interval", "c.o.v.", "method", "waves",
                             "crude");
         for (auto const& e : body.estimates) {
-            auto const interval = fmt::format("[{:.3g}, {:.3g}]", e.interval_95.lower, e.interval_95.upper);
+            auto const interval = interval_text(e.interval_95);
             text += e.probability
                         ? fmt::format("{:>10.4g}  {:>10.3e}  {:>22}  {:>6.3f}  {:>13}  {:>9}  {:>10.2g}\n", e.factor,
                                       *e.probability, interval, e.cov, name_of(e.method), e.runs, e.crude_runs)
                         : fmt::format("{:>10.4g}  {:>10}  {:>22}  {:>6}  {:>13}  {:>9}  {}: {}\n", e.factor,
-                                      fmt::format("< {:.2e}", e.interval_95.upper), "", "", name_of(e.method), e.runs,
-                                      name_of(e.state), e.reason);
+                                      fmt::format("< {:.2e}", rounded_up(e.interval_95.upper)), "", "",
+                                      name_of(e.method), e.runs, name_of(e.state), e.reason);
         }
         for (auto const& e : body.estimates) {
             for (auto const& words : e.tried) {

@@ -26,7 +26,7 @@ std::string nearest_limit(CampaignSpec const& spec, LimitJudge const& judge, Tri
             which = limit;
         }
     }
-    return which == 0 ? std::string("-") : fmt::format("{:.3g} {}", most, spec.limits[which].name);
+    return which == 0 ? std::string("-") : fmt::format("{:.3g} {}", most, said_name(spec.limits[which], spec.limits));
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "core/outward.hpp"
+#include "output/interval_text.hpp"
 #include "output/shown_levels.hpp"
 
 namespace overturn::output {
@@ -16,8 +18,11 @@ std::string value_text(LevelQuantiles const& at, double value) {
 }
 
 std::string quantile_text(LevelQuantiles const& at, SampleQuantile const& q) {
-    auto const end = [&](std::optional<double> const& value) { return value ? value_text(at, *value) : "open"; };
-    return fmt::format("{} [{}, {}]", value_text(at, q.value), end(q.lower), end(q.upper));
+    auto const end = [&](std::optional<double> const& value, double rounded) {
+        return value ? value_text(at, *value >= at.fallen ? *value : rounded) : "open";
+    };
+    return fmt::format("{} [{}, {}]", value_text(at, q.value), end(q.lower, rounded_down(q.lower.value_or(0))),
+                       end(q.upper, rounded_up(q.upper.value_or(0))));
 }
 
 }  // namespace
@@ -34,7 +39,7 @@ std::string limit_stripes_text(CampaignSpec const& spec, BodyStatistics const& c
     auto const& of = counted.limits[limit - 1];
     bool const grid = !counted.grid.empty();
     auto text = fmt::format(
-        "\n{}, limit state {}: {}\n{:>10} {:>7} {:>8} {:>9} {:>7}{}\n", counted.body, stated.name,
+        "\n{}, limit state {}: {}\n{:>10} {:>7} {:>8} {:>9} {:>7}{}\n", counted.body, said_name(stated, spec.limits),
         definition_of(stated, spec.limits), fmt::format("{} {}", spec.levels.measure_name(), spec.levels.shown_units()),
         "trials", "exceeded", "undecided", "failed",
         grid ? std::string()
@@ -44,8 +49,7 @@ std::string limit_stripes_text(CampaignSpec const& spec, BodyStatistics const& c
         auto const interval = stripe.interval(spec.confidence);
         auto const purpose = spec.levels.levels[l].purpose;
         auto const chance =
-            grid ? std::string()
-                 : fmt::format("  {:>8}  [{:.6f}, {:.6f}]", estimate_text(stripe), interval.lower, interval.upper);
+            grid ? std::string() : fmt::format("  {:>8}  {}", estimate_text(stripe), millionths_text(interval));
         text += fmt::format("{:>10.4g} {:>7} {:>8} {:>9} {:>7}{}{}\n", spec.levels.shown(stripe.amplitude),
                             stripe.trials, stripe.overturned, stripe.undecided, stripe.failed, chance,
                             purpose == LevelClass::ordinary ? std::string() : fmt::format("  {}", name_of(purpose)));

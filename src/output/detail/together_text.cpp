@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "output/detail/interval_text.hpp"
+#include "output/interval_text.hpp"
 #include "output/shown_levels.hpp"
 
 namespace overturn::output {
@@ -15,6 +15,11 @@ std::string phi_text(std::optional<double> const& phi) { return phi ? fmt::forma
 
 std::string slope_text(Estimate const& estimate) {
     return fmt::format("{:.3g} {}", estimate.value, interval_text(estimate.interval));
+}
+
+std::string said_of(std::string const& name, CampaignSpec const& spec) {
+    auto const limit = std::ranges::find(spec.limits, name, &LimitState::name);
+    return limit == spec.limits.end() ? name : said_name(*limit, spec.limits);
 }
 
 }  // namespace
@@ -29,7 +34,8 @@ std::string together_text(CampaignSpec const& spec, std::span<BodiesTogether con
             auto const& pair = of.joint.pairs[p];
             heads.push_back(fmt::format("{}/{}", spec.bodies[pair.first].name, spec.bodies[pair.second].name));
         }
-        auto const did = of.passing == Passing::exceeded ? "exceeds " + of.limit : std::string("overturns");
+        auto const did =
+            of.passing == Passing::exceeded ? "exceeds " + said_of(of.limit, spec) : std::string("overturns");
         auto const left = shown < of.joint.pairs.size()
                               ? fmt::format(" (the first {} of {} pairs; all in --json)", shown, of.joint.pairs.size())
                               : std::string();
@@ -60,11 +66,12 @@ std::string together_text(CampaignSpec const& spec, std::span<BodiesTogether con
     return text;
 }
 
-std::string two_measures_text(std::span<TwoMeasures const> fits, double confidence) {
+std::string two_measures_text(CampaignSpec const& spec, std::span<TwoMeasures const> fits, double confidence) {
     std::string text =
         fmt::format("\nP over two measures (SI), {:g} % intervals by resampling waves\n", 100 * confidence);
     for (auto const& of : fits) {
-        auto const who = of.limit == overturning_limit ? of.body : fmt::format("{}, {}", of.body, of.limit);
+        auto const who =
+            of.limit == overturning_limit ? of.body : fmt::format("{}, {}", of.body, said_of(of.limit, spec));
         if (!of.fit) {
             text += fmt::format(
                 "  {}: no curve over {} and {} (all ended alike, are separated, or one measure is the "

@@ -12,6 +12,7 @@ namespace overturn::output {
 [[nodiscard]] std::string together_text(CampaignSpec const& spec, std::span<BodiesTogether const> together,
                                         double confidence);
 
-[[nodiscard]] std::string two_measures_text(std::span<TwoMeasures const> fits, double confidence);
+[[nodiscard]] std::string two_measures_text(CampaignSpec const& spec, std::span<TwoMeasures const> fits,
+                                            double confidence);
 
 }  // namespace overturn::output

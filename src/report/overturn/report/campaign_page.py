@@ -10,11 +10,11 @@ from . import (assumption_sections, body_figure, fragility_figures, frequency_se
                outcome_sections, rare_figures, spectra_figure, style, trial_figures, wave_figure)
 from .fragility_figures import MEASURES
 from .limit_sections import OVERTURNING
-from .page_parts import (csv_cell, escape, figure_of, fold, in_pages, interval, paragraphs, rows_by, shares, table,
+from .page_parts import (csv_cell, escape, figure_of, fold, high_of, in_pages, interval, low_of, paragraphs, rows_by, shares, table,
                          value_of)
 from .page_style import CSS
 from .campaign_results import CampaignResults
-from .style import plain
+from .style import outward, plain
 
 
 SCALE = 1.2  # of figures on the page: type of 8 points beside text of 15 pixels
@@ -31,6 +31,7 @@ class Report:
         self.results = CampaignResults(path_of(data["file"]), data["bodies"])
         self.stripes = {limit["name"]: [s for s in self.fit["stripes"] if s["limit"] == limit["name"]]
                         for limit in self.fit["limit_states"]}
+        self.said = {limit["name"]: limit["said"] for limit in self.fit["limit_states"]}  # as lines call them
         self.ends = [end for end in self.results.ends if end in self.fit["stripes"][0]]  # of those that the program knows
         parts = {part: rows_by(self.fit[part], "body", "limit", "measure")
                  for part in ("probabilities", "band", "isotonic", "drawn", "warnings")}
@@ -79,18 +80,22 @@ class Report:
         self.contents.append(f'<a href="#{anchor}">{escape(title)}</a>')
         self.sections.append(f'<section id="{anchor}"><h2>{escape(title)}</h2>\n{"".join(parts)}</section>\n')
 
-    def amplitude(self, value, digits=4):
+    def amplitude(self, value, digits=4, rounded=lambda shown, digits: shown):
         if value is None:
             return "–"
         shown, unit = self.results.in_units(value)
-        text = plain(float(shown), digits)
+        text = plain(rounded(float(shown), digits), digits)
         return f"{text.rstrip('0').rstrip('.') if '.' in text else text} {unit}".strip()
+
+    def capacity(self, value, digits=4):
+        """An amplitude that a body withstands, rounded down."""
+        return self.amplitude(value, digits, lambda shown, digits: outward(shown, digits, up=False))
 
     def amplitudes(self, ends, digits=4):
         if not ends:
             return "–"
-        low, high = (value_of(end if end is None else float(self.results.in_units(end)[0]), digits, "open") for end in ends)
-        return f"{low} – {high} {self.results.in_units(1)[1]}".strip()
+        low, high = (end if end is None else float(self.results.in_units(end)[0]) for end in ends)
+        return f"{low_of(low, digits, 'open')} – {high_of(high, digits, 'open')} {self.results.in_units(1)[1]}".strip()
 
     # What each section says.
 
@@ -186,12 +191,12 @@ class Report:
                     f"failing-{body.name}", lambda path, body=body, waves=waves: rare_figures.failing(
                         body.name, waves["failing"], body.numbers["alpha"], path), f"a wave that overturns {body.name}"))
         rare = self.fit["rare"]
-        rows = [[e["body"], e["limit"], value_of(e["amplitude"]), value_of(e["probability"], 3) if e["probability"] is not None
-                 else f"below {value_of(e['upper'], 3)}",
+        rows = [[e["body"], self.said[e["limit"]], value_of(e["amplitude"]), value_of(e["probability"], 3) if e["probability"] is not None
+                 else f"below {high_of(e['upper'], 3)}",
                  interval([e["lower"], e["upper"]], 3) if e["probability"] is not None else "–", value_of(e["cov"], 2), e["method"],
                  e["runs"], value_of(e["crude_runs"], 2), e["state"], e["reason"] or ""] for e in rare]
         head = ["body", "limit", "factor", "P", "95 % interval", "c.o.v.", "method", "waves", "crude would need", "state", "why"]
-        health = [[c["body"], c["limit"], value_of(self.rare_level(c)["amplitude"]), c["check"], value_of(c["value"], 3), value_of(c["limit_value"], 3),
+        health = [[c["body"], self.said[c["limit"]], value_of(self.rare_level(c)["amplitude"]), c["check"], value_of(c["value"], 3), value_of(c["limit_value"], 3),
                    "passed" if c["passed"] else "failed"] for c in self.fit["rare_health"]]
         self.rows("rare", rare)
         self.section("rare", "Rare events", *parts, table(head, rows, "What is not trusted or not resolved has a bound "

@@ -1,6 +1,6 @@
 """How often in a year each limit state is passed, by the hazard curve that the report was given."""
 
-from .page_parts import interval, paragraphs, table, value_of
+from .page_parts import high_of, interval, low_of, paragraphs, table, value_of
 
 DIGITS = 3
 
@@ -10,15 +10,15 @@ def answer(report, body, limit):
     row = next((f for f in report.fit.get("frequency", []) if (f["body"], f["limit"]) == (body.name, limit)), None)
     if row is None:
         return ""
-    low, high = (value_of(row[f"frequency_{end}_per_year"], DIGITS) for end in ("lower", "upper"))
+    low, high = low_of(row["frequency_lower_per_year"], DIGITS), high_of(row["frequency_upper_per_year"], DIGITS)
     return f"at most {high} times a year ({100 * report.confidence:g} %: {low} to {high})"
 
 
-def row_of(f):
+def row_of(report, f):
     def span(name):
         return interval([f[f"{name}_lower_per_year"], f[f"{name}_upper_per_year"]], DIGITS)
     fractiles = [f[f"fractile_{percent}_per_year"] for percent in (5, 50, 95)]
-    return [f["body"], f["limit"], span("frequency"), value_of(f["mean_per_year"], DIGITS, "no curve"),
+    return [f["body"], report.said[f["limit"]], span("frequency"), value_of(f["mean_per_year"], DIGITS, "no curve"),
             value_of(f["extrapolated_per_year"], 2),
             "beta_U unknown" if None in fractiles else ", ".join(value_of(value, DIGITS) for value in fractiles),
             span("stripes_alone")]
@@ -34,5 +34,5 @@ def add(report):
             "confidence 5, 50, 95 %", "stripes alone"]
     note = ("Times a year. The interval is the answer: it bounds what lies outside of levels and hazard curve. Beside it "
             "stand the mean by the curve and how much of that mean is extrapolated.")
-    report.section("frequency", "Annual frequency", table(head, map(row_of, rows), note),
+    report.section("frequency", "Annual frequency", table(head, [row_of(report, f) for f in rows], note),
                    paragraphs(report.data["frequency_notes"], " class=warning"))

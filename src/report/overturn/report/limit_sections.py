@@ -1,7 +1,7 @@
 """What a report says of the limit states: overturning and those of the user's own, and how far bodies slide and rock."""
 
 from . import fragility_figures, frequency_sections, grid_map
-from .page_parts import ends, escape, fold, in_pages, interval, paragraphs, table, value_of
+from .page_parts import ends, escape, fold, high_of, in_pages, interval, low_of, paragraphs, table, value_of
 from .style import plain
 
 OVERTURNING = "overturning"  # the limit state that every campaign has
@@ -36,15 +36,15 @@ def answer(report, body, limit):
     if basis is not None:
         stripe = next(s for s in report.stripes[limit] if s["body"] == body.name and s["amplitude"] == basis)
         parts.append(f"at the design basis ({report.amplitude(basis)}) {stripe[did]} of {stripe['trials']} trials "
-                     f"{did}{'' if limit == OVERTURNING else ' it'}, P between {plain(stripe['lower'], 2)} and "
-                     f"{plain(stripe['upper'], 2)}")
+                     f"{did}{'' if limit == OVERTURNING else ' it'}, P between {low_of(stripe['lower'], 2)} and "
+                     f"{high_of(stripe['upper'], 2)}")
     fit = fits.get((body.name, report.results.measure))
     if fit and fit["identifiable"]:
         parts.append(f"half {'overturn' if limit == OVERTURNING else 'exceed it'} at {report.amplitude(fit['median'], 3)} "
                      f"({report.amplitudes(ends(fit, 'median'), 3)}), beta {plain(fit['beta'], 2)}, "
-                     + (f"5 % point {report.amplitude(fit['five_percent_point'], 3)}"
+                     + (f"5 % point {report.capacity(fit['five_percent_point'], 3)}"
                         if fit["five_percent_point"] is not None else "no 5 % point")
-                     + (f", HCLPF {report.amplitude(fit['hclpf'], 3)}" if fit["hclpf"] is not None else "")
+                     + (f", HCLPF {report.capacity(fit['hclpf'], 3)}" if fit["hclpf"] is not None else "")
                      + (f" (flagged: {', '.join(fit['flags'])})" if fit["flags"] else ""))
     elif fit:
         parts.append("no curve: " + "; ".join(fit["warnings"][:1] or [fit["state"]]))
@@ -64,7 +64,7 @@ def answers(report):
     for body in report.results.bodies:
         lines.append(f"{body.name}: {answer(report, body, OVERTURNING)}.")
         for limit in report.fit["limit_states"][1:]:
-            lines.append(f"{body.name}, {limit['name']} ({limit['definition']}): {answer(report, body, limit['name'])}.")
+            lines.append(f"{body.name}, {limit['said']} ({limit['definition']}): {answer(report, body, limit['name'])}.")
     return lines
 
 
@@ -82,9 +82,9 @@ def bounded(quoted):
 def probability(quoted):
     """P, or the bound that stands for it."""
     if bounded(quoted):
-        return f"below {value_of(quoted['upper'], 2)}"
+        return f"below {high_of(quoted['upper'], 2)}"
     if quoted["probability"] is None and quoted["bounds_from"] == "neighbours":
-        return f"{value_of(quoted['lower'], 2)} to {value_of(quoted['upper'], 2)}"
+        return f"{low_of(quoted['lower'], 2)} to {high_of(quoted['upper'], 2)}"
     return value_of(quoted["probability"], 2)
 
 
@@ -107,8 +107,8 @@ def above(report, quoted, limit):
 
 def remarks(report, quoted, limit):
     words = [between(report, quoted, limit), above(report, quoted, limit),
-             f"{quoted[f'bound_{passed(limit)}']:g} of {quoted['bound_trials']:g} seen; P is below "
-             f"{value_of(quoted['least'], 2)}, a tenth of one in the trials there or next above" if bounded(quoted) else "",
+             f"{quoted[f'bound_{passed(limit)}']:g} of {quoted['bound_trials']:g} seen; the fitted value is "
+             f"below {value_of(quoted['least'], 2)} = 1/(10 n) and is not reported" if bounded(quoted) else "",
              "outside the data" if quoted["outside_data"] else "", "tail: may err to either side" if quoted["in_tail"] else ""]
     return ", ".join(word for word in words if word)
 
@@ -124,7 +124,7 @@ def together(report, limit):
             pairs.setdefault((row["first"], row["second"]), []).append(row)
     shown = list(pairs.items())[:MOST_PAIRS]
     rows = [[report.amplitude(any_["amplitude"]), any_["waves"], any_[passed(limit)], any_["undecided"],
-             *(value_of(any_[key], 3) for key in ("probability", "lower", "upper", "if_independent")),
+             value_of(any_["probability"], 3), low_of(any_["lower"], 3), high_of(any_["upper"], 3), value_of(any_["if_independent"], 3),
              *(value_of(levels[level]["phi"], 2) for _, levels in shown)] for level, any_ in enumerate(of)]
     head = ["level", "waves", f"any {passed(limit)}", "undecided", "P(any)", "lower", "upper", "if independent",
             *(f"φ {' / '.join(pair)}" for pair, _ in shown)]
@@ -144,23 +144,23 @@ def curves(report, limit):
     fits, stripes, did = report.fits_of(limit), report.stripes[limit], passed(limit)
     mine = [f for f in fits.values() if f["measure"] == report.results.measure]
     fitted = [[f["body"], report.amplitude(f["median"]), report.amplitudes(ends(f, "median"), 3),
-               value_of(f["beta"], 3), interval(ends(f, "beta"), 3), report.amplitude(f["five_percent_point"]),
-               report.amplitudes(ends(f, "five_percent_point"), 3), report.amplitude(f["hclpf"]),
-               report.amplitudes(ends(f, "hclpf"), 3), report.amplitude(f["one_percent_point"]), ", ".join(f["flags"]) or "none"] for f in mine]
+               value_of(f["beta"], 3), interval(ends(f, "beta"), 3), report.capacity(f["five_percent_point"]),
+               report.amplitudes(ends(f, "five_percent_point"), 3), report.capacity(f["hclpf"]),
+               report.amplitudes(ends(f, "hclpf"), 3), report.capacity(f["one_percent_point"]), ", ".join(f["flags"]) or "none"] for f in mine]
     split = [[f["body"], value_of(f["beta"], 3), value_of(f["beta_r"], 3), value_of(f["beta_u"], 3),
               ", ".join(f"{d['quantity']} {d['log_median_per_deviation']:+.3f} ± {d['standard_error']:.3f}"
                         for d in f["drawn"])] for f in mine if f["drawn"] and f["identifiable"]]
     quoted = [[f["body"], f"{q['multiple']:.3g} × {q['of']}", report.amplitude(q["amplitude"]), probability(q),
-               value_of(q["lower"], 2), value_of(q["upper"], 2), remarks(report, q, limit)]
+               low_of(q["lower"], 2), high_of(q["upper"], 2), remarks(report, q, limit)]
               for f in mine for q in f["probabilities"]]
     kinds = report.ends if limit == OVERTURNING else ["undecided", "failed"]
     head = ["body", "level", "trials", *([] if limit == OVERTURNING else [did]), *(e.replace("_", " ") for e in kinds),
             "P", "lower", "upper"]
     rows = [[s["body"], report.amplitude(s["amplitude"]), s["trials"], *([] if limit == OVERTURNING else [s[did]]),
-             *(s[end] for end in kinds), *(value_of(s[key], 3) for key in ("probability", "lower", "upper"))]
+             *(s[end] for end in kinds), value_of(s["probability"], 3), low_of(s["lower"], 3), high_of(s["upper"], 3)]
             for s in stripes]
     name = "fragility" if limit == OVERTURNING else f"fragility-{limit}"
-    what = "overturning" if limit == OVERTURNING else f"exceeding {limit}"
+    what = "overturning" if limit == OVERTURNING else f"exceeding {report.said[limit]}"
     bodies = len(report.results.bodies)
     many = bodies > fragility_figures.MOST_COMPARED
     ranked = [[f["body"], f["label"], value_of(f["median"], 4), f["units"], value_of(f["beta"], 3), interval(ends(f, "beta"), 3),
@@ -200,7 +200,7 @@ def limits(report):
         return
     parts = []
     for limit in stated:
-        parts += [f"<h3>{escape(limit['name'])}: {escape(limit['definition'])}</h3>", *curves(report, limit["name"])]
+        parts += [f"<h3>{escape(limit['said'])}: {escape(limit['definition'])}</h3>", *curves(report, limit["name"])]
     names = [limit["name"] for limit in stated]
     report.rows("limits", [s for name in names for s in report.stripes[name]])
     report.rows("limit-fragility", fits_told(report, names))

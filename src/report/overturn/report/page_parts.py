@@ -3,7 +3,7 @@
 import html
 import re
 
-from .style import plain
+from .style import outward, plain
 
 
 MOST_SHORT = 26  # letters
@@ -17,6 +17,16 @@ def value_of(value, digits=4, unknown="–"):
     if value is None or value != value:
         return unknown
     return plain(value, digits) if isinstance(value, float) else str(value)
+
+
+def low_of(value, digits=4, unknown="–"):
+    """A lower end, rounded down."""
+    return value_of(outward(value, digits, up=False) if isinstance(value, float) else value, digits, unknown)
+
+
+def high_of(value, digits=4, unknown="–"):
+    """An upper end, rounded up."""
+    return value_of(outward(value, digits, up=True) if isinstance(value, float) else value, digits, unknown)
 
 
 def ends(row, name):
@@ -36,7 +46,7 @@ def interval(ends, digits=4):
     if not ends:
         return "–"
     low, high = ends
-    return f"{value_of(low, digits, 'open')} – {value_of(high, digits, 'open')}"
+    return f"{low_of(low, digits, 'open')} – {high_of(high, digits, 'open')}"
 
 
 def cell_of(value):

@@ -96,6 +96,16 @@ def plain(value, digits=3):
     return f"{round(value, digits - 1 - floor(log10(abs(value)))):.{max(0, digits - 1 - floor(log10(abs(value))))}f}"
 
 
+def outward(value, digits, up):
+    """So many significant figures, rounded to the side that is safe to quote: an upper end up, a lower one down."""
+    if value == 0 or not abs(value) < float("inf"):
+        return value
+    from math import ceil, floor, log10
+    place = 10.0 ** (digits - 1 - floor(log10(abs(value))))
+    noise = 1e-12 * abs(value * place)  # a number that has so few digits stays as it is
+    return (ceil(value * place - noise) if up else floor(value * place + noise)) / place
+
+
 def number(value, digits=3):
     """Three significant figures without an exponent where that is readable."""
     return f"{value:.{digits}g}" if 1e-3 <= abs(value) < 1e4 else f"{value:.{digits - 1}e}"

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace overturn::output {
+namespace overturn {
 
 /// \param digits significant ones \return the nearest number of so many digits that is not below (above) `value`
 [[nodiscard]] inline double rounded_up(double value, int digits = 3) {
@@ -16,4 +16,4 @@ namespace overturn::output {
 }
 [[nodiscard]] inline double rounded_down(double value, int digits = 3) { return -rounded_up(-value, digits); }
 
-}  // namespace overturn::output
+}  // namespace overturn
