@@ -82,37 +82,75 @@ std::optional<double> number_before(std::string_view text, std::size_t at) {
     return parse_number(digits, value) ? std::optional(value) : std::nullopt;
 }
 
-// "investigation_time = 50", "10 % probability of exceedance in 50 years", "PoE in 50 yr": the years; 0 where it speaks
-// of a probability or of such a time without them; nothing of all else.
-std::optional<double> years_in(std::string const& text) {
-    bool const investigation = text.find("investigation") != std::string::npos;
-    bool const probability = text.find("probab") != std::string::npos || text.find("poe") != std::string::npos;
-    bool const exceeded = text.find("exceed") != std::string::npos;
-    if (!investigation && !probability && !exceeded) {
-        return std::nullopt;
-    }
+// "50 years", "in 50 yr": the number of years; nothing where none is named.
+std::optional<double> named_years(std::string_view text) {
     for (std::string_view const word : {"year", "yr"}) {
-        for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+        for (auto at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
             if (auto const years = number_before(text, at)) {
                 return years;
             }
         }
     }
-    if (!investigation) {
-        bool const annual = text.find("annual") != std::string::npos || text.find("per year") != std::string::npos;
-        return probability && !annual ? std::optional(0.0) : std::nullopt;
-    }
-    auto const at = text.find("investigation");
-    auto const first = std::min(text.find_first_of("0123456789", at), text.size());
-    auto const end = std::min(text.find_first_not_of("0123456789.e+", first), text.size());
-    double years = 0;
-    return parse_number(text.substr(first, end - first), years) ? years : 0.0;
+    return std::nullopt;
 }
 
-// A line above the numbers that speaks of more years than one: what is below it may be probabilities.
-void refuse_investigation_time(PairTable const& table, std::string const& name) {
-    for (auto const& line : table.head) {
-        auto const years = years_in(lowered(line.text));
+std::optional<double> first_number(std::string_view text) {
+    auto const first = std::min(text.find_first_of("0123456789"), text.size());
+    auto const end = std::min(text.find_first_not_of("0123456789.e+", first), text.size());
+    double number = 0;
+    return parse_number(text.substr(first, end - first), number) ? std::optional(number) : std::nullopt;
+}
+
+// "investigation_time = 50", "exposure time 50 a", "10 % probability of exceedance in 50 years", "PoE in 50 yr": the
+// years; 0 where it speaks of a probability or of an investigation time without them; nothing of all else.
+std::optional<double> years_in(std::string const& text) {
+    auto const has = [&](std::string_view words) { return text.find(words) != std::string::npos; };
+    bool const investigation = has("investigation");
+    bool const probability = has("probab") || has("poe");
+    constexpr std::array<std::string_view, 6> spans{"investigation", "exposure",    "life",
+                                                    "reference p",   "time window", "time span"};
+    auto const* const span = std::ranges::find_if(spans, has);
+    if (span == spans.end() && !probability && !has("exceed")) {
+        return std::nullopt;
+    }
+    if (auto const years = named_years(text)) {
+        return years;
+    }
+    if (span != spans.end()) {
+        auto const years = first_number(std::string_view(text).substr(text.find(*span)));
+        return years || !investigation ? years : std::optional(0.0);
+    }
+    bool const annual = has("annual") || has("per year");
+    return probability && !annual ? std::optional(0.0) : std::nullopt;
+}
+
+/// What is no number: lines of text, and comments behind names or numbers.
+std::vector<TextLine> words_of(std::string_view content, PairTable const& table) {
+    auto words = table.head;
+    TextLines lines(content);
+    while (auto const line = lines.next()) {
+        auto const comment = line->find_first_of("#!");
+        if (comment != std::string_view::npos && !trimmed(line->substr(0, comment)).empty()) {
+            words.push_back({std::string(trimmed(line->substr(comment))), lines.number()});
+        }
+    }
+    return words;
+}
+
+// A line that speaks of more years than one: the numbers may be probabilities. \return remarks on those that only name
+// some
+std::vector<std::string> check_years(std::string_view content, PairTable const& table, std::string const& name) {
+    std::vector<std::string> remarks;
+    for (auto const& line : words_of(content, table)) {
+        auto const text = lowered(line.text);
+        auto const years = years_in(text);
+        auto const named = named_years(text);
+        if (!years && named && *named != 1) {
+            remarks.push_back(
+                fmt::format("line {} names {:g} years: exceedances of one year are read. Check that they "
+                            "are",
+                            line.number, *named));
+        }
         if (!years || *years == 1) {
             continue;
         }
@@ -122,6 +160,7 @@ void refuse_investigation_time(PairTable const& table, std::string const& name) 
                                      "{}; if they are exceedances in a year, remove this line",
                                      in_quotes(line.text), time, time));
     }
+    return remarks;
 }
 
 // The unit that the first column's name states, none of a pure number.
@@ -208,9 +247,14 @@ HazardAxis hazard_axis(LevelSpec const& levels) {
 
 HazardCurve parse_hazard(std::string_view content, std::string const& name, HazardAxis const& axis) {
     if (auto const converted = hazard_of_openquake(content, name)) {
-        return parse_hazard(*converted, name, axis);
+        auto const curve = parse_hazard(converted->table, name, axis);
+        auto remarks = converted->remarks;
+        std::ranges::copy(curve.remarks(), std::back_inserter(remarks));
+        return HazardCurve(curve.points(), curve.stated(), std::move(remarks));
     }
-    auto const table = read_pair_table(content, name, "intensity and annual exceedance", check_row);
+    // Names first: rows of a column that is no annual frequency break its rules.
+    constexpr std::string_view meaning = "intensity and annual exceedance";
+    auto table = read_pair_table(content, name, meaning, [](Pair const& /*point*/, Pair const* /*before*/) {});
     Location const where{name, table.names_line};
     if (table.names_line == 0) {
         auto const label = axis.label.empty() ? std::string("pga") : axis.label;
@@ -221,7 +265,8 @@ HazardCurve parse_hazard(std::string_view content, std::string const& name, Haza
     }
     check_measure(table, axis, where);
     check_frequency(table, where);
-    refuse_investigation_time(table, name);
+    table = read_pair_table(content, name, meaning, check_row);
+    auto remarks = check_years(content, table, name);
     auto unit = unit_of(table, axis, where);
     auto cut = without_zeros(table, unit.si);
     auto& points = cut.points;
@@ -236,7 +281,7 @@ HazardCurve parse_hazard(std::string_view content, std::string const& name, Haza
     }
     HazardCurve const hazard(std::move(points), std::move(unit), std::move(cut.remarks));
     check_overlap(hazard, axis, where);
-    auto remarks = hazard.remarks();
+    std::ranges::copy(hazard.remarks(), std::back_inserter(remarks));
     std::ranges::move(unusual_hazard(hazard, axis, axis.label.empty() ? measure_in(table.first_name) : axis.label),
                       std::back_inserter(remarks));
     return HazardCurve(hazard.points(), hazard.stated(), std::move(remarks));

@@ -133,6 +133,31 @@ TEST(HazardTable, ExportsOfOpenQuakeAreRead) {
                        "investigation_time");
     expect_input_error([&] { (void)parse_hazard(text("1.0", "SA(1.0)", "1,2,0,.5,.4,.3,.2,.1\n"), "h.csv", levels); },
                        "h.csv:4", "a second site");
+    ASSERT_EQ(curve.remarks().size(), 2U);
+    EXPECT_EQ(curve.remarks()[0].find("up to poe-0.001 the probability is 1"), 0U);
+    EXPECT_EQ(curve.remarks()[1].find("from poe-2.0 on the probability is 0"), 0U);
+}
+
+// R-707: what is no mean curve says so; a row that rises, or has lost its first line, is refused where it stands.
+TEST(HazardTable, ExportsOfOpenQuakeThatAreNoMeanCurve) {
+    HazardAxis const over_pga{.label = "pga", .dimension = Dimension::acceleration, .unit = {}};
+    std::string const names = "lon,lat,depth,poe-0.1,poe-0.3,poe-1.0\n";
+    auto const parse = [&](std::string const& kind, std::string const& row) {
+        return parse_hazard("#,,\"generated_by='OpenQuake engine 3.9.0', kind='" + kind
+                                + "', investigation_time=50.0, imt='PGA'\"\n" + names + row + "\n",
+                            "h.csv", over_pga);
+    };
+    EXPECT_TRUE(parse("mean", "1,2,0,0.5,0.1,0.01").remarks().empty());
+    for (auto const* kind : {"quantile-0.15", "rlz-003", "max"}) {
+        auto const remarks = parse(kind, "1,2,0,0.5,0.1,0.01").remarks();
+        ASSERT_EQ(remarks.size(), 1U) << kind;
+        EXPECT_EQ(remarks.front().find(std::string("its kind is ") + kind + ", not mean"), 0U) << remarks.front();
+    }
+    for (auto const* row : {"1,2,0,0.1,0.5,0.01", "1,2,0,0.5,0,0.01", "1,2,0,0.5,1,0.01"}) {
+        expect_input_error([&] { (void)parse("mean", row); }, "h.csv:3", "stronger motions are rarer");
+    }
+    expect_input_error([&] { (void)parse_hazard(names + "1,2,0,0.5,0.1,0.01\n", "h.csv", over_pga); }, "h.csv:1",
+                       "states investigation_time");
 }
 
 // Rocks from g/10 on, below all levels.
@@ -232,6 +257,34 @@ TEST_F(Frequency, WeakMotionsOfTheTableAreNoRisk) {
     EXPECT_NEAR(unknown.seen_below_levels / (clopper_pearson(1, 200, 0.95).upper * weaker), 1, 1e-9);
     auto const text = output::frequency_text({&unknown, 1}, from_nothing, 0.95);
     EXPECT_NE(text.find("by motions weaker than all levels"), std::string::npos) << text;
+}
+
+// A body at rest asks friction of the ground: motions too weak to move it pass such a limit, alone or in others.
+TEST(FrequencyOfLimits, CountsWhatIsPassedAtRest) {
+    auto const spec = testing::campaign_from(
+        testing::quick_waves + slender + "[levels]\nmeasure='pga'\nvalues=[2, 4]\n"
+        + "[[limits]]\nname='grips'\nquantity='friction_demand'\nabove=0.05\n"
+          "[[limits]]\nname='rocks'\nquantity='peak_rotation_ratio'\nabove=0.1\n"
+          "[[limits]]\nname='stands on'\nquantity='min_contact_force_ratio'\nbelow=0.9\n"
+          "[[limits]]\nname='one'\nany=['grips', 'rocks']\n[[limits]]\nname='moves'\nall=['rocks', 'overturning']\n");
+    Statistics statistics(spec);
+    WaveRow wave;
+    wave.pga_mps2 = 1;
+    statistics.add(wave, std::vector<MeasureRow>(1));
+    for (std::int64_t level = 0; level < 2; ++level) {
+        TrialRow trial;
+        trial.level = level;
+        trial.amplitude = trial.scale = spec.levels.levels[static_cast<std::size_t>(level)].value;
+        trial.verdict = Verdict::rocked;
+        statistics.add(trial);
+    }
+    auto const analysis = analyse(spec, statistics, {});
+    std::vector<double> nothing_below;
+    for (auto const& f : frequencies_of(spec, statistics, analysis, HazardCurve({{0.5, 1e-2}, {50, 1e-8}}), 0.95)) {
+        nothing_below.push_back(f.nothing_below);
+    }
+    double const uplift = spec.bodies.front().body.uplift_acceleration_mps2();
+    EXPECT_EQ(nothing_below, (std::vector<double>{uplift, 0, uplift, 0, 0, uplift}));
 }
 
 // Trials without a verdict: the frequency holds whatever they would have done.

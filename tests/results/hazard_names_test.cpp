@@ -20,6 +20,19 @@ TEST(HazardNames, ProbabilitiesInTheTextAreRefused) {
     expect_input_error([&] { (void)parse("# probability of exceedance in 50 years"); }, "h.csv:1", "-ln(1 - p) / 50");
     expect_input_error([&] { (void)parse("# PoE in 50-yr"); }, "h.csv:1", "-ln(1 - p) / 50");
     expect_input_error([&] { (void)parse("# probability of exceedance"); }, "h.csv:1", "/ t");
+    for (char const* text : {"# exposure time 50 a", "# lifetime: 50 years", "# reference period 50 yr"}) {
+        expect_input_error([&] { (void)parse(text); }, "h.csv:1", "-ln(1 - p) / 50");
+    }
+    expect_input_error(
+        [] {
+            (void)parse_hazard("pga [g], annual_exceedance # investigation time 50 yr\n0.1,1e-2\n1,1e-5\n", "h.csv",
+                               over_pga);
+        },
+        "h.csv:1", "-ln(1 - p) / 50");
+    auto const noted = parse("# T = 50 yr").remarks();
+    ASSERT_EQ(noted.size(), 1U);
+    EXPECT_EQ(noted.front(), "line 1 names 50 years: exceedances of one year are read. Check that they are");
+    EXPECT_TRUE(parse("# 1 year").remarks().empty());
     for (char const* text : {"# annual probability of exceedance", "# probability of exceedance in 1 year",
                              "# exceedances per year", "# of 2014"}) {
         EXPECT_EQ(parse(text).points().size(), 2U) << text;
@@ -35,6 +48,9 @@ TEST(HazardNames, AnnualFrequenciesHaveManyNames) {
                              "Annual_Exceedance", "AFE (/yr)"}) {
         EXPECT_EQ(parse(name).points().front().annual_exceedance, 1e-2) << name;
     }
+    expect_input_error([] { (void)parse_hazard("pga [g], return_period\n0.1,30\n1,500\n", "h.csv", over_pga); },
+                       "h.csv:1",
+                       "must be annual_exceedance");  // not that its rows rise
     for (char const* name : {"annual probability of exceedance", "poe", "return period [a]", "MAFE [1/50a]", "lambda",
                              "MAFE (1/yr) of SA"}) {
         expect_input_error([&] { (void)parse(name); }, "h.csv:1", "must be annual_exceedance");
