@@ -66,6 +66,18 @@ std::optional<Scaling> read_scaling(Table const& table) {
     return scaling;
 }
 
+// Of a polygon its corners and points say how it lands: where Housner has no answer none is needed.
+BodyInput as_it_lands(BodyInput stated, Footing const& footing) {
+    if (footing.base.shape == BaseShape::polygon && !stated.restitution) {
+        auto squat = stated;
+        squat.restitution = 0;
+        if (RigidBody(squat).housner_restitution() < 0) {
+            return squat;
+        }
+    }
+    return stated;
+}
+
 RigidBody scaled(BodyInput const& stated, std::optional<Scaling> const& scaling) {
     if (!scaling) {
         return RigidBody(stated);
@@ -116,7 +128,8 @@ void validate_draws(Table const& table, BodySpec const& spec) {
     for (double const drawn :
          {height ? height->lowest() : stated.centre_height_m, height ? height->highest() : stated.centre_height_m}) {
         stated.centre_height_m = drawn;
-        auto const body = table.located(height ? "centre_height" : "", [&] { return scaled(stated, spec.scaling); });
+        auto const body = table.located(height ? "centre_height" : "",
+                                        [&] { return scaled(as_it_lands(stated, spec.stated_footing), spec.scaling); });
         double const bound = painleve_bound(std::max(body.corner(1).inertia_ratio, body.corner(-1).inertia_ratio));
         auto const& friction = spec.scatter.friction;
         if (friction && friction->highest() >= bound) {
@@ -154,7 +167,7 @@ void read_uncertain(Table const& table, BodySpec& spec) {
 
 // Only when all is read does it stand: a squat body has no restitution of Housner's to fall back on.
 void settle(Table const& table, BodySpec& spec) {
-    spec.body = table.located("", [&] { return scaled(spec.stated, spec.scaling); });
+    spec.body = table.located("", [&] { return scaled(as_it_lands(spec.stated, spec.stated_footing), spec.scaling); });
     validate_draws(table, spec);
     validate_placement(table, spec);
     settle_footing(table, spec);
@@ -198,7 +211,7 @@ DrawnBody with(BodySpec const& spec, Values const& values) {
     if (restitution) {
         input.restitution = restitution;
     }
-    one.body = scaled(input, spec.scaling);
+    one.body = scaled(as_it_lands(input, spec.stated_footing), spec.scaling);
     if (scatters(spec.scatter.friction)) {
         double const ratio = spec.friction->kinetic_coefficient / spec.friction->static_coefficient;
         one.friction = Friction{*static_friction, *static_friction * ratio};
@@ -219,7 +232,7 @@ BodySpec read_body(Table const& table, InputFiles& files) {
     auto const inner =
         table.named_document(table.located("file", [&]() -> std::string const& { return files.read(file); }), file);
     auto spec = read_stated(inner, inner.text(body_keys["name"], "body"));
-    if (!table.has("restitution")) {
+    if (!table.has("restitution") && !table.has("base")) {
         settle(inner, spec);  // what is wrong with the file alone is told there
     }
     if (!name.empty()) {

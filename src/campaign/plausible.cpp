@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <string_view>
 
@@ -37,23 +38,41 @@ void add_design_basis(CampaignSpec const& spec, Lines& lines) {
     }
 }
 
+// The acceleration that some body needs to slip or to rise, of those that say so [m/s2].
+double least_that_moves(CampaignSpec const& spec) {
+    double least = std::numeric_limits<double>::infinity();
+    for (auto const& body : spec.bodies) {
+        auto const& friction = body.friction;
+        least = std::min(least, body.body.uplift_acceleration_mps2());
+        least = std::min(least, friction ? body.body.gravity_mps2() * friction->static_coefficient : least);
+    }
+    return least;
+}
+
+// Numbers that nobody gave a unit, so small that no body moves: of g?
+void add_motionless(CampaignSpec const& spec, Lines& lines) {
+    auto const& levels = spec.levels;
+    double const highest = levels.levels.back().value;
+    double const least = least_that_moves(spec);
+    if (levels.measure == measure_named("pga") && levels.stated_unit.empty() && highest < least) {
+        lines.push_back(fmt::format(
+            "levels up to pga {:g} m/s2 = {:.2g} g (a bare number is SI, and no body slips or rises below {:.3g} "
+            "m/s2). Write \"{:g} g\" if that was meant",
+            highest, highest / g0, least, highest));
+    }
+}
+
 // Beyond anything felt, by a factor of some two, or too weak to move anything: a unit was left out, or another.
 void add_levels(LevelSpec const& levels, Lines& lines) {
     auto const& usual = levels.measure->plausible;
     double const highest = levels.levels.back().value;
     bool const bare = levels.stated_unit.empty();
-    constexpr double weakest_mps2 = 1;
     if (usual.most > 0 && highest > usual.most) {
         lines.push_back(fmt::format("levels up to {} {:g} {} = {:g} {} ({}{}). {}", levels.measure_name(), highest,
                                     levels.units(), highest / usual.unit_si, usual.unit, usual.known,
                                     bare ? "; a bare number is SI" : "",
                                     bare ? fmt::format("Write \"{:g} {}\" if that was meant", highest, usual.unit)
                                          : fmt::format("Check the unit, {}", levels.stated_unit)));
-    } else if (bare && levels.measure == measure_named("pga") && highest < weakest_mps2) {
-        lines.push_back(
-            fmt::format("levels up to pga {:g} m/s2 = {:.2g} g (a bare number is SI). Write \"{:g} g\" if "
-                        "that was meant",
-                        highest, highest / g0, highest));
     } else if (highest < usual.least) {
         lines.push_back(fmt::format("levels up to {} {} (casks do not move below {:g} {}). Check the unit",
                                     levels.measure_name(), levels.text(highest), usual.least / usual.unit_si,
@@ -115,9 +134,12 @@ struct DrawnWave {
     GroundMotion const& motion;
 };
 
-double vertical_share(DrawnWave const& wave) {
-    return wave.row.pga_mps2 > 0 ? wave.row.vertical_pga_mps2 / wave.row.pga_mps2 : never;
+// Of a component that there is, over the horizontal one.
+double share_of(DrawnWave const& wave, std::vector<double> const& component) {
+    return wave.row.pga_mps2 > 0 && !component.empty() ? peak_of(component) / wave.row.pga_mps2 : never;
 }
+double vertical_share(DrawnWave const& wave) { return share_of(wave, wave.motion.vertical_mps2); }
+double transverse_share(DrawnWave const& wave) { return share_of(wave, wave.motion.transverse_mps2); }
 double step(DrawnWave const& wave) { return wave.motion.time_step_s; }
 
 // At the highest level, over the most that is plausible of the measure; of levels by it they tell.
@@ -137,9 +159,13 @@ std::string travel_said(DrawnWave const& /*wave*/, double share) {
                        share * measure_named("pgd")->plausible.most);
 }
 
-std::string vertical_said(DrawnWave const& wave, double /*share*/) {
-    return fmt::format("wave 0 is stronger vertically: {:.3g} m/s2 beside {:.3g} m/s2", wave.row.vertical_pga_mps2,
-                       wave.row.pga_mps2);
+std::string vertical_said(DrawnWave const& wave, double share) {
+    return fmt::format("wave 0 is {} vertically: {:.3g} m/s2 beside {:.3g} m/s2", share > 1 ? "stronger" : "very weak",
+                       share * wave.row.pga_mps2, wave.row.pga_mps2);
+}
+std::string transverse_said(DrawnWave const& wave, double share) {
+    return fmt::format("wave 0 is {:.3g} times as strong across: {:.3g} m/s2 beside {:.3g} m/s2", share,
+                       share * wave.row.pga_mps2, wave.row.pga_mps2);
 }
 std::string step_said(DrawnWave const& /*wave*/, double step_s) {
     return fmt::format("time step of {:g} s: nothing above {:.3g} Hz is in the waves", step_s, 0.5 / step_s);
@@ -149,8 +175,10 @@ constexpr std::string_view of_slow = "Check the levels, and periods and their un
 constexpr double drawn_apart = 1.25;  // of one spectrum, by chance
 constexpr double rounding = 1e-9;
 constexpr std::array wave_ranges{
-    UsualRange<DrawnWave>{&vertical_share, 0, drawn_apart, &vertical_said,
+    UsualRange<DrawnWave>{&vertical_share, 0.1, drawn_apart, &vertical_said,
                           "usual: half to two thirds, near a fault up to 1", "Check waves.vertical"},
+    UsualRange<DrawnWave>{&transverse_share, 0.25, 2, &transverse_said, "horizontal components are much alike",
+                          "Check waves.transverse"},
     UsualRange<DrawnWave>{&step, 0, 0.02 + rounding, &step_said,
                           "spectra are stated to 33 or 50 Hz, pads and bodies move at 10 Hz and more",
                           "State waves.time_step = \"0.01 s\""},
@@ -163,6 +191,7 @@ std::vector<std::string> implausible_statements(CampaignSpec const& spec) {
     auto lines = implausible_keys(spec);
     add_design_basis(spec, lines);
     add_levels(spec.levels, lines);
+    add_motionless(spec, lines);
     add_limits(spec, lines);
     return lines;
 }

@@ -39,6 +39,7 @@ double kinetic_share(BodySpec const& body) {
 double gravity(BodySpec const& body) { return body.stated.gravity_mps2; }
 double model_length(BodySpec const& body) { return body.scaling ? body.scaling->law.length : does_not_apply; }
 double slope_deg(BodySpec const& body) { return std::abs(body.stated.slope_rad) * 180 / pi; }
+double tilt_deg(BodySpec const& body) { return std::abs(body.stated.initial_tilt_rad) * 180 / pi; }
 double offset_share(BodySpec const& body) { return std::abs(body.body.offset_m()) / body.body.half_width_m(); }
 double pad_frequency(BodySpec const& body) {
     return body.footing.stated ? body.footing.pad.vertical_frequency_hz : does_not_apply;
@@ -111,6 +112,7 @@ std::string gravity_said(BodySpec const& /*body*/, double value) { return fmt::f
 std::string length_said(BodySpec const& /*body*/, double value) {
     return fmt::format("similarity.length {:.4g}", value);
 }
+std::string tilt_said(BodySpec const& /*body*/, double value) { return fmt::format("initial_tilt {:.3g} deg", value); }
 std::string slope_said(BodySpec const& /*body*/, double value) { return fmt::format("slope {:.3g} deg", value); }
 std::string offset_said(BodySpec const& body, double value) {
     return fmt::format("offset {:.4g} m is {:.2g} of half the width", body.body.offset_m(), value);
@@ -147,14 +149,15 @@ constexpr std::string_view swapped = "Check that base_width and centre_height ar
 constexpr std::string_view its_unit = "Check it and its unit";
 constexpr std::string_view distribution = "Check its deviation: 0.05 of the mean for 5 %";
 
+constexpr double least_scatter = 1e-4;  // less is none
 using OfBody = UsualRange<BodySpec>;
 constexpr std::array body_ranges{
-    OfBody{&density_of_casks, 1200, 5000, &density_said, "casks 1500 to 4500", sizes},
+    OfBody{&density_of_casks, 1200, 4500, &density_said, "casks 1500 to 4500", sizes},
     OfBody{&density_of_models, 1200, 8000, &density_said, "concrete 2400, granite 2700, steel 7850", sizes},
     OfBody{&gyration, least_gyration_share, 1, &gyration_said,
            "0.58 of a uniform block about its centre of gravity, 1.15 about its corner",
            "Check its axis and unit, or write \"uniform-block\""},
-    OfBody{&ratio_of_casks, 1, 3.5, &ratio_said, "casks 1.5 to 3",
+    OfBody{&ratio_of_casks, 1, 3, &ratio_said, "casks 1.5 to 3",
            "Check that centre_height is that of the centre of gravity, base_width the whole width, and that they are "
            "not swapped"},
     OfBody{&ratio_of_models, 0.8, 15, &ratio_said, "models of casks 1.5 to 3, slender test blocks 7 to 13", swapped},
@@ -165,6 +168,8 @@ constexpr std::array body_ranges{
     OfBody{&gravity, 9.7, 9.9, &gravity_said, "9.78 to 9.83 on Earth", its_unit},
     OfBody{&model_length, 0.02, 1, &length_said, "a model over its prototype, 1/10 to 1/2", "Check direction, and it"},
     OfBody{&slope_deg, 0, 5, &slope_said, "floors 0 to 2", "Write its unit, \"1 deg\": a bare number is rad"},
+    OfBody{&tilt_deg, 0, 5, &tilt_said, "a body that is let go before it is shaken 0 to 5",
+           "Write its unit, \"1 deg\": a bare number is rad"},
     OfBody{&offset_share, 0, 0.3, &offset_said, "casks less than 0.05", its_unit},
     OfBody{&pad_frequency, 5, 500, &frequency_said, "of casks and models 20 to 100 Hz", its_unit},
     OfBody{&pad_strength_mpa, 0.1, 300, &strength_said, "wood 5, concrete 20 to 60", its_unit},
@@ -174,10 +179,11 @@ constexpr std::array body_ranges{
     OfBody{&inertia_across, 0.2, 5, &across_said, "1 of a round or square body", its_unit},
     OfBody{&inertia_vertical, 0.05, 5, &vertical_said, "0.2 to 0.6 of a cask", its_unit},
     OfBody{&densest_part, 0, 9000, &part_said, "steel 7850, solid", "Check its unit, and diameter (not the radius)"},
-    OfBody{&scatter<&BodyScatter::mass>, 0, 0.2, &mass_said, "of a cask 1 to 5 %", distribution},
-    OfBody{&scatter<&BodyScatter::centre_height>, 0, 0.15, &height_said, "of a cask 1 to 5 %", distribution},
-    OfBody{&scatter<&BodyScatter::restitution>, 0, 0.3, &bounce_said, "5 to 15 %", distribution},
-    OfBody{&scatter<&BodyScatter::friction>, 0, 0.5, &grip_said, "10 to 30 %", distribution}};
+    OfBody{&scatter<&BodyScatter::mass>, least_scatter, 0.2, &mass_said, "of a cask 1 to 5 %", distribution},
+    OfBody{&scatter<&BodyScatter::centre_height>, least_scatter, 0.15, &height_said, "of a cask 1 to 5 %",
+           distribution},
+    OfBody{&scatter<&BodyScatter::restitution>, least_scatter, 0.3, &bounce_said, "5 to 15 %", distribution},
+    OfBody{&scatter<&BodyScatter::friction>, least_scatter, 0.5, &grip_said, "10 to 30 %", distribution}};
 
 }  // namespace
 

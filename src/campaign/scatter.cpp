@@ -54,6 +54,19 @@ Distribution read_stated(Table const& given, DistributionKind kind, config::Give
                                  given.number(distribution_keys["high"], value));
 }
 
+// "138 t" and a deviation of 5: kilograms, or tonnes?
+void refuse_bare(Table const& given, config::Key const& key) {
+    constexpr std::array<std::string_view, 6> in_its_unit{"value", "mean", "deviation", "median", "low", "high"};
+    auto const* const unit =
+        std::ranges::find_if(in_its_unit, [&](std::string_view name) { return !given.unit_at(name).empty(); });
+    auto const* const bare =
+        std::ranges::find_if(in_its_unit, [&](std::string_view name) { return given.is_bare_at(name); });
+    if (unit != in_its_unit.end() && bare != in_its_unit.end()) {
+        given.fail(*bare, fmt::format("a number without a unit beside {} in {} (a bare number is {}). Write its unit",
+                                      *unit, given.unit_at(*unit), si_symbol(key.dimension)));
+    }
+}
+
 }  // namespace
 
 constinit config::KeyTable const distribution_table{.meaning = "a value that is not known exactly, drawn for each wave",
@@ -75,6 +88,7 @@ Distribution read_distribution(Table const& table, config::Key const& key) {
         distribution = given.located("distribution", [&] { return distribution.truncated(low, high); });
     }
     given.finish();
+    refuse_bare(given, key);
     return distribution;
 }
 

@@ -95,6 +95,30 @@ void check_range(double value, Range const& range, Dimension dimension) {
              range.text(), unit.empty() ? "" : " ", unit);
 }
 
+/// What is written at one place of a list.
+struct Written {
+    std::string text;
+    bool with_unit = false, bare = false;  ///< 0 is the same in every unit
+};
+
+Written written(toml::node const& node) {
+    if (auto const text = node.value_exact<std::string>()) {
+        bool const unit = trimmed(*text).find_first_of(" \t") != std::string_view::npos;
+        return {*text, unit, !unit};
+    }
+    double const value = node.value<double>().value_or(0);
+    return {fmt::format("{}", value), false, value != 0};
+}
+
+// Of a list's numbers some with a unit and some without one.
+void refuse_mixed(std::vector<Written> const& list, Dimension dimension) {
+    auto const unit = std::ranges::find(list, true, &Written::with_unit);
+    auto const bare = std::ranges::find(list, true, &Written::bare);
+    validate(dimension == Dimension::none || unit == list.end() || bare == list.end(),
+             "{} without a unit beside {} (a bare number is {}). Write its unit", bare == list.end() ? "" : bare->text,
+             unit == list.end() ? "" : unit->text, si_symbol(dimension));
+}
+
 }  // namespace
 
 double Table::number(std::string_view key, Dimension dimension, Range range) const {
@@ -142,13 +166,19 @@ std::vector<std::pair<double, double>> Table::pairs(std::string_view key, Dimens
     return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
         validate(node.is_array(), "{} (must be a list of [x, y] pairs). Write [[1, 2], [3, 4]]", kind_name(node));
         std::vector<std::pair<double, double>> values;
+        std::vector<Written> firsts;
+        std::vector<Written> seconds;
         for (auto const& element : *node.as_array()) {
             auto const* pair = element.as_array();
             if (pair == nullptr || pair->size() != 2) {
                 throw InputError(fmt::format("entry {} (must be a pair [x, y]). Mend it", values.size() + 1));
             }
             values.emplace_back(quantity_of(*pair->get(0), first), quantity_of(*pair->get(1), second));
+            firsts.push_back(written(*pair->get(0)));
+            seconds.push_back(written(*pair->get(1)));
         }
+        refuse_mixed(firsts, first);
+        refuse_mixed(seconds, second);
         node_->keep(key, node, {}, second);
         return values;
     });

@@ -49,6 +49,8 @@ TEST(Plausible, SlipsInABodyGetOne) {
     expect_told(of_body({"'118 t'", "2.4", "5.1"}), "over half the width is 4.25 (casks 1.5 to 3)");  // the full height
     expect_told(of_body({"'138 t'", "3.4", "1.45"}), "over half the width is 0.853");
     expect_told(of_body({"'138 t'", "5.8", "1.7", "restitution=0.3"}), "over half the width is 0.586");
+    expect_told(of_body({"'200 t'", "3.4", "5.8"}), "over half the width is 3.41");  // heavy, and the full height
+    expect_told(of_body({"304000", "3.4", "2.9"}), "kg, t or lb?");
     expect_told(of_body({"260000", "2.4", "2.55"}), "kg, t or lb?");  // pounds as a bare number
     expect_told(of_body({"'138000 lb'", "3.4", "2.9"}), "kg, t or lb?");
     expect_told(of_body({"138", "3.4", "2.9"}), "kg, t or lb?");
@@ -59,6 +61,9 @@ TEST(Plausible, SlipsInABodyGetOne) {
     expect_told(with("gravity=1"), "gravity 1 m/s2 (9.78 to 9.83 on Earth)");
     expect_told(with("similarity={direction='to-model', length=2.5}"), "similarity.length 2.5");
     expect_told(with("slope=0.2\naxes=1"), "slope 11.5 deg");
+    expect_told(with("initial_tilt=0.2\naxes=1"), "initial_tilt 11.5 deg");
+    expect_told(of_body({"{distribution='normal', mean='138 t', deviation='5 kg'}", "3.4", "2.9"}),
+                "mass scatters by 0.0036");
     expect_told(with("offset=0.6\naxes=1"), "offset 0.6 m is 0.35 of half the width");
     expect_told(with("pad={vertical_frequency=2}"), "pad.vertical_frequency 2 Hz");
     expect_told(with("pad={strength='1000 MPa'}"), "pad.strength 1000 MPa");
@@ -161,6 +166,23 @@ TEST(Plausible, PeriodsInAnotherUnitGetALine) {
     expect_told(lines("[50]"), "moves the ground by");
     for (auto const& line : lines("['0.5 s', '2 s']")) {
         EXPECT_EQ(line.find("wave 0"), std::string::npos) << line;
+    }
+}
+
+// Across it takes no pga from the horizontal target.
+TEST(Plausible, ComponentsOfOtherStrengthGetALine) {
+    auto const lines = [](std::string const& component) {
+        return of_campaign(with(target, "spectrum='rg-1.60'\npga='0.3 g'") + component);
+    };
+    std::string const across = "[waves.transverse.target]\nspectrum='rg-1.60'\npga=";
+    expect_told(lines(across + "'1 g'\n"), "times as strong across");
+    expect_told(lines(across + "'0.03 g'\n"), "times as strong across");
+    expect_told(lines("[waves.vertical.target]\nspectrum='mlit-ch1'\nscale=0.01\n"), "wave 0 is very weak vertically");
+    for (auto const& component :
+         {across + "'0.3 g'\n", std::string("[waves.transverse]\nratio=1\n[waves.vertical]\nratio=0.667\n")}) {
+        for (auto const& line : lines(component)) {
+            EXPECT_EQ(line.find("wave 0"), std::string::npos) << line;
+        }
     }
 }
 

@@ -43,6 +43,52 @@ TEST(Unsound, NumberWithoutAUnitBesideLevelsThatHaveOne) {
         judge(scene("values=['0.3 g']\n", "[[limits]]\nname='rises'\nquantity='peak_rotation_ratio'\nabove=0.5\n")));
 }
 
+// Of a distribution and of a list of pairs as well: 138 t with a deviation of 5 kg has none.
+TEST(Unsound, NumberWithoutAUnitBesideOneOfTheSameQuantity) {
+    auto const body = [](std::string const& mass) {
+        return testing::campaign_from(testing::quick_waves + "[[bodies]]\nname='box'\nbase_width='3.4 m'\nmass=" + mass
+                                      + "\ncentre_height='2.9 m'\ninertia='uniform-block'\n"
+                                      + testing::levels("values=[3]\n"));
+    };
+    for (auto const* mixed :
+         {"{distribution='normal', mean='138 t', deviation=5}", "{distribution='uniform', low=130, high='140 t'}",
+          "{distribution='lognormal', median='138 t', beta=0.1, high=150}"}) {
+        testing::expect_input_error([&] { (void)body(mixed); }, "bodies[0].mass", "without a unit beside",
+                                    "in t (a bare number is kg)");
+    }
+    for (auto const* sound :
+         {"{distribution='normal', mean='138 t', deviation='5 t'}", "{distribution='uniform', low=130e3, high=140e3}",
+          "{distribution='lognormal', median='138 t', beta=0.1}"}) {
+        EXPECT_NO_THROW((void)body(sound)) << sound;
+    }
+    auto const target = [](std::string const& points) {
+        auto waves = testing::quick_waves;
+        waves.replace(waves.find("spectrum='mlit-ch1'\ntime_scale=0.632"), 36, "kind='acceleration'\npoints=" + points);
+        return testing::campaign_from(waves + testing::type_b + testing::levels("values=[3]\n"));
+    };
+    testing::expect_input_error([&] { (void)target("[['0.05 s','0.3 g'],['2 s',0.2]]"); }, "waves.target.points",
+                                "0.2 without a unit beside 0.3 g (a bare number is m/s2)");
+    testing::expect_input_error([&] { (void)target("[['20 ms',3],[2,3]]"); }, "waves.target.points",
+                                "2 without a unit beside 20 ms");
+    EXPECT_NO_THROW((void)target("[[0.05,'0.3 g'],[2,'0.2 g']]")) << "each column has one";
+}
+
+// Angular velocities have units of their own.
+TEST(Unsound, SpinsAreStatedInTheirUnits) {
+    std::string const spins = "[[limits]]\nname='lands hard'\nquantity='landing_spin'\nabove=";
+    auto const threshold = [&](std::string const& above) {
+        return testing::campaign_from(scene("values=['0.3 g']\n", spins + above + "\n")).limits[1].threshold;
+    };
+    EXPECT_EQ(threshold("'1.5 rad/s'"), 1.5);
+    EXPECT_NEAR(threshold("'90 deg/s'"), pi / 2, 1e-15);
+    EXPECT_NO_THROW(judge(scene("values=['0.3 g']\n", spins + "'1.5 rad/s'\n")));
+    testing::expect_input_error([&] { judge(scene("values=['0.3 g']\n", spins + "1.5\n")); }, "limits[0].above",
+                                "a bare number is rad/s");
+    for (auto const* wrong : {"'1.5 m/s'", "'1.5'", "'-1 rad/s'"}) {
+        testing::expect_input_error([&] { (void)threshold(wrong); }, "limits[0].above", "rad/s or deg/s");
+    }
+}
+
 // A results file that has them is still read.
 TEST(Unsound, IsNotAskedOfWhatIsReadOnly) {
     EXPECT_NO_THROW((void)testing::campaign_from(scene("values=['0.3 g', 0.5]\n")));
@@ -58,6 +104,9 @@ TEST(Plausible, MistypedCampaignsGetOne) {
         return text.replace(text.find(before), before.size(), now);
     };
     EXPECT_TRUE(told(lines(waves, testing::levels("values=[0.3, 0.5]\n")), "Write \"0.5 g\" if that was meant"));
+    // Type B rises from 4.22 m/s2 on.
+    EXPECT_TRUE(told(lines(waves, testing::levels("values=[0.5, 2]\n")), "no body slips or rises below 4.22 m/s2"));
+    EXPECT_FALSE(told(lines(waves, testing::levels("values=['0.1 g', '0.2 g']\n")), "no body slips"));
     EXPECT_TRUE(told(
         lines(waves, testing::levels("values=[3]\n"), "[[limits]]\nname='hits'\nquantity='peak_slip'\nbelow='0.3 m'\n"),
         "limit 'hits': peak_slip below 0.3 m is passed by a body at rest"));
@@ -106,6 +155,15 @@ TEST(Squat, BodiesStandByTheirStatedRestitution) {
     EXPECT_EQ(read("", "restitution=0.3\n").bodies[0].body.restitution(), 0.3);
     EXPECT_EQ(read("restitution=0.4\n", "restitution=0.3\n").bodies[0].body.restitution(), 0.4);
     EXPECT_EQ(read("restitution=0.4\n", "friction=0.5\n").bodies[0].body.restitution(), 0.4) << "the file states none";
+    for (auto const* key : {"offset='5 cm'\n", "slope='1 deg'\n", "initial_tilt='1 deg'\n", "pad={}\n"}) {
+        EXPECT_EQ(read("axes=1\nrestitution=0.4\n", key).bodies[0].body.restitution(), 0.4) << key;
+        EXPECT_EQ(read("axes=1\n", std::string("restitution=0.4\n") + key).bodies[0].body.restitution(), 0.4) << key;
+    }
+    // Of a polygon none may be stated, and none is needed.
+    std::string const polygon = "base={shape='polygon', corners=[[0.9,0.9],[-0.9,0.9],[-0.9,-0.9],[0.9,-0.9]]}\n";
+    EXPECT_EQ(read(polygon, "").bodies[0].body.restitution(), 0);
+    EXPECT_EQ(read("", polygon).bodies[0].body.restitution(), 0);
+    EXPECT_EQ(read(polygon, "friction=0.5\n").bodies[0].body.restitution(), 0);
     auto const drawn = read("restitution={distribution='uniform', low=0.2, high=0.4}\n", "");
     EXPECT_NEAR(drawn.bodies[0].body.restitution(), 0.3, 1e-12);
     for (auto const* without : {"", "restitution='housner'\n"}) {

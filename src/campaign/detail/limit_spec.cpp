@@ -8,6 +8,7 @@
 
 #include "config/suggestion.hpp"
 #include "core/error.hpp"
+#include "core/units.hpp"
 #include "response/registry.hpp"
 
 namespace overturn {
@@ -138,6 +139,25 @@ void call_for(Table const& table, LimitQuantity const& quantity, EffectRequest& 
                                        quantity.name, names_of_effects(quantity.needs)));
 }
 
+// Angular velocities are stated nowhere else.
+double read_spin(Table const& table, config::Key const& key, IntensityUnit& shown) {
+    if (table.kind(key.name) != config::Kind::text) {
+        return table.number(key);
+    }
+    auto const text = table.text(key.name);
+    auto const blank = std::min(trimmed(text).find(' '), trimmed(text).size());
+    auto const unit = std::string(trimmed(trimmed(text).substr(blank)));
+    double value = 0;
+    if (!parse_number(trimmed(text).substr(0, blank), value) || !(unit == "rad/s" || unit == "deg/s")
+        || !key.range.holds(value)) {
+        table.fail(key.name, fmt::format("'{}' (must be a number above 0 of rad/s or deg/s). Write for example "
+                                         "\"1.5 rad/s\"",
+                                         text));
+    }
+    shown = {unit, unit == "rad/s" ? 1 : pi / 180};
+    return value * shown.si;
+}
+
 void read_threshold(Table const& table, LimitState& limit, bool falls_pass, EffectRequest& effects) {
     limit.quantity = read_quantity(table);
     if (limit.quantity.is_of_the_fall() && table.has("overturned")) {
@@ -154,6 +174,11 @@ void read_threshold(Table const& table, LimitState& limit, bool falls_pass, Effe
         table.fail("below", "stated beside above (one side fails). Keep one, or join two limits with any or all");
     }
     auto const dimension = dimension_of(limit.quantity);
+    if (limit.quantity.units == "rad/s") {
+        limit.threshold = read_spin(table, key, limit.shown);
+        call_for(table, limit.quantity, effects);
+        return;
+    }
     limit.threshold = table.number(key, {.dimension = dimension});
     if (auto const unit = table.unit_at(key.name); !unit.empty()) {
         limit.shown = {unit, unit_factor(unit, dimension)};

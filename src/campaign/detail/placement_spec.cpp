@@ -41,7 +41,9 @@ void read_placement(Table const& table, BodySpec& spec) {
                                      {placement_keys["initial_tilt"], &BodyInput::initial_tilt_rad}}) {
         if (table.has(key.name)) {
             spec.stated.*value = table.number(key);
-            (void)table.located(key.name, [&] { return RigidBody(spec.stated); });
+            auto placed = spec.stated;
+            placed.restitution = placed.restitution.value_or(0);  // which one is judged when all is read
+            (void)table.located(key.name, [&] { return RigidBody(placed); });
         }
     }
 }
