@@ -24,14 +24,17 @@ namespace overturn {
 /// From when on a body that stands counts as having moved, whatever model ran: what a pad gives way elastically is not
 /// rocking, what a base creeps is no slip.
 struct MovementSpec {
-    double slip_m = 1e-3;    ///< largest slip of the base
-    double uplift_m = 1e-3;  ///< largest rise of the edge of the base, its width times the sine of the tilt
+    double slip_m = 1e-3;  ///< largest slip of the base
+    /// Largest rise of the edge of the base off the ground: its width times the sine of the tilt, without that by which
+    /// a pad gives way before any of the base leaves it.
+    double uplift_m = 1e-3;
 
     bool by_model = false;  ///< instead as each model has it, as in results files up to format 4
 
     /// Of a trial that stands; other verdicts stay. \param may_slip has it friction? What a base that holds fast rolls
     /// or walks is no slip
-    [[nodiscard]] Verdict verdict(Response const& response, RigidBody const& body, bool may_slip) const;
+    /// \param pad under it, where it ran on points
+    [[nodiscard]] Verdict verdict(Response const& response, RigidBody const& body, bool may_slip, Pad const& pad) const;
 };
 
 struct MeasureSpec {

@@ -171,7 +171,7 @@ int rock(RockOptions const& options) {
     }
     std::optional<HistoryFile> history;
     auto response = ladder.respond(trial, own);
-    response.verdict = MovementSpec{}.verdict(response, spec.body, spec.friction.has_value());
+    response.verdict = MovementSpec{}.verdict(response, spec.body, spec.friction.has_value(), spec.footing.pad);
     if (!options.history.empty()) {
         history.emplace(options.history);
         ladder.show(trial, response, *history);

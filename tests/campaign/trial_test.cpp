@@ -248,32 +248,54 @@ TEST(BlockRows, TravelUnchanged) {
     EXPECT_THROW((void)BlockRows::unpack(bytes, plan, 0), SystemError);
 }
 
+// A pad of 10 Hz settles by 2.5 mm: a base of which nothing leaves it leans by up to twice that.
+TEST(Movement, WhatAPadGivesWayIsNoRocking) {
+    RigidBody const body({.mass_kg = 138e3, .half_width_m = 1.7, .centre_height_m = 2.9, .inertia_kgm2 = 5e5});
+    Pad soft;
+    soft.vertical_frequency_hz = 10;
+    double const leans_m = 2 * g0 / std::pow(20 * pi, 2);
+    auto const ends = [&](double rise_m, Effect effect) {
+        Response response;
+        response.verdict = Verdict::rocked;
+        response.peak_rotation_rad = std::asin(rise_m / 3.4);
+        response.effects = mask_of(effect);
+        return MovementSpec{}.verdict(response, body, true, soft);
+    };
+    for (auto const points : {Effect::contact, Effect::spatial}) {
+        EXPECT_EQ(ends(leans_m, points), Verdict::at_rest);
+        EXPECT_EQ(ends(leans_m + 0.99e-3, points), Verdict::at_rest);
+        EXPECT_EQ(ends(leans_m + 1.01e-3, points), Verdict::rocked);
+    }
+    EXPECT_EQ(ends(1.01e-3, Effect::sliding), Verdict::rocked) << "rigid ground does not give way";
+}
+
 // R-1003: A body that stands has slid or rocked, or both, from stated distances on, whatever model ran: what a pad
 // gives way elastically (3e-5 of alpha under a base of 3.4 m, 0.05 mm) is no rocking.
 TEST(Movement, CountsFromStatedDistancesOn) {
     RigidBody const body({.mass_kg = 138e3, .half_width_m = 1.7, .centre_height_m = 2.9, .inertia_kgm2 = 5e5});
+    Pad const pad;
     Response response;
     auto const ends = [&](double slip_m, double uplift_m, bool may_slip = true) {
         response.verdict = Verdict::rocked;
         response.peak_slip_m = slip_m;
         response.peak_rotation_rad = std::asin(uplift_m / 3.4);
-        return MovementSpec{}.verdict(response, body, may_slip);
+        return MovementSpec{}.verdict(response, body, may_slip, pad);
     };
     EXPECT_EQ(ends(0.9e-3, 0.05e-3), Verdict::at_rest);
     EXPECT_EQ(ends(1.1e-3, 0.9e-3), Verdict::slid);
     EXPECT_EQ(ends(0.9e-3, 1.1e-3), Verdict::rocked);
     EXPECT_EQ(ends(1.1e-3, 1.1e-3), Verdict::slid_and_rocked);
     EXPECT_EQ(ends(1.1e-3, 1.1e-3, false), Verdict::rocked) << "what holds fast does not slide";
-    EXPECT_EQ((MovementSpec{0, 0}.verdict(response, body, true)), Verdict::slid_and_rocked);
-    EXPECT_EQ((MovementSpec{2e-3, 2e-3}.verdict(response, body, true)), Verdict::at_rest);
-    EXPECT_EQ((MovementSpec{.by_model = true}.verdict(response, body, true)), Verdict::rocked);
+    EXPECT_EQ((MovementSpec{0, 0}.verdict(response, body, true, pad)), Verdict::slid_and_rocked);
+    EXPECT_EQ((MovementSpec{2e-3, 2e-3}.verdict(response, body, true, pad)), Verdict::at_rest);
+    EXPECT_EQ((MovementSpec{.by_model = true}.verdict(response, body, true, pad)), Verdict::rocked);
     for (auto const other : {Verdict::overturned, Verdict::contact_lost, Verdict::failed}) {
         response.verdict = other;
-        EXPECT_EQ((MovementSpec{2e-3, 2e-3}.verdict(response, body, true)), other);
+        EXPECT_EQ((MovementSpec{2e-3, 2e-3}.verdict(response, body, true, pad)), other);
     }
     response.verdict = Verdict::at_rest;
     response.peak_slip_m = response.peak_rotation_rad = 0;
-    EXPECT_EQ((MovementSpec{0, 0}.verdict(response, body, true)), Verdict::at_rest) << "nothing is no movement";
+    EXPECT_EQ((MovementSpec{0, 0}.verdict(response, body, true, pad)), Verdict::at_rest) << "nothing is no movement";
 }
 
 }  // namespace
