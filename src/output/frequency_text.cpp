@@ -88,12 +88,12 @@ void add_seen(std::vector<std::string>& notes, BodyFrequency const& f) {
     }
 }
 
-std::string row_of(BodyFrequency const& f) {
+std::string row_of(BodyFrequency const& f, std::size_t width) {
     auto const fractiles =
         f.fractiles ? fmt::format("{:.3g}, {:.3g}, {:.3g}", f.fractiles->low, f.fractiles->median, f.fractiles->high)
                     : std::string("beta_U unknown");
     auto const seen = f.stated ? std::string("no trials") : interval_text(f.seen);
-    return fmt::format("{:>24} {:>24} {:>11} {:>13} {:>30} {:>24}\n", frequency_name(f),
+    return fmt::format("{:>{}} {:>24} {:>11} {:>13} {:>30} {:>24}\n", frequency_name(f), width,
                        interval_text(f.mean ? f.interval : f.seen), f.mean ? fmt::format("{:.3g}", mean_of(f)) : "-",
                        f.mean ? fmt::format("{:.2g}", f.extrapolated()) : "no curve", f.mean ? fractiles : "-", seen);
 }
@@ -129,11 +129,15 @@ std::string frequency_text(std::span<BodyFrequency const> frequencies, HazardCur
     for (auto const& remark : hazard.remarks()) {
         text += fmt::format("  note: hazard curve: {}\n", remark);
     }
-    text += fmt::format("{:>24} {:>24} {:>11} {:>13} {:>30} {:>24}\n", "body, limit state",
+    std::size_t width = 24;
+    for (auto const& f : frequencies) {
+        width = std::max(width, frequency_name(f).size());
+    }
+    text += fmt::format("{:>{}} {:>24} {:>11} {:>13} {:>30} {:>24}\n", "body, limit state", width,
                         stated ? std::string("bounds") : fmt::format("{:g} % interval", 100 * confidence), "by curve",
                         "extrapolated", "confidence 5, 50, 95 %", "stripes alone");
     for (auto const& f : frequencies) {
-        text += row_of(f);
+        text += row_of(f, width);
         for (auto const& note : frequency_notes(f, hazard)) {
             text += f.body.empty() ? fmt::format("  note: {}\n", note)
                                    : fmt::format("  note: {}: {}\n", frequency_name(f), note);
