@@ -79,6 +79,7 @@ Distribution read_distribution(Table const& table, config::Key const& key) {
     auto const given = table.child(key);
     config::Given const value{.range = key.range, .dimension = key.dimension};
     auto const kind = given.choice<DistributionKind>(distribution_keys["distribution"], distribution_kinds);
+    refuse_bare(given, key);  // before a bound in another unit leaves nothing of it
     auto distribution = given.located("distribution", [&] { return read_stated(given, kind, value); });
     if (kind == DistributionKind::normal || kind == DistributionKind::lognormal) {
         double const low = given.number(distribution_keys["low"],
@@ -88,7 +89,6 @@ Distribution read_distribution(Table const& table, config::Key const& key) {
         distribution = given.located("distribution", [&] { return distribution.truncated(low, high); });
     }
     given.finish();
-    refuse_bare(given, key);
     return distribution;
 }
 
