@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+
+#include <fmt/ranges.h>
 
 #include "core/units.hpp"
 #include "motion/column_unit.hpp"
@@ -81,10 +84,13 @@ void Claims::Claim::take(double stated, int number) {
 }
 
 bool Claims::take_unit(std::string const& lower, int number) {
+    if (of_ == Dimension::none) {
+        return false;
+    }
     bool const one = is_of_one_value(lower);
     bool found = false;
     std::optional<double> of_peak;
-    each_unit(lower, Dimension::acceleration, [&](double unit) {
+    each_unit(lower, of_, [&](double unit) {
         found = true;
         one ? (void)(of_peak = unit) : unit_.take(unit, number);
     });
@@ -93,7 +99,7 @@ bool Claims::take_unit(std::string const& lower, int number) {
         return true;
     }
     if (!found && !one && !is_provenance(lower)) {
-        auto const claimed = claimed_unit(lower);
+        auto const claimed = claimed_unit(lower, of_);
         claimed.si ? unit_.take(*claimed.si, number) : void();
         if (!claimed.si && !claimed.unknown.empty() && unknown_unit_.empty()) {
             unknown_unit_ = claimed.unknown;
@@ -104,6 +110,13 @@ bool Claims::take_unit(std::string const& lower, int number) {
     return found && !one;
 }
 
+std::string_view Claims::other_than_own(Quantity quantity) const {
+    bool const own = (of_ == Dimension::velocity && quantity == Quantity::velocity)
+                     || (of_ == Dimension::length && quantity == Quantity::displacement)
+                     || (of_ == Dimension::acceleration && quantity == Quantity::acceleration);
+    return own ? Text{} : quantity == Quantity::acceleration ? Text("accelerations") : plural_of(quantity);
+}
+
 /// "velocity in cm/s", "displacement (cm)", "FLOAT, M/S", "units: counts".
 bool Claims::take_other_quantity(std::string const& lower, int number) {
     if (is_of_one_value(lower) || holds(lower, "wave velocity") || holds(lower, "shear wave")
@@ -111,13 +124,20 @@ bool Claims::take_other_quantity(std::string const& lower, int number) {
         return false;
     }
     std::string found;
-    each_unit(lower, Dimension::velocity, [&](double /*si*/) { found = "velocities"; });
-    if (holds(lower, "displ")) {
-        each_unit(lower, Dimension::length, [&](double /*si*/) { found = "displacements"; });
+    for (auto const& [dimension, quantity] : {std::pair{Dimension::acceleration, Quantity::acceleration},
+                                              {Dimension::velocity, Quantity::velocity},
+                                              {Dimension::length, Quantity::displacement}}) {
+        if (auto const other = other_than_own(quantity);
+            !other.empty() && (dimension != Dimension::length || holds(lower, "displ"))) {
+            each_unit(lower, dimension, [&](double /*si*/) { found = other; });
+        }
+    }
+    if (found.empty() && of_ != Dimension::velocity && claimed_unit(lower, Dimension::velocity).si) {
+        found = "velocities";  // "micrometers per second"
     }
     bool const per_count = holds(lower, "/count") || holds(lower, "per count");
     auto const said = per_count ? Quantity::unknown : quantity_in_prose(lower);
-    auto const word = plural_of(said);
+    auto const word = other_than_own(said);
     spectrum_ = spectrum_ || said == Quantity::spectrum;
     bool const counts = said == Quantity::counts || (holds_word(lower, "counts") && !per_count);
     bool const by_word = found.empty() && !counts && !word.empty();
@@ -151,6 +171,14 @@ bool Claims::take_components(std::string_view line, std::string const& lower, in
     return false;
 }
 
+void Claims::take(std::span<TextLine const> lines, int names_line) {
+    for (auto const& line : lines) {
+        if (line.number != names_line) {
+            take(line.text, line.number);
+        }
+    }
+}
+
 void Claims::take(std::string_view line, int number) {
     if (says_nothing(line)) {
         return;
@@ -168,13 +196,15 @@ void Claims::take(std::string_view line, int number) {
         understood = true;
     }
     bool const instrument = holds(lower, "accelero");  // -graph, -meter, -gram
-    bool const of_spectrum = quantity_in_prose(lower) == Quantity::spectrum;
-    if ((holds(lower, "accel") && !instrument && !of_spectrum) || holds_word(lower, "acc")
+    auto const said = quantity_in_prose(lower);        // "acceleration spectrum", "integrated accelerations"
+    bool const of_others = said != Quantity::unknown && said != Quantity::acceleration;
+    if ((holds(lower, "accel") && !instrument && !of_others) || holds_word(lower, "acc")
         || holds(lower, "\xE5\x8A\xA0\xE9\x80\x9F\xE5\xBA\xA6")) {
         accelerations_ = true;
         understood = true;
     }
-    if (!understood && !is_provenance(lower)) {
+    bool const qualified = holds(lower, "normali") || holds(lower, "relative");
+    if (qualified || (!understood && !is_provenance(lower))) {
         unread_.push_back(fmt::format("line {}: {}", number, in_quotes(trimmed(line))));
     }
 }
@@ -182,7 +212,7 @@ void Claims::take(std::string_view line, int number) {
 std::vector<std::string> Claims::used() const {
     std::vector<std::string> lines;
     if (unit_.value) {
-        lines.push_back(fmt::format("line {}: {}", unit_.line, name_of_acceleration_unit(*unit_.value)));
+        lines.push_back(fmt::format("line {}: {}", unit_.line, name_of_unit(*unit_.value, of_)));
     }
     if (step_.value) {
         lines.push_back(fmt::format("line {}: {:.6g} s", step_.line, *step_.value));
@@ -191,6 +221,26 @@ std::vector<std::string> Claims::used() const {
         lines.push_back(fmt::format("line {}: {:.0f} samples", count_.line, *count_.value));
     }
     return lines;
+}
+
+std::optional<double> Claims::unit_beside(std::optional<double> named, std::optional<double> stated,
+                                          Location const& names, std::string_view advice) const {
+    constexpr double rounding = 1e-9;
+    auto const differ = [&](std::optional<double> a, std::optional<double> b) {
+        return a && b && std::abs(*a - *b) > rounding * *b;
+    };
+    Location const line{names.file, unit_.line};
+    if (differ(unit_.value, named)) {
+        throw InputError(line, fmt::format("unit {}, line {} says {} (they contradict each other). Mend one of them",
+                                           name_of_unit(*unit_.value, of_), names.line, name_of_unit(*named, of_)));
+    }
+    auto const said = named ? named : unit_.value;
+    if (differ(said, stated)) {
+        throw InputError(named ? names : line,
+                         fmt::format("unit {} in the file, {} stated (they contradict each other). {}",
+                                     name_of_unit(*said, of_), name_of_unit(*stated, of_), advice));
+    }
+    return said ? said : stated;
 }
 
 void Claims::check(RecordRequest const& request) const {
@@ -211,12 +261,20 @@ void Claims::check(RecordRequest const& request) const {
     }
 }
 
+void Claims::check_unit_of(std::string_view column, std::string const& file) const {
+    if (of_ != Dimension::none && other_line_ > 0 && !other_of_several_ && !unit_.value) {
+        throw InputError(
+            {file, other_line_},
+            fmt::format("a unit of {}, column '{}' (they contradict each other). Mend one of them", other_, column));
+    }
+}
+
 void Claims::check_unit_is_known(std::string const& file) const {
     if (!unit_.value && !unknown_unit_.empty()) {
         throw InputError({file, unknown_unit_line_},
-                         fmt::format("'{}' (no unit of acceleration that is known). Write m/s2, gal or g, or leave it "
-                                     "out and state the unit",
-                                     unknown_unit_));
+                         fmt::format("'{}' (no unit of {} that is known). Write {}, or leave it out and state the unit",
+                                     unknown_unit_, name_of(of_),
+                                     of_ == Dimension::acceleration ? "m/s2, gal or g" : si_symbol(of_)));
     }
 }
 
@@ -263,6 +321,14 @@ void Claims::check_peaks(std::span<double const> peaks_mps2, double unit_mps2, s
             }
         }
     }
+}
+
+std::string not_understood(std::span<std::string const> lines) {
+    constexpr std::size_t most = 3;
+    auto const shown = lines.first(std::min(lines.size(), most));
+    return lines.empty() ? std::string()
+                         : fmt::format(" (not understood: {}{})", fmt::join(shown, "; "),
+                                       lines.size() > most ? fmt::format("; {} more", lines.size() - most) : "");
 }
 
 }  // namespace overturn

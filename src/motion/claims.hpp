@@ -9,21 +9,27 @@
 #include <string_view>
 #include <vector>
 
+#include "core/units.hpp"
+#include "motion/column_role.hpp"
 #include "motion/component_name.hpp"
 #include "motion/record.hpp"
+#include "motion/text_table.hpp"
 
 namespace overturn {
 
 class Claims {
   public:
+    /// Of accelerations, or of what a table's column holds: an acceleration, a velocity or a length.
+    explicit Claims(Dimension of = Dimension::acceleration) : of_(of) {}
+
     /// Looks for units ("in m/s/s", "(gal)", "units: g"), quantities ("velocity in cm/s", "M/S", "counts"), the time
     /// step or rate, the count, the peak and the components ("COMP. EW"). A unit in a line on a peak, a trigger or a
     /// filter is of that alone. What is claimed twice, differently, is not claimed.
     void take(std::string_view line, int number);
-    /// A line that is understood elsewhere, as names of columns are.
-    void take_names(int number);
+    /// All lines above, between and below the numbers, but that of the names.
+    void take(std::span<TextLine const> lines, int names_line);
 
-    /// Of the accelerations [m/s2].
+    /// SI value of one unit of the numbers.
     [[nodiscard]] std::optional<double> unit() const { return unit_.value; }
     [[nodiscard]] int unit_line() const { return unit_.line; }
     /// [s]
@@ -41,10 +47,18 @@ class Claims {
     /// "line 10: m/s2", for each claim that is used.
     [[nodiscard]] std::vector<std::string> used() const;
     /// "line 3: 'Station X'", for each line that claims nothing known.
-    [[nodiscard]] std::vector<std::string> unread() const { return unread_; }
+    [[nodiscard]] std::vector<std::string> const& unread() const { return unread_; }
 
+    /// The unit of numbers whose names say `named` and whose user says `stated`; nothing if neither these nor the text
+    /// say one. \param names where these stand \param advice where the stated unit contradicts the file
+    /// \throws InputError at the line that contradicts another, or what is stated
+    [[nodiscard]] std::optional<double> unit_beside(std::optional<double> named, std::optional<double> stated,
+                                                    Location const& names,
+                                                    std::string_view advice = "Leave the stated unit out") const;
     /// \throws InputError if what the request states contradicts what is claimed, or the numbers are no accelerations
     void check(RecordRequest const& request) const;
+    /// For numbers of one column among others. \throws InputError if the text states a unit of another quantity
+    void check_unit_of(std::string_view column, std::string const& file) const;
     /// For numbers whose names state no unit. \throws InputError if the text states one that is not known: "g/10"
     void check_unit_is_known(std::string const& file) const;
     /// \throws InputError if times that rise by `step_s` contradict what is claimed
@@ -66,10 +80,13 @@ class Claims {
         std::optional<double> unit;
         int line = 0;
     };
+    /// What a quantity is called that is not the numbers' own; empty if it is, or is none.
+    [[nodiscard]] std::string_view other_than_own(Quantity quantity) const;
     [[nodiscard]] bool take_unit(std::string const& lower, int number);
     [[nodiscard]] bool take_other_quantity(std::string const& lower, int number);
     [[nodiscard]] bool take_components(std::string_view line, std::string const& lower, int number);
 
+    Dimension of_;
     Claim unit_, step_, count_;
     std::vector<Peak> peaks_;
     std::string unknown_unit_;
@@ -84,5 +101,8 @@ class Claims {
     int components_line_ = 0;
     std::vector<std::string> unread_;
 };
+
+/// For one line of a message: " (not understood: line 3: 'x'; line 5: 'y')"; empty if there is no such line.
+[[nodiscard]] std::string not_understood(std::span<std::string const> lines);
 
 }  // namespace overturn

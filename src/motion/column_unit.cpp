@@ -1,5 +1,6 @@
 #include "motion/column_unit.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -28,15 +29,19 @@ constexpr std::array spellings{Spelling{"mps2", 1},
                                Spelling{"ft/s2", 0.3048},
                                Spelling{"g's", g0},
                                Spelling{"mg", 1e-3 * g0},
-                               Spelling{"milli-g", 1e-3 * g0},
+                               Spelling{"m-g", 1e-3 * g0},
                                Spelling{"%g", 1e-2 * g0},
                                Spelling{"mps", 1, Dimension::velocity},
                                Spelling{"cmps", 1e-2, Dimension::velocity},
+                               Spelling{"um/s", 1e-6, Dimension::velocity},
+                               Spelling{"nm/s", 1e-9, Dimension::velocity},
                                Spelling{"in/s", 0.0254, Dimension::velocity},
                                Spelling{"ft/s", 0.3048, Dimension::velocity},
                                Spelling{"kines", 1e-2, Dimension::velocity},
                                Spelling{"in", 0.0254, Dimension::length},
                                Spelling{"ft", 0.3048, Dimension::length},
+                               Spelling{"um", 1e-6, Dimension::length},
+                               Spelling{"nm", 1e-9, Dimension::length},
                                Spelling{"us", 1e-6, Dimension::time}};
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
@@ -51,13 +56,17 @@ std::string plainly(std::string_view text) {
     for (std::string_view const dropped : {"^", "**", "\xC2\xB7", " ", ".", "$", "{", "}", "(", ")"}) {
         replace_all(plain, dropped, "");
     }
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 7> words{{{"per", "/"},
-                                                                                  {"squared", "2"},
-                                                                                  {"centi", "c"},
-                                                                                  {"meters", "m"},
-                                                                                  {"metres", "m"},
-                                                                                  {"meter", "m"},
-                                                                                  {"metre", "m"}}};
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 11> words{{{"per", "/"},
+                                                                                   {"squared", "2"},
+                                                                                   {"centi", "c"},
+                                                                                   {"milli", "m"},
+                                                                                   {"micro", "u"},
+                                                                                   {"\xC2\xB5", "u"},
+                                                                                   {"nano", "n"},
+                                                                                   {"meters", "m"},
+                                                                                   {"metres", "m"},
+                                                                                   {"meter", "m"},
+                                                                                   {"metre", "m"}}};
     for (auto const& [word, sign] : words) {
         replace_all(plain, word, sign);
     }
@@ -93,10 +102,30 @@ std::optional<double> unit_spelled(std::string_view text, Dimension dimension) {
     }
 }
 
+namespace {
+
+bool is_unit(std::string_view text) {
+    constexpr std::array dimensions{Dimension::acceleration, Dimension::velocity, Dimension::length, Dimension::time,
+                                    Dimension::frequency};
+    return std::ranges::any_of(dimensions,
+                               [&](Dimension dimension) { return unit_spelled(text, dimension).has_value(); });
+}
+
+}  // namespace
+
 UnitText unit_text_in_name(std::string_view name) {
-    if (auto const open = name.find_first_of("(["); open != std::string_view::npos) {
+    UnitText first;
+    for (auto open = name.find_first_of("(["); open != std::string_view::npos;
+         open = name.find_first_of("([", open + 1)) {
         auto const close = name.find_first_of(")]", open);
-        return {trimmed(name.substr(open + 1, close == std::string_view::npos ? close : close - open - 1)), true};
+        auto const text = trimmed(name.substr(open + 1, close == std::string_view::npos ? close : close - open - 1));
+        if (is_unit(text)) {
+            return {text, true};
+        }
+        first = first.bracketed ? first : UnitText{text, true};
+    }
+    if (first.bracketed) {
+        return first;
     }
     auto const last = trimmed(name).find_last_of("_ ");
     return {last == std::string_view::npos ? std::string_view{} : trimmed(name).substr(last + 1), false};
@@ -113,15 +142,15 @@ std::optional<double> unit_of_values(std::string_view name, Dimension dimension)
     return in_g ? std::optional(g0) : unit_in_name(name, dimension);
 }
 
-std::string name_of_acceleration_unit(double si) {
+std::string name_of_unit(double si, Dimension dimension) {
     constexpr double same = 1e-9;
-    static constexpr std::array names{"m/s2", "gal", "g", "mm/s2"};
+    static constexpr std::array names{"m/s2", "gal", "g", "mm/s2", "m/s", "cm/s", "m", "cm", "mm"};
     for (auto const* name : names) {
-        if (double const named = unit_factor(name, Dimension::acceleration); std::abs(si - named) <= same * named) {
+        if (auto const named = unit_spelled(name, dimension); named && std::abs(si - *named) <= same * *named) {
             return name;
         }
     }
-    return fmt::format("{:.7g} m/s2", si);
+    return fmt::format("{:.7g} {}", si, si_symbol(dimension));
 }
 
 }  // namespace overturn

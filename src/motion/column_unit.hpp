@@ -13,8 +13,8 @@ namespace overturn {
 /// is none of the dimension's: acceleration, velocity, length, time. Capitals do not count.
 [[nodiscard]] std::optional<double> unit_spelled(std::string_view text, Dimension dimension);
 
-/// What stands in the brackets of a column's name, "acceleration (g)", or behind its last blank or underscore,
-/// "ax_mps2"; empty without either.
+/// What stands in the brackets of a column's name, "acceleration (g)", of several those that hold a unit, "Se(T) (g)",
+/// or behind its last blank or underscore, "ax_mps2"; empty without either.
 struct UnitText {
     std::string_view text;
     bool bracketed = false;
@@ -29,7 +29,10 @@ struct UnitText {
 /// ground can be meant.
 [[nodiscard]] std::optional<double> unit_of_values(std::string_view name, Dimension dimension);
 
-/// "gal", "g", "m/s2", or the SI value where it is another one.
-[[nodiscard]] std::string name_of_acceleration_unit(double si);
+/// "gal", "g", "m/s2", "cm/s", or the SI value where it is another one.
+[[nodiscard]] std::string name_of_unit(double si, Dimension dimension);
+[[nodiscard]] inline std::string name_of_acceleration_unit(double si) {
+    return name_of_unit(si, Dimension::acceleration);
+}
 
 }  // namespace overturn

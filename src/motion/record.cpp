@@ -160,9 +160,10 @@ void check_stated_time_step(RecordRequest const& request, double file_time_step_
     constexpr double printed_rounding = 1e-3;
     if (request.time_step_s && !request.may_be_resampled
         && std::abs(*request.time_step_s - file_time_step_s) > printed_rounding * file_time_step_s) {
-        throw InputError(where, fmt::format("time step of {} s in the file, {} s stated (they contradict each other). "
-                                            "Leave the stated step out",
-                                            file_time_step_s, *request.time_step_s));
+        throw InputError(where,
+                         fmt::format("time step of {:.9g} s in the file, {:.9g} s stated (they contradict each other). "
+                                     "Leave the stated step out",
+                                     file_time_step_s, *request.time_step_s));
     }
 }
 

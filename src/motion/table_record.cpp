@@ -27,14 +27,8 @@ enum class Reading { by_content, components, list };
 Claims claims_of(TextTable const& table, TableColumns const& columns) {
     Claims claims;
     bool const pair = !pair_above(table).empty();
-    for (auto const& line : table.head) {
-        if (line.number != columns.names_line && !(pair && &line == &table.head.back())) {
-            claims.take(line.text, line.number);
-        }
-    }
-    for (auto const& line : table.notes) {
-        claims.take(line.text, line.number);
-    }
+    claims.take(std::span(table.head).first(table.head.size() - (pair ? 1 : 0)), columns.names_line);
+    claims.take(table.notes, columns.names_line);
     if (std::ranges::find(columns.roles, Quantity::acceleration, &ColumnRole::quantity) != columns.roles.end()) {
         claims.take_named_accelerations();
     }
@@ -70,22 +64,15 @@ double unit_of(TextTable const& table, TableColumns const& columns, Claims const
         }
         named = role.unit ? role.unit : named;
     }
-    if (named && claims.unit() && std::abs(*named - *claims.unit()) > 1e-9 * *named) {
-        throw InputError({request.name, claims.unit_line()},
-                         fmt::format("unit {}, line {} says {} (they contradict each other). Mend one of them",
-                                     name_of_acceleration_unit(*claims.unit()), columns.names_line,
-                                     name_of_acceleration_unit(*named)));
+    if (!named) {
+        claims.check_unit_is_known(request.name);
+        check_suffix_g(columns, request, names);
     }
-    if (named) {
-        check_stated_unit(request, *named, names);
-        return *named;
-    }
-    claims.check_unit_is_known(request.name);
-    check_suffix_g(columns, request, names);
-    if (!request.unit_mps2 && !claims.unit()) {
+    auto const unit = claims.unit_beside(named, request.unit_mps2, names, request.unit_conflict);
+    if (!unit) {
         refuse_without_unit({request.name, table.line[0]}, "neither names nor text say it", request);
     }
-    return request.unit_mps2.value_or(claims.unit().value_or(1));
+    return *unit;
 }
 
 void time_in_seconds(TextTable& table, std::size_t column, std::optional<double> unit) {

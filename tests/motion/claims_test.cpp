@@ -54,6 +54,27 @@ TEST(Claims, UnitsAreHeardInEverySpelling) {
     }
 }
 
+// of a table of velocities or displacements their own units are heard, and accelerations are another quantity.
+TEST(Claims, OfOtherDimensions) {
+    Claims velocities(Dimension::velocity);
+    velocities.take("# pseudo velocity (cm/s)", 2);
+    EXPECT_EQ(velocities.unit(), 0.01);
+    EXPECT_TRUE(velocities.other().empty());
+    Claims wrong(Dimension::velocity);
+    wrong.take("units: gal", 2);
+    EXPECT_EQ(wrong.other(), "accelerations");
+    expect_input_error([&] { wrong.check_unit_of("pgv", "t"); }, "t:2: a unit of accelerations, column 'pgv'");
+    Claims lengths(Dimension::length);
+    lengths.take("displacement in cm", 1);
+    EXPECT_EQ(lengths.unit(), 0.01);
+    expect_input_error([&] { (void)lengths.unit_beside(1.0, {}, {"t", 3}); }, "t:1: unit cm, line 3 says m");
+    expect_input_error([&] { (void)lengths.unit_beside({}, 1.0, {"t", 3}); }, "t:1: unit cm in the file, m stated");
+    EXPECT_EQ(lengths.unit_beside({}, {}, {"t", 3}), 0.01);
+    EXPECT_EQ(Claims(Dimension::length).unit_beside({}, {}, {"t", 3}), std::nullopt);
+    EXPECT_EQ(not_understood(std::vector<std::string>{}), "");
+    EXPECT_EQ(not_understood(std::vector<std::string>{"a", "b", "c", "d", "e"}), " (not understood: a; b; c; 2 more)");
+}
+
 // a unit between commas, as a whole line or of several words is heard; one that is not known stands for none.
 TEST(Claims, UnitsOfSeveralWords) {
     for (auto const& [line, si] : {std::pair{"units: m s-2", 1.0},

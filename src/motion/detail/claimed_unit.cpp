@@ -72,6 +72,11 @@ std::vector<Text> between_commas(Text line) {
     return parts;
 }
 
+/// The beginning of the word that names what is measured.
+Text stem_of(Dimension dimension) {
+    return dimension == Dimension::velocity ? "vel" : dimension == Dimension::length ? "displ" : "acc";
+}
+
 bool is_compound(Text text) { return text.find_first_of("/^%*0123456789") != Text::npos; }
 
 }  // namespace
@@ -99,22 +104,22 @@ bool looks_like_unit(std::string_view text) {
     return any && component_named(text).direction == Direction::unknown;
 }
 
-ClaimedUnit claimed_unit(std::string_view lower) {
+ClaimedUnit claimed_unit(std::string_view lower, Dimension dimension) {
     ClaimedUnit claimed;
     auto const take = [&](Text text, bool is_unit) {
         text = without_edges(text);
-        auto const si = text.empty() ? std::nullopt : unit_spelled(text, Dimension::acceleration);
+        auto const si = text.empty() ? std::nullopt : unit_spelled(text, dimension);
         claimed.si = claimed.si ? claimed.si : si;
         if (!si && is_unit && looks_like_unit(text) && !unit_spelled(text, Dimension::time)
             && !unit_spelled(text, Dimension::frequency)) {
             claimed.unknown = text;
         }
     };
-    bool const of_accelerations = lower.find("acc") != Text::npos;
+    bool const named = lower.find(stem_of(dimension)) != Text::npos;
     take(behind_key(lower), true);
-    take(behind_in(lower), of_accelerations);
+    take(behind_in(lower), named);
     for (auto const text : in_brackets(lower)) {
-        take(text, of_accelerations);
+        take(text, named);
     }
     for (auto const text : between_commas(lower)) {
         if (text.starts_with("% ")) {
@@ -125,7 +130,7 @@ ClaimedUnit claimed_unit(std::string_view lower) {
     }
     // "acceleration g/10"; "acceleration 9.81 m/s2" is a quantity, or a factor
     auto const last = lower.find_last_of(" \t");
-    if (of_accelerations && last != Text::npos) {
+    if (named && last != Text::npos) {
         auto const word = lower.substr(last + 1);
         auto const before = trimmed(lower.substr(0, last));
         bool const factor = !before.empty() && before.back() >= '0' && before.back() <= '9';

@@ -5,16 +5,19 @@
 #include <string>
 #include <string_view>
 
+#include "core/units.hpp"
+
 namespace overturn {
 
 struct ClaimedUnit {
-    std::optional<double> si = {};  ///< of accelerations [m/s2]
+    std::optional<double> si = {};  ///< of the dimension
     std::string unknown = {};       ///< what stands where a unit does and is none that is known: "g/10", "1e-3 g"
 };
 
-/// Behind "units", in brackets or behind "in" in a line on accelerations, between commas, or as the whole line: "units:
-/// m s-2", "acceleration (% g)", "dt=0.01, g", "g". \param lower a line in lower case
-[[nodiscard]] ClaimedUnit claimed_unit(std::string_view lower);
+/// Behind "units", in brackets or behind "in" in a line on accelerations (velocities, displacements: by the dimension),
+/// between commas, or as the whole line: "units: m s-2", "acceleration (% g)", "dt=0.01, g", "g". \param lower a line
+/// in lower case
+[[nodiscard]] ClaimedUnit claimed_unit(std::string_view lower, Dimension dimension = Dimension::acceleration);
 
 /// Looks it like a unit, known or not: letters of units alone, beside figures and signs?
 [[nodiscard]] bool looks_like_unit(std::string_view text);
