@@ -1,7 +1,11 @@
 #include "motion/column_role.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "motion/column_unit.hpp"
 #include "motion/detail/claimed_unit.hpp"
@@ -128,13 +132,44 @@ std::string_view name_of(Quantity quantity) {
     return "nothing known";
 }
 
+std::string measure_in_name(std::string_view name) {
+    auto lower = lowered(trimmed(name));
+    constexpr Text begin = "sa(";
+    auto const close = lower.find(')');
+    if (!lower.starts_with(begin) || close == std::string::npos) {
+        return lower;
+    }
+    auto number = trimmed(Text(lower).substr(begin.size(), close - begin.size()));
+    for (Text const unit : {"seconds", "sec", "s"}) {
+        number = trimmed(number.substr(0, number.size() - (number.ends_with(unit) ? unit.size() : 0)));
+    }
+    double seconds = 0;
+    return parse_number(number, seconds) ? fmt::format("sa({:g} s){}", seconds, lower.substr(close + 1)) : lower;
+}
+
+bool is_period_name(std::string_view name) {
+    auto const lower = lowered(trimmed(name.substr(0, name.find_first_of("(["))));
+    Text const stem = lower;
+    auto const is_letter = [&](std::size_t at) { return stem[at] >= 'a' && stem[at] <= 'z'; };
+    constexpr auto words = std::to_array<Text>({"perio", "p\xC3\xA9rio", "periyo", "\xE5\x91\xA8\xE6\x9C\x9F"});
+    return (stem.starts_with('t') && (stem.size() == 1 || !is_letter(1) || stem == "tn"))
+           || std::ranges::any_of(words, [&](Text word) { return stem.find(word) != Text::npos; });
+}
+
+bool is_frequency_name(std::string_view name) {
+    auto const lower = lowered(trimmed(name.substr(0, name.find_first_of("([_"))));
+    return lower == "f" || lower.starts_with("freq") || lower.starts_with("fr\xC3\xA9q")
+           || unit_spelled(unit_text_in_name(name).text, Dimension::frequency).has_value();
+}
+
 ColumnRole column_role(std::string_view name) {
     ColumnRole role{std::string(trimmed(name))};
     auto [outside, brackets] = parts_of(name);
     Unit unit;
     for (auto const& text : brackets) {
         auto const found = unit_named(text);
-        bool const direction = component_named(text).direction != Direction::unknown;
+        bool const volts = text == "V" && component_in(outside).direction == Direction::horizontal;
+        bool const direction = !volts && component_named(text).direction != Direction::unknown;
         // One letter is a direction as often as a unit: "(s)" is seconds, "(N)" north, "(g)" g.
         unit = found.quantity != Quantity::unknown && unit.quantity == Quantity::unknown ? found : unit;
         if (found.quantity == Quantity::unknown && !direction && !text.empty()) {
@@ -147,13 +182,11 @@ ColumnRole column_role(std::string_view name) {
     if (unit.quantity == Quantity::unknown && role.unknown_unit.empty()) {
         unit = unit_behind(outside, outside);
     }
-    auto const words = quantity_in_name(outside);
+    bool const unit_alone = trimmed(outside).empty() && !brackets.empty();
+    auto const words = unit_alone ? Quantity::unknown : quantity_in_name(outside);
     role.component = component_in(name);
     bool const told_by_word = words == Quantity::spectrum || words == Quantity::hazard || words == Quantity::index;
     role.quantity = unit.quantity == Quantity::unknown || told_by_word ? words : unit.quantity;
-    if (outside.empty() && unit.quantity == Quantity::unknown && !brackets.empty()) {
-        role.quantity = Quantity::unknown;
-    }
     role.unit =
         unit.quantity == role.quantity && unit.quantity != Quantity::unknown ? std::optional(unit.si) : std::nullopt;
     // A word that says one quantity beside the unit of another: neither is to be trusted.

@@ -42,4 +42,14 @@ struct ColumnRole {
 /// "Velocity [cm/sec]", "accX", "CH3(UD)", "index", "T (ms)". A unit goes before a word: "acc (cm/s)" is a velocity.
 [[nodiscard]] ColumnRole column_role(std::string_view name);
 
+/// In lower case, a period as levels have it: "Sa(1.0s) [g]" is "sa(1 s) [g]".
+[[nodiscard]] std::string measure_in_name(std::string_view name);
+
+/// Is it the name of a spectrum's periods, "T", "T_n (s)", "t*", "Period", in several languages? "time" and "ln T" are
+/// none.
+[[nodiscard]] bool is_period_name(std::string_view name);
+
+/// Of its frequencies, "f", "freq_hz", "Frequency (Hz)"? "omega" is none.
+[[nodiscard]] bool is_frequency_name(std::string_view name);
+
 }  // namespace overturn

@@ -214,7 +214,10 @@ ComponentName component_in(std::string_view name) {
         }
         auto const close = std::min(name.find_first_of(")]}", open), name.size());
         auto const inside = name.substr(open + 1, close - open - 1);
-        agreed.take(inside == "s" ? ComponentName{} : without_filling(plainly(inside)));
+        bool const azimuth = lowered(inside).find("deg") != std::string::npos || inside.ends_with("\xC2\xB0");
+        agreed.take(inside == "s" ? ComponentName{}
+                    : azimuth     ? component_named(inside)
+                                  : without_filling(plainly(inside)));
         name = name.substr(std::min(close + 1, name.size()));
     }
     if (auto const whole = without_filling(plainly(outside)); whole.direction != Direction::unknown) {

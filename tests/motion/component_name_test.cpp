@@ -22,6 +22,11 @@ using Three = std::array<std::string, 3>;  // two horizontal ones, the vertical 
 Three const triples[] = {{"HNN", "HNE", "HNZ"},
                          {"HLN", "HLE", "HLZ"},
                          {"BN1", "BN2", "BNZ"},
+                         {"HNR", "HNT", "HNZ"},
+                         {"ENN", "ENE", "ENZ"},
+                         {"HN1", "HN2", "HNZ"},
+                         {"HG1", "HG2", "HGZ"},
+                         {"CI.PAS.HNN.10", "CI.PAS.HNE.10", "CI.PAS.HNZ.10"},
                          {"TW.TCU049.00.HNN", "TW.TCU049.00.HNE", "TW.TCU049.00.HNZ"},
                          {"N", "E", "Z"},
                          {"NS", "EW", "UD"},
@@ -36,6 +41,19 @@ Three const triples[] = {{"HNN", "HNE", "HNZ"},
                          {"horizontal1", "horizontal2", "vertical"},
                          {"Hor_1", "Hor_2", "Vert"},
                          {"Long", "Trans", "Vert"},
+                         {"Longitudinal", "Lateral", "Vertical"},
+                         {"Radial", "Transverse", "Up"},
+                         {"FN", "FP", "UP"},
+                         {"fault-normal", "fault-parallel", "vertical"},
+                         {"CH1(N-S)", "CH2(E-W)", "CH3(U-D)"},
+                         {"CHN(1) NS", "CHN(2) EW", "CHN(3) UD"},
+                         {"Ch. 1 (090 deg)", "Ch. 2 (360 deg)", "Ch. 3 (UP)"},
+                         {"S00E", "S90W", "UP"},
+                         {"N00E", "N90E", "V"},
+                         {"Nord-Sud", "Est-Ouest", "Verticale"},
+                         {"Norte-Sur", "Este-Oeste", "Vertical"},
+                         {"Nord-Sud", "Est-Ovest", "Verticale"},
+                         {"Nord", "Ost", "Vertikal"},
                          {"L", "Tr", "V"},
                          {"comp1", "comp2", "UD"},
                          {"000", "090", "UP"},
@@ -50,6 +68,18 @@ Three const triples[] = {{"HNN", "HNE", "HNZ"},
                          {"\xE5\x8D\x97\xE5\x8C\x97", "\xE6\x9D\xB1\xE8\xA5\xBF", "\xE4\xB8\x8A\xE4\xB8\x8B"},
                          {"\xE4\xB8\x9C\xE8\xA5\xBF\xE5\x90\x91(gal)", "\xE5\x8D\x97\xE5\x8C\x97\xE5\x90\x91(gal)",
                           "\xE7\xAB\x96\xE5\x90\x91(gal)"},
+                         // Upper and lower, with the word for motion; in traditional characters; of Korea.
+                         {"\xE5\x8D\x97\xE5\x8C\x97\xE5\x8B\x95(gal)", "\xE6\x9D\xB1\xE8\xA5\xBF\xE5\x8B\x95(gal)",
+                          "\xE4\xB8\x8A\xE4\xB8\x8B\xE5\x8B\x95(gal)"},
+                         {"NS\xE6\x88\x90\xE5\x88\x86", "EW\xE6\x88\x90\xE5\x88\x86", "UD\xE6\x88\x90\xE5\x88\x86"},
+                         {"\xE5\x8D\x97\xE5\x8C\x97\xE5\x90\x91", "\xE6\x9D\xB1\xE8\xA5\xBF\xE5\x90\x91",
+                          "\xE5\x9E\x82\xE7\x9B\xB4\xE5\x90\x91"},
+                         {"\xE6\xB0\xB4\xE5\xB9\xB3"
+                          "1",
+                          "\xE6\xB0\xB4\xE5\xB9\xB3"
+                          "2",
+                          "\xE9\x89\x9B\xE7\x9B\xB4"},
+                         {"\xEB\x82\xA8\xEB\xB6\x81", "\xEB\x8F\x99\xEC\x84\x9C", "\xEC\x83\x81\xED\x95\x98"},
                          {"\xEF\xBC\xAE\xEF\xBC\xB3", "\xEF\xBC\xA5\xEF\xBC\xB7", "\xEF\xBC\xB5\xEF\xBC\xA4"},
                          {"\x93\xEC\x96\x6B", "\x93\x8C\x90\xBC", "\x8F\xE3\x89\xBA"},
                          {"\xC4\xCF\xB1\xB1", "\xB6\xAB\xCE\xF7", "\xC9\xCF\xCF\xC2"}};
@@ -118,6 +148,85 @@ TEST(ComponentNames, NoOrderMisplacesAComponent) {
         ++read;
     }
     EXPECT_EQ(read, 72 * std::ssize(triples));
+}
+
+// R-107: names of different kinds in one table, as people mix them: placed right, or asked for.
+TEST(ComponentNames, NamesOfDifferentKindsAreNeverMisplaced) {
+    int placed_right = 0;
+    int tables = 0;
+    for (std::size_t i = 0; i < std::size(triples) * std::size(triples); ++i) {
+        auto const& horizontals = triples[i % std::size(triples)];
+        auto const& vertical = triples[i / std::size(triples)];
+        Three const names{horizontals[0], horizontals[1], vertical[2]};
+        std::vector<int> order{0, 1, 2};
+        for (std::size_t turn = 0; turn < i % 6; ++turn) {
+            std::ranges::next_permutation(order);
+        }
+        auto const at = [&](int place) { return static_cast<std::size_t>(order[static_cast<std::size_t>(place)]); };
+        auto text = fmt::format("time (s),{},{},{}\n", names.at(at(0)), names.at(at(1)), names.at(at(2)));
+        for (int row = 0; row < 4; ++row) {
+            int const sign = row % 2 == 0 ? 1 : -1;
+            text += fmt::format("{},{},{},{}\n", 0.5 * row, sign * (order[0] + 1), sign * (order[1] + 1),
+                                sign * (order[2] + 1));
+        }
+        ++tables;
+        bool const has_unit =
+            std::ranges::any_of(names, [](std::string const& name) { return column_role(name).unit.has_value(); });
+        RecordRequest request{.name = "p.csv"};
+        request.unit_mps2 = has_unit ? std::nullopt : std::optional(1.0);
+        try {
+            auto const placed = read_placed(text, request);
+            EXPECT_EQ(placed.motion.vertical_mps2[0], 3 * placed.unit_mps2) << text;
+            placed_right += placed.motion.vertical_mps2[0] == 3 * placed.unit_mps2 ? 1 : 0;
+        } catch (InputError const& error) {  // units of one name and not of another, encodings of two kinds
+            EXPECT_NE(std::string(error.what()).find("p.csv:"), std::string::npos) << error.what();
+        }
+    }
+    EXPECT_GT(tables, 1000);
+    EXPECT_GT(placed_right, 3 * tables / 4);
+}
+
+// R-107: a column that names a time, a count of rows or seconds is no motion, in whatever place it stands.
+TEST(ComponentNames, TimesAndCountsAreNeverMotions) {
+    for (char const* name : {"time",
+                             "Time (s)",
+                             "t[s]",
+                             "sec",
+                             "seconds",
+                             "elapsed time",
+                             "\xE6\x99\x82\xE9\x96\x93(s)",
+                             "\xE6\x99\x82\xE5\x88\xBB",
+                             "tiempo",
+                             "Zeit [s]",
+                             "zaman (sn)",
+                             "index",
+                             "No.",
+                             "No",
+                             "#",
+                             "Unnamed: 0",
+                             "row",
+                             "\xE7\x95\xAA\xE5\x8F\xB7",
+                             "step",
+                             "NS (s)",
+                             "x (sec)"}) {
+        for (int place = 0; place < 3; ++place) {
+            std::string text;
+            for (int row = -1; row < 4; ++row) {
+                std::vector<std::string> cells{row < 0 ? "NS (gal)" : fmt::format("{}", row % 2 == 0 ? 7 : -7),
+                                               row < 0 ? "UD (gal)" : fmt::format("{}", row % 2 == 0 ? 5 : -5)};
+                cells.insert(cells.begin() + place, row < 0 ? name : fmt::format("{}", row));
+                text += fmt::format("{},{},{}\n", cells[0], cells[1], cells[2]);
+            }
+            try {
+                auto const placed = read_placed(text, {.name = "p.csv", .time_step_s = 1.0});
+                EXPECT_EQ(placed.motion.horizontal_mps2[0], 7 * placed.unit_mps2) << text;
+                EXPECT_EQ(placed.motion.vertical_mps2[0], 5 * placed.unit_mps2) << text;
+                EXPECT_TRUE(placed.motion.transverse_mps2.empty()) << text;
+            } catch (InputError const& error) {
+                EXPECT_NE(std::string(error.what()).find("p.csv:"), std::string::npos) << error.what();
+            }
+        }
+    }
 }
 
 TEST(ColumnRoles, QuantitiesAndUnits) {

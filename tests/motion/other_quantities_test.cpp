@@ -56,13 +56,47 @@ TEST(OtherQuantities, LabelsOfThemAreRefused) {
 // one value, an earthquake's size, an instrument; and what is beside accelerations.
 TEST(OtherQuantities, TextThatMerelyMentionsThemIsNone) {
     for (char const* line :
-         {"JMA intensity: 5.2", "Arias intensity = 1.3", "temperature 20 C", "Seismic moment tensor",
-          "moment magnitude", "Strain gauge transducer", "Reinforced structure", "Stress drop", "constrained",
-          "forced vibration", "Rotation: 30 deg", "Pressure waves arrive first at this place and shake it for long"}) {
+         {"JMA intensity: 5.2", "Seismic intensity (JMA): 5.3", "Seismic Intensity,5.3", "Intensity VIII",
+          "MMI intensity = VII", "Housner intensity (cm) 120", "Intensity: V", "Max. intensity 5+",
+          "Arias intensity = 1.3", "temperature 20 C", "Seismic moment tensor", "moment magnitude",
+          "Strain gauge transducer", "Reinforced structure", "Stress drop", "constrained", "forced vibration",
+          "Rotation: 30 deg", "Pressure waves arrive first at this place and shake it for long"}) {
         EXPECT_NO_THROW((void)read_placed(fmt::format("{}\n1\n-2\n3\n", line), stated)) << line;
     }
     EXPECT_NO_THROW((void)read_placed("Acceleration\nSeismic intensity (JMA)\n1\n-2\n3\n", stated));
     EXPECT_NO_THROW((void)read_placed("t,acc,pressure (kPa)\n0,1,5\n0.01,-2,6\n0.02,3,5\n", stated));
+}
+
+// a value of intensity beside accelerations is a fact about the record; a column or a label of it is none.
+TEST(OtherQuantities, AnIntensityOfTheRecordIsNoQuantityOfItsNumbers) {
+    std::string const rows = "0,1,2\n0.01,-2,3\n0.02,3,-1\n";
+    for (char const* line : {"Seismic intensity (JMA): 5.3", "# Max. intensity", "# \xE9\x9C\x87\xE5\xBA\xA6: 5",
+                             "# Instrumental intensity = 5.1 (JMA)", "Seismic intensity of this record 5.1"}) {
+        auto const placed = read_placed(fmt::format("{}\ntime (s),NS (gal),UD (gal)\n{}", line, rows), {.name = "f"});
+        EXPECT_EQ(placed.motion.horizontal_mps2[1], -0.02) << line;
+        EXPECT_EQ(placed.motion.vertical_mps2[1], 0.03) << line;
+    }
+    for (char const* head :
+         {"Seismic intensity\ntime,NS,UD\n", "# Intensity (JMA)\ntime,NS,UD\n", "time,intensity,UD\n",
+          "time,NS,JMA intensity\n", "time,NS,\xE9\x9C\x87\xE5\xBA\xA6\n", "# JMA intensity, running\n"}) {
+        expect_input_error([&] { (void)read_placed(head + rows, stated); }, "f:1: ");
+    }
+}
+
+// a velocity by a letter before its direction, by words of its unit, or by what was done to accelerations.
+TEST(OtherQuantities, VelocitiesInDisguiseAreRefused) {
+    std::string const rows = "0,1\n0.01,-2\n0.02,3\n";
+    for (char const* head : {"t,V_NS\n", "t,vEW\n", "t,v-ud\n", "t,D_EW\n", "t,NS (V)\n", "t,NS (um/s)\n",
+                             "# Integrated acceleration\nt,NS\n", "# integrated once\nt,NS\n",
+                             "# micrometers per second\nt,NS\n", "# nm/s\nt,NS\n"}) {
+        expect_input_error([&] { (void)read_placed(head + rows, stated); }, "f:1: ");
+    }
+    for (char const* name : {"UD", "U-D", "Ver", "acc (V)", "Comp (V)"}) {
+        EXPECT_NO_THROW((void)read_placed(fmt::format("t,NS,{}\n0,1,2\n0.01,-2,3\n0.02,3,-1\n", name), stated)) << name;
+    }
+    for (char const* line : {"# Normalised acceleration", "# Relative acceleration"}) {
+        EXPECT_EQ(read_placed(fmt::format("{}\nt,NS\n{}", line, rows), stated).unread.size(), 1U) << line;
+    }
 }
 
 // a line of names that parts as the rows do, but into more or fewer, is not dropped, known names or not.

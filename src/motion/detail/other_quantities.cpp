@@ -86,10 +86,11 @@ constexpr auto units = std::to_array<Text>({"pa",
                                             "c"});
 // Before or behind such a word: an earthquake's size, an instrument, what was done to the record.
 constexpr auto others = std::to_array<Text>(
-    {"magnitude", "seismic moment", "scalar moment", "moment tensor", "stress drop", "air force", "gauge",
-     "gage",      "sensor",         "transducer",    "instrument",    "accelero",    "station",   "location",
-     "site",      "event",          "filter",        "max",           "peak",        "scale",     "epicent",
-     "recorder",  "forced",         "model",         "structure",     "profile",     "correct",   "remov"});
+    {"magnitude", "seismic moment", "scalar moment", "moment tensor", "stress drop", "air force",
+     "gauge",     "gage",           "sensor",        "transducer",    "instrument",  "accelero",
+     "station",   "location",       "site",          "event",         "filter",      "max",
+     "peak",      "scale",          "epicent",       "recorder",      "forced",      "intensity measure",
+     "model",     "structure",      "profile",       "correct",       "remov"});
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -124,10 +125,41 @@ std::size_t end_of_word(Text lower) {
     return phrase == Text::npos ? end_of_any(lower, signs) : phrase;
 }
 
-/// Behind it, a colon or an equals sign apart, a number: one value is meant.
+Text at_value(Text text) {
+    auto const at = text.find_first_not_of(" \t:=+-<>~,;");
+    return at == Text::npos ? Text{} : text.substr(at);
+}
+
+/// Behind it, brackets, a colon or an equals sign apart, a number: one value is meant.
 bool gives_a_value(Text behind) {
-    auto const at = behind.find_first_not_of(" \t:=+-<>~");
-    return at != Text::npos && is_digit(behind[at]);
+    auto rest = trimmed(behind);
+    if (rest.starts_with('(') || rest.starts_with('[')) {
+        auto const close = rest.find_first_of(")]");
+        auto const inside = close == Text::npos ? Text{} : trimmed(rest.substr(close + 1));
+        rest = inside.starts_with(':') || inside.starts_with('=') ? inside : rest;
+    }
+    rest = at_value(rest);
+    return !rest.empty() && is_digit(rest[0]);
+}
+
+/// "Seismic intensity (JMA): 5.3", "Housner intensity (cm) 120", "intensity = VII": a fact about the record.
+bool gives_an_intensity(Text lower) {
+    constexpr Text word = "intensit";
+    auto const at = lower.find(word);
+    if (at == Text::npos) {
+        return false;
+    }
+    auto rest = lower.substr(std::min(lower.find_first_not_of("yies", at + word.size()), lower.size()));
+    auto const mark = rest.find_first_of(":=");
+    if (mark != Text::npos) {
+        rest = rest.substr(mark);
+    } else if (trimmed(rest).starts_with('(')) {
+        rest = rest.substr(std::min(rest.find(')'), rest.size() - 1) + 1);
+    }
+    rest = at_value(rest);
+    auto const value = rest.substr(0, rest.find_first_of(" \t,;()+-"));
+    bool const roman = !value.empty() && value.find_first_not_of("ivx") == Text::npos;
+    return !value.empty() && (is_digit(value[0]) || (roman && (mark != Text::npos || value.size() > 1)));
 }
 
 bool is_other_unit(Text text) { return std::ranges::find(units, trimmed(text)) != units.end(); }
@@ -166,7 +198,7 @@ bool names_other_quantity(std::string_view lower) { return end_of_word(lower) !=
 
 bool labels_other_quantity(std::string_view lower) {
     constexpr std::size_t label = 6;  // words; more are a sentence, in which such words are of anything
-    if (words_in(lower) > label || holds_any(lower, others)) {
+    if (words_in(lower) > label || holds_any(lower, others) || gives_an_intensity(lower)) {
         return false;
     }
     auto const end = end_of_word(lower);

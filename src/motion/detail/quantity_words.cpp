@@ -30,6 +30,11 @@ constexpr auto parts = std::to_array<QuantityWord>({
     {"angular", Quantity::other},
     {"rad/s", Quantity::other},
     {"jerk", Quantity::other},
+    {"integrated accel", Quantity::velocity},
+    {"integral of accel", Quantity::velocity},
+    {"integral of the accel", Quantity::velocity},
+    {"integrated once", Quantity::velocity},
+    {"integrated twice", Quantity::displacement},
     {"\xE8\xA7\x92\xE9\x80\x9F", Quantity::other},  // angular velocity
     {"accel", Quantity::acceleration},
     {"acc\xC3\xA9l", Quantity::acceleration},
@@ -157,6 +162,20 @@ Quantity with_component(Text token) {
                                                           : Quantity::unknown;
 }
 
+/// "V_NS", "vEW", "D-UD": a letter of a velocity or a displacement before a direction, which it is none itself.
+Quantity of_letter_before(Text name) {
+    auto const quantity = name.starts_with('v')                            ? Quantity::velocity
+                          : name.starts_with('d') || name.starts_with('u') ? Quantity::displacement
+                                                                           : Quantity::unknown;
+    auto const rest = name.substr(std::min(name.find_first_not_of(" _-.", 1), name.size()));
+    if (quantity == Quantity::unknown || component_named(name).direction != Direction::unknown) {
+        return Quantity::unknown;
+    }
+    constexpr auto directions =
+        std::to_array<Text>({"ns", "ew", "ud", "n", "e", "z", "n-s", "e-w", "u-d", "x", "y", "h1", "h2", "up"});
+    return std::ranges::find(directions, rest) != directions.end() ? quantity : Quantity::unknown;
+}
+
 /// HHE, BH1: the second letter of a SEED channel is its instrument, H a seismometer of velocities.
 bool is_seismometer(Text lower) {
     constexpr std::size_t letters = 3;
@@ -241,8 +260,10 @@ Quantity quantity_in_name(std::string_view name) {
             return part;
         }
     }
-    if (auto const whole = with_component(lower); !lower.empty() && whole != Quantity::unknown) {
-        return whole;
+    for (auto const whole : {lower.empty() ? Quantity::unknown : with_component(lower), of_letter_before(lower)}) {
+        if (whole != Quantity::unknown) {
+            return whole;
+        }
     }
     auto found = Quantity::unknown;
     each_token(lower, [&](Text token) {
