@@ -5,7 +5,10 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "motion/column_role.hpp"
+#include "motion/column_unit.hpp"
 #include "motion/pair_table.hpp"
+#include "motion/text_lines.hpp"
 
 namespace overturn {
 namespace {
@@ -15,6 +18,16 @@ void check_point(Pair const& point, Pair const* before) {
     validate(std::isfinite(f) && (before == nullptr ? f >= 0 : f > before->first),
              "frequency {} Hz (must rise from 0 or above). Sort the points", f);
     validate(std::isfinite(s) && s >= 0, "density {} at {} Hz (must not be negative). Mend it", s, f);
+}
+
+/// Not over rad/s, and no spectrum of amplitudes.
+bool are_of_density(std::string_view first, std::string_view second) {
+    auto const [unit, bracketed] = unit_text_in_name(first);
+    auto const hertz = unit_spelled(unit, Dimension::frequency);
+    auto const lower = lowered(second);
+    bool const amplitudes = lower.find("ampl") != std::string::npos || lower.find("fourier") != std::string::npos
+                            || lower.find("fas") != std::string::npos;
+    return is_frequency_name(first) && (hertz ? *hertz == 1 : !bracketed) && !amplitudes;
 }
 
 }  // namespace
@@ -69,7 +82,9 @@ PointDensity read_point_density(config::Table const& table, InputFiles& files) {
     if (table.has("file")) {
         auto const name = table.text(point_density_keys["file"]);
         return table.located("file", [&] {
-            return PointDensity(read_pairs(files.read(name), name, "frequency in Hz and power density", check_point));
+            return PointDensity(read_pairs(
+                files.read(name), name,
+                {.meaning = "frequency in Hz and power density", .check = check_point, .are_names = are_of_density}));
         });
     }
     auto points = table.pairs(point_density_keys["points"]);

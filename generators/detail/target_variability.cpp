@@ -7,7 +7,10 @@
 #include <fmt/ranges.h>
 #include <gsl/gsl_randist.h>
 
+#include "motion/column_role.hpp"
+#include "motion/column_unit.hpp"
 #include "motion/pair_table.hpp"
+#include "motion/text_lines.hpp"
 
 namespace overturn {
 namespace {
@@ -163,6 +166,14 @@ void check_sigma(Pair const& point, Pair const* before) {
              sigma, period, sigmas.low, sigmas.high);
 }
 
+/// Not in ms, and not of log10 Sa.
+bool are_of_sigma(std::string_view first, std::string_view second) {
+    auto const [unit, bracketed] = unit_text_in_name(first);
+    auto const seconds = unit_spelled(unit, Dimension::time);
+    return is_period_name(first) && (seconds ? *seconds == 1 : !bracketed)
+           && lowered(second).find("log") == std::string::npos;
+}
+
 constexpr double most_epsilon = 4;
 constexpr config::Keys condition_keys{
     config::number_key("period", Dimension::time, {.low = shortest_s, .high = longest_s}, "where Sa is given"),
@@ -209,7 +220,10 @@ TargetVariability::Sigma read_sigma(config::Table const& table, config::Key cons
     }
     if (table.kind(key) == Kind::text) {
         auto const name = table.text(key);
-        return table.located(key, [&] { return read_pairs(files.read(name), name, "period and sigma", check_sigma); });
+        return table.located(key, [&] {
+            return read_pairs(files.read(name), name,
+                              {.meaning = "period in s and sigma", .check = check_sigma, .are_names = are_of_sigma});
+        });
     }
     return {{1.0, table.number(described)}};
 }

@@ -1,6 +1,10 @@
 #include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "core/units.hpp"
+#include "motion/column_role.hpp"
 #include "motion/text_table.hpp"
 
 namespace overturn {
@@ -52,6 +56,23 @@ std::vector<std::string> parted_by_blanks(Text line) {
     return names;
 }
 
+/// Without the brackets around it.
+std::string bare_unit(std::string text) {
+    std::erase_if(text, [](char c) { return Text("()[]").find(c) != Text::npos; });
+    return std::string(trimmed(text));
+}
+
+/// "(s),(gal)", "sec  cm/s2"
+bool is_units_row(std::vector<std::string> const& names) {
+    return !names.empty() && std::ranges::all_of(names, [](std::string const& name) {
+        auto const unit = bare_unit(name);
+        bool const in_a_year = unit == "1/yr" || unit == "1/a" || unit == "1/year";
+        return unit.empty() || unit == "-" || in_a_year || column_role("x (" + unit + ")").unit;
+    });
+}
+
+bool all_blank_or_rule(Text line) { return line.find_first_not_of(" \t-=_,;|#%") == Text::npos; }
+
 }  // namespace
 
 Names names_on(std::string_view line, std::size_t count) {
@@ -73,6 +94,40 @@ Names names_on(std::string_view line, std::size_t count) {
     }
     auto names = parted_by_blanks(line);
     return {names.size() == count ? std::move(names) : std::vector<std::string>{}, true};
+}
+
+Names names_above(TextTable const& table, std::function<bool(Names const&, bool lowest)> const& are,
+                  std::function<void(TextLine const&, bool lowest)> const& elsewhere) {
+    std::vector<std::string> units;
+    int units_line = 0;
+    bool lowest = true;  // but for units and rules
+    for (auto line = table.head.rbegin(); table.columns() > 1 && line != table.head.rend(); ++line) {
+        if (all_blank_or_rule(line->text)) {
+            continue;
+        }
+        auto found = names_on(line->text, table.columns());
+        found.comment = is_comment(line->text);
+        if (!found.names.empty() && units.empty() && is_units_row(found.names)) {
+            units = std::move(found.names);
+            units_line = line->number;
+            continue;
+        }
+        bool const last = std::exchange(lowest, false);
+        if (!found.names.empty() && are(found, last)) {
+            for (std::size_t i = 0; i < units.size(); ++i) {
+                auto const unit = bare_unit(units[i]);
+                found.names[i] =
+                    unit.empty() || unit == "-" ? found.names[i] : fmt::format("{} ({})", found.names[i], unit);
+            }
+            found.line = line->number;
+            return found;
+        }
+        elsewhere(*line, last);
+    }
+    for (auto& unit : units) {
+        unit = fmt::format("({})", bare_unit(unit));
+    }
+    return {std::move(units), false, false, units_line};
 }
 
 }  // namespace overturn

@@ -1,143 +1,81 @@
 #include "motion/pair_table.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "core/units.hpp"
-#include "motion/column_unit.hpp"
-#include "motion/detail/text_encoding.hpp"
-#include "motion/detail/text_row.hpp"
+#include "motion/detail/table_columns.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn {
 namespace {
 
-Pair parse_row(std::string_view row, std::string_view meaning) {
-    if (has_decimal_commas(row)) {
-        throw InputError(decimal_comma_said(row));
-    }
-    auto const split = row.find_first_of(" \t,;");
-    auto const second = row.substr(std::min(row.find_first_not_of(" \t,;", split), row.size()));
-    Pair point;
-    validate(parse_number(row.substr(0, split), point.first) && parse_number(second, point.second),
-             "'{}' (must be two numbers: {}). Mend the line", row, meaning);
-    return point;
-}
-
-/// A line of text: its first field begins no number and is no "nan" or "inf".
-bool is_text(std::string_view row) {
-    auto const first = lowered(row.substr(0, row.find_first_of(" \t,;(")));
-    auto const bare = first.substr(std::min(first.find_first_not_of("+-."), first.size()));
-    bool const numeric = !bare.empty() && bare[0] >= '0' && bare[0] <= '9';
-    return !bare.empty() && !numeric && bare != "nan" && bare != "inf" && bare != "infinity";
-}
-
-std::string without_quotes(std::string text) {
-    std::erase(text, '"');
-    return text;
-}
-
-/// Names are parted by a comma or semicolon, else by blanks; what follows a bracket's opening belongs to its name.
-void take_names(std::string_view row, int line, PairTable& table) {
-    auto const first_end = [&] {
-        if (auto const comma = row.find_first_of(",;\t"); comma != std::string_view::npos) {
-            return comma;
+Names names_of(TextTable const& table, std::string const& file, PairForm const& form) {
+    auto const are = [&](Names const& found, bool lowest) {
+        bool const kept = lowest && !found.comment && !found.by_blanks && may_be_names(found.names);
+        return kept || form.are_names(found.names[0], found.names[1]);
+    };
+    auto const elsewhere = [&](TextLine const& line, bool lowest) {
+        constexpr std::size_t most = 12;
+        bool others = names_others(line, lowest, table);
+        for (std::size_t n = 3; lowest && n <= most; ++n) {
+            auto const names = names_on(line.text, n).names;
+            others = others || (!names.empty() && form.are_names(names[0], names[1]));
         }
-        auto end = row.find(' ');
-        auto const next = row.find_first_not_of(' ', end);
-        if (next != std::string_view::npos && (row[next] == '(' || row[next] == '[')) {
-            end = row.find_first_of(")]", next);
-            end = end == std::string_view::npos ? end : end + 1;
+        if (others) {
+            throw InputError({file, line.number},
+                             fmt::format("{} above two columns (names of another number of them: which is which cannot "
+                                         "be told). Mend the names",
+                                         in_quotes(line.text)));
         }
-        return end;
-    }();
-    if (first_end == std::string_view::npos || first_end >= row.size()) {
-        return;
-    }
-    auto const second = row.substr(row.find_first_not_of(" \t,;", first_end) == std::string_view::npos
-                                       ? row.size()
-                                       : row.find_first_not_of(" \t,;", first_end));
-    table.first_name = trimmed(row.substr(0, first_end));
-    table.second_name = trimmed(second);
-    table.names_line = line;
-}
-
-/// A comment names the columns if it ends in a unit, "T [s], Sa [gal]" or "Sa in gal", and not in a quantity, "300
-/// gal".
-void take_comment(std::string_view comment, int line, PairTable& table) {
-    PairTable named;
-    take_names(comment, line, named);
-    auto const [unit, bracketed] = unit_text_in_name(named.second_name);
-    bool const known = unit_spelled(unit, Dimension::acceleration) || unit_spelled(unit, Dimension::velocity)
-                       || (bracketed && unit_spelled(unit, Dimension::length));
-    bool const quantity = named.second_name.find_first_of("0123456789")
-                          < named.second_name.size() - (bracketed ? unit.size() + 1 : unit.size());
-    if (named.names_line > 0 && known && (bracketed || (unit.size() > 1 && !quantity))) {
-        bool const words = comment.find_first_of(",;\t") == std::string_view::npos;  // "Sa in gal"
-        auto const length = unit_text_in_name(named.first_name).text.size();
-        table.first_name = words && named.first_name.size() > 1 && length == 0 ? std::string() : named.first_name;
-        table.second_name = named.second_name;
-        table.names_line = line;
-    }
-}
-
-/// Names without a unit, below a comment that says one: "# Sa in gal" over "T,Sa".
-void keep_unit_of(PairTable const& said, PairTable& table) {
-    auto const [unit, bracketed] = unit_text_in_name(table.second_name);
-    bool const has_own =
-        bracketed || unit_spelled(unit, Dimension::acceleration) || unit_spelled(unit, Dimension::velocity);
-    if (said.names_line > 0 && !has_own) {
-        table.second_name = fmt::format("{} ({})", table.second_name, unit_text_in_name(said.second_name).text);
-        table.names_line = said.names_line;
-    }
-}
-
-void take_head(std::string_view text, bool comment, int number, PairTable& table) {
-    if (comment) {
-        take_comment(trimmed(text.substr(1)), number, table);
-        return;
-    }
-    auto const said = table;
-    take_names(text, number, table);
-    keep_unit_of(said, table);
+    };
+    return names_above(table, are, elsewhere);
 }
 
 }  // namespace
 
-PairTable read_pair_table(std::string_view content, std::string const& name, std::string_view meaning,
-                          std::function<void(Pair const&, Pair const*)> const& check) {
+PairTable read_pair_table(std::string_view content, std::string const& name, PairForm const& form) {
+    auto const advice = fmt::format("Give two columns, {}", form.meaning);
+    auto rows = read_text_table(content, name, {.begin_with = advice, .columns = 2, .motion = false});
+    if (rows.last_row_short) {
+        throw InputError({name, rows.line.back()},
+                         fmt::format("a row of one number (must be two: {}). Mend the row", form.meaning));
+    }
     PairTable table;
-    TextLines lines(content);
-    while (auto const line = lines.next()) {
-        auto const row = trimmed(line->substr(0, line->find_first_of("#!")));
-        bool const above = table.points.empty();
-        if (row.empty() || (above && is_text(row))) {
-            auto const text = without_quotes(decoded(trimmed(row.empty() ? *line : row)));
-            if (text.size() > 1 && table.head.size() < std::size_t(head_lines_at_most)) {
-                table.head.push_back({text, lines.number()});
-            }
-            if (above && text.size() > 1) {
-                take_head(text, row.empty(), lines.number(), table);
-            }
-            continue;
-        }
+    auto names = names_of(rows, name, form);
+    if (names.line > 0) {
+        table.first_name = std::move(names.names[0]);
+        table.second_name = std::move(names.names[1]);
+        table.names_line = names.line;
+    }
+    table.points.reserve(rows.line.size());
+    for (std::size_t i = 0; i < rows.line.size(); ++i) {
+        Pair const point{rows.column[0][i], rows.column[1][i]};
         try {
-            auto const point = parse_row(row, meaning);
-            check(point, above ? nullptr : &table.points.back());
-            table.points.push_back(point);
-            table.line.push_back(lines.number());
+            form.check(point, i == 0 ? nullptr : &table.points.back());
         } catch (InputError const& error) {
-            throw InputError({name, lines.number()}, error.what());
+            throw InputError({name, rows.line[i]}, error.what());
         }
+        table.points.push_back(point);
+    }
+    table.line = std::move(rows.line);
+    for (auto* lines : {&rows.head, &rows.notes}) {
+        std::ranges::copy_if(*lines, std::back_inserter(table.text),
+                             [&](TextLine const& line) { return line.number != table.names_line; });
     }
     return table;
 }
 
-std::vector<Pair> read_pairs(std::string_view content, std::string const& name, std::string_view meaning,
-                             std::function<void(Pair const&, Pair const*)> const& check) {
-    return read_pair_table(content, name, meaning, check).points;
+std::vector<Pair> read_pairs(std::string_view content, std::string const& name, PairForm const& form) {
+    auto table = read_pair_table(content, name, form);
+    if (table.names_line > 0 && !form.are_names(table.first_name, table.second_name)) {
+        throw InputError({name, table.names_line},
+                         fmt::format("'{}' and '{}' over the columns (must be {}). Mend the names, or the columns",
+                                     table.first_name, table.second_name, form.meaning));
+    }
+    return std::move(table.points);
 }
 
 }  // namespace overturn

@@ -1,4 +1,4 @@
-/// Tables of two columns of numbers, as targets and densities come.
+/// Tables of two columns of numbers, as targets, densities and hazard curves come.
 #pragma once
 
 #include <functional>
@@ -13,22 +13,29 @@ namespace overturn {
 
 using Pair = std::pair<double, double>;
 
-/// Rows of two numbers between blanks, commas or semicolons; `#` and `!` begin a comment, lines of text may come first,
-/// the last of two names being those of the columns. \param name of the file \param meaning of the columns, for
-/// messages: "period and value" \param check looks at each row and the one before it (null: none) and throws InputError
-/// if it may not be \throws InputError with file and line
 struct PairTable {
     std::vector<Pair> points;
-    std::string first_name, second_name;  ///< of the columns, from the line of names or a comment above the numbers
+    std::string first_name, second_name;  ///< of the columns
     int names_line = 0;                   ///< 0: no names
     std::vector<int> line;                ///< of each point
-    std::vector<TextLine> head;           ///< comments and text above the numbers, comments below
+    std::vector<TextLine> text;           ///< all above, between and below the numbers but the names
 };
-[[nodiscard]] PairTable read_pair_table(std::string_view content, std::string const& name, std::string_view meaning,
-                                        std::function<void(Pair const&, Pair const*)> const& check);
 
-/// Its points alone.
-[[nodiscard]] std::vector<Pair> read_pairs(std::string_view content, std::string const& name, std::string_view meaning,
-                                           std::function<void(Pair const&, Pair const*)> const& check);
+/// What a table of two columns holds.
+struct PairForm {
+    std::string_view meaning;  ///< for messages: "period and value"
+    /// Looks at each row and the one before it (null: none), and throws InputError if it may not be.
+    std::function<void(Pair const&, Pair const*)> check;
+    /// Are these two the names of such columns? What they are not is prose, unless it stands right above the numbers
+    /// and is parted as by a comma.
+    std::function<bool(std::string_view first, std::string_view second)> are_names;
+};
+
+/// A table as read_text_table has it. \param name of the file \throws InputError with file and line, also at names of
+/// more columns than there are
+[[nodiscard]] PairTable read_pair_table(std::string_view content, std::string const& name, PairForm const& form);
+
+/// Its points alone, under names that are those of such columns, or none. \throws InputError also at other names
+[[nodiscard]] std::vector<Pair> read_pairs(std::string_view content, std::string const& name, PairForm const& form);
 
 }  // namespace overturn

@@ -16,11 +16,6 @@ using Text = std::string_view;
 
 constexpr std::size_t columns_at_most = 64;
 
-bool is_comment(Text line) {
-    line = trimmed(line);
-    return line.empty() || line.front() == '#' || line.front() == '%' || line.front() == ';';
-}
-
 /// "*** End Data ***", "End of data", "/&"
 bool is_trailer(Text line) {
     line = trimmed(line);
@@ -52,7 +47,8 @@ void note_digits(Text text, TextTable::Digits& digits) {
 
 class Reader {
   public:
-    Reader(Text content, std::string const& file) : lines_(content), bytes_(content.size()), where_{file} {}
+    Reader(Text content, std::string const& file, TableForm const& form)
+        : lines_(content), bytes_(content.size()), where_{file}, form_(form) {}
 
     TextTable read() && {
         TextRow row;
@@ -67,23 +63,40 @@ class Reader {
                 continue;
             }
             read_row(*line, row);
-            take(*line, row);
+            take(without_note(*line, row), row);
         }
         if (table_.line.empty()) {
             throw InputError({where_.file, where_.line},
-                             "no row of numbers (nothing to shake with). Give columns time,a_horizontal");
+                             fmt::format("no row of numbers (nothing to read). {}", form_.begin_with));
         }
         set_count_and_step_apart();
         return std::move(table_);
     }
 
   private:
-    void take_text(Text line) {
-        auto& lines = table_.line.empty() ? table_.head : table_.notes;
-        bool const kept = table_.line.empty() || lines.size() < std::size_t(head_lines_at_most);
+    void take_text(Text line) { take_text(line, table_.line.empty() ? table_.head : table_.notes); }
+    void take_text(Text line, std::vector<TextLine>& lines) {
+        bool const kept = &lines == &table_.head || lines.size() < std::size_t(head_lines_at_most);
         if (kept && !trimmed(line).empty()) {
             lines.push_back({decoded(trimmed(line)), where_.line});
         }
+    }
+
+    /// The numbers before a comment, "1.0 2.0 ! knee", which is text.
+    Text without_note(Text line, TextRow& row) {
+        auto const mark = row.numbers || form_.motion ? Text::npos : line.find_first_of("#!");
+        if (mark == Text::npos) {
+            return line;
+        }
+        TextRow before;
+        read_row(line.substr(0, mark), before);
+        constexpr std::size_t telling = 2;  // "1992 # Landers" is none
+        if (!before.numbers || (table_.line.empty() && before.values.size() < telling)) {
+            return line;
+        }
+        take_text(line.substr(mark), table_.notes);
+        row = std::move(before);
+        return line.substr(0, mark);
     }
 
     void take(Text line, TextRow const& row) {
@@ -109,9 +122,8 @@ class Reader {
         auto const width = row.values.size();
         if (table_.line.size() == 1 && width != table_.columns() && may_be_count_and_step()) {
             table_.head.push_back({first_row_, table_.line.front()});
-            auto head = std::move(table_.head);
-            table_ = {};
-            table_.head = std::move(head);
+            TextTable text{std::move(table_.head), std::move(table_.notes), {}, {}};
+            table_ = std::move(text);
         }
         if (table_.line.empty()) {
             begin(line, width);
@@ -152,11 +164,15 @@ class Reader {
     }
 
     [[nodiscard]] bool may_be_count_and_step() const {
-        return table_.columns() == 2 && !table_.last_row_short && table_.column[0][0] >= 2
+        return form_.motion && table_.columns() == 2 && !table_.last_row_short && table_.column[0][0] >= 2
                && table_.column[0][0] == std::floor(table_.column[0][0]);
     }
 
     void begin(Text line, std::size_t width) {
+        if (form_.columns > 0 && width != form_.columns) {
+            throw InputError(where_, fmt::format("a row of {} (it must be of {} numbers). {}", width, form_.columns,
+                                                 form_.begin_with));
+        }
         if (width > columns_at_most) {
             throw InputError(where_,
                              fmt::format("{} numbers on a line (more than {} columns are no record). Keep those "
@@ -182,6 +198,7 @@ class Reader {
     TextLines lines_;
     std::size_t bytes_;
     Location where_;
+    TableForm form_;
     TextTable table_;
     std::string first_row_;
     std::size_t last_width_ = 0;
@@ -211,7 +228,14 @@ std::vector<double> TextTable::in_rows() const {
     return all;
 }
 
-TextTable read_text_table(std::string_view content, std::string const& file) { return Reader(content, file).read(); }
+bool is_comment(std::string_view line) {
+    line = trimmed(line);
+    return line.empty() || Text("#%;!").find(line.front()) != Text::npos;
+}
+
+TextTable read_text_table(std::string_view content, std::string const& file, TableForm const& form) {
+    return Reader(content, file, form).read();
+}
 
 bool holds_text_table(std::string_view content) {
     TextLines lines(content);

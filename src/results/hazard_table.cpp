@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "motion/claims.hpp"
+#include "motion/column_role.hpp"
 #include "motion/column_unit.hpp"
 #include "motion/openquake.hpp"
 #include "motion/pair_table.hpp"
@@ -20,13 +22,13 @@ namespace {
 
 // "pga" of "PGA [g]" and "pga_gal"; "sa(1.9 s)" of "Sa(1.9 s) [g]".
 std::string measure_in(std::string_view name) {
-    auto const text = lowered(name);
+    auto const text = measure_in_name(name);
     auto const bracket = text.starts_with("sa(") ? text.find(')') + 1 : 0;
     return std::string(trimmed(text.substr(0, text.find_first_of(" _\t([", bracket))));
 }
 
 void check_measure(PairTable const& table, HazardAxis const& axis, Location const& where) {
-    auto const name = lowered(table.first_name);
+    auto const name = measure_in_name(table.first_name);
     auto const behind = name.substr(std::min(axis.label.size(), name.size()));
     bool const other = !name.starts_with(axis.label)
                        || (!behind.empty() && std::string_view(" _\t([").find(behind[0]) == std::string::npos);
@@ -126,7 +128,7 @@ std::optional<double> years_in(std::string const& text) {
 
 /// What is no number: lines of text, and comments behind names or numbers.
 std::vector<TextLine> words_of(std::string_view content, PairTable const& table) {
-    auto words = table.head;
+    auto words = table.text;
     TextLines lines(content);
     while (auto const line = lines.next()) {
         auto const comment = line->find_first_of("#!");
@@ -163,21 +165,39 @@ std::vector<std::string> check_years(std::string_view content, PairTable const& 
     return remarks;
 }
 
-// The unit that the first column's name states, none of a pure number.
-IntensityUnit unit_of(PairTable const& table, HazardAxis const& axis, Location const& where) {
+// What the lines of text say of the intensity. Years are judged above.
+Claims claims_of(PairTable const& table, Dimension dimension, std::string const& name) {
+    Claims claims(dimension);
+    for (auto const& line : table.text) {
+        auto const lower = lowered(line.text);
+        bool const of_hazard = years_in(lower) || named_years(lower) || lower.find("annual") != std::string::npos
+                               || lower.find("hazard") != std::string::npos;
+        Claims alone(dimension);
+        alone.take(line.text, line.number);
+        if (!of_hazard || alone.unit()) {
+            claims.take(line.text, line.number);
+        }
+    }
+    claims.check_unit_of(table.first_name, name);
+    return claims;
+}
+
+// The unit that the first column's name or the text states, none of a pure number.
+IntensityUnit unit_of(PairTable const& table, HazardAxis const& axis, Claims const& claims, Location const& where) {
     if (axis.dimension == Dimension::none) {
         return {};
     }
-    auto const name = lowered(table.first_name);
+    auto const name = measure_in_name(table.first_name);
     auto const label = axis.label.empty() ? measure_in(table.first_name) : axis.label;
     auto const column = "a" + name.substr(std::min(label.size(), name.size()));
-    auto const unit = unit_of_values(column, axis.dimension);
+    auto const named = unit_of_values(column, axis.dimension);
+    auto const unit = claims.unit_beside(named, {}, where);
     if (!unit) {
         throw InputError(where, fmt::format("'{}' states no unit of {} (one of {}). Write for example '{} [{}]'",
                                             table.first_name, name_of(axis.dimension), accepted_units(axis.dimension),
                                             label, si_symbol(axis.dimension)));
     }
-    return {std::string(unit_text_in_name(column).text), *unit};
+    return {named ? std::string(unit_text_in_name(column).text) : name_of_unit(*unit, axis.dimension), *unit};
 }
 
 // Rows that tables hold although they say nothing: no motion first, no exceedance last.
@@ -253,8 +273,14 @@ HazardCurve parse_hazard(std::string_view content, std::string const& name, Haza
         return HazardCurve(curve.points(), curve.stated(), std::move(remarks));
     }
     // Names first: rows of a column that is no annual frequency break its rules.
-    constexpr std::string_view meaning = "intensity and annual exceedance";
-    auto table = read_pair_table(content, name, meaning, [](Pair const& /*point*/, Pair const* /*before*/) {});
+    PairForm form{.meaning = "intensity and annual exceedance",
+                  .check = [](Pair const& /*point*/, Pair const* /*before*/) {},
+                  .are_names =
+                      [&](auto first, auto second) {
+                          return is_annual_frequency(second)
+                                 || (!axis.label.empty() && measure_in(first) == axis.label);
+                      }};
+    auto table = read_pair_table(content, name, form);
     Location const where{name, table.names_line};
     if (table.names_line == 0) {
         auto const label = axis.label.empty() ? std::string("pga") : axis.label;
@@ -265,9 +291,11 @@ HazardCurve parse_hazard(std::string_view content, std::string const& name, Haza
     }
     check_measure(table, axis, where);
     check_frequency(table, where);
-    table = read_pair_table(content, name, meaning, check_row);
+    form.check = check_row;
+    table = read_pair_table(content, name, form);
     auto remarks = check_years(content, table, name);
-    auto unit = unit_of(table, axis, where);
+    auto const claims = claims_of(table, axis.dimension, name);
+    auto unit = unit_of(table, axis, claims, where);
     auto cut = without_zeros(table, unit.si);
     auto& points = cut.points;
     if (points.size() < 2) {
@@ -282,6 +310,9 @@ HazardCurve parse_hazard(std::string_view content, std::string const& name, Haza
     HazardCurve const hazard(std::move(points), std::move(unit), std::move(cut.remarks));
     check_overlap(hazard, axis, where);
     std::ranges::copy(hazard.remarks(), std::back_inserter(remarks));
+    if (auto const text = not_understood(claims.unread()); !text.empty()) {
+        remarks.push_back(name + text);
+    }
     std::ranges::move(unusual_hazard(hazard, axis, axis.label.empty() ? measure_in(table.first_name) : axis.label),
                       std::back_inserter(remarks));
     return HazardCurve(hazard.points(), hazard.stated(), std::move(remarks));

@@ -26,21 +26,13 @@ double period_unit(PairTable const& table, Location const& where) {
     return unit.value_or(1);
 }
 
-std::optional<double> value_unit(PairTable const& table, TargetKind kind, std::optional<double> stated,
-                                 Location const& where) {
+/// That the second name states. \throws InputError if it is one of another quantity, or none that is known and `stated`
+/// is none either
+std::optional<double> named_unit(PairTable const& table, TargetKind kind, bool stated, Location const& where) {
     auto const dimension = dimension_of(kind);
     auto const ordinates = ordinate_name(table.second_name);
     auto const unit = unit_of_values(ordinates, dimension);
     auto const [text, bracketed] = unit_text_in_name(ordinates);
-    constexpr double same = 1e-9;
-    if (unit && stated && std::abs(*unit - *stated) > same * *unit) {
-        auto const named = dimension == Dimension::acceleration
-                               ? name_of_acceleration_unit(*stated)
-                               : fmt::format("{:.6g} {}", *stated, si_symbol(dimension));
-        throw InputError(where, fmt::format("unit '{}' in the header, {} stated in the campaign (they contradict each "
-                                            "other). Leave the stated one out",
-                                            text, named));
-    }
     bool const another = unit_spelled(text, Dimension::acceleration) || unit_spelled(text, Dimension::velocity)
                          || (bracketed && unit_spelled(text, Dimension::length));
     if (!unit && (another || (bracketed && !stated))) {
@@ -48,18 +40,7 @@ std::optional<double> value_unit(PairTable const& table, TargetKind kind, std::o
                                             "are: one of {}). Mend the kind, or the header",
                                             text, name_of(dimension), accepted_units(dimension)));
     }
-    return unit ? unit : stated;
-}
-
-/// In a comment or in prose, "units g"; an acceleration's only.
-std::optional<double> claimed_unit(PairTable const& table, TargetKind kind) {
-    Claims claims;
-    for (auto const& line : table.head) {
-        if (line.number != table.names_line) {
-            claims.take(line.text, line.number);
-        }
-    }
-    return kind == TargetKind::acceleration ? claims.unit() : std::nullopt;
+    return unit;
 }
 
 std::string units_to_state(TargetKind kind) {
@@ -117,31 +98,30 @@ TargetSpectrum parse_target_table(std::string_view content, std::string const& n
                                   std::optional<double> unit_si, bool silence_is_si) {
     check_is_table(content, name);
     auto const uniform = uniform_hazard_of_openquake(content, name);
-    auto const table =
-        read_pair_table(uniform ? *uniform : content, name, "period and value", [](Pair const&, Pair const*) {});
+    auto const table = read_pair_table(
+        uniform ? *uniform : content, name,
+        {.meaning = "period and value", .check = [](Pair const&, Pair const*) {}, .are_names = are_target_names});
     Location const where{name, table.names_line};
     auto const hertz = frequency_unit(table, where);
     bool const logarithms = are_logarithms(table, where);
     check_kind(table, kind, where);
-    check_text(table, kind, damping, name);
+    auto const unread = check_text(table, kind, damping, name);
     double const abscissa = hertz ? *hertz : table.names_line > 0 ? period_unit(table, where) : 1;
-    auto unit = value_unit(table, kind, unit_si, where);
-    auto const claimed = claimed_unit(table, kind);
-    constexpr double same = 1e-9;
-    if (unit && claimed && std::abs(*unit - *claimed) > same * *claimed) {
-        throw InputError(where, fmt::format("unit {} in the text, {} stated or in the names (they contradict each "
-                                            "other). Leave one of them out",
-                                            name_of_acceleration_unit(*claimed), name_of_acceleration_unit(*unit)));
+    Claims claims(dimension_of(kind));
+    claims.take(table.text, table.names_line);
+    auto const named = named_unit(table, kind, unit_si.has_value(), where);
+    auto unit = claims.unit_beside(named, unit_si, where);
+    if (!unit && !silence_is_si) {
+        claims.check_unit_is_known(name);
     }
-    unit = unit ? unit : claimed;
     unit = !unit && silence_is_si ? std::optional(1.0) : unit;
     if (!unit) {
-        throw InputError({name, table.line.empty() ? 0 : table.line.front()},
+        throw InputError({name, table.line.front()},
                          fmt::format("unit of the ordinates missing (neither names nor text say it). State {}",
                                      units_to_state(kind)));
     }
     check_rows(table, hertz.has_value(), logarithms, kind, name);
-    return TargetSpectrum::from_points(name, damping, kind,
+    return TargetSpectrum::from_points(name + not_understood(unread), damping, kind,
                                        in_si(table, abscissa, *unit, hertz.has_value(), logarithms));
 }
 

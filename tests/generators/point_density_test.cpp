@@ -5,6 +5,8 @@
 #include <cmath>
 #include <complex>
 
+#include <fmt/format.h>
+
 #include "generators/detail/real_fft.hpp"
 #include "generators/filtered_noise.hpp"
 #include "support/expect_input_error.hpp"
@@ -127,7 +129,15 @@ TEST(PointDensity, RefusesWhatIsNone) {
             noise("[density]\npoints=[[1,1],[2,1]]\nfile='x'\n", {{"x", "1 1\n2 1\n"}});
         },
         "Keep one");
-    expect_input_error([&] { noise("[density]\nfile='x'\n", {{"x", "0.5 1\n2 no\n"}}); }, "x:2", "two numbers");
+    expect_input_error([&] { noise("[density]\nfile='x'\n", {{"x", "0.5 1\n2 no\n"}}); }, "x:2: 'no' in column 2");
+    for (char const* names : {"omega (rad/s),S", "T (s),S", "f (kHz),S", "f (Hz),Fourier amplitude"}) {
+        expect_input_error(
+            [&] {
+                noise("[density]\nfile='x'\n", {{"x", fmt::format("{}\n0.5 1\n2 1\n", names)}});
+            },
+            "x:1: ", "must be frequency in Hz and power density");
+    }
+    EXPECT_NO_THROW(noise("[density]\nfile='x'\n", {{"x", "# of a site\nf (Hz),S (m2/s3)\n0.5 1\n2 1\n"}}));
     expect_input_error([&] { noise("[density]\npoints=[[60,1],[70,1]]\n"); }, "no line of the wave");
 }
 

@@ -76,6 +76,15 @@ TEST(TargetVariability, SigmaByPeriodIsStraightOverLogPeriod) {
     }
     auto const from_file = read("sigma = 's.csv'\ncorrelation = 'full'", {{"s.csv", "0.1 0.4\n10 0.8\n"}});
     EXPECT_EQ(from_file.spread(3), listed.spread(3));
+    auto const named = [](std::string const& names) {
+        return read("sigma = 's.csv'\ncorrelation = 'full'", {{"s.csv", names + "\n0.1 0.4\n10 0.8\n"}});
+    };
+    for (char const* names : {"T (s),sigma", "period  sigma_lnSa", "# T, sigma ln Sa", "T_n,std"}) {
+        EXPECT_EQ(named(names).spread(3), listed.spread(3)) << names;
+    }
+    for (char const* names : {"f (Hz),sigma", "T (ms),sigma", "T_ms,sigma", "T (s),sigma log10 Sa"}) {
+        testing::expect_input_error([&] { (void)named(names); }, "s.csv:1: ", "must be period in s and sigma");
+    }
 }
 
 // Given epsilon at 3 s: there it is met exactly; elsewhere mean and spread are those of a normal given another one.

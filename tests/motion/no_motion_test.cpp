@@ -39,6 +39,14 @@ TEST(Columns, NamesOfAnotherNumberAreRefused) {
     EXPECT_NO_THROW((void)read("time,NS,EW,UD\n0,1,2\n1,2,3\n", {.unit_mps2 = gal, .columns = "time,h1,h2"}));
 }
 
+// a row of units without names says what the columns are.
+TEST(Columns, UnitsAloneAreHeard) {
+    EXPECT_EQ(read("(s),(gal)\n0,100\n0.5,-200\n1,300\n", {}).horizontal_mps2, three);
+    EXPECT_EQ(read("sec  cm/s2\n0 100\n0.5 -200\n1 300\n", {}).horizontal_mps2, three);
+    expect_input_error([] { (void)read("(Hz),(gal)\n0,100\n0.5,-200\n1,300\n", {}); }, "a.csv:1: ", "a frequency");
+    expect_input_error([] { (void)read("(s),(cm/s)\n0,100\n0.5,-200\n1,300\n"); }, "a.csv:1: ", "a velocity");
+}
+
 // what nothing calls an acceleration and looks like none is refused.
 TEST(Columns, WhatLooksLikeNoMotionIsRefused) {
     std::string positive, rising, offset, named = "t,acc\n";

@@ -106,6 +106,8 @@ TEST(HazardTable, ThePeriodOfSaIsRead) {
     };
     EXPECT_DOUBLE_EQ(parse("sa(1.9 s) [g]").last(), 1000 * g0);
     EXPECT_DOUBLE_EQ(parse("Sa(1.9 s)_gal").last(), 10);
+    EXPECT_DOUBLE_EQ(parse("SA(1.90s) (gal)").last(), 10);
+    EXPECT_DOUBLE_EQ(parse("Sa(1.9 sec) [gal]").last(), 10);
     for (std::string const other : {"sa(0.5 s) [g]", "sa [g]", "sa-average [g]", "sa(1.95 s) [g]"}) {
         expect_input_error([&] { (void)parse(other); }, "h.csv:1", "levels are sa(1.9 s)");
     }

@@ -2,6 +2,7 @@
 // say.
 #include <string>
 
+#include "core/units.hpp"
 #include "results/hazard_table.hpp"
 #include "support/expect_input_error.hpp"
 
@@ -55,6 +56,24 @@ TEST(HazardNames, AnnualFrequenciesHaveManyNames) {
                              "MAFE (1/yr) of SA"}) {
         expect_input_error([&] { (void)parse(name); }, "h.csv:1", "must be annual_exceedance");
     }
+}
+
+// the unit may stand in the text, which may not contradict the names; what it says else is told.
+TEST(HazardNames, EveryLineOfTextIsAccountedFor) {
+    auto const parse = [&](std::string const& head) {
+        return parse_hazard(head + "0.1,1e-2\n1,1e-5\n", "h.csv", over_pga);
+    };
+    auto const of_text = parse("# hazard of the site, intensities in g\npga,annual_exceedance\n");
+    EXPECT_DOUBLE_EQ(of_text.last(), g0);
+    EXPECT_EQ(of_text.stated().symbol, "g");
+    EXPECT_DOUBLE_EQ(parse("pga,annual_exceedance\n(g),(1/yr)\n").last(), g0);
+    expect_input_error([&] { (void)parse("# units: gal\npga [g],annual_exceedance\n"); },
+                       "h.csv:1: unit gal, line 2 says g");
+    expect_input_error([&] { (void)parse("# units: cm/s\npga,annual_exceedance\n"); }, "h.csv:1: a unit of velocities");
+    expect_input_error([&] { (void)parse("pga [g],annual_exceedance,sigma\n"); }, "h.csv:1: ", "another number");
+    auto const told = parse("# of Smith, model 7b\n# annual rates\npga [g],annual_exceedance\n").remarks();
+    ASSERT_FALSE(told.empty());
+    EXPECT_EQ(told[0], "h.csv (not understood: line 1: '# of Smith, model 7b')");
 }
 
 }  // namespace

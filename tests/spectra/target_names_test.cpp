@@ -39,9 +39,14 @@ TEST(TargetNames, SecondColumnsAreOrdinatesOfTheKind) {
     }
     for (char const* name : {"hazard", "poe", "annual rate", "PGA", "FAS", "counts", "sigma", "ratio", "T", "V", "D",
                              "Sa/PGA", "Sa normalised", "velocity", "\xE9\x80\x9F\xE5\xBA\xA6", "Sa,sigma"}) {
-        expect_input_error([&] { (void)read(fmt::format("T,{}\n", name)); }, "t.csv:1: '");
+        expect_input_error([&] { (void)read(fmt::format("T,{}\n", name)); }, "t.csv:1: ");
     }
     EXPECT_NO_THROW((void)read("T,V\n", TargetKind::pseudo_velocity));
+    expect_input_error([] { (void)read("T,PGV (m/s2)\n"); }, "t.csv:1: 'PGV");
+    expect_input_error([] { (void)read("T,Sa 2% damping\n"); }, "t.csv:1: damping 0.02");
+    for (char const* name : {"Se(T) [m/s^2]", "Se(T)(m/s\xC2\xB2)", "Sa(T) (5 % damped) (m/s2)"}) {
+        EXPECT_TRUE(near(read(fmt::format("T(s),{}\n", name)).psa_mps2(0.1), 0.7, exact_formula)) << name;
+    }
     for (char const* name : {"ln Sa", "lnSa", "ln(Sa)", "ln_Sa"}) {
         EXPECT_TRUE(near(read(fmt::format("T,{}\n", name)).psa_mps2(0.1), std::exp(0.7), exact_formula)) << name;
     }
@@ -53,7 +58,10 @@ TEST(TargetNames, TextMayNotContradict) {
         expect_input_error([&] { (void)read(std::string(line) + "\nT,Sa\n"); }, "t.csv:1: ", "says the text");
     }
     EXPECT_NO_THROW((void)read("# pseudo velocity\nT,Sv\n", TargetKind::pseudo_velocity));
-    EXPECT_NO_THROW((void)read("# response spectrum, h = 0.05\nT,Sa\n"));
+    for (char const* line : {"# response spectrum, h = 0.05", "# 10 % in 50 years, 5 % damped",
+                             "# damping 5 %, 2 % in 50 a", "# intensity measure: Sa"}) {
+        EXPECT_NO_THROW((void)read(std::string(line) + "\nT,Sa\n")) << line;
+    }
     for (char const* line : {"# damping 2%", "# 2 % damped", "# h = 0.02", "# damping ratio 0.02", "# zeta=0.02"}) {
         expect_input_error([&] { (void)read(std::string(line) + "\nT,Sa\n"); }, "t.csv:1: damping 0.02 in the text");
     }
@@ -61,7 +69,50 @@ TEST(TargetNames, TextMayNotContradict) {
         [] {
             (void)parse_target_table("T,Sa\n0.1,1\n1,1\n# units: gal\n", "t.csv", TargetKind::acceleration, 0.05, g0);
         },
-        "unit gal in the text");
+        "t.csv:4: unit gal in the file, g stated");
+}
+
+// units of the kind are heard in the text, in any row of units, and every other line is told.
+TEST(TargetNames, EveryLineOfTextIsAccountedFor) {
+    auto const parse = [](std::string const& head, TargetKind kind) {
+        return parse_target_table(head + "0.1,70\n1,50\n10,8  # the end\n", "t.csv", kind, 0.05);
+    };
+    for (char const* head : {"# pseudo-velocity, units: cm/s\nT,Sv\n", "T,Sv\n(s),(cm/s)\n", "# Sv in kine\n",
+                             "Velocity spectrum\n# kine\n"}) {
+        EXPECT_TRUE(near(parse(head, TargetKind::pseudo_velocity).psv_mps(0.1), 0.7, exact_formula)) << head;
+    }
+    EXPECT_TRUE(near(parse("# displacement (cm)\n", TargetKind::displacement).psv_mps(1), 2 * pi * 0.5, exact_formula));
+    auto const target = parse("Smith 2001\n# 5 % damped\nT (s),Sa (gal)\n", TargetKind::acceleration);
+    EXPECT_EQ(target.name(), "t.csv (not understood: line 1: 'Smith 2001'; line 6: '# the end')");
+    for (char const* head : {"# units: gal\nT,Sv (cm/s)\n", "# Acceleration response spectrum\nT,S (cm/s)\n"}) {
+        expect_input_error([&] { (void)parse(head, TargetKind::pseudo_velocity); }, "t.csv:1: ");
+    }
+    expect_input_error(
+        [&] { (void)parse("# Pseudo-velocity response spectrum\nT,S (gal)\n", TargetKind::acceleration); },
+        "t.csv:1: a spectrum of velocity");
+    expect_input_error([&] { (void)parse("# units: g/10\nT,S\n", TargetKind::acceleration); }, "t.csv:1: 'g/10'");
+}
+
+// units alone are not passed over: frequencies are none of periods.
+TEST(TargetNames, UnitsAloneAreHeard) {
+    auto const parse = [](std::string const& head) {
+        return parse_target_table(head + "0.1,70\n1,50\n10,8\n", "t.csv", TargetKind::acceleration, 0.05);
+    };
+    EXPECT_TRUE(near(parse("(Hz),(gal)\n").psa_mps2(10), 0.7, exact_formula));
+    EXPECT_TRUE(near(parse("Hz;gal\n").psa_mps2(10), 0.7, exact_formula));
+    EXPECT_TRUE(near(parse("s,gal\n").psa_mps2(0.1), 0.7, exact_formula));
+    EXPECT_TRUE(near(parse("ms,gal\n").psa_mps2(1e-4), 0.7, exact_formula));
+    expect_input_error([&] { (void)parse("s,cm/s\n"); }, "t.csv:1: ");
+}
+
+// prose is no pair of names, and names of more columns are not cut to two.
+TEST(TargetNames, ProseIsNotTakenForNames) {
+    for (char const* line : {"Response spectrum\n", "# Kobe, 1995\n", "Design spectrum, soft soil\n# T,Sa\n"}) {
+        EXPECT_TRUE(near(read(line).psa_mps2(0.1), 0.7, exact_formula)) << line;
+    }
+    for (char const* line : {"T Sa sigma\n", "T;Sa;sigma\n", "# T (s)  Sa (g)  Sd (cm)\n"}) {
+        expect_input_error([&] { (void)read(line); }, "t.csv:1: ", "another number");
+    }
 }
 
 TEST(TargetNames, OtherFilesAreNamed) {

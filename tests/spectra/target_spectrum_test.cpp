@@ -1,6 +1,8 @@
 // Requirement R-104: targets have the values their standards print, and say where they end.
 #include "spectra/target_spectrum.hpp"
 
+#include <fmt/format.h>
+
 #include "core/units.hpp"
 #include "spectra/named_targets.hpp"
 #include "spectra/target_input.hpp"
@@ -136,9 +138,10 @@ TEST(TargetSpectrum, OneLineOfNamesMayStandAboveATable) {
     auto const parse = [](char const* text) {
         (void)parse_target_table(text, "t.csv", TargetKind::acceleration, 0.05);
     };
-    expect_input_error([&] { parse("0.1 1\nT,Sa\n1 1\n"); }, "t.csv:2: ", "two numbers");
-    expect_input_error([&] { parse("nan 1\n1 1\n"); }, "t.csv:1: ", "two numbers");
-    expect_input_error([&] { parse("0.1,\n1 1\n"); }, "t.csv:1: ", "two numbers");
+    expect_input_error([&] { parse("0.1 1\nT,Sa\n1 1\n"); }, "t.csv:2: 'T' in column 1");
+    expect_input_error([&] { parse("nan 1\n1 1\n"); }, "t.csv:1: 'nan' in column 1");
+    expect_input_error([&] { parse("0.1,\n1 1\n"); }, "t.csv:1: '' in column 2");
+    expect_input_error([&] { parse("T,Sa\n"); }, "t.csv:1: no row of numbers", "two columns, period and value");
 }
 
 // the units of a target's table are those of its header or those stated, never SI whatever they say.
@@ -179,7 +182,7 @@ TEST(TargetSpectrum, UnitsOfTheHeaderAreRead) {
     EXPECT_TRUE(near(peak("T,Sa [ft/s2]\n"), 700 * 0.3048, exact_formula));
     refuse("T,Sv\n", TargetKind::acceleration, 0.01, "'Sv' where kind says acceleration");
     refuse("T,log Sa (g)\n", TargetKind::acceleration, {}, "a logarithm of which base?");
-    expect_input_error([&] { (void)peak("# units g\nT,Sa [gal]\n"); }, "t.csv:2: unit g in the text, gal");
+    expect_input_error([&] { (void)peak("# units g\nT,Sa [gal]\n"); }, "t.csv:1: unit g, line 2 says gal");
     refuse("T [days],Sa [gal]\n", TargetKind::acceleration, {}, "of the periods");
     EXPECT_TRUE(near(
         parse_target_table("T [ms],Sa [gal]\n100,300\n1000,700\n", "t", TargetKind::acceleration, 0.05).psa_mps2(0.1),
@@ -215,10 +218,15 @@ TEST(TargetSpectrum, BadTablesNameTheLine) {
     };
     expect_input_error([&] { parse("0.1 1\n0.2 0\n"); }, "t.csv:2: ", "ordinate 0");
     expect_input_error([&] { parse("0.1 1\n#\n0.1 2\n"); }, "t.csv:3: ", "periods must rise");
-    expect_input_error([&] { parse("0.1 1\n0.2 x\n"); }, "t.csv:2: ", "two numbers");
-    expect_input_error([&] { parse("0.1 1 2\n"); }, "t.csv:1: ", "two numbers");
-    expect_input_error([&] { parse("0.1\n"); }, "t.csv:1: ", "two numbers");
-    expect_input_error([&] { parse("0.1 nan\n"); }, "t.csv:1: ", "two numbers");
+    expect_input_error([&] { parse("0.1 1\n0.2 x\n"); }, "t.csv:2: 'x' in column 2");
+    expect_input_error([&] { parse("0.1 1 2\n"); }, "t.csv:1: a row of 3 (it must be of 2 numbers)");
+    expect_input_error([&] { parse("0.1\n"); }, "t.csv:1: a row of 1 (it must be of 2 numbers)");
+    expect_input_error([&] { parse("0.1 1\n0.2\n"); }, "t.csv:2: a row of one number");
+    expect_input_error([&] { parse("0.1 1\n0.2\n0.3 1\n"); }, "t.csv:2: a row of 1 where the first has 2");
+    for (char const* none : {"nan", "inf", "NA", "-"}) {
+        expect_input_error([&] { parse(fmt::format("0.1 {}\n0.2 1\n", none).c_str()); },
+                           fmt::format("t.csv:1: '{}' in column 2", none));
+    }
     expect_input_error([&] { parse("1 1\n"); }, "at least two");
 }
 

@@ -32,6 +32,12 @@ struct TableColumns {
 /// \throws InputError at a line of names of another number
 [[nodiscard]] TableColumns named_columns(TextTable const& table, RecordRequest const& request);
 
+/// "dt = 0.01 s" and "100 Hz" are values, no names; "090" is one.
+[[nodiscard]] bool may_be_names(std::vector<std::string> const& names);
+
+/// Does the line name columns, more or fewer than the table has?
+[[nodiscard]] bool names_others(TextLine const& line, bool lowest, TextTable const& table);
+
 /// Of comp1, comp2 and comp3, or BN1, BN2 and BN3, any may be the vertical: their names tell nothing.
 void forget_numbered(std::vector<ColumnRole>& roles);
 

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <utility>
 
 #include "core/error.hpp"
 #include "core/units.hpp"
@@ -12,30 +11,6 @@ namespace overturn {
 namespace {
 
 using Text = std::string_view;
-
-/// Without the brackets around it.
-std::string bare_unit(std::string text) {
-    std::erase_if(text, [](char c) { return Text("()[]").find(c) != Text::npos; });
-    return std::string(trimmed(text));
-}
-
-/// "(s),(gal)", "sec  cm/s2"
-bool is_units_row(std::vector<std::string> const& names) {
-    return !names.empty() && std::ranges::all_of(names, [](std::string const& name) {
-        auto const unit = bare_unit(name);
-        return unit.empty() || unit == "-" || column_role("x (" + unit + ")").unit;
-    });
-}
-
-/// "dt = 0.01 s" and "100 Hz" are values, no names; "090" is one.
-bool may_be_names(std::vector<std::string> const& names) {
-    return std::ranges::none_of(names, [](std::string const& name) {
-        bool const digit = !name.empty() && name.front() >= '0' && name.front() <= '9';
-        return name.find('=') != std::string::npos || (digit && component_in(name).direction == Direction::unknown);
-    });
-}
-
-bool all_blank_or_rule(Text line) { return line.find_first_not_of(" \t-=_,;|#%") == Text::npos; }
 
 std::size_t known_of(std::vector<ColumnRole> const& roles) {
     return static_cast<std::size_t>(std::ranges::count_if(roles, &ColumnRole::said));
@@ -48,7 +23,7 @@ std::vector<ColumnRole> roles_of(std::vector<std::string> const& names) {
 }
 
 /// A line that names a time or a count of rows first and a motion behind it, as many as there are.
-bool names_others(Text line, std::size_t count) {
+bool names_time_and_others(Text line, std::size_t count) {
     constexpr std::size_t most = 12;
     for (std::size_t n = 2; n <= most; ++n) {
         auto const names = n == count ? std::vector<std::string>{} : names_on(line, n).names;
@@ -80,6 +55,17 @@ bool parts_otherwise(Text line, TextTable const& table) {
 
 }  // namespace
 
+bool may_be_names(std::vector<std::string> const& names) {
+    return std::ranges::none_of(names, [](std::string const& name) {
+        bool const digit = !name.empty() && name.front() >= '0' && name.front() <= '9';
+        return name.find('=') != std::string::npos || (digit && component_in(name).direction == Direction::unknown);
+    });
+}
+
+bool names_others(TextLine const& line, bool lowest, TextTable const& table) {
+    return names_time_and_others(line.text, table.columns()) || (lowest && parts_otherwise(line.text, table));
+}
+
 void forget_numbered(std::vector<ColumnRole>& roles) {
     for (auto const& third : roles) {
         auto const name = lowered(third.name);
@@ -109,40 +95,24 @@ std::string how_to_state(RecordRequest const& request, std::size_t count) {
 TableColumns named_columns(TextTable const& table, RecordRequest const& request) {
     TableColumns columns;
     auto const count = table.columns();
-    std::vector<std::string> units;
-    bool lowest = true;  // but for units and rules
-    for (auto line = table.head.rbegin(); count > 1 && line != table.head.rend(); ++line) {
-        if (all_blank_or_rule(line->text)) {
-            continue;
-        }
-        auto [names, by_blanks] = names_on(line->text, count);
-        if (!names.empty() && units.empty() && is_units_row(names)) {
-            units = std::move(names);
-            continue;
-        }
-        bool const last = std::exchange(lowest, false);
-        if (!names.empty() && !may_be_names(names)) {
-            continue;
-        }
-        auto roles = roles_of(names);
-        auto const least = by_blanks || !last ? count : 1;
-        // Names that say nothing are kept for what they are called, if they stand right above.
-        if (!names.empty() && (known_of(roles) >= least || (last && !by_blanks))) {
-            for (std::size_t i = 0; i < units.size(); ++i) {
-                roles[i] = column_role(fmt::format("{} ({})", names[i], bare_unit(units[i])));
-            }
-            columns.roles = std::move(roles);
-            columns.names_line = line->number;
-            break;
-        }
-        if (request.columns.empty()
-            && (names_others(line->text, count) || (last && parts_otherwise(line->text, table)))) {
-            throw InputError({request.name, line->number},
+    // Names that say nothing are kept for what they are called, if they stand right above.
+    auto const are = [&](Names const& found, bool lowest) {
+        auto const least = found.by_blanks || !lowest ? count : 1;
+        return may_be_names(found.names) && (known_of(roles_of(found.names)) >= least || (lowest && !found.by_blanks));
+    };
+    auto const elsewhere = [&](TextLine const& line, bool lowest) {
+        auto const names = names_on(line.text, count).names;
+        bool const values = !names.empty() && !may_be_names(names);
+        if (!values && request.columns.empty() && names_others(line, lowest, table)) {
+            throw InputError({request.name, line.number},
                              fmt::format("names of another number of columns than the {} below (which is which cannot "
                                          "be told). {}, or mend the names",
                                          count, how_to_state(request, count)));
         }
-    }
+    };
+    auto const found = names_above(table, are, elsewhere);
+    columns.roles = roles_of(found.names);
+    columns.names_line = found.line;
     return columns;
 }
 

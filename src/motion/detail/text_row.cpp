@@ -1,6 +1,7 @@
 #include "motion/detail/text_row.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -125,8 +126,12 @@ bool begins_like_numbers(Text line, TextRow const& row) {
     if (column_role(row.bad).quantity != Quantity::index && column_role(row.bad).said()) {
         return false;
     }
+    auto const is_odd = [](std::string const& word) {
+        constexpr auto odd = std::to_array<Text>({"nan", "inf", "-inf", "+inf", "infinity", "na", "n/a", "null"});
+        return std::ranges::find(odd, word) != odd.end();
+    };
     auto const first = lowered(trimmed(line).substr(0, trimmed(line).find_first_of(",; \t")));
-    bool const odd = first == "nan" || first == "inf" || first == "-inf" || first == "+inf" || first == "infinity";
+    bool const odd = is_odd(first) || (row.values.size() == 1 && is_odd(lowered(row.bad)));
     return row.values.size() >= some || (row.values.size() == 1 && (row.bad.size() < 2 || first.empty())) || odd;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "core/units.hpp"
 #include "motion/claims.hpp"
@@ -23,12 +25,6 @@ bool holds_any(Text text, std::initializer_list<Text> words) {
 std::string stem_of(Text name) { return lowered(trimmed(name.substr(0, name.find_first_of("([")))); }
 
 bool is_letter(char c) { return c >= 'a' && c <= 'z'; }
-
-/// "T", "T*", "T_n", "T1", "Tn", "period", in several languages.
-bool is_period(Text stem) {
-    bool const letter = stem.starts_with('t') && (stem.size() == 1 || !is_letter(stem[1]) || stem == "tn");
-    return letter || holds_any(stem, {"perio", "p\xC3\xA9rio", "periyo", "\xE5\x91\xA8\xE6\x9C\x9F"});
-}
 
 /// What a name calls the ordinates, where it says so.
 std::optional<TargetKind> kind_named(Text name) {
@@ -67,15 +63,26 @@ bool is_something_else(Text name) {
     return quantity == Quantity::hazard || quantity == Quantity::counts || quantity == Quantity::index
            || quantity == Quantity::frequency || quantity == Quantity::other || lower == "t" || lower == "pga"
            || lower.starts_with("ratio") || lower.starts_with("pga ") || lower.starts_with("pga(")
+           || lower.starts_with("pgv") || lower.starts_with("pgd")
            || holds_any(lower, {"sigma", "std", " ratio", "norm", "/pga", "/ pga", "amplif", "fourier", "fas", "time",
                                 "rate", "\xCF\x83"});
 }
 
-/// What the text's other quantity is as a kind; nothing if it is of no spectrum.
-std::optional<TargetKind> kind_of_text(Text other) {
-    return other == "velocities"      ? std::optional(TargetKind::pseudo_velocity)
-           : other == "displacements" ? std::optional(TargetKind::displacement)
-                                      : std::nullopt;
+/// What a line calls the spectrum's ordinates, "Pseudo-velocity response spectrum"; nothing if it names several, or
+/// none.
+std::optional<TargetKind> kind_of_spectrum(Text lower) {
+    std::optional<TargetKind> found;
+    for (auto const& [text, kind] : {std::pair{Text("accel"), TargetKind::acceleration},
+                                     {Text("veloc"), TargetKind::pseudo_velocity},
+                                     {Text("displ"), TargetKind::displacement}}) {
+        if (lower.find(text) != Text::npos) {
+            if (found) {
+                return std::nullopt;
+            }
+            found = kind;
+        }
+    }
+    return found;
 }
 
 std::optional<double> number_before(Text text) {
@@ -111,16 +118,19 @@ std::string ordinate_name(std::string_view name) {
     return std::string(plain);
 }
 
+bool are_target_names(std::string_view first, std::string_view second) {
+    return is_period_name(first) || is_frequency_name(first) || (kind_named(ordinate_name(second)) && !first.empty());
+}
+
 std::optional<double> frequency_unit(PairTable const& table, Location const& where) {
     auto const [text, bracketed] = unit_text_in_name(table.first_name);
-    auto const stem = stem_of(table.first_name.substr(0, table.first_name.find('_')));
-    auto const unit = unit_spelled(text, Dimension::frequency);
-    if (unit || stem == "f" || stem.starts_with("freq") || stem.starts_with("fr\xC3\xA9q")) {
-        return unit.value_or(1);
+    if (table.names_line > 0 && is_frequency_name(table.first_name)) {
+        return unit_spelled(text, Dimension::frequency).value_or(1);
     }
+    auto const stem = stem_of(table.first_name);
     bool const seconds = bracketed && unit_spelled(text, Dimension::time) && stem.starts_with('t') && stem != "time";
     bool const wordless = table.names_line == 0 || stem.empty();
-    if (!wordless && !seconds && !is_period(stem)) {
+    if (!wordless && !seconds && !is_period_name(table.first_name)) {
         throw InputError(where, fmt::format("'{}' (a period or a frequency belongs into the first column). Name it T "
                                             "(s), or f (Hz)",
                                             table.first_name));
@@ -161,35 +171,46 @@ void check_kind(PairTable const& table, TargetKind kind, Location const& where) 
     }
 }
 
-void check_text(PairTable const& table, TargetKind kind, double damping, std::string const& name) {
-    for (auto const& line : table.head) {
-        if (line.number == table.names_line) {
-            continue;
-        }
-        Claims claims;
-        claims.take(line.text, line.number);
-        auto const other = claims.other();
-        auto const said = kind_of_text(other);
-        bool const energy = kind == TargetKind::energy_velocity && said == TargetKind::pseudo_velocity;
-        if (!other.empty() && other != "a spectrum" && said != kind && !energy) {
-            throw InputError({name, line.number},
-                             fmt::format("{}, says the text, where kind says {} (they contradict each other). Mend the "
-                                         "kind, or the text",
-                                         other, name_of(dimension_of(kind))));
-        }
+std::vector<std::string> check_text(PairTable const& table, TargetKind kind, double damping, std::string const& name) {
+    std::vector<std::string> unread;
+    auto const check_damping = [&](Text lower, int line) {
         constexpr double printed = 1e-3;
-        if (auto const stated = damping_in(lowered(line.text)); stated && std::abs(*stated - damping) > printed) {
-            throw InputError({name, line.number},
-                             fmt::format("damping {} in the text, {} in the campaign (they contradict each other). "
-                                         "State stated_damping = {}",
+        auto const stated = damping_in(lower);
+        if (stated && std::abs(*stated - damping) > printed) {
+            throw InputError({name, line},
+                             fmt::format("damping {} in the text, {} in the campaign (they contradict each "
+                                         "other). State stated_damping = {}",
                                          *stated, damping, *stated));
         }
+        return stated.has_value();
+    };
+    check_damping(lowered(table.second_name), table.names_line);
+    for (auto const& line : table.text) {
+        Claims claims(dimension_of(kind));
+        claims.take(line.text, line.number);
+        auto const& other = claims.other();
+        auto const lower = lowered(line.text);
+        auto const of_spectrum = other == "a spectrum" ? kind_of_spectrum(lower) : std::nullopt;
+        if ((!other.empty() && other != "a spectrum")
+            || (of_spectrum && dimension_of(*of_spectrum) != dimension_of(kind))) {
+            throw InputError(
+                {name, line.number},
+                fmt::format("{}, says the text, where kind says {} (they contradict each other). Mend the "
+                            "kind, or the text",
+                            of_spectrum ? "a spectrum of " + std::string(name_of(dimension_of(*of_spectrum))) : other,
+                            name_of(dimension_of(kind))));
+        }
+        if (!check_damping(lower, line.number)) {
+            std::ranges::copy(claims.unread(), std::back_inserter(unread));
+        }
     }
+    return unread;
 }
 
 std::optional<double> damping_in(std::string_view lower) {
     auto const damp = lower.find("damp");
-    auto const percent = lower.find('%');
+    auto const before = lower.rfind('%', damp);  // "10 % in 50 years, 5 % damped"
+    auto const percent = damp == Text::npos || before == Text::npos ? lower.find('%') : before;
     if (damp != Text::npos && percent != Text::npos) {
         auto const value = number_before(lower.substr(0, percent));
         return value ? std::optional(*value / 100) : std::nullopt;

@@ -4,12 +4,16 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/error.hpp"
 #include "motion/pair_table.hpp"
 #include "spectra/target_spectrum.hpp"
 
 namespace overturn {
+
+/// Do these name a target's columns: a period or a frequency, and an ordinate?
+[[nodiscard]] bool are_target_names(std::string_view first, std::string_view second);
 
 /// SI value of the frequencies' unit, if the first column holds frequencies [Hz]; nothing for periods.
 /// \throws InputError if its name says neither, or a logarithm
@@ -25,8 +29,10 @@ namespace overturn {
 /// ratio, a standard deviation
 void check_kind(PairTable const& table, TargetKind kind, Location const& where);
 
-/// \throws InputError if the text calls them another quantity, or states another damping
-void check_text(PairTable const& table, TargetKind kind, double damping, std::string const& name);
+/// The lines of text that are not understood. \throws InputError if one calls the values another quantity, or states
+/// another damping
+[[nodiscard]] std::vector<std::string> check_text(PairTable const& table, TargetKind kind, double damping,
+                                                  std::string const& name);
 
 /// "5 % damped", "h = 0.02", "damping ratio: 0.05"
 [[nodiscard]] std::optional<double> damping_in(std::string_view lower);
