@@ -6,20 +6,19 @@
 
 #include <fmt/format.h>
 
-#include "cli/csv_rows.hpp"
 #include "cli/named_column.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "motion/cell_rows.hpp"
+#include "motion/column_role.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn::cli {
 namespace {
 
-constexpr std::array<std::string_view, 10> intensity_names{"amplitude", "im",          "iml", "intensity", "level",
-                                                           "capacity",  "collapse_im", "pga", "pgv",       "sa"};
 constexpr std::array<std::string_view, 6> verdict_names{"collapsed",  "collapse", "fell",
                                                         "overturned", "failed",   "reached"};
-constexpr std::array<std::string_view, 4> row_labels{"record", "wave", "gm", "name"};
+constexpr std::array<std::string_view, 6> row_labels{"record", "wave", "gm", "groundmotion", "motion", "name"};
 
 template <std::size_t N> bool is_among(std::array<std::string_view, N> const& names, std::string const& name) {
     return std::ranges::find(names, name) != names.end();
@@ -28,7 +27,7 @@ template <std::size_t N> bool is_among(std::array<std::string_view, N> const& na
 class CapacityReader {
   public:
     CapacityReader(std::string const& text, std::string const& file)
-        : rows_(text, file, "Begin with 'pga [g], collapsed'") {}
+        : rows_(text, file, "Begin with 'pga [g], collapsed'"), file_(file) {}
 
     [[nodiscard]] CapacityTable table() {
         read_header(rows_.header());
@@ -39,19 +38,22 @@ class CapacityReader {
             rows_.fail("no capacity (a header alone). Add rows");
         }
         std::ranges::sort(table_.capacities, {}, &Capacity::intensity);
+        auto said = intensity_text(rows_, file_, table_.column);
+        table_.unit = std::move(said.unit);
+        table_.unread = std::move(said.unread);
         return std::move(table_);
     }
 
   private:
-    void read_header(std::vector<CsvCell> const& cells) {
+    void read_header(std::vector<Cell> const& cells) {
         for (std::size_t c = 0; c < cells.size(); ++c) {
             auto const column = named_column(cells[c].text);
             auto const bare = lowered(column.bare);
             bool const verdict = is_among(verdict_names, bare);
-            if (is_among(row_labels, bare)) {
+            if (is_among(row_labels, counted_things(bare)) || column_role(cells[c].text).quantity == Quantity::index) {
                 continue;
             }
-            if (!verdict && !is_among(intensity_names, bare)) {
+            if (!verdict && !column.is_intensity()) {
                 rows_.fail(cells[c], fmt::format("column {} (unknown). Known: pga, pgv, sa(1 s), im, capacity with a "
                                                  "unit in brackets; collapsed; record",
                                                  in_quotes(cells[c].text)));
@@ -65,7 +67,6 @@ class CapacityReader {
             if (!verdict) {
                 table_.column = cells[c].text;
                 table_.measure = column.measure();
-                table_.unit = column.unit;
             }
         }
         if (!intensity_) {
@@ -73,13 +74,18 @@ class CapacityReader {
         }
     }
 
-    [[nodiscard]] Capacity row_of(std::vector<CsvCell> const& cells) const {
+    [[nodiscard]] Capacity row_of(std::vector<Cell> const& cells) const {
         auto const& cell = cells[*intensity_];
         bool const beyond = cell.text.starts_with('>');
+        auto const word = lowered(cell.text);
+        if (word.empty() || word == "nan" || word == "inf" || word == "-") {
+            rows_.fail(cell, fmt::format("{} (it stood: up to which intensity?). Write for example >1.3",
+                                         in_quotes(cell.text)));
+        }
         Capacity capacity;
         if (!parse_number(trimmed(cell.text.substr(beyond ? 1 : 0)), capacity.intensity)) {
             rows_.fail(cell, fmt::format("{} ({}). Write one, or >1.3 for one that stood up to 1.3",
-                                         in_quotes(cell.text), CsvRows::why_no_number(cell)));
+                                         in_quotes(cell.text), CellRows::why_no_number(cell)));
         }
         if (!(capacity.intensity > 0)) {
             rows_.fail(cell, fmt::format("{} (must be above 0). Leave the row out", in_quotes(cell.text)));
@@ -96,7 +102,7 @@ class CapacityReader {
         return capacity;
     }
 
-    [[nodiscard]] bool fell_in(CsvCell const& cell) const {
+    [[nodiscard]] bool fell_in(Cell const& cell) const {
         auto const word = lowered(cell.text);
         bool const yes = word == "1" || word == "yes" || word == "true";
         if (!yes && word != "0" && word != "no" && word != "false") {
@@ -105,7 +111,8 @@ class CapacityReader {
         return yes;
     }
 
-    CsvRows rows_;
+    CellRows rows_;
+    std::string const& file_;
     std::optional<std::size_t> intensity_, verdict_;
     CapacityTable table_;
 };

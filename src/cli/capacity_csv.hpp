@@ -11,7 +11,8 @@ namespace overturn::cli {
 struct CapacityTable {
     std::vector<Capacity> capacities;  ///< rising
     std::string column;                ///< as the header calls them, with their unit: "pga [g]"
-    std::string measure, unit;         ///< that the name states; empty: none
+    std::string measure, unit;         ///< that the name, or the text, states; empty: none
+    std::vector<std::string> unread;   ///< lines of text that are not understood
 };
 
 /// A header with one column of intensities ("pga [g]", "IM", "capacity [g]") and, if wanted, one that says whether the

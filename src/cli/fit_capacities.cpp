@@ -86,6 +86,7 @@ int fit_capacities(FitOptions const& options) {
     if (!options.json) {
         fmt::print("{}\n{}{}", head_of(table), output::fragility_table({measured}, request.confidence),
                    hazard ? output::frequency_text(frequencies, *hazard, request.confidence) : std::string());
+        print_unread(table.unread);
         return done;
     }
     std::vector<MeasuredFragility> const fits{measured};
@@ -96,6 +97,7 @@ int fit_capacities(FitOptions const& options) {
     }
     auto json = output::json_of(tables);
     json["capacities"] = head_json(table);
+    json["not_understood"] = table.unread;
     if (hazard) {
         json["hazard_notes"] = hazard->remarks();
     }

@@ -83,6 +83,7 @@ int fit_stripes(FitOptions const& options) {
         fmt::print("{}{}\n{}", output::fragility_table({measured}, request.confidence),
                    hazard ? output::frequency_text(frequencies, *hazard, request.confidence) : std::string(),
                    stripes_text(table, request.confidence, options.text.full));
+        print_unread(table.unread);
         return done;
     }
     std::vector<MeasuredFragility> const fits{measured};
@@ -98,6 +99,7 @@ int fit_stripes(FitOptions const& options) {
     }
     json["warnings"] = output::warnings_json("", fits, request.confidence);
     json["amplitude"] = table.amplitude;
+    json["not_understood"] = table.unread;
     fmt::print("{}\n", json.dump(2));
     return done;
 }

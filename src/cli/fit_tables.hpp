@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/text_choice.hpp"
 #include "cli/verbs.hpp"
@@ -38,6 +39,9 @@ struct TableAxis {
 /// The hazard curve that --hazard names, its intensities in the table's unit. \throws InputError also where the table
 /// states no unit, or sa without its period
 [[nodiscard]] HazardCurve hazard_of_table(FitOptions const& options, TableAxis const& axis);
+
+/// A line for each of a table's that are not understood.
+void print_unread(std::vector<std::string> const& lines);
 
 /// `fit --stripes TABLE`: curve, and annual frequency where there is a hazard curve. \return exit code
 [[nodiscard]] int fit_stripes(FitOptions const& options);

@@ -27,6 +27,12 @@ std::pair<Dimension, double> dimension_of(TableAxis const& axis) {
 
 }  // namespace
 
+void print_unread(std::vector<std::string> const& lines) {
+    for (auto const& line : lines) {
+        fmt::print("not understood, {}\n", line);
+    }
+}
+
 HazardCurve hazard_of_table(FitOptions const& options, TableAxis const& axis) {
     validate(!axis.unit.empty(),
              "--hazard beside {}: column '{}' states no unit (none is guessed). Call it for example 'pga [g]'",

@@ -1,8 +1,13 @@
 #include "cli/named_column.hpp"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 #include "core/units.hpp"
+#include "motion/claims.hpp"
+#include "motion/column_role.hpp"
+#include "motion/column_unit.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn::cli {
@@ -12,17 +17,88 @@ std::string NamedColumn::measure() const {
     return plain == "pga" || plain == "pgv" || plain == "sa" ? name : std::string();
 }
 
+bool NamedColumn::is_intensity() const {
+    constexpr auto names = std::to_array<std::string_view>(
+        {"amplitude", "im",       "iml",        "imlevel",    "intensity",        "intensitymeasure",  "intensitylevel",
+         "level",     "capacity", "collapseim", "imcollapse", "collapsecapacity", "collapseintensity", "pga",
+         "pgv",       "sa",       "psa",        "sat1",       "sacollapse",       "collapsesa"});
+    auto plain = lowered(bare);
+    std::erase_if(plain, [](char c) { return std::string_view(" _-.").find(c) != std::string_view::npos; });
+    return std::ranges::find(names, plain) != names.end();
+}
+
 NamedColumn named_column(std::string_view cell) {
+    cell = trimmed(cell);
     // The brackets of a period, "sa(1 s)", belong to the name.
-    auto const first = std::min(cell.find_first_of("[("), cell.size());
     bool const period = lowered(cell).starts_with("sa(") && cell.find(')') != std::string_view::npos;
-    auto const open = cell.find_first_of("[(", period ? cell.find(')') : 0);
-    NamedColumn column{lowered(trimmed(cell.substr(0, open))), trimmed(cell.substr(0, first)), {}};
-    if (open != std::string_view::npos) {
+    auto const from = period ? cell.find(')') + 1 : 0;
+    auto const open = std::min(cell.find_first_of("[(", from), cell.size());
+    NamedColumn column{lowered(trimmed(cell.substr(0, open))), trimmed(cell.substr(0, period ? 2 : open)), {}};
+    if (open < cell.size()) {
         auto const close = cell.find_first_of(")]", open);
         column.unit = trimmed(cell.substr(open + 1, close == std::string_view::npos ? close : close - open - 1));
+    } else if (auto const mark = cell.find_last_of("_ "); mark != std::string_view::npos && mark >= from) {
+        NamedColumn before{{}, trimmed(cell.substr(0, period ? 2 : mark)), {}};
+        auto const unit = trimmed(cell.substr(mark + 1));
+        bool const known =
+            std::ranges::any_of(std::array{Dimension::acceleration, Dimension::velocity, Dimension::length},
+                                [&](Dimension dimension) { return unit_spelled(unit, dimension).has_value(); });
+        if (known && before.is_intensity()) {
+            column = {lowered(trimmed(cell.substr(0, mark))), before.bare, unit};
+        }
     }
+    column.name = measure_in_name(column.name);
     return column;
+}
+
+std::string counted_things(std::string_view name) {
+    auto plain = lowered(name);
+    std::erase_if(plain, [](char c) { return std::string_view(" _-.").find(c) != std::string_view::npos; });
+    for (std::string_view const before : {"numberof", "noof", "numof", "num", "no"}) {
+        if (plain.starts_with(before) && plain.size() > before.size()) {
+            plain.erase(0, before.size());
+            break;
+        }
+    }
+    if (plain.size() > 2 && plain.ends_with('s')) {
+        plain.pop_back();
+    }
+    return plain;
+}
+
+namespace {
+
+/// Of a unit, or of a measure that the name states; none: it may be any.
+Dimension dimension_of(NamedColumn const& column) {
+    for (auto const dimension : {Dimension::acceleration, Dimension::velocity, Dimension::length}) {
+        if (unit_spelled(column.unit, dimension)) {
+            return dimension;
+        }
+    }
+    auto const measure = column.measure();
+    return measure.empty() || !column.unit.empty() ? Dimension::none
+           : measure == "pgv"                      ? Dimension::velocity
+                                                   : Dimension::acceleration;
+}
+
+}  // namespace
+
+IntensityText intensity_text(CellRows const& rows, std::string const& file, std::string_view column) {
+    auto const named = named_column(column);
+    auto dimension = dimension_of(named);
+    auto const heard = [&](Dimension of) {
+        Claims claims(of);
+        claims.take(rows.text(), 0);
+        return claims;
+    };
+    if (dimension == Dimension::none && named.unit.empty()) {  // "IM" below "intensities in g"
+        dimension = heard(Dimension::velocity).unit() ? Dimension::velocity : Dimension::acceleration;
+    }
+    auto const claims = heard(dimension);
+    claims.check_unit_of(column, file);
+    auto const own = dimension == Dimension::none ? std::nullopt : unit_spelled(named.unit, dimension);
+    auto const unit = claims.unit_beside(own, {}, {file, rows.header_line()});
+    return {named.unit.empty() && unit ? name_of_unit(*unit, dimension) : std::string(named.unit), claims.unread()};
 }
 
 }  // namespace overturn::cli

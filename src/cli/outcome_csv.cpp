@@ -8,10 +8,11 @@
 
 #include <fmt/format.h>
 
-#include "cli/csv_rows.hpp"
 #include "config/suggestion.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "motion/cell_rows.hpp"
+#include "motion/claims.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn::cli {
@@ -60,6 +61,9 @@ class Reader {
         if (!any) {
             rows_.fail("no test (a header alone). Add a row for each wave tested");
         }
+        Claims claims(Dimension::none);
+        claims.take(rows_.text(), 0);
+        outcomes_.unread = claims.unread();
         return std::move(outcomes_);
     }
 
@@ -70,7 +74,7 @@ class Reader {
         std::vector<std::size_t> specimens;  // as in outcomes_
     };
 
-    void read_header(std::vector<CsvCell> const& cells) {
+    void read_header(std::vector<Cell> const& cells) {
         for (std::size_t c = 0; c < cells.size(); ++c) {
             auto const name = cells[c].text;
             if (name == "wave" || name == "motion") {
@@ -95,7 +99,7 @@ class Reader {
         }
     }
 
-    void add_specimen(CsvCell const& cell) {
+    void add_specimen(Cell const& cell) {
         auto bodies = bodies_of(cell.text, spec_);
         if (bodies.empty()) {
             rows_.fail(cell, fmt::format("column {} (no body is named so). {}", in_quotes(cell.text),
@@ -110,7 +114,7 @@ class Reader {
             {std::string(cell.text), std::move(bodies), std::vector<Outcome>(told_.size(), Outcome::untested)});
     }
 
-    void read_row(std::vector<CsvCell> const& cells) {
+    void read_row(std::vector<Cell> const& cells) {
         auto const wave = wave_of(cells[*header_.wave]);
         if (told_[wave]) {
             rows_.fail(cells[*header_.wave], fmt::format("wave {} twice (a wave is one test). Remove one row",
@@ -127,7 +131,7 @@ class Reader {
         }
     }
 
-    [[nodiscard]] std::size_t wave_of(CsvCell const& cell) const {
+    [[nodiscard]] std::size_t wave_of(Cell const& cell) const {
         auto const& records = outcomes_.records;
         auto const named = std::ranges::find(records, cell.text);
         if (named != records.end() && !cell.text.empty()) {
@@ -149,7 +153,7 @@ class Reader {
         return static_cast<std::size_t>(number);
     }
 
-    [[nodiscard]] Outcome outcome_of(CsvCell const& cell) const {
+    [[nodiscard]] Outcome outcome_of(Cell const& cell) const {
         if (cell.text.empty()) {
             return Outcome::untested;
         }
@@ -168,7 +172,7 @@ class Reader {
         return names;
     }
 
-    CsvRows rows_;
+    CellRows rows_;
     CampaignSpec const& spec_;
     std::vector<bool> told_;  // by wave
     Header header_;

@@ -25,14 +25,16 @@ struct Outcomes {
     std::vector<std::string> records;  ///< by wave: what the campaign calls it; empty where it was not measured
     std::vector<std::string> motions;  ///< by wave: which motion was shaken; waves of one motion are left out together
     std::vector<Specimen> specimens;
-    std::size_t level = 0;  ///< the campaign's level at which waves are as they were measured
+    std::vector<std::string> unread;  ///< lines of text that are not understood
+    std::size_t level = 0;            ///< the campaign's level at which waves are as they were measured
 };
 
 /// Reads a table parted by commas, semicolons or tabs: a header with `wave`, `motion` (optional: every wave is a motion
 /// of its own) and a column for each specimen, named as its body, or with a * that stands for any letters as several
 /// (`scan-*`); a row for each wave tested, by its number or its record (as the campaign names it, or the file's name
-/// alone), with 1 (fell), 0 (stood) or nothing (not tested). Waves without a row were not tested. \param file for
-/// messages \throws InputError naming line and column; if the campaign has no level with factor 1
+/// alone), with 1 (fell), 0 (stood) or nothing (not tested). Prose may stand above, comments anywhere. Waves without a
+/// row were not tested. \param file for messages \throws InputError naming line and column; if the campaign has no
+/// level with factor 1
 [[nodiscard]] Outcomes parse_outcomes(std::string const& text, std::string const& file, CampaignSpec const& spec,
                                       Plan const& plan);
 

@@ -14,6 +14,7 @@
 #include "cli/outcome_csv.hpp"
 #include "cli/shown_trials.hpp"
 #include "core/input_files.hpp"
+#include "core/print_note.hpp"
 #include "model/verdict.hpp"
 #include "results/stored_names.hpp"
 #include "results/telling_trials.hpp"
@@ -108,6 +109,9 @@ Json outcomes_data(std::string const& path, CampaignSpec const& spec, Plan const
     }
     InputFiles files(std::filesystem::path("."));
     auto const outcomes = parse_outcomes(files.read(path), path, spec, plan);
+    for (auto const& line : outcomes.unread) {
+        print_note("{}: not understood, {}\n", path, line);
+    }
     auto json = outcomes_json(outcomes, spec, plan);
     json["radius_unit"] = spec.measures.radius_unit == RadiusUnit::centimetre ? "cm" : "m";
     add_histories(json, outcomes, spec, plan, file);

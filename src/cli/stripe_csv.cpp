@@ -6,11 +6,12 @@
 #include <map>
 #include <optional>
 
-#include "cli/csv_rows.hpp"
 #include "cli/named_column.hpp"
 #include "config/suggestion.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "motion/cell_rows.hpp"
+#include "motion/column_role.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn::cli {
@@ -23,45 +24,56 @@ struct Alias {
     std::string_view name;
     Field field;
 };
-// Of other programs and papers, in lower case.
-constexpr auto aliases = std::to_array<Alias>({{"im", amplitude},
-                                               {"iml", amplitude},
-                                               {"intensity", amplitude},
-                                               {"level", amplitude},
-                                               {"pga", amplitude},
-                                               {"pgv", amplitude},
-                                               {"sa", amplitude},
-                                               {"num_gms", trials},
-                                               {"num_gm", trials},
+// Of other programs and papers, as counted_things has them; "n_gms" as well as "gms".
+constexpr auto aliases = std::to_array<Alias>({{"trial", trials},
                                                {"n", trials},
-                                               {"num_trials", trials},
-                                               {"n_trials", trials},
-                                               {"num_records", trials},
-                                               {"num_collapse", overturned},
-                                               {"num_collapses", overturned},
-                                               {"collapses", overturned},
-                                               {"n_collapse", overturned},
-                                               {"failures", overturned},
-                                               {"num_overturned", overturned},
+                                               {"gm", trials},
+                                               {"groundmotion", trials},
+                                               {"motion", trials},
+                                               {"record", trials},
+                                               {"wave", trials},
+                                               {"analyse", trials},
+                                               {"test", trials},
+                                               {"total", trials},
+                                               {"overturned", overturned},
+                                               {"overturning", overturned},
+                                               {"collapse", overturned},
+                                               {"collapsed", overturned},
+                                               {"coll", overturned},
+                                               {"failure", overturned},
                                                {"fell", overturned},
-                                               {"num_failed", failed}});
+                                               {"failed", failed}});
 // Of one trial: did it fall?
 constexpr auto verdicts = std::to_array<std::string_view>({"collapse", "collapsed", "fell", "overturned", "failure"});
 
-/// The field that a name in lower case is another word for, or the name itself.
-std::string field_of(std::string const& bare) {
-    auto const* const alias = std::ranges::find(aliases, std::string_view(bare), &Alias::name);
-    return alias == aliases.end() ? bare : names.at(alias->field);
+/// The field that a column's name is a word for.
+std::optional<Field> field_of(NamedColumn const& column) {
+    if (column.is_intensity()) {
+        return amplitude;
+    }
+    auto plain = counted_things(column.bare);
+    auto const find = [&] { return std::ranges::find(aliases, std::string_view(plain), &Alias::name); };
+    auto const* alias = find();
+    if (alias == aliases.end() && plain.starts_with('n') && plain.size() > 1) {
+        plain.erase(0, 1);
+        alias = find();
+    }
+    return alias == aliases.end() ? std::nullopt : std::optional(alias->field);
 }
 
 bool is_verdict(std::string const& bare) {
     return std::ranges::find(verdicts, std::string_view(bare)) != verdicts.end();
 }
 
+/// "", "No.", "stripe": it counts the rows.
+bool is_count_of_rows(std::string_view name) {
+    return column_role(name).quantity == Quantity::index || lowered(trimmed(name)) == "stripe";
+}
+
 class Reader {
   public:
     Reader(std::string const& text, std::string const& file)
-        : rows_(text, file, "Begin with amplitude,trials,overturned") {}
+        : rows_(text, file, "Begin with amplitude,trials,overturned"), file_(file) {}
 
     [[nodiscard]] StripeTable table() {
         read_header(rows_.header());
@@ -76,11 +88,17 @@ class Reader {
         }
         std::sort(stripes_.begin(), stripes_.end(),
                   [](Stripe const& a, Stripe const& b) { return a.amplitude < b.amplitude; });
-        return {std::move(stripes_), std::move(called_), std::move(measure_), std::move(unit_)};
+        auto said = intensity_text(rows_, file_, called_);
+        return {std::move(stripes_), std::move(called_), std::move(measure_), std::move(said.unit),
+                std::move(said.unread)};
     }
 
   private:
-    void read_row(std::vector<CsvCell> const& cells) {
+    void read_row(std::vector<Cell> const& cells) {
+        for (auto const place : counters_) {
+            check_counter(cells[place]);
+        }
+        ++rows_read_;
         if (verdict_) {
             double const level = positive(cells[*place_[amplitude]]);
             auto& stripe = single_[level];
@@ -96,15 +114,32 @@ class Reader {
             cells);
     }
 
-    void read_header(std::vector<CsvCell> const& cells) {
-        bool const counts = std::ranges::any_of(cells, [](CsvCell const& cell) {
-            return field_of(lowered(named_column(cell.text).bare)) == names[trials];
-        });
+    /// 0, 1, 2, ... or 1, 2, 3, ...
+    void check_counter(Cell const& cell) const {
+        double const row = value(cell);
+        if (row != static_cast<double>(rows_read_) && row != static_cast<double>(rows_read_ + 1)) {
+            rows_.fail(cell,
+                       fmt::format("{} (a count of rows by its name, but it does not count them). Leave the column "
+                                   "out, or name it",
+                                   in_quotes(cell.text)));
+        }
+    }
+
+    void read_header(std::vector<Cell> const& cells) {
+        if (is_like_a_number(cells.front())) {
+            rows_.fail(cells.front(), fmt::format("{} where names belong (which column is which?). Begin with "
+                                                  "amplitude,trials,overturned",
+                                                  in_quotes(cells.front().text)));
+        }
+        bool const counts =
+            std::ranges::any_of(cells, [](Cell const& cell) { return field_of(named_column(cell.text)) == trials; });
         for (auto const& cell : cells) {
             auto const place = static_cast<std::size_t>(&cell - cells.data());
             auto const column = named_column(cell.text);
             bool const verdict = column.unit.empty() && is_verdict(lowered(column.bare));
-            if (verdict && !counts) {
+            if (!field_of(column) && is_count_of_rows(cell.text)) {
+                counters_.push_back(place);
+            } else if (verdict && !counts) {
                 take_verdict(cell, place);
             } else {
                 take_column(cell, column, place);
@@ -123,34 +158,32 @@ class Reader {
         }
     }
 
-    void take_verdict(CsvCell const& cell, std::size_t place) {
+    void take_verdict(Cell const& cell, std::size_t place) {
         if (verdict_) {
             rows_.fail(cell, "a second column of verdicts (which one counts?). Remove one");
         }
         verdict_ = place;
     }
 
-    void take_column(CsvCell const& cell, NamedColumn const& column, std::size_t at) {
-        std::vector<std::string> const known(names.begin(), names.end());
-        auto const field = field_of(lowered(column.bare));
-        auto const name = std::find(known.begin(), known.end(), field);
-        if (name == known.end() || !(column.unit.empty() || field == names[amplitude])) {
+    void take_column(Cell const& cell, NamedColumn const& column, std::size_t at) {
+        auto const field = field_of(column);
+        if (!field || !(column.unit.empty() || field == amplitude)) {
             rows_.fail(cell, fmt::format("column {} (unknown). {}", in_quotes(cell.text),
-                                         config::suggestion(lowered(cell.text), known)));
+                                         config::suggestion(lowered(cell.text),
+                                                            std::vector<std::string>(names.begin(), names.end()))));
         }
-        auto& place = place_.at(static_cast<std::size_t>(name - known.begin()));
+        auto& place = place_.at(*field);
         if (place) {
-            rows_.fail(cell, fmt::format("column '{}' twice (which one counts?). Remove one", *name));
+            rows_.fail(cell, fmt::format("column '{}' twice (which one counts?). Remove one", names.at(*field)));
         }
         place = at;
-        if (field == names[amplitude]) {
+        if (field == amplitude) {
             called_ = cell.text;
-            unit_ = column.unit;
             measure_ = column.measure();
         }
     }
 
-    [[nodiscard]] bool fell(CsvCell const& cell) const {
+    [[nodiscard]] bool fell(Cell const& cell) const {
         auto const word = lowered(cell.text);
         bool const yes = word == "1" || word == "yes" || word == "true";
         if (!yes && word != "0" && word != "no" && word != "false") {
@@ -161,15 +194,15 @@ class Reader {
         return yes;
     }
 
-    [[nodiscard]] double value(CsvCell const& cell) const {
+    [[nodiscard]] double value(Cell const& cell) const {
         double number = 0;
         if (!parse_number(cell.text, number)) {
             rows_.fail(cell, fmt::format("{} ({}). Write one, without a unit", in_quotes(cell.text),
-                                         CsvRows::why_no_number(cell)));
+                                         CellRows::why_no_number(cell)));
         }
         return number;
     }
-    [[nodiscard]] double positive(CsvCell const& cell) const {
+    [[nodiscard]] double positive(Cell const& cell) const {
         double const number = value(cell);
         if (!(number > 0)) {
             rows_.fail(cell,
@@ -177,7 +210,7 @@ class Reader {
         }
         return number;
     }
-    [[nodiscard]] std::int64_t count(CsvCell const& cell) const {
+    [[nodiscard]] std::int64_t count(Cell const& cell) const {
         double const number = value(cell);
         constexpr double most = 1e9;
         if (!(number >= 0 && number <= most && number == std::floor(number))) {
@@ -186,7 +219,7 @@ class Reader {
         return static_cast<std::int64_t>(number);
     }
 
-    void add(Stripe const& stripe, std::vector<CsvCell> const& cells) {
+    void add(Stripe const& stripe, std::vector<Cell> const& cells) {
         if (stripe.trials == 0) {
             rows_.fail(cells[*place_[trials]], "no trial (nothing was seen). Leave the row out");
         }
@@ -205,13 +238,16 @@ class Reader {
         stripes_.push_back(stripe);
     }
 
-    CsvRows rows_;
+    CellRows rows_;
+    std::string const& file_;
     std::array<std::optional<std::size_t>, fields> place_;
+    std::vector<std::size_t> counters_;  ///< columns that count the rows
+    std::size_t rows_read_ = 0;
     std::vector<Stripe> stripes_;
     std::optional<std::size_t> verdict_;  ///< where each row is a trial
     std::map<double, Stripe> single_;     ///< of such rows, by amplitude
     std::string called_ = names[amplitude];
-    std::string measure_, unit_;
+    std::string measure_;
 };
 
 }  // namespace

@@ -52,6 +52,25 @@ TEST_F(Capacities, AColumnOfVerdictsSaysTheSame) {
     EXPECT_EQ(by_column.out, by_sign.out);
 }
 
+// Under the names of others; of those that a program writes as Inf it is not known up to where they stood.
+TEST_F(Capacities, UnderTheirUsualNames) {
+    folder.write("c.csv", "pga [g]\n0.7\n0.9\n>1.3\n1.1\n");
+    auto const plain = json::parse(overturn(folder, {"fit", "--capacities", "c.csv", "--json"}).out);
+    for (char const* text :
+         {"No.,Sa_g\n1,0.7\n2,0.9\n3,>1.3\n4,1.1\n", "record;collapse capacity (g)\nA;0.7\nB;0.9\nC;>1.3\nD;1.1\n",
+          "IDA of Smith\nGM  IM_collapse [g]\nA 0.7\nB 0.9\nC >1.3\nD 1.1\n"}) {
+        folder.write("c.csv", text);
+        auto const ended = overturn(folder, {"fit", "--capacities", "c.csv", "--json"});
+        ASSERT_EQ(ended.code, 0) << text << ended.err;
+        EXPECT_EQ(json::parse(ended.out)["fragility"][0]["median"], plain["fragility"][0]["median"]) << text;
+    }
+    for (char const* cell : {"Inf", "NaN", "-"}) {
+        refuse(std::string("pga [g]\n0.7\n") + cell + "\n0.9\n",
+               "c.csv:3:1: '" + std::string(cell) + "' (it stood: up to which");
+    }
+    refuse("pga [g]\n0,7\n0,9\n", "decimal comma");
+}
+
 TEST_F(Capacities, GiveAnAnnualFrequency) {
     folder.write("c.csv", published);
     folder.write("h.csv", "pga [g], annual_exceedance\n0.1,2e-3\n0.3,1e-4\n0.5,2.5e-5\n1.0,3e-6\n2.0,3e-7\n");

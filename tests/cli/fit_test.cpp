@@ -54,6 +54,19 @@ TEST_F(Fit, TablesOfOthersAreRead) {
         EXPECT_EQ(theirs["fragility"][0]["median"], own["fragility"][0]["median"]) << header;
         EXPECT_NE(theirs["amplitude"].get<std::string>().find("g"), std::string::npos);
     }
+    for (char const* header :
+         {"Sa (g),No. of records,No. of collapses", "PGA_g,n_records,n_collapse", "Sa(1.0s)_gal,total,failures",
+          "IML [g],Number of ground motions,Number of collapses", "im level,num_gm,n_coll"}) {
+        auto const theirs = table(header + std::string("\n1,54,2\n1.5,54,25\n2,54,43\n"));
+        EXPECT_EQ(theirs["fragility"][0]["median"], own["fragility"][0]["median"]) << header;
+    }
+    for (char const* header : {",IM,num_gms,num_collapse", "stripe,IM,num_gms,num_collapse", "No.,IM,n,collapses"}) {
+        auto const theirs = table(header + std::string("\n1,1,54,2\n2,1.5,54,25\n3,2,54,43\n"));
+        EXPECT_EQ(theirs["fragility"][0]["median"], own["fragility"][0]["median"]) << header;
+    }
+    refuse("stripe,IM,num_gms,num_collapse\n1,1,54,2\n7,1.5,54,25\n", "t.csv:3:1: '7' (a count of rows by its name");
+    refuse("1,54,2\n1.5,54,25\n", "t.csv:1:1: '1' where names belong");
+    refuse("IM,num_gms,fails\n1,54,2\n", "'fails' (unknown)");
     refuse("IM;num_gms;num_collapse\n0,6;40;4\n", "a decimal comma");
     auto const blanks = table("IM [g]   num_gms   num_collapse\n1     54  2\n1.5   54 25\n\n2  54    43\n");
     EXPECT_EQ(blanks["fragility"][0]["median"], own["fragility"][0]["median"]);
@@ -62,6 +75,21 @@ TEST_F(Fit, TablesOfOthersAreRead) {
     refuse("IM [g],num_gms,num_collapse\n0,6,40,4\n", "are there decimal commas?");
     refuse("IM,trials [g],overturned\n1,54,2\n", "'trials [g]' (unknown)");
     refuse("IM,amplitude,trials,overturned\n1,1,54,2\n", "twice");
+}
+
+// text round the table states the unit, contradicts the header, or is told.
+TEST_F(Fit, TextRoundATableIsAccountedFor) {
+    std::string const rows = "1,54,2\n1.5,54,25\n2,54,43\n";
+    auto const told = table("Stripes of Smith\n# intensities in g\nIM,num_gms,num_collapse\n" + rows + "# the end\n");
+    EXPECT_EQ(told["not_understood"], json({"line 1: 'Stripes of Smith'", "line 7: '# the end'"}));
+    EXPECT_EQ(table("IM [g],num_gms,num_collapse\n" + rows)["not_understood"], json::array());
+    refuse("# units: gal\nIM [g],num_gms,num_collapse\n" + rows, "t.csv:1: unit gal, line 2 says g");
+    refuse("# units: cm/s\npga [g],num_gms,num_collapse\n" + rows, "t.csv:1: a unit of velocities, column 'pga [g]'");
+    folder.write("h.csv", "im [g], annual_exceedance\n0.1,1e-2\n1,1e-4\n3,1e-6\n");
+    folder.write("t.csv", "# intensities in g\nIM,num_gms,num_collapse\n" + rows);
+    auto const with = overturn(folder, {"fit", "--stripes", "t.csv", "--hazard", "h.csv", "--json"});
+    EXPECT_EQ(with.code, 0) << with.err;
+    EXPECT_FALSE(json::parse(with.out)["frequency"].empty());
 }
 
 // a row for each trial says what the counts of its level say.

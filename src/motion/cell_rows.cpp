@@ -1,4 +1,4 @@
-#include "cli/csv_rows.hpp"
+#include "motion/cell_rows.hpp"
 
 #include <algorithm>
 
@@ -6,12 +6,13 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "motion/detail/text_encoding.hpp"
 
-namespace overturn::cli {
+namespace overturn {
 namespace {
 
-std::vector<CsvCell> cells_of(std::string_view line, char separator) {
-    std::vector<CsvCell> cells;
+std::vector<Cell> cells_of(std::string_view line, char separator) {
+    std::vector<Cell> cells;
     for (std::size_t begin = 0; begin <= line.size();) {
         auto const end = std::min(line.find(separator, begin), line.size());
         auto text = trimmed(line.substr(begin, end - begin));
@@ -26,9 +27,9 @@ std::vector<CsvCell> cells_of(std::string_view line, char separator) {
 }
 
 /// Parted by blanks; what stands in brackets belongs to the cell before it: "sa(1 s) [g]".
-std::vector<CsvCell> cells_between_blanks(std::string_view line) {
+std::vector<Cell> cells_between_blanks(std::string_view line) {
     constexpr std::string_view blanks = " \t";
-    std::vector<CsvCell> cells;
+    std::vector<Cell> cells;
     for (auto begin = line.find_first_not_of(blanks); begin != std::string_view::npos;) {
         int depth = 0;
         auto end = begin;
@@ -53,28 +54,83 @@ char separator_of(std::string_view header) {
 }
 
 /// Cells beyond those of the header, all whole: "0,2,40,1" below three names.
-bool may_be_decimal_commas(std::vector<CsvCell> const& cells, std::size_t wanted, char separator) {
-    return separator == ',' && cells.size() > wanted && std::ranges::all_of(cells, [](CsvCell const& cell) {
+bool may_be_decimal_commas(std::vector<Cell> const& cells, std::size_t wanted, char separator) {
+    return separator == ',' && cells.size() > wanted && std::ranges::all_of(cells, [](Cell const& cell) {
                return cell.text.find_first_not_of("0123456789+->") == std::string_view::npos;
            });
 }
 
+std::vector<Cell> parted(std::string_view line, char separator) {
+    return separator == ' ' ? cells_between_blanks(line) : cells_of(line, separator);
+}
+
+std::string_view without_comment(std::string_view line) {
+    bool const all = trimmed(line).starts_with('%') || trimmed(line).starts_with('!');
+    return line.substr(0, all ? 0 : line.find('#'));
+}
+
+/// Of the line of names; 0 for the first one that is no comment.
+int header_line_of(std::string_view text) {
+    struct Above {
+        std::size_t cells;
+        char separator;
+        int line;
+    };
+    std::vector<Above> above;
+    TextLines lines(text);
+    while (auto const line = lines.next()) {
+        auto const content = without_comment(*line);
+        auto const separator = separator_of(content);
+        auto const cells = parted(content, separator);
+        if (trimmed(content).empty()) {
+            continue;
+        }
+        if (std::ranges::any_of(cells, is_like_a_number) || above.size() == std::size_t(head_lines_at_most)) {
+            bool const prose = above.size() > 1 && parted(content, above.back().separator).size() == above.back().cells
+                               && std::ranges::count_if(above, [&](Above const& one) {
+                                      return one.cells == above.back().cells && one.separator == above.back().separator;
+                                  }) == 1;
+            return prose ? above.back().line : 0;
+        }
+        above.push_back({cells.size(), separator, lines.number()});
+    }
+    return 0;
+}
+
 }  // namespace
 
-CsvRows::CsvRows(std::string_view text, std::string const& file, std::string_view begin_with)
+bool is_like_a_number(Cell const& cell) {
+    std::string text(trimmed(cell.text.substr(cell.text.starts_with('>') ? 1 : 0)));
+    std::ranges::replace(text, ',', '.');
+    double value = 0;
+    return parse_number(text, value);
+}
+
+CellRows::CellRows(std::string_view text, std::string const& file, std::string_view begin_with)
     : lines_(text), file_(file) {
+    for (int const line = header_line_of(text); lines_.number() + 1 < line;) {
+        keep(*lines_.next());
+    }
     auto header = next_cells();
     if (!header) {
         fail(fmt::format("empty (no header). {}", begin_with));
     }
     header_ = *std::move(header);
+    header_line_ = lines_.number();
 }
 
-std::optional<std::vector<CsvCell>> CsvRows::next_cells() {
+void CellRows::keep(std::string_view text) {
+    if (!trimmed(text).empty() && text_.size() < std::size_t(head_lines_at_most)) {
+        text_.push_back({decoded(trimmed(text)), lines_.number()});
+    }
+}
+
+std::optional<std::vector<Cell>> CellRows::next_cells() {
     while (auto line = lines_.next()) {
-        auto const content = line->substr(0, line->find('#'));
+        auto const content = without_comment(*line);
+        keep(line->substr(content.size()));
         auto const separator = separator_.value_or(separator_of(content));
-        auto cells = separator == ' ' ? cells_between_blanks(content) : cells_of(content, separator);
+        auto cells = parted(content, separator);
         if (cells.empty()) {
             continue;
         }
@@ -86,7 +142,7 @@ std::optional<std::vector<CsvCell>> CsvRows::next_cells() {
     return std::nullopt;
 }
 
-std::optional<std::vector<CsvCell>> CsvRows::next() {
+std::optional<std::vector<Cell>> CellRows::next() {
     auto cells = next_cells();
     if (cells && cells->size() != header_.size()) {
         fail(cells->back(),
@@ -98,14 +154,14 @@ std::optional<std::vector<CsvCell>> CsvRows::next() {
     return cells;
 }
 
-std::string_view CsvRows::why_no_number(CsvCell const& cell) {
+std::string_view CellRows::why_no_number(Cell const& cell) {
     return std::ranges::count(cell.text, ',') == 1 ? "a decimal comma, not a decimal point" : "not a number";
 }
 
-void CsvRows::fail(CsvCell const& cell, std::string const& message) const {
+void CellRows::fail(Cell const& cell, std::string const& message) const {
     throw InputError({file_, lines_.number(), cell.column}, message);
 }
 
-void CsvRows::fail(std::string const& message) const { throw InputError({file_, lines_.number(), 0}, message); }
+void CellRows::fail(std::string const& message) const { throw InputError({file_, lines_.number(), 0}, message); }
 
-}  // namespace overturn::cli
+}  // namespace overturn
