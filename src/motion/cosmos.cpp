@@ -71,6 +71,7 @@ double unit_of(std::string_view lower, Location const& where) {
     auto text = at == std::string_view::npos ? std::string_view{} : trimmed(lower.substr(at + 5));
     text = trimmed(text.substr(text.starts_with('=') ? 1 : 0));
     text = trimmed(text.substr(0, text.find_first_of("(,")));
+    text.remove_suffix(text.ends_with('.') ? 1 : 0);  // "g."
     if (text.find("count") != std::string_view::npos) {
         throw InputError(where,
                          "raw counts (a V0 file: only its instrument's calibration turns them into "

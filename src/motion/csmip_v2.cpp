@@ -33,9 +33,9 @@ bool begins_data(std::string_view lower) { return behind_data_follow(lower) != s
 
 /// What the text lines before a channel's data say.
 struct Channel {
-    std::string name;    ///< "90 DEG", "UP"
-    std::string number;  ///< of the channel, as printed
-    double peak_gal = 0;
+    std::string name;     ///< "90 DEG", "UP"
+    std::string number;   ///< of the channel, as printed
+    double peak_gal = 0;  ///< 0: not stated in gal
     Location peak_line;
     int blocks_promised = 1;  ///< acceleration; velocity and displacement too if the text says so
     std::size_t count = 0;    ///< of each block's points
@@ -103,8 +103,8 @@ void check_whole(Channel const& channel, Location const& where) {
     }
 }
 
-/// The number in front of and the one behind `data_follow`.
-std::pair<std::size_t, double> read_size(std::string_view line, Location const& where) {
+/// The number in front of and the one behind `data_follow`. \param peak_in_gal a line on the peak says the unit
+std::pair<std::size_t, double> read_size(std::string_view line, bool peak_in_gal, Location const& where) {
     auto const lower = lowered(line);
     auto const at = lower.find("points of");
     auto const after = trimmed(std::string_view(lower).substr(behind_data_follow(lower)));
@@ -116,7 +116,9 @@ std::pair<std::size_t, double> read_size(std::string_view line, Location const& 
         throw InputError(where, fmt::format("{} (a count of points and a step above 0 s belong here). Mend the header",
                                             in_quotes(trimmed(line))));
     }
-    if (lower.find("cm/sec/sec") == std::string::npos && lower.find("cm/sec2") == std::string::npos) {
+    bool const in_gal = lower.find("cm/sec/sec") != std::string::npos || lower.find("cm/sec2") != std::string::npos;
+    bool const by_peak = peak_in_gal && lower.find("unit") == std::string::npos;  // the values must then have that peak
+    if (!in_gal && !by_peak) {
         throw InputError(where,
                          "unit other than CM/SEC/SEC or cm/sec2 (corrected CSMIP data are in it). Convert the data to "
                          "columns and state the unit");
@@ -127,7 +129,7 @@ std::pair<std::size_t, double> read_size(std::string_view line, Location const& 
 void read_channel(std::string_view line, TextLines& lines, Channel& channel, RecordRequest const& request,
                   Recording& recording) {
     Location const where{request.name, lines.number()};
-    auto const [count, step] = read_size(line, where);
+    auto const [count, step] = read_size(line, channel.peak_gal != 0, where);
     check_stated_unit(request, gal_mps2, where);
     check_stated_time_step(request, step, where);
     if (!recording.components.empty() && step != recording.time_step_s) {
@@ -162,7 +164,8 @@ bool recognises_csmip_v2(std::string_view content) {
     TextLines lines(content);
     while (lines.number() < header_lines_at_most) {
         auto const line = lines.next();
-        if (!line) {
+        bool const volume_one = line && lines.number() == 1 && lowered(*line).starts_with("uncorrected accelerogram");
+        if (!line || volume_one) {
             return false;
         }
         if (begins_data(lowered(*line))) {

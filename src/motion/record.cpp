@@ -48,7 +48,7 @@ constexpr std::array formats{
         "bbp", "SCEC Broadband Platform .acc.bbp: time, N-S, E-W, U-D", {nullptr, nullptr, nullptr, &bbp_table}},
     config::Entry<RecordFormat>{"earthscope",
                                 "EarthScope SLIST and TSPAIR ASCII of accelerations; counts and velocities are refused",
-                                {nullptr, nullptr, nullptr, &earthscope_table}},
+                                {&recognises_earthscope, &read_earthscope}},
     config::Entry<RecordFormat>{"geonet",
                                 "GeoNet V1A and V2A (New Zealand): text, 100 numbers, then values in mm/s2",
                                 {&recognises_geonet, &read_geonet}},

@@ -132,11 +132,14 @@ void append_fixed(TextLines& lines, FixedFormat format, std::size_t count, std::
                                                                  "cut short). Fetch it anew",
                                                                  read, count));
         }
+        bool lost_a_blank = false;  // an earlier number stands too far to the left, so that the last one ends too early
         for (std::size_t field = 0; field < format.per_line && read < count; ++field) {
             auto const at = field * format.width;
-            auto const text = at < line->size() ? trimmed(line->substr(at, format.width)) : std::string_view{};
+            auto const cells = at < line->size() ? line->substr(at, format.width) : std::string_view{};
+            auto const text = trimmed(cells);
             double value = 0;
-            bool const whole = at + format.width <= line->size();  // Fortran sets numbers to the right
+            bool const whole = at + format.width <= line->size() || lost_a_blank;  // Fortran sets numbers to the right
+            lost_a_blank = lost_a_blank || (!text.empty() && cells.back() == ' ');
             if (!whole || !parse_number(text, value)) {
                 throw InputError({file, lines.number()},
                                  fmt::format("{} as value {} of {} (not a finite number; the file is damaged or cut "

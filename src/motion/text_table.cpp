@@ -143,17 +143,19 @@ class Reader {
         table_.line.push_back(where_.line);
     }
 
-    /// "1500 0.01" above as many rows "0.00 1.5": text.
+    /// "1500 0.01" or "0.01 1500" above as many rows "0.00 1.5": text.
     void set_count_and_step_apart() {
         constexpr std::size_t fewest = 4;
-        if (table_.line.size() < fewest || !may_be_count_and_step()
-            || table_.column[0][0] != static_cast<double>(table_.line.size() - 1)) {
+        if (table_.line.size() < fewest || !may_be_count_and_step()) {
             return;
         }
+        auto const behind = static_cast<double>(table_.line.size() - 1);
+        bool const count_first = table_.column[0][0] == behind;
         constexpr double longest_s = 1;
-        double const step = table_.column[1][0];
+        double const step = table_.column[count_first ? 1 : 0][0];
         auto const& times = table_.column[0];
-        if (!(step > 0 && step <= longest_s) || !std::is_sorted(times.begin() + 1, times.end())) {
+        if ((!count_first && table_.column[1][0] != behind) || !(step > 0 && step <= longest_s)
+            || !std::is_sorted(times.begin() + 1, times.end())) {
             return;
         }
         table_.head.push_back({first_row_, table_.line.front()});
@@ -164,8 +166,13 @@ class Reader {
     }
 
     [[nodiscard]] bool may_be_count_and_step() const {
-        return form_.motion && table_.columns() == 2 && !table_.last_row_short && table_.column[0][0] >= 2
-               && table_.column[0][0] == std::floor(table_.column[0][0]);
+        constexpr double longest_s = 1;
+        auto const counts = [](double value) { return value >= 2 && value == std::floor(value); };
+        if (!form_.motion || table_.columns() != 2 || table_.last_row_short) {
+            return false;
+        }
+        double const first = table_.column[0][0];
+        return counts(first) || (first > 0 && first <= longest_s && counts(table_.column[1][0]));
     }
 
     void begin(Text line, std::size_t width) {

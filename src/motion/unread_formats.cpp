@@ -8,14 +8,19 @@
 namespace overturn {
 namespace {
 
-// A known format without a reader: how one of its first lines begins, and what to do instead.
+// A known format without a reader: what stands in one of its first lines, and what to do instead.
 struct UnreadFormat {
-    std::string_view beginning;  // lower case
+    std::string_view words;  // lower case; they begin the line
     std::string_view name;
     std::string_view advice;
+    bool anywhere = false;  // in the line
 };
 
 constexpr std::array unread{
+    UnreadFormat{"uncorrected accelerogram data of volume i", "uncorrected accelerogram, unevenly sampled (USC Vol. I",
+                 "Take the corrected Vol. II file of the same record", true},
+    UnreadFormat{"response and fourier", "response spectra (CSMIP V3; no motion is in them",
+                 "Take the V2 file of the same record"},
     UnreadFormat{"uncorrected accelerogram", "uncorrected accelerogram (CSMIP V1",
                  "Take the corrected V2 file of the same record"},
     UnreadFormat{"corrected accelerogram", "corrected accelerogram of a layout that is not known",
@@ -39,6 +44,10 @@ struct Found {
     int line = 0;
 };
 
+bool is_of(std::string_view lower, UnreadFormat const& format) {
+    return format.anywhere ? lower.find(format.words) != std::string_view::npos : lower.starts_with(format.words);
+}
+
 Found find_unread(std::string_view content) {
     constexpr int lines_at_most = 40;
     TextLines lines(content);
@@ -49,7 +58,7 @@ Found find_unread(std::string_view content) {
         }
         auto const lower = lowered(trimmed(*line));
         for (auto const& format : unread) {
-            if (lower.starts_with(format.beginning)) {
+            if (is_of(lower, format)) {
                 return {&format, lines.number()};
             }
         }

@@ -132,7 +132,8 @@ std::vector<TextLine> words_of(std::string_view content, PairTable const& table)
     TextLines lines(content);
     while (auto const line = lines.next()) {
         auto const comment = line->find_first_of("#!");
-        if (comment != std::string_view::npos && !trimmed(line->substr(0, comment)).empty()) {
+        bool const known = std::ranges::find(words, lines.number(), &TextLine::number) != words.end();
+        if (comment != std::string_view::npos && !known && !trimmed(line->substr(0, comment)).empty()) {
             words.push_back({std::string(trimmed(line->substr(comment))), lines.number()});
         }
     }

@@ -90,6 +90,27 @@ TEST(Cosmos, FieldsOfFixedWidthMayTouch) {
     EXPECT_EQ(motion.horizontal_mps2[1], 1111.11102 * 0.01);
 }
 
+// in a line that lost a blank the last field ends too early, which is no sign of a cut; elsewhere it is one.
+TEST(Cosmos, ALineThatLostABlankIsWhole) {
+    auto const without_one_of = [](std::string text, std::string const& part) {
+        return text.erase(text.find(part), 1);
+    };
+    auto const placed =
+        read_placed(without_one_of(channel({.orientation = 90}), "      90    -999"), {.name = "a.V2c"});
+    EXPECT_EQ(placed.components, std::vector<std::string>{"90 DEG"});
+    EXPECT_EQ(placed.motion.horizontal_mps2, six);
+    auto cut = channel();
+    auto const end = cut.find('\n', cut.find("     360    -999"));
+    expect_input_error([&] { (void)read(cut.erase(end - 1, 1)); }, "a.V2c:20: ", "'-99' as value 60 of 100");
+}
+
+TEST(Cosmos, UnitsMayEndWithAStop) {
+    auto const motion = read(channel({.data = "6 acceleration pts, approx 0 secs, units=g.     (02)Format=(6f9.6)",
+                                      .peak = 0.3,
+                                      .values = "  .100000 -.200000  .300000  .000000  .000000  .100000\n"}));
+    EXPECT_EQ(motion.horizontal_mps2[2], 0.3 * g0);
+}
+
 TEST(Cosmos, ChannelsAreNamedByTheirAzimuth) {
     auto const all = channel({.orientation = 90}) + channel({.orientation = 400})
                      + channel({.data = "6 velocity     pts, approx 0 secs, units=cm/sec(05),Format=(1E15.6)"})

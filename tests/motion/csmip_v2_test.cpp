@@ -57,6 +57,19 @@ TEST(CsmipV2, OneChannel) {
     EXPECT_EQ(motion.horizontal_mps2[3], -267.957 * 0.01);
 }
 
+// of Volume II without a unit behind its count the line on the peak says it, and the values have that peak.
+TEST(CsmipV2, TheUnitMayStandAtThePeak) {
+    auto const without_unit = [](Parts const& parts) {
+        auto text = channel(parts);
+        for (auto at = text.find("  (UNITS:"); at != std::string::npos; at = text.find("  (UNITS:")) {
+            text.erase(at, text.find(')', at) + 1 - at);
+        }
+        return text;
+    };
+    EXPECT_EQ(read(without_unit({})).horizontal_mps2[3], -267.957 * 0.01);
+    expect_input_error([&] { (void)read(without_unit({.peak = "0"})); }, "a.V2:", "unit other than CM/SEC/SEC");
+}
+
 TEST(CsmipV2, ChannelsFindTheirPlaces) {
     auto const three = channel({.name = "90 DEG"})
                        + channel({.name = "UP", .peak = "94.805", .number = "2", .count = 9})

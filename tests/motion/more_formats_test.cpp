@@ -84,6 +84,18 @@ TEST(MoreFormats, DamageAndOthersAreRefused) {
     refuse("4 0.0200\n0.00 -0.2\n0.01 0.4\n0.02 -0.3\n0.03 0.1\n", "time step 0.02 s where the times rise by 0.01 s",
            {.name = "f", .unit_mps2 = 1});
     refuse("      0.01  -12345.00  -12345.00\n  -12345.00  -12345.00  -12345.00\n1 2 3\n", "SAC, alphanumeric", stated);
+    refuse(
+        "FILE     0 OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I:    VOL1\nA\nUNITS ARE SEC AND G/10\n  0.0 1.0 .01 "
+        "2.0\n",
+        "USC Vol. I", stated);
+    refuse(
+        "Response and Fourier amplitude spectra (78 periods, .04 - 6.0 sec)\nCorrected accelerogram   Chan  1: 360 "
+        "Deg\n",
+        "f:1: response spectra", stated);
+    refuse(
+        "UNCORRECTED ACCELEROGRAM DATA    PROCESSED\n 4 POINTS OF ACCEL DATA EQUALLY SPACED AT .005 SEC.  (UNITS: G)\n"
+        " -.000116 -.000116 -.000116 -.000116\n",
+        "CSMIP V1", stated);
     refuse("WID2 2010/02/27 06:45:00.000 ANMO  HNZ      CM6       64  100.000000\nDAT2\n", "GSE 2", stated);
 }
 

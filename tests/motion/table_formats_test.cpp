@@ -138,8 +138,8 @@ std::vector<Form> forms() {
         {"BHRC", bhrc("V") + bhrc("T") + bhrc("L"), "vol1", 4 * 0.1 * g0, 0.1 * g0, 0.005, {"T", "L", "V"}},
         {"RENADIC", renadic("EW") + renadic("V"), "vol1", 4 * 0.1 * g0, 0.1 * g0, 0.01, {"EW", "V"}},
         {"ASA 2.0", asa2(), "asa2", 4 * gal, gal, 0.005, {"N00E", "N90E", "V"}},
-        {"EarthScope SLIST", list_of("M/S**2"), "earthscope", 4, 1, 0.005, {""}},
-        {"EarthScope TSPAIR", pairs_of("M/S^2"), "earthscope", 4, 1, 0.005, {""}},
+        {"EarthScope SLIST", list_of("M/S**2"), "earthscope", 4, 1, 0.005, {"HNN"}},
+        {"EarthScope TSPAIR", pairs_of("M/S^2"), "earthscope", 4, 1, 0.005, {"HNN"}},
         {"keys in another order",
          "type of record: accelerogram\nsampling frequency: 200.0 Hz\nnpts: 3\nunits: cm/s^2\n-----****-----\n"
          "      components: E N Z\n-----****-----\n\n -4.0  1.0  3.0\n  2.0  3.0  1.0\n 1.0  2.0 -1.0\n",
@@ -191,7 +191,34 @@ std::vector<Form> forms() {
          gal,
          0.005,
          {""}},
-        {"count and step above values", "test-motion in m/s2\n3 0.0100\n-2\n4\n-3.\n", "columns", 4, 1, 0.01, {""}},
+        {"eqsig: count and step above values",
+         "test-motion in m/s2\n3 0.0100\n-2\n4\n-3.\n",
+         "columns",
+         4,
+         1,
+         0.01,
+         {""}},
+        {"SIMQKE: step and count above values",
+         "test (g)\n0.0100 3\n-.2\n.4\n-.3\n",
+         "columns",
+         0.4 * g0,
+         g0,
+         0.01,
+         {""}},
+        {"step and count above values in rows",
+         "test (g)\n0.0100 10\n-.2 .4 -.3 .1 0\n.1 -.1 .2 -.2 0\n",
+         "columns",
+         0.4 * g0,
+         g0,
+         0.01,
+         {""}},
+        {"step and count above times and values",
+         "test (g)\n0.0100 4\n0.00 -0.2\n0.01 0.4\n0.02 -0.3\n0.03 0.1\n",
+         "columns",
+         0.4 * g0,
+         g0,
+         0.01,
+         {""}},
     };
 }
 
@@ -218,6 +245,23 @@ TEST(TableFormats, OtherQuantitiesAndDamageAreRefused) {
     refuse(asa2("3", "/9.0/-4.5/5.0"), "where the header says 4.5");
     refuse("a name\n4 0.0100\n-2\n4\n-3\n", "a count and a time step stand there", stated);
     refuse("Time Step: 0.005\n-2\n4\n-3\n", "contradict", {.name = "f", .unit_mps2 = 1, .time_step_s = 0.01});
+}
+
+// the channel of a series says whether it is vertical, and several series are not one motion.
+TEST(TableFormats, EarthScopeNamesItsChannel) {
+    auto vertical = list_of("M/S**2");
+    vertical.replace(vertical.find("HNN"), 3, "HNZ");
+    EXPECT_EQ(read_placed(vertical, {.name = "f"}).direction, Direction::up);
+    EXPECT_EQ(read_placed(list_of("M/S**2"), {.name = "f"}).direction, Direction::horizontal);
+    refuse(vertical + list_of("M/S**2"), "f:4: a second series");
+}
+
+// a count and a step in either order are told apart, and neither is taken for a value.
+TEST(TableFormats, AStepAndACountThatFitNothingAreRefused) {
+    RecordRequest const stated{.name = "f", .unit_mps2 = 1, .time_step_s = 0.01};
+    refuse("a name\n0.0100 4\n-2\n4\n-3\n", "f:2: 4 and 0.01 above 3 values", stated);
+    refuse("0.0200 4\n0.00 -0.2\n0.01 0.4\n0.02 -0.3\n0.03 0.1\n", "time step 0.02 s where the times rise by 0.01 s",
+           {.name = "f", .unit_mps2 = 1});
 }
 
 // rows behind the promised ones are left out, and listed.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/units.hpp"
@@ -22,7 +23,14 @@ std::vector<double> pair_above(TextTable const& table) {
     } catch (InputError const&) {
         return {};
     }
-    return pair.size() == 2 ? pair : std::vector<double>{};
+    if (pair.size() != 2) {
+        return {};
+    }
+    bool const counts_behind = pair[0] > 0 && pair[0] < 2 && pair[1] >= 2 && pair[1] == std::floor(pair[1]);
+    if (counts_behind) {  // "0.01 1500", as SIMQKE has it
+        std::swap(pair[0], pair[1]);
+    }
+    return pair;
 }
 
 std::optional<double> step_beside_count(TextTable const& table, std::string const& file) {

@@ -70,7 +70,11 @@ namespace overturn {
 [[nodiscard]] bool has_marks(std::string_view content, TableFormat const& format);
 [[nodiscard]] Recording read_described(std::string_view content, RecordRequest const& request,
                                        TableFormat const& format);
-extern TableFormat const nsmn_table, csmnc_table, bbp_table, earthscope_table;
+extern TableFormat const nsmn_table, csmnc_table, bbp_table;
+
+/// EarthScope (IRIS) ASCII, SLIST and TSPAIR: such a table of one series, whose channel its first line names.
+[[nodiscard]] bool recognises_earthscope(std::string_view content);
+[[nodiscard]] Recording read_earthscope(std::string_view content, RecordRequest const& request);
 
 /// The same without a time, whatever the first column looks like; only where its name is stated.
 [[nodiscard]] bool recognises_components(std::string_view content);
