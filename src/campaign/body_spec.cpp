@@ -12,6 +12,7 @@
 #include "campaign/detail/gyration.hpp"
 #include "campaign/detail/parts_spec.hpp"
 #include "campaign/detail/placement_spec.hpp"
+#include "config/faults.hpp"
 
 namespace overturn {
 namespace {
@@ -231,10 +232,13 @@ BodySpec read_body(Table const& table, InputFiles& files) {
     auto const name = table.text(body_keys["name"]);
     auto const inner =
         table.named_document(table.located("file", [&]() -> std::string const& { return files.read(file); }), file);
-    auto spec = read_stated(inner, inner.text(body_keys["name"], "body"));
-    if (!table.has("restitution") && !table.has("base")) {
-        settle(inner, spec);  // what is wrong with the file alone is told there
-    }
+    auto spec = config::with_all_faults(inner, [&] {
+        auto stated = read_stated(inner, inner.text(body_keys["name"], "body"));
+        if (!table.has("restitution") && !table.has("base")) {
+            settle(inner, stated);  // what is wrong with the file alone is told there
+        }
+        return stated;
+    });
     if (!name.empty()) {
         spec.name = name;
     }

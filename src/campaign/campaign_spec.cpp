@@ -11,6 +11,7 @@
 #include "campaign/rows.hpp"
 #include "campaign/wave_check.hpp"
 #include "campaign/withheld_inputs.hpp"
+#include "config/faults.hpp"
 
 namespace overturn {
 namespace {
@@ -110,27 +111,33 @@ Sampling read_sampling(Table const& table) {
     return sampling;
 }
 
+void check_name(Table const& entry, std::string const& name, std::set<std::string>& names) {
+    // Columns of /waves are beside the bodies' groups; these two kinds are named by the campaign's periods.
+    bool taken = name == "." || name == ".." || name.starts_with("epsilon_") || name.starts_with("sa_");
+    for (auto const& column : fields_of<WaveRow>()) {
+        taken = taken || name == column.name;
+    }
+    if (name.empty() || taken || name.find('/') != std::string::npos) {
+        entry.fail("name", fmt::format("'{}' (names a group of the results file beside /waves' own columns). Choose "
+                                       "another, without '/'",
+                                       name));
+    }
+    if (!names.insert(name).second) {
+        entry.fail("name", fmt::format("'{}' twice (names tell bodies apart). Rename one", name));
+    }
+}
+
 std::vector<BodySpec> read_bodies(Table const& root, InputFiles& files) {
     std::vector<BodySpec> bodies;
     std::set<std::string> names;
+    config::FaultGatherer faults;
     for (auto const& entry : root.children(campaign_keys["bodies"])) {
-        bodies.push_back(read_body(entry, files));
-        auto const& name = bodies.back().name;
-        // Columns of /waves are beside the bodies' groups; these two kinds are named by the campaign's periods.
-        bool taken = name == "." || name == ".." || name.starts_with("epsilon_") || name.starts_with("sa_");
-        for (auto const& column : fields_of<WaveRow>()) {
-            taken = taken || name == column.name;
-        }
-        if (name.empty() || taken || name.find('/') != std::string::npos) {
-            entry.fail("name",
-                       fmt::format("'{}' (names a group of the results file beside /waves' own columns). Choose "
-                                   "another, without '/'",
-                                   name));
-        }
-        if (!names.insert(name).second) {
-            entry.fail("name", fmt::format("'{}' twice (names tell bodies apart). Rename one", name));
-        }
+        faults.run([&] {
+            bodies.push_back(read_body(entry, files));
+            check_name(entry, bodies.back().name, names);
+        });
     }
+    faults.tell();
     if (bodies.empty()) {
         root.fail("bodies", "empty (nothing to shake). Add [[bodies]]");
     }
@@ -239,34 +246,48 @@ std::vector<double> CampaignSpec::grid_periods_s() const {
 
 constinit config::KeyTable const campaign_table{.meaning = "the campaign itself", .keys = campaign_keys.all};
 
-CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
-    auto const root = Table::parse(input.text, input.name, input.settings);
-    root.described_by(campaign_table);
-    root.may_have(campaign_table);
+namespace {
+
+// What needs nothing of the other tables; each tells its own faults.
+void read_apart(Table const& root, InputFiles& files, CampaignSpec& spec) {
+    config::FaultGatherer faults;
+    faults.run([&] { spec.title = root.text(campaign_keys["title"]); });
+    faults.run([&] { (void)keeps_hashes_only(root); });
+    faults.run([&] { spec.seed = static_cast<std::uint64_t>(root.integer(campaign_keys["seed"])); });
+    faults.run([&] { spec.bodies = read_bodies(root, files); });
+    faults.run([&] { spec.sampling = read_sampling(root.child_or_empty(campaign_keys["scatter"])); });
+    faults.run([&] { spec.levels = read_levels(root.child(campaign_keys["levels"])); });
+    faults.run([&] {
+        auto const waves = root.child(campaign_keys["waves"]);
+        read_source(root, waves, files, spec);
+        waves.finish();
+    });
+    faults.run([&] {
+        auto const effects = root.child_or_empty(campaign_keys["effects"]);
+        spec.effects = read_effects(effects);
+        effects.finish();
+    });
+    faults.run([&] {
+        auto const accuracy = root.child_or_empty(campaign_keys["accuracy"]);
+        spec.accuracy = read_accuracy(accuracy);
+        spec.measures = read_measures(root.child_or_empty(campaign_keys["measures"]));
+        spec.measures.panel_phase_rad = accuracy.number(accuracy_keys["panel_phase"]);
+        accuracy.finish();
+    });
+    faults.tell();
+}
+
+CampaignSpec read_campaign(Table const& root, CampaignInput const& input, InputFiles& files) {
     CampaignSpec spec;
-    spec.title = root.text(campaign_keys["title"]);
-    (void)keeps_hashes_only(root);
-    spec.seed = static_cast<std::uint64_t>(root.integer(campaign_keys["seed"]));
-    spec.bodies = read_bodies(root, files);
-    spec.sampling = read_sampling(root.child_or_empty(campaign_keys["scatter"]));
-    spec.levels = read_levels(root.child(campaign_keys["levels"]));
+    read_apart(root, files, spec);
     auto const waves = root.child(campaign_keys["waves"]);
-    read_source(root, waves, files, spec);
-    waves.finish();
     auto const effects = root.child_or_empty(campaign_keys["effects"]);
-    spec.effects = read_effects(effects);
-    effects.finish();
     check_forced_effects(effects, spec);
     check_planar(effects, waves, spec);
-    auto const accuracy = root.child_or_empty(campaign_keys["accuracy"]);
-    spec.accuracy = read_accuracy(accuracy);
-    spec.measures = read_measures(root.child_or_empty(campaign_keys["measures"]));
     measure_levels(root, spec.levels, spec.measures);
     spec.measures.movement.by_model = input.before_format_5;
     check_quality(root, spec);
     waves.located("acceptance", [&] { validate_bands(*spec.source, spec.bodies, spec.measures.radius_unit); });
-    spec.measures.panel_phase_rad = accuracy.number(accuracy_keys["panel_phase"]);
-    accuracy.finish();
     spec.rare = read_rare(root, spec.levels, *spec.source);
     auto const statistics = root.child_or_empty(campaign_keys["statistics"]);
     spec.confidence = statistics.number(statistics_keys["confidence"]);
@@ -286,6 +307,18 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
         waves.fail("count", fmt::format("{:.3g} trials in all (more than {}). Lower it", trials, most_trials));
     }
     spec.inputs = root.inputs();
+    return spec;
+}
+
+}  // namespace
+
+CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
+    auto const root = Table::parse(input.text, input.name, input.settings);
+    root.described_by(campaign_table);
+    root.may_have(campaign_table);
+    auto spec = config::with_all_faults(root, [&] { return read_campaign(root, input, files); });
+    // What is told beside a mistake must be one: whatever readers take is as described.
+    OVERTURN_ENSURE(input.before_format_5 || root.faults().empty());
     return spec;
 }
 

@@ -164,34 +164,37 @@ LevelSpec read_levels(config::Table const& table) {
         }
     }
     auto const basis = table.maybe_number(level_keys["design_basis"], {.dimension = dimension});
-    if (basis) {
-        name_level(spec.levels, *basis, LevelClass::design_basis);
-    }
-    if (table.has("beyond_design")) {
-        for (double const value : table.numbers(level_keys["beyond_design"], {.dimension = dimension})) {
-            if (basis && value <= *basis) {
-                table.fail("beyond_design", fmt::format("{} (not above design_basis {}). Raise it", value, *basis));
-            }
-            name_level(spec.levels, value, LevelClass::beyond_design);
-        }
-    }
+    auto const beyond = table.has("beyond_design")
+                            ? table.numbers(level_keys["beyond_design"], {.dimension = dimension})
+                            : std::vector<double>();
     for (auto const* key : {"values", "design_basis", "beyond_design"}) {
         if (auto const unit = table.unit_at(key); spec.stated_unit.empty() && !unit.empty()) {
             spec.stated_unit = unit;
             spec.stated_unit_si = unit_factor(unit, dimension);
         }
     }
+    if (basis) {
+        name_level(spec.levels, *basis, LevelClass::design_basis);
+    }
+    for (double const value : beyond) {
+        if (basis && value <= *basis) {
+            table.fail("beyond_design",
+                       fmt::format("{} (not above design_basis {}). Raise it", spec.text(value), spec.text(*basis)));
+        }
+        name_level(spec.levels, value, LevelClass::beyond_design);
+    }
     table.finish();
     std::sort(spec.levels.begin(), spec.levels.end(), [](Level const& a, Level const& b) { return a.value < b.value; });
     constexpr double largest = 9000;  // keys of waves are 64 bits wide
     if (spec.independent_waves && spec.levels.back().value > largest) {
-        table.fail("values",
-                   fmt::format("{} (independent waves reach up to {}). Lower it", spec.levels.back().value, largest));
+        table.fail("values", fmt::format("{} (independent waves reach up to {}). Lower it",
+                                         spec.text(spec.levels.back().value), spec.text(largest)));
     }
     for (std::size_t i = 1; i < spec.levels.size(); ++i) {
         if (same_level(spec.levels[i - 1].value, spec.levels[i].value)
             || (spec.independent_waves && spec.levels[i - 1].key() == spec.levels[i].key())) {
-            table.fail("values", fmt::format("{} twice (a level is one stripe). Remove one", spec.levels[i].value));
+            table.fail("values",
+                       fmt::format("{} twice (a level is one stripe). Remove one", spec.text(spec.levels[i].value)));
         }
     }
     return spec;

@@ -1,5 +1,6 @@
 #include "cli/print_error.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "cli/command_line.hpp"
+#include "config/faults.hpp"
 #include "core/error.hpp"
 #include "core/print_note.hpp"
 
@@ -27,9 +29,7 @@ bool is_first_rank() {
     return true;
 }
 
-}  // namespace
-
-void print_error(std::string message) {
+void print_one(std::string message) {
     for (char& c : message) {
         c = c == '\n' || c == '\r' ? ' ' : c;
     }
@@ -39,6 +39,19 @@ void print_error(std::string message) {
         message = message.substr(0, longest - end) + " [...] " + message.substr(message.size() - end);
     }
     print_note("overturn: {}\n", message);
+}
+
+}  // namespace
+
+void print_error(std::string const& message) {
+    constexpr std::size_t most = 30;
+    auto const faults = config::faults_of(message);
+    for (std::size_t i = 0; i < std::min(faults.size(), most); ++i) {
+        print_one(faults[i]);
+    }
+    if (faults.size() > most) {
+        print_note("overturn: and {} more\n", faults.size() - most);
+    }
 }
 
 Failure current_failure() {
@@ -62,7 +75,7 @@ Failure current_failure() {
 
 void print_error_once(std::string message) {
     if (is_first_rank()) {
-        print_error(std::move(message));
+        print_error(message);
     }
 }
 

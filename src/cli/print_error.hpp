@@ -1,4 +1,4 @@
-/// Errors for the user: one line on stderr, from one rank.
+/// Errors for the user: a line each on stderr, from one rank.
 #pragma once
 
 #include <string>
@@ -6,7 +6,8 @@
 namespace overturn::cli {
 
 /// Prints `overturn: message` as exactly one line, whatever the message holds; of one that quotes kilobytes, both ends.
-void print_error(std::string message);
+/// A message of several faults (config::joined_faults) is a line for each of the first 30.
+void print_error(std::string const& message);
 
 /// As print_error, but silent on ranks above 0, known from what launchers put into the environment: for errors that
 /// every rank meets, also before MPI is up.

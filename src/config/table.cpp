@@ -89,10 +89,17 @@ template <class Read> auto read_key(Table const& table, std::string_view key, to
     }
 }
 
-void check_range(double value, Range const& range, Dimension dimension) {
+/// \param node as written, which is told as well: "-3 t" where the value is -3000 kg
+void check_range(double value, toml::node const& node, Range const& range, Dimension dimension) {
+    if (range.holds(value)) {
+        return;
+    }
     auto const unit = si_symbol(dimension);
-    validate(range.holds(value), "{}{}{} (must be {}{}{}). Mend the value", value, unit.empty() ? "" : " ", unit,
-             range.text(), unit.empty() ? "" : " ", unit);
+    auto const si = fmt::format("{}{}{}", value, unit.empty() ? "" : " ", unit);
+    auto const written = std::string(trimmed(node.value_exact<std::string>().value_or(si)));
+    throw InputError(fmt::format("{}{} (must be {}{}{}). Mend the value", written,
+                                 written == si ? "" : fmt::format(", that is {}", si), range.text(),
+                                 unit.empty() ? "" : " ", unit));
 }
 
 /// What is written at one place of a list.
@@ -125,7 +132,7 @@ double Table::number(std::string_view key, Dimension dimension, Range range) con
     node_->check_read(key, Form::number, dimension, range);
     return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
         double const value = quantity_of(node, dimension);
-        check_range(value, range, dimension);
+        check_range(value, node, range, dimension);
         node_->keep(key, node, value, dimension);
         return value;
     });
@@ -154,7 +161,7 @@ std::vector<double> Table::numbers(std::string_view key, Dimension dimension, Ra
         std::vector<double> values;
         for (auto const& element : *node.as_array()) {
             values.push_back(quantity_of(element, dimension));
-            check_range(values.back(), range, dimension);
+            check_range(values.back(), element, range, dimension);
         }
         node_->keep(key, node, {}, dimension);
         return values;

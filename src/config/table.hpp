@@ -37,6 +37,13 @@ struct GivenInteger {
     std::optional<std::int64_t> otherwise = {}, least = {}, most = {};
 };
 
+/// Something in a file that is not as it is described.
+struct Fault {
+    Location where;
+    bool missing = false;  ///< a key that must be there; else one that is there
+    std::string text;      ///< as of an InputError
+};
+
 /// One TOML table. Copies share the record of which keys were read; call finish() when all have been.
 /// All readers throw InputError with the key's place in the file; a quantity may be a bare SI number or "1.5 unit".
 class Table {
@@ -167,11 +174,16 @@ class Table {
     /// \throws InputError at the first key of this table that nothing has read.
     void finish() const;
 
+    /// All of this table and of those in it that is not as described_by says: keys that must be there and are not, that
+    /// are not known, of another type or out of range. Other faults only readers find.
+    [[nodiscard]] std::vector<Fault> faults() const;
+
   private:
     void keep_default(std::string_view key, std::string text) const;
     void take_default_word(std::string_view key, std::string_view word) const;
 
     struct Node;
+    class FaultFinder;
     explicit Table(std::shared_ptr<Node> node) : node_(std::move(node)) {}
     std::shared_ptr<Node> node_;
 };

@@ -103,6 +103,18 @@ std::string Table::unit_at(std::string_view key) const {
     return node == nullptr ? std::string() : first_unit(*node);
 }
 
+std::string Table::Node::unknown_key(std::string_view key) const {
+    std::vector<std::string> const known(asked.begin(), asked.end());
+    auto near = nearest_name(key, known);
+    if (auto const below = further_down(key); near.empty() && !below.empty()) {
+        near = full(below);
+    }
+    return fmt::format(
+        "{}unknown key '{}' (nothing reads it{}). {}", locate(table->get(key)).prefix(), full(key),
+        near.empty() ? " here" : "",
+        near.empty() ? std::string("Remove it or check its spelling") : fmt::format("Did you mean '{}'?", near));
+}
+
 void Table::finish() const {
     if (node_->table->contains("basis")) {
         node_->check_origins();
@@ -124,15 +136,7 @@ void Table::finish() const {
                                                                "it, or what outranks it",
                                                                node_->full(key.str())));
         }
-        std::vector<std::string> const known(node_->asked.begin(), node_->asked.end());
-        auto near = nearest_name(key.str(), known);
-        if (auto const below = node_->further_down(key.str()); near.empty() && !below.empty()) {
-            near = node_->full(below);
-        }
-        throw InputError(node_->locate(&node), fmt::format("unknown key '{}' (nothing reads it{}). {}",
-                                                           node_->full(key.str()), near.empty() ? " here" : "",
-                                                           near.empty() ? std::string("Remove it or check its spelling")
-                                                                        : fmt::format("Did you mean '{}'?", near)));
+        throw InputError(node_->unknown_key(key.str()));
     }
 }
 

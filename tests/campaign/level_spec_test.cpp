@@ -106,8 +106,8 @@ TEST(Levels, ScaleBringsTheWaveToTheLevel) {
 }
 
 TEST(Levels, RefusesNonsense) {
-    refuse("measure='pga'\nvalues=[3,4,3]\n", "3 twice");
-    refuse("measure='pga'\nvalues=[3,'300 gal']\n", "3 twice");
+    refuse("measure='pga'\nvalues=[3,4,3]\n", "3 m/s2 twice");
+    refuse("measure='pga'\nvalues=[3,'300 gal']\n", "300 gal twice");
     refuse("measure='pga'\nvalues=[]\n", "no level");
     refuse("measure='pga'\nvalues=[0]\n", "values: 0 m/s2");
     refuse("measure='pga'\nvalues=['3 kine']\n", "kine");
@@ -116,7 +116,7 @@ TEST(Levels, RefusesNonsense) {
     refuse("measure='pga'\nvalues={from=3,to=1,count=4}\n", "Swap them");
     refuse("measure='pga'\nvalues={from=1,to=3,count=4,step=1}\n", "step");
     refuse("measure='pga'\nvalues=[1]\ndesing_basis=2\n", "Did you mean 'design_basis'?");
-    refuse("measure='pga'\nvalues=[1]\ndesign_basis=2\nbeyond_design=[2]\n", "not above design_basis");
+    refuse("measure='pga'\nvalues=[1]\ndesign_basis=2\nbeyond_design=[2]\n", "2 m/s2 (not above design_basis 2 m/s2)");
 }
 
 }  // namespace

@@ -1,5 +1,8 @@
-// Requirement R-902: bad input is refused with exit code 2 and exactly one line on stderr, `file:line:col: problem
-// (why) what to do`, told by one rank, before any work.
+// Requirement R-902: bad input is refused with exit code 2 and one line on stderr for each fault, `file:line:col:
+// problem (why) what to do`, told by one rank, before any work.
+#include <algorithm>
+#include <string>
+
 #include "cli/campaign_files.hpp"
 #include "support/command.hpp"
 
@@ -59,7 +62,7 @@ TEST_F(BadInput, WhatIsNotMeasuredIsNotAskedFor) {
 // a value outside its range or of another dimension is refused where it stands.
 TEST_F(BadInput, ImpossibleValues) {
     refuse("'20.48 s'", "'20.48 m'", "c.toml:6:10: waves.duration: ");
-    refuse("mass='12.6 t'", "mass='-12.6 t'", "bodies[0].mass: -12600 kg");
+    refuse("mass='12.6 t'", "mass='-12.6 t'", "bodies[0].mass: -12.6 t, that is -12600 kg");
     refuse("mass='12.6 t'", "mass=nan", "bodies[0].mass");
     refuse("base_width='1.36 m'", "base_width=0", "bodies[0].base_width: 0 m");
     refuse("base_width='1.36 m'", "base_width='8 m'", "so squat");
@@ -71,6 +74,27 @@ TEST_F(BadInput, ImpossibleValues) {
     refuse("'300 gal'", "'300 kine'", "levels.values");
     refuse("name='type-b'", "name='type-a'", "twice");
     refuse("title = 'small'", "title = small", "not valid TOML");
+}
+
+// all that is missing, unknown or of another type is told in one run, a line each.
+TEST_F(BadInput, AllFaultsAreToldAtOnce) {
+    folder.write("b.toml", "name='c'\nmass='5 t'\ncolour='red'\n");
+    folder.write("c.toml",
+                 "[waves]\nsource='harmonic'\namplitude='lots'\nfrequency='1 Hz'\ncycles=5\n[[bodies]]\nname='a'\n"
+                 "mass=true\nbase_width='1 m'\n[[bodies]]\nfile='b.toml'\n[levels]\nmeasure='factor'\nvalus=[1]\n"
+                 "design_basis=2\n");
+    auto const ended = overturn(folder, {"plan", "c.toml"});
+    EXPECT_EQ(ended.code, 2);
+    for (auto const* part :
+         {"c.toml:1:1: seed: missing", "c.toml:3:11: waves.amplitude: ", "c.toml:6:1: bodies[0].centre_height: missing",
+          "c.toml:6:1: bodies[0].inertia: missing",
+          "c.toml:8:6: bodies[0].mass: ", "c.toml:14:7: unknown key 'levels.valus'", "b.toml:1:1: base_width: missing",
+          "b.toml:1:1: centre_height: missing", "b.toml:1:1: inertia: missing", "b.toml:3:8: unknown key 'colour'"}) {
+        auto const at = ended.err.find(std::string("overturn: ") + part);
+        EXPECT_NE(at, std::string::npos) << "no '" << part << "' in: " << ended.err;
+        EXPECT_EQ(ended.err.find(part, at + 20), std::string::npos) << "twice '" << part << "' in: " << ended.err;
+    }
+    EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 10) << ended.err;
 }
 
 // unknown names are refused with a suggestion.

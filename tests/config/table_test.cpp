@@ -30,7 +30,7 @@ TEST(Table, OutOfRangeNamesPlaceValueAndRange) {
     auto const table = Table::parse("a = 1\nmass = \"-3 t\"", "x.toml");
 
     expect_input_error([&] { (void)table.number("mass", Dimension::mass, Range::positive()); },
-                       "x.toml:2:", "mass: -3000 kg (must be above 0 kg)");
+                       "x.toml:2:", "mass: -3 t, that is -3000 kg (must be above 0 kg)");
 }
 
 TEST(Table, MisspeltKeyThatMustBeThereIsSuggested) {
