@@ -10,6 +10,8 @@
 
 #include "core/units.hpp"
 #include "generators/detail/real_fft.hpp"
+#include "generators/detail/sa_change.hpp"
+#include "motion/intensity.hpp"
 
 namespace overturn {
 namespace {
@@ -214,6 +216,15 @@ void correct_record(GroundMotion& motion, RecordBaseline const& baseline) {
             take_polynomial_off(*component, motion.time_step_s);
         }
     }
+}
+
+std::string correct_and_tell(GroundMotion& motion, RecordBaseline const& baseline) {
+    if (baseline.method == BaselineMethod::none) {
+        return {};
+    }
+    auto const before = motion;
+    correct_record(motion, baseline);
+    return fmt::format("{} ({}{})", baseline.says(), changes_text(before, motion), sa_change_text(before, motion));
 }
 
 }  // namespace overturn

@@ -96,14 +96,7 @@ void correct(config::Table const& table, Record& record, RecordBaseline const& b
     if (baseline.method == BaselineMethod::none) {
         return;
     }
-    auto const before = record.motion;
-    table.located("baseline", [&] { correct_record(record.motion, baseline); });
-    record.label += ", " + baseline.says();
-    double const pga = peak_of(before.horizontal_mps2);
-    constexpr double worth_a_word = 0.01;
-    if (std::abs(peak_of(record.motion.horizontal_mps2) - pga) > worth_a_word * pga) {
-        record.label += fmt::format(" ({})", changes_text(before, record.motion));
-    }
+    record.label += ", " + table.located("baseline", [&] { return correct_and_tell(record.motion, baseline); });
 }
 
 void turn_to_axes(config::Table const& table, Record& record, AxesRequest const& request) {
@@ -151,7 +144,7 @@ Record read_motion(config::Table const& table, std::string_view key, std::string
             return Record{std::move(placed.motion), std::move(placed.says), placed.direction, 0, {}, {}, {}};
         }
         auto resampled = resample(placed.motion, *step, request.coarsening);
-        if (*step > placed.motion.time_step_s) {
+        if (resampled.changed) {
             resampled.says += sa_change_text(placed.motion, resampled.motion);
         }
         return Record{std::move(resampled.motion),

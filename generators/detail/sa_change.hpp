@@ -1,4 +1,4 @@
-/// What became of a record's spectrum when it was read on another time grid.
+/// What became of a record's spectrum when it was read on another time grid, or its baseline was corrected.
 #pragma once
 
 #include <string>

@@ -71,12 +71,9 @@ Resampled resample(GroundMotion const& motion, double time_step_s, Coarsening co
     made.motion.horizontal_mps2 = along_lines(motion.horizontal_mps2, ratio, count);
     made.motion.transverse_mps2 = along_lines(motion.transverse_mps2, ratio, count);
     made.motion.vertical_mps2 = along_lines(motion.vertical_mps2, ratio, count);
-    double const before = peak_of(motion.horizontal_mps2);
-    double const after = peak_of(made.motion.horizontal_mps2);
-    constexpr double percent = 100;
+    made.changed = ratio != 1 / std::round(1 / ratio);
     made.says = fmt::format("{} s read at {} s along straight lines, {}", motion.time_step_s, time_step_s,
-                            after == before ? std::string("PGA kept")
-                                            : fmt::format("PGA {:.3g} % lower", percent * (before - after) / before));
+                            made.changed ? changes_text(motion, made.motion) : std::string("PGA kept"));
     return made;
 }
 

@@ -120,6 +120,26 @@ TEST_F(RecordsOnTheLine, ScaledRecordsAreSaid) {
     auto const plan = planned(folder, {"c.toml"});
     EXPECT_NE(plan.out.find(line + "9.01: beyond 5"), std::string::npos) << plan.out;
     EXPECT_NE(overturn(folder, {"run", "c.toml"}).err.find(line), std::string::npos);
+    for (char const* measure : {"sa'\nperiod='2 s", "cav"}) {
+        folder.write("c.toml", campaign("files=['rests.csv']\n", measure, "1000"));
+        auto const high = overturn(folder, {"plan", "c.toml"});
+        EXPECT_NE(high.out.find(line), std::string::npos) << measure << high.out << high.err;
+    }
+}
+
+// what a baseline correction does to PGA, PGV, PGD and Sa is said by every verb that makes one.
+TEST_F(RecordsOnTheLine, WhatABaselineDoesIsSaid) {
+    folder.write("c.toml", campaign("files=['drifts.csv']\nbaseline='mean'\n", "pga", "'100 gal'"));
+    for (auto const& arguments : std::vector<std::vector<std::string>>{
+             {"plan", "c.toml"}, {"spectrum", "--wave", "drifts.csv", "--baseline", "mean"}}) {
+        auto const ended = overturn(folder, arguments);
+        auto const told = ended.out + ended.err;
+        auto const at = told.find("mean taken off (PGA ");
+        ASSERT_NE(at, std::string::npos) << told;
+        for (auto const* part : {", PGV -", ", PGD -", ", Sa from 0.3 to 10 s by "}) {
+            EXPECT_NE(told.find(part, at), std::string::npos) << part << told;
+        }
+    }
 }
 
 // of few recorded motions each is a row, with how near it came to a limit; of drawn waves none is.

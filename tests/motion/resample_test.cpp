@@ -36,6 +36,7 @@ TEST(Resample, DividedStepsKeepTheSameFunction) {
     }
     EXPECT_EQ(made.motion.vertical_mps2, made.motion.horizontal_mps2);
     EXPECT_EQ(made.says, "0.02 s read at 0.005 s along straight lines, PGA kept");
+    EXPECT_FALSE(made.changed);
     auto const displacement = displacement_of(old.horizontal_mps2, old.time_step_s);
     auto const finer = displacement_of(made.motion.horizontal_mps2, 0.005);
     EXPECT_TRUE(near(finer.back(), displacement.back(), exact_formula));
@@ -53,7 +54,9 @@ TEST(Resample, OtherStepsCutCornersAndSaySo) {
     EXPECT_NEAR(a[1], 0.75, 1e-15);
     EXPECT_NEAR(a[2], 0.5, 1e-15);
     EXPECT_NEAR(a[3], 0, 1e-15);
-    EXPECT_EQ(made.says, "0.02 s read at 0.015 s along straight lines, PGA 25 % lower");
+    // Of a hat of 0.04 s: its area, and the moment of its area about the end.
+    EXPECT_EQ(made.says, "0.02 s read at 0.015 s along straight lines, PGA -25 %, PGV -6.25 %, PGD -8.59 %");
+    EXPECT_TRUE(made.changed);
 }
 
 TEST(Resample, CoarserNeedsTheUsersWord) {

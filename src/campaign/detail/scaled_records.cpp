@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
+#include "campaign/detail/wave_rows.hpp"
 #include "motion/intensity.hpp"
 
 namespace overturn {
@@ -15,14 +15,13 @@ namespace {
 constexpr double most_scaled = 5;  // what guides on the choice of records mostly allow
 constexpr std::int64_t looked_at = 1000;
 
-/// 0 where the levels are by another measure.
-double measured(Intensity const& intensity, std::string_view level) {
-    return level == "pga"          ? intensity.pga_mps2
-           : level == "vector-pga" ? intensity.vector_pga_mps2
-           : level == "pgv"        ? intensity.pgv_mps
-           : level == "pgd"        ? intensity.pgd_m
-           : level == "factor"     ? 1
-                                   : 0;
+/// By which the highest level scales a wave; 0 where nothing of it can be scaled.
+double factor_of(CampaignSpec const& spec, GroundMotion motion) {
+    PreparedWave wave;
+    wave.motion = std::move(motion);
+    describe_motion(wave.row, wave.motion, intensity_of(wave.motion));
+    measure_sa(spec.measures, wave);
+    return spec.levels.scale(spec.levels.levels.back(), wave.row).value_or(0);
 }
 
 }  // namespace
@@ -31,7 +30,6 @@ std::string warning_of_scaled_records(CampaignSpec const& spec) {
     if (!spec.source->about().available || spec.levels.levels.empty()) {
         return {};
     }
-    double const highest = spec.levels.levels.back().value;
     double most = 0;
     std::int64_t which = 0;
     std::int64_t count = 0;
@@ -41,9 +39,7 @@ std::string warning_of_scaled_records(CampaignSpec const& spec) {
         if (!drift) {
             return {};
         }
-        double const has =
-            measured(intensity_of(spec.source->make(spec.seed, number).motion), spec.levels.measure->level);
-        double const factor = has > 0 ? highest / has * drift->factor : 0;
+        double const factor = factor_of(spec, spec.source->make(spec.seed, number).motion) * drift->factor;
         count += factor > most_scaled ? 1 : 0;
         which = factor > most ? wave : which;
         most = std::max(most, factor);
