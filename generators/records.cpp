@@ -43,7 +43,7 @@ Request read_request(config::Table const& table) {
     request.record.format = table.text(reading_keys["format"]);
     if (table.has("unit")) {
         auto const unit = table.text(reading_keys["unit"]);
-        request.record.unit_mps2 = table.located("unit", [&] { return unit_factor(unit, Dimension::acceleration); });
+        table.located("unit", [&] { state_unit(request.record, unit); });
     }
     request.record.time_step_s = table.maybe_number(reading_keys["time_step"]);
     request.record.may_be_resampled = true;

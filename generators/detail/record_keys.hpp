@@ -18,7 +18,9 @@ inline constexpr std::array coarsenings{
 inline constexpr config::Keys reading_keys{
     config::text_key("format", "one of the record formats (overturn list); auto: told by its content")
         .otherwise("auto"),
-    config::text_key("unit", R"(of the files' accelerations, where they do not state it: "gal", "g", "m/s2")")
+    config::text_key(
+        "unit",
+        R"(of the files' accelerations, where they do not state it: "gal", "g", "m/s2"; of counts "2.4e-6 m/s2")")
         .optional(),
     config::number_key("time_step", Dimension::time, config::Range::positive(),
                        "where the files do not state it; else the step to which they are resampled")

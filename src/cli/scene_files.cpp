@@ -12,7 +12,8 @@
 namespace overturn::cli {
 
 void add_record_options(Verb& verb, RecordOptions& options) {
-    verb.takes("--unit", options.unit, "unit of the accelerations: g, gal, m/s2; required for columns");
+    verb.takes("--unit", options.unit,
+               "unit of the accelerations: g, gal, m/s2, or of a count \"2.4e-6 m/s2\"; where the file has none");
     verb.takes("--time-step", options.time_step, "for files that state none, e.g. \"0.01 s\"");
     verb.takes("--format", options.format, "record format, see overturn list; default: by the content");
     verb.takes("--columns", options.columns, "what a table's columns are where names do not say it, e.g. time,h1,h2,v");
@@ -25,7 +26,7 @@ PlacedRecord load_motion(RecordOptions const& options) {
     InputFiles files(".");
     RecordRequest request;
     if (!options.unit.empty()) {
-        request.unit_mps2 = unit_factor(options.unit, Dimension::acceleration);
+        state_unit(request, options.unit);
     }
     if (!options.time_step.empty()) {
         request.time_step_s = parse_quantity(options.time_step, Dimension::time);

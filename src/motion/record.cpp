@@ -15,6 +15,11 @@ namespace {
 // A new format: one file beside this one, one line here.
 // One that is a table under a head of its own is a TableFormat in a file beside this one, and a line here.
 constexpr std::array formats{
+    config::Entry<RecordFormat>{
+        "miniseed",
+        "miniSEED 2 (libmseed): one station's channels; the unit must be stated, of counts with "
+        "a number: \"2.4e-6 m/s2\"",
+        {&recognises_miniseed, &read_miniseed}},
     config::Entry<RecordFormat>{"peer-at2",
                                 "PEER strong-motion AT2, new and old: NPTS and DT in the header, accelerations in g",
                                 {&recognises_peer_at2, &read_peer_at2, &station_of_peer_at2}},
@@ -101,15 +106,29 @@ config::Entry<RecordFormat> const& format_of(std::string_view content, RecordReq
 
 std::span<config::Entry<RecordFormat> const> record_formats() { return formats; }
 
+void state_unit(RecordRequest& request, std::string_view text) {
+    auto const plain = trimmed(text);
+    request.unit_has_number = plain.find_first_of("0123456789.") == 0;
+    if (!request.unit_has_number) {
+        request.unit_mps2 = unit_factor(plain, Dimension::acceleration);
+        return;
+    }
+    double number = 0;
+    validate(!parse_number(plain, number), "{} (a number without its unit). Write \"{} m/s2\"", plain, plain);
+    request.unit_mps2 = parse_quantity(plain, Dimension::acceleration);
+    validate(*request.unit_mps2 > 0 && std::isfinite(*request.unit_mps2), "{} (must be above 0). Mend it", plain);
+}
+
 Recording read_recording(std::string_view content, RecordRequest const& request) {
     Location const file{request.name};
     if (trimmed(content).empty()) {
         throw InputError(file, "empty (no record in it). Fetch the file anew");
     }
+    bool const packed_records = recognises_miniseed(content);
     if (auto const packed = packed_file(content); !packed.name.empty()) {
-        throw InputError(file, fmt::format("{} (records are read as text). {}", packed.name, packed.advice));
+        throw InputError(file, fmt::format("{} ({}). {}", packed.name, packed.why, packed.advice));
     }
-    if (content.find('\0') != std::string_view::npos) {
+    if (!packed_records && content.find('\0') != std::string_view::npos) {
         throw InputError(file, "zero bytes in it (a binary or UTF-16 file). Save it as plain text");
     }
     if (request.time_step_s && !(*request.time_step_s > 0 && std::isfinite(*request.time_step_s))) {

@@ -16,7 +16,8 @@ namespace overturn {
 struct RecordRequest {
     std::string name = "record";             ///< the file's name, for messages
     std::string format = "auto";             ///< a name of record_formats(), or "auto": decided by the content
-    std::optional<double> unit_mps2 = {};    ///< SI value of one unit of the numbers, from unit_factor() [m/s2]
+    std::optional<double> unit_mps2 = {};    ///< SI value of one unit of the numbers, from state_unit() [m/s2]
+    bool unit_has_number = false;            ///< "2.4e-6 m/s2": what one count of an instrument is
     std::optional<double> time_step_s = {};  ///< where the file states none [s]
     std::string columns = {};    ///< "time,h1,h2,v": what a table's columns are, where their names do not say it
     std::string component = {};  ///< what goes into the rocking plane; empty: the first horizontal one
@@ -27,6 +28,9 @@ struct RecordRequest {
     std::string columns_key = "--columns {}";    ///< how its user states the columns, {} an example
     std::string unit_conflict = "Leave the stated unit out";  ///< what to do where the file says another
 };
+
+/// Takes a unit as users write it: "gal", or with a number "2.4e-6 m/s2". \throws InputError without a place
+void state_unit(RecordRequest& request, std::string_view text);
 
 /// Everything in the file's `content` (all its bytes).
 /// \throws InputError naming file and line if the format is not known, the content is damaged, or a unit or time step

@@ -29,7 +29,7 @@ void read(std::string_view content, overturn::RecordRequest const& request) {
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
     std::string_view const content(reinterpret_cast<char const*>(data), size);
     read(content, {});
-    read(content, {.unit_mps2 = 0.01, .time_step_s = 0.01, .may_be_resampled = true});
+    read(content, {.unit_mps2 = 0.01, .unit_has_number = true, .time_step_s = 0.01, .may_be_resampled = true});
     read(content, {.component = "EW", .components = overturn::ComponentChoice::horizontal});
     (void)overturn::station_of_record(content);
     return 0;

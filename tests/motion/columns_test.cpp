@@ -273,7 +273,7 @@ TEST(RecordFormats, HeadsOfSeveralLines) {
 }
 
 TEST(RecordFormats, AreListedWithASummary) {
-    ASSERT_EQ(record_formats().size(), 21U);
+    ASSERT_EQ(record_formats().size(), 22U);
     for (auto const& format : record_formats()) {
         EXPECT_FALSE(format.summary.empty());
     }

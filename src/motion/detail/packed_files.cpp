@@ -9,6 +9,7 @@ namespace {
 using Text = std::string_view;
 
 constexpr Text unpack = "Unpack it and name the record inside";
+constexpr Text no_unit = "no line of it says the unit of its numbers";
 constexpr Text convert = "Convert it to text, for example with ObsPy to columns time,a_horizontal in m/s2";
 
 struct Beginning {
@@ -21,18 +22,9 @@ constexpr std::array beginnings{Beginning{Text("\x1f\x8b", 2), {"a gzip file (.g
                                 Beginning{Text("\xfd\x37zXZ", 5), {"an xz file (.xz)", unpack}},
                                 Beginning{Text("7z\xbc\xaf", 4), {"a 7z archive", unpack}},
                                 Beginning{Text("\x1f\x9d", 2), {"a compress file (.Z)", unpack}},
-                                Beginning{Text("MS\x03", 3), {"miniSEED 3", convert}},
+                                Beginning{Text("MS\x03", 3), {"miniSEED 3", convert, no_unit}},
                                 Beginning{Text("\x89HDF", 4), {"an HDF5 file", convert}},
                                 Beginning{Text("%PDF", 4), {"a PDF", "Fetch the record itself"}}};
-
-/// Six digits, a quality letter and a blank: a data record of SEED 2.
-bool is_miniseed(Text content) {
-    constexpr std::size_t digits = 6;
-    auto const is_digit = [](char c) { return c >= '0' && c <= '9'; };
-    return content.size() > digits + 2 && std::all_of(content.begin(), content.begin() + digits, is_digit)
-           && Text("DRQM").find(content[digits]) != Text::npos
-           && (content[digits + 1] == ' ' || content[digits + 1] == 0) && content.find('\0') != Text::npos;
-}
 
 bool is_tar(Text content) {
     constexpr std::size_t magic_at = 257;
@@ -53,20 +45,26 @@ bool is_sac(Text content) {
 
 }  // namespace
 
+// Six digits, a quality letter and a blank, and bytes that no text has.
+bool is_miniseed(std::string_view content) {
+    constexpr std::size_t digits = 6;
+    auto const is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    return content.size() > digits + 2 && std::all_of(content.begin(), content.begin() + digits, is_digit)
+           && Text("DRQM").find(content[digits]) != Text::npos
+           && (content[digits + 1] == ' ' || content[digits + 1] == 0) && content.find('\0') != Text::npos;
+}
+
 PackedFile packed_file(std::string_view content) {
     for (auto const& beginning : beginnings) {
         if (content.starts_with(beginning.bytes)) {
             return beginning.file;
         }
     }
-    if (is_miniseed(content)) {
-        return {"miniSEED", convert};
-    }
     if (is_tar(content)) {
         return {"a tar archive", unpack};
     }
     if (is_sac(content)) {
-        return {"SAC, binary", convert};
+        return {"SAC, binary", convert, no_unit};
     }
     return {};
 }

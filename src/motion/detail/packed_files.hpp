@@ -5,11 +5,15 @@
 
 namespace overturn {
 
-/// What a binary file is and what to do with it; both empty if its first bytes tell nothing.
+/// What a binary file is, why it is not read and what to do with it; all empty if its first bytes tell nothing.
 struct PackedFile {
     std::string_view name;
     std::string_view advice;
+    std::string_view why = "records are read as text";
 };
 [[nodiscard]] PackedFile packed_file(std::string_view content);
+
+/// A data record of SEED 2, which has a reader.
+[[nodiscard]] bool is_miniseed(std::string_view content);
 
 }  // namespace overturn

@@ -72,6 +72,11 @@ namespace overturn {
                                        TableFormat const& format);
 extern TableFormat const nsmn_table, csmnc_table, bbp_table;
 
+/// miniSEED 2, by libmseed: counts or numbers of one station's channels, without their unit. Where the program is built
+/// without that library it is refused by name.
+[[nodiscard]] bool recognises_miniseed(std::string_view content);
+[[nodiscard]] Recording read_miniseed(std::string_view content, RecordRequest const& request);
+
 /// EarthScope (IRIS) ASCII, SLIST and TSPAIR: such a table of one series, whose channel its first line names.
 [[nodiscard]] bool recognises_earthscope(std::string_view content);
 [[nodiscard]] Recording read_earthscope(std::string_view content, RecordRequest const& request);
