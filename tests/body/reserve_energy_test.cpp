@@ -1,5 +1,4 @@
-// Requirement R-705: capacities by the approximate methods of ASCE/SEI 43-05, Appendix A, are what their energy balance
-// says.
+// Requirement R-705: capacities by hand are what their energy balance says.
 #include "body/reserve_energy.hpp"
 
 #include <cmath>
