@@ -91,6 +91,11 @@ class Reader {
         TextRow before;
         read_row(line.substr(0, mark), before);
         constexpr std::size_t telling = 2;  // "1992 # Landers" is none
+        bool const names = table_.line.empty() && line.substr(0, mark).find_first_of(",;\t") != Text::npos;
+        if (!before.numbers && names) {
+            take_text(line.substr(mark), table_.notes);
+            return line.substr(0, mark);
+        }
         if (!before.numbers || (table_.line.empty() && before.values.size() < telling)) {
             return line;
         }

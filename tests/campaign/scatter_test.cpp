@@ -247,7 +247,7 @@ TEST(BodyScatter, RefusesNonsense) {
     refuse(certain + "friction={static={distribution='uniform',low=0.3,high=0.4},kinetic=0.3}\n", "kinetic_ratio");
     refuse(certain + "friction={distribution='lognormal',median=0.6,beta=0.4}\n", "Painleve");
     refuse(certain + "friction={static=0.5,kinetic_ratio=1.1}\n", "kinetic_ratio: 1.1");
-    refuse(block + "mass='12.6 t'\ncentre_height={distribution='normal',mean=1,deviation='1 g'}\n", "unit 'g'");
+    refuse(block + "mass='12.6 t'\ncentre_height={distribution='normal',mean='1 m',deviation='1 g'}\n", "unit 'g'");
     refuse("base_width=1.36\ninertia=3000\nmass='12.6 t'\ncentre_height={distribution='normal',mean=1,deviation=0.5}\n",
            "centre_height: Housner");
 }

@@ -133,7 +133,7 @@ TEST_F(RecordsOnTheLine, WhatABaselineDoesIsSaid) {
     for (auto const& arguments : std::vector<std::vector<std::string>>{
              {"plan", "c.toml"}, {"spectrum", "--wave", "drifts.csv", "--baseline", "mean"}}) {
         auto const ended = overturn(folder, arguments);
-        auto const told = ended.out + ended.err;
+        auto const told = unwrapped(ended.out) + ended.err;
         auto const at = told.find("mean taken off (PGA ");
         ASSERT_NE(at, std::string::npos) << told;
         for (auto const* part : {", PGV -", ", PGD -", ", Sa from 0.3 to 10 s by "}) {

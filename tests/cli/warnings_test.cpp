@@ -79,7 +79,10 @@ class Warnings : public ::testing::Test {
     void expect_refused(std::vector<std::string> const& arguments, std::vector<std::string> const& parts) {
         auto const ended = overturn(folder, arguments);
         EXPECT_EQ(ended.code, 2) << ended.err;
-        EXPECT_TRUE(is_one_error_line(ended.err));
+        std::istringstream lines(ended.err);
+        for (std::string line; std::getline(lines, line);) {  // one for each fault
+            EXPECT_TRUE(is_one_error_line(line + "\n")) << ended.err;
+        }
         for (auto const& part : parts) {
             EXPECT_NE(ended.err.find(part), std::string::npos) << "no '" << part << "' in: " << ended.err;
         }

@@ -25,7 +25,7 @@ TEST(Envelope, SaragoniHartIsTheGammaFunction) {
 }
 
 TEST(Envelope, PointsAreStraightLinesUnderTheirLargest) {
-    auto const envelope = read("shape='points'\npoints=[['1 s',0],[3,4],[10,2]]\n");
+    auto const envelope = read("shape='points'\npoints=[['1 s',0],['3 s',4],['10 s',2]]\n");
 
     EXPECT_EQ(envelope.at(0.5), 0);
     EXPECT_DOUBLE_EQ(envelope.at(2), 0.5);

@@ -37,7 +37,8 @@ TEST(PointDensity, IsStraightBetweenItsPointsAndNothingOutside) {
 
 // The mean power of many draws, band by band, is the stated one.
 TEST(PointDensity, NoiseHasTheStatedPower) {
-    auto const source = testing::source_of(steady + constant + "[density]\npoints=[[0.5,0],['1 Hz',2],[4,2],[8,0]]\n");
+    auto const source =
+        testing::source_of(steady + constant + "[density]\npoints=[['0.5 Hz',0],['1 Hz',2],['4 Hz',2],['8 Hz',0]]\n");
     PointDensity const density({{0.5, 0}, {1, 2}, {4, 2}, {8, 0}});
     constexpr int waves = 200;
     constexpr double dt = 0.01;

@@ -236,7 +236,7 @@ TEST(TargetSpectrum, CampaignStatesItInThreeWays) {
     auto const read = [&](char const* text) { return read_target(config::Table::parse(text, "c.toml"), files); };
 
     EXPECT_TRUE(near(read("spectrum='rg-1.60'\npga='0.3 g'").psa_mps2(0.02), 0.3 * g0, exact_formula));
-    EXPECT_TRUE(near(read("kind='pseudo-velocity'\npoints=[[0.1,'20 kine'],[1,0.2]]\nscale=2").psv_mps(0.5), 0.4,
+    EXPECT_TRUE(near(read("kind='pseudo-velocity'\npoints=[[0.1,'20 kine'],[1,'0.2 m/s']]\nscale=2").psv_mps(0.5), 0.4,
                      exact_formula));
     EXPECT_TRUE(near(read("kind='acceleration'\nunit='m/s2'\nfile='sv.csv'\ntime_scale=0.5").last_period_s(), 0.5,
                      exact_formula));
