@@ -116,7 +116,7 @@ std::string assumptions_lines(CampaignSpec const& spec, bool full) {
     }
     if (!unstated.empty()) {
         text += labelled("unstated", names_text(unstated, full ? unstated.size() : most_keys)
-                                         + ": say basis = \"published\", \"measured\" or \"assumed\"");
+                                         + R"(: say basis = "published", "measured" or "assumed")");
     }
     std::vector<std::string> unsafe;
     std::size_t bearing = 0;

@@ -73,7 +73,7 @@ Failure current_failure() {
     }
 }
 
-void print_error_once(std::string message) {
+void print_error_once(std::string const& message) {
     if (is_first_rank()) {
         print_error(message);
     }

@@ -11,7 +11,7 @@ void print_error(std::string const& message);
 
 /// As print_error, but silent on ranks above 0, known from what launchers put into the environment: for errors that
 /// every rank meets, also before MPI is up.
-void print_error_once(std::string message);
+void print_error_once(std::string const& message);
 
 struct Failure {
     std::string message;
