@@ -162,6 +162,9 @@ std::string WaveCounts::text(Acceptance const& acceptance, double confidence) co
             fmt::format(" that meet {}; {} of {} drawn were refused: {:.3g} % [{:.3g} %, {:.3g} %]", acceptance.rule,
                         refused, drawn, 100.0 * static_cast<double>(refused) / static_cast<double>(drawn),
                         100 * share.lower, 100 * share.upper);
+        if (waves > 0 && waves * acceptance.most_drawn < drawn) {
+            text += "; fewer are used than were asked for, since no more are drawn";
+        }
     }
     return text;
 }

@@ -52,6 +52,20 @@ TEST(WaveCheck, AcceptedWavesAreUsed) {
               "4 waves that meet srp-3.7.1; 0 of 4 drawn were refused: 0 % [0 %, 60.2 %]");
 }
 
+// Of 50 asked for and 50 drawn at most, 49.
+TEST(WaveCheck, FewerThanAskedForAreSaid) {
+    auto const spec = testing::campaign_from(waves("acceptance='srp-3.7.1'\n") + rest);
+    auto acceptance = spec.source->about().acceptance;
+    WaveCounts counts;
+    counts.waves = 49;
+    counts.refused = 1;
+    for (auto const most : {1, 2}) {
+        acceptance.most_drawn = most;
+        bool const said = counts.text(acceptance, 0.95).find("fewer are used than were asked for") != std::string::npos;
+        EXPECT_EQ(said, most == 1);
+    }
+}
+
 TEST(WaveCheck, NoTrialIsComputedOfOthers) {
     auto const spec = testing::campaign_from(waves("acceptance='srp-3.7.1'\nmatch_iterations=1\n") + rest);
     auto const rows = testing::rows_of(spec);
