@@ -52,20 +52,26 @@ PairTable read_pair_table(std::string_view content, std::string const& name, Pai
     }
     table.points.reserve(rows.line.size());
     for (std::size_t i = 0; i < rows.line.size(); ++i) {
-        Pair const point{rows.column[0][i], rows.column[1][i]};
-        try {
-            form.check(point, i == 0 ? nullptr : &table.points.back());
-        } catch (InputError const& error) {
-            throw InputError({name, rows.line[i]}, error.what());
-        }
-        table.points.push_back(point);
+        table.points.emplace_back(rows.column[0][i], rows.column[1][i]);
     }
     table.line = std::move(rows.line);
-    for (auto* lines : {&rows.head, &rows.notes}) {
-        std::ranges::copy_if(*lines, std::back_inserter(table.text),
-                             [&](TextLine const& line) { return line.number != table.names_line; });
+    std::ranges::copy_if(rows.head, std::back_inserter(table.text),
+                         [&](TextLine const& line) { return line.number != table.names_line; });
+    std::ranges::move(rows.notes, std::back_inserter(table.text));
+    if (form.check) {
+        check_rows(table, name, form.check);
     }
     return table;
+}
+
+void check_rows(PairTable const& table, std::string const& name, RowCheck const& check) {
+    for (std::size_t i = 0; i < table.points.size(); ++i) {
+        try {
+            check(table.points[i], i == 0 ? nullptr : &table.points[i - 1]);
+        } catch (InputError const& error) {
+            throw InputError({name, table.line[i]}, error.what());
+        }
+    }
 }
 
 std::vector<Pair> read_pairs(std::string_view content, std::string const& name, PairForm const& form) {

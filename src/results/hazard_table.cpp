@@ -126,25 +126,11 @@ std::optional<double> years_in(std::string const& text) {
     return probability && !annual ? std::optional(0.0) : std::nullopt;
 }
 
-/// What is no number: lines of text, and comments behind names or numbers.
-std::vector<TextLine> words_of(std::string_view content, PairTable const& table) {
-    auto words = table.text;
-    TextLines lines(content);
-    while (auto const line = lines.next()) {
-        auto const comment = line->find_first_of("#!");
-        bool const known = std::ranges::find(words, lines.number(), &TextLine::number) != words.end();
-        if (comment != std::string_view::npos && !known && !trimmed(line->substr(0, comment)).empty()) {
-            words.push_back({std::string(trimmed(line->substr(comment))), lines.number()});
-        }
-    }
-    return words;
-}
-
 // A line that speaks of more years than one: the numbers may be probabilities. \return remarks on those that only name
 // some
-std::vector<std::string> check_years(std::string_view content, PairTable const& table, std::string const& name) {
+std::vector<std::string> check_years(PairTable const& table, std::string const& name) {
     std::vector<std::string> remarks;
-    for (auto const& line : words_of(content, table)) {
+    for (auto const& line : table.text) {
         auto const text = lowered(line.text);
         auto const years = years_in(text);
         auto const named = named_years(text);
@@ -273,15 +259,11 @@ HazardCurve parse_hazard(std::string_view content, std::string const& name, Haza
         std::ranges::copy(curve.remarks(), std::back_inserter(remarks));
         return HazardCurve(curve.points(), curve.stated(), std::move(remarks));
     }
-    // Names first: rows of a column that is no annual frequency break its rules.
-    PairForm form{.meaning = "intensity and annual exceedance",
-                  .check = [](Pair const& /*point*/, Pair const* /*before*/) {},
-                  .are_names =
-                      [&](auto first, auto second) {
-                          return is_annual_frequency(second)
-                                 || (!axis.label.empty() && measure_in(first) == axis.label);
-                      }};
-    auto table = read_pair_table(content, name, form);
+    auto const table = read_pair_table(
+        content, name, {.meaning = "intensity and annual exceedance", .are_names = [&](auto first, auto second) {
+                            return is_annual_frequency(second)
+                                   || (!axis.label.empty() && measure_in(first) == axis.label);
+                        }});
     Location const where{name, table.names_line};
     if (table.names_line == 0) {
         auto const label = axis.label.empty() ? std::string("pga") : axis.label;
@@ -292,9 +274,8 @@ HazardCurve parse_hazard(std::string_view content, std::string const& name, Haza
     }
     check_measure(table, axis, where);
     check_frequency(table, where);
-    form.check = check_row;
-    table = read_pair_table(content, name, form);
-    auto remarks = check_years(content, table, name);
+    check_rows(table, name, check_row);  // behind the names: rows of another column break its rules
+    auto remarks = check_years(table, name);
     auto const claims = claims_of(table, axis.dimension, name);
     auto unit = unit_of(table, axis, claims, where);
     auto cut = without_zeros(table, unit.si);

@@ -65,6 +65,8 @@ TEST(TargetNames, TextMayNotContradict) {
     for (char const* line : {"# damping 2%", "# 2 % damped", "# h = 0.02", "# damping ratio 0.02", "# zeta=0.02"}) {
         expect_input_error([&] { (void)read(std::string(line) + "\nT,Sa\n"); }, "t.csv:1: damping 0.02 in the text");
     }
+    // A comment beside the names is text too.
+    expect_input_error([] { (void)read("T,Sa # damping 2 %\n"); }, "t.csv:1: damping 0.02 in the text");
     expect_input_error(
         [] {
             (void)parse_target_table("T,Sa\n0.1,1\n1,1\n# units: gal\n", "t.csv", TargetKind::acceleration, 0.05, g0);
