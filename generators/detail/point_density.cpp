@@ -22,12 +22,10 @@ void check_point(Pair const& point, Pair const* before) {
 
 /// Not over rad/s, and no spectrum of amplitudes.
 bool are_of_density(std::string_view first, std::string_view second) {
-    auto const [unit, bracketed] = unit_text_in_name(first);
-    auto const hertz = unit_spelled(unit, Dimension::frequency);
     auto const lower = lowered(second);
     bool const amplitudes = lower.find("ampl") != std::string::npos || lower.find("fourier") != std::string::npos
                             || lower.find("fas") != std::string::npos;
-    return is_frequency_name(first) && (hertz ? *hertz == 1 : !bracketed) && !amplitudes;
+    return is_frequency_name(first) && is_in_si(first, Dimension::frequency) && !amplitudes;
 }
 
 }  // namespace

@@ -168,9 +168,7 @@ void check_sigma(Pair const& point, Pair const* before) {
 
 /// Not in ms, and not of log10 Sa.
 bool are_of_sigma(std::string_view first, std::string_view second) {
-    auto const [unit, bracketed] = unit_text_in_name(first);
-    auto const seconds = unit_spelled(unit, Dimension::time);
-    return is_period_name(first) && (seconds ? *seconds == 1 : !bracketed)
+    return is_period_name(first) && is_in_si(first, Dimension::time)
            && lowered(second).find("log") == std::string::npos;
 }
 

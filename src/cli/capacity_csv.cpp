@@ -103,12 +103,11 @@ class CapacityReader {
     }
 
     [[nodiscard]] bool fell_in(Cell const& cell) const {
-        auto const word = lowered(cell.text);
-        bool const yes = word == "1" || word == "yes" || word == "true";
-        if (!yes && word != "0" && word != "no" && word != "false") {
+        auto const fell = CellRows::yes_or_no(cell);
+        if (!fell) {
             rows_.fail(cell, fmt::format("{} (must be 1 or 0: did it fall there?). Write one", in_quotes(cell.text)));
         }
-        return yes;
+        return *fell;
     }
 
     CellRows rows_;

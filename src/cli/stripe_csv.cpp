@@ -184,14 +184,13 @@ class Reader {
     }
 
     [[nodiscard]] bool fell(Cell const& cell) const {
-        auto const word = lowered(cell.text);
-        bool const yes = word == "1" || word == "yes" || word == "true";
-        if (!yes && word != "0" && word != "no" && word != "false") {
+        auto const fell = CellRows::yes_or_no(cell);
+        if (!fell) {
             rows_.fail(cell, fmt::format("{} (without a column of trials each row is one, which fell, 1, or stood, 0). "
                                          "Write 1 or 0, or add the trials",
                                          in_quotes(cell.text)));
         }
-        return yes;
+        return *fell;
     }
 
     [[nodiscard]] double value(Cell const& cell) const {

@@ -154,6 +154,13 @@ std::optional<std::vector<Cell>> CellRows::next() {
     return cells;
 }
 
+std::optional<bool> CellRows::yes_or_no(Cell const& cell) {
+    auto const word = lowered(cell.text);
+    bool const yes = word == "1" || word == "yes" || word == "true";
+    bool const no = word == "0" || word == "no" || word == "false";
+    return yes || no ? std::optional(yes) : std::nullopt;
+}
+
 std::string_view CellRows::why_no_number(Cell const& cell) {
     return std::ranges::count(cell.text, ',') == 1 ? "a decimal comma, not a decimal point" : "not a number";
 }

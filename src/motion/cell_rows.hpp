@@ -39,6 +39,8 @@ class CellRows {
     /// Comments and prose, of all rows handed out so far.
     [[nodiscard]] std::vector<TextLine> const& text() const { return text_; }
 
+    /// 1, yes, true; 0, no, false; nothing of other words.
+    [[nodiscard]] static std::optional<bool> yes_or_no(Cell const& cell);
     /// What a cell is that was to be a number: one with a decimal comma, or none.
     [[nodiscard]] static std::string_view why_no_number(Cell const& cell);
 

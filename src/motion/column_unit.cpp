@@ -153,4 +153,10 @@ std::string name_of_unit(double si, Dimension dimension) {
     return fmt::format("{:.7g} {}", si, si_symbol(dimension));
 }
 
+bool is_in_si(std::string_view name, Dimension dimension) {
+    auto const [text, bracketed] = unit_text_in_name(name);
+    auto const si = unit_spelled(text, dimension);
+    return si ? *si == 1 : !bracketed;
+}
+
 }  // namespace overturn

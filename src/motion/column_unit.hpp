@@ -35,4 +35,7 @@ struct UnitText {
     return name_of_unit(si, Dimension::acceleration);
 }
 
+/// Is a column in the dimension's SI unit, or does its name state none? Brackets of anything else: no.
+[[nodiscard]] bool is_in_si(std::string_view name, Dimension dimension);
+
 }  // namespace overturn
