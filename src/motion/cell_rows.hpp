@@ -36,6 +36,9 @@ class CellRows {
     /// The next row, of as many cells as the header, or nothing after the last. \throws InputError
     [[nodiscard]] std::optional<std::vector<Cell>> next();
 
+    /// Of the row handed out last, or of the header before any.
+    [[nodiscard]] int line() const { return lines_.number(); }
+
     /// Comments and prose, of all rows handed out so far.
     [[nodiscard]] std::vector<TextLine> const& text() const { return text_; }
 

@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "spectra/detail/design_json.hpp"
+#include "spectra/detail/design_part.hpp"
 #include "spectra/named_targets.hpp"
 
 namespace overturn {
@@ -20,7 +21,7 @@ constexpr config::Keys target_keys{
         .in_unit_of("kind")
         .only("there is no spectrum and no file"),
     config::text_key("file", "file of two columns, period and ordinate").only("there is no spectrum and no points"),
-    config::text_key("part", "the name of one spectrum in a JSON file that holds several")
+    config::text_key("part", "the name of one spectrum in a file that holds several: in JSON, or over a column")
         .optional()
         .only("file is stated"),
     config::word_key<target_kinds>("kind", "what the ordinates are").only("points or file are stated"),
@@ -72,10 +73,11 @@ TargetSpectrum read_tabulated(config::Table const& table, InputFiles& files, dou
         auto const part = table.has("part") ? table.text(target_keys["part"]) : std::string();
         return table.located("file", [&] {
             auto const& content = files.read(name);
-            bool const json = is_json(content);
-            validate(json || part.empty(), "part '{}' of {} (a table has none). Leave it out", part, name);
-            return parse_target_table(json ? table_of_design_json(content, name, part) : content, name, kind, damping,
-                                      unit, files.are_before_format_5());
+            auto const chosen = is_json(content) ? table_of_design_json(content, name, part)
+                                                 : table_of_one_ordinate(content, name, part);
+            validate(chosen || part.empty(), "part '{}' of {} (it holds one spectrum alone). Leave it out", part, name);
+            return parse_target_table(chosen ? *chosen : content, name, kind, damping, unit,
+                                      files.are_before_format_5());
         });
     }
     // With a unit stated for all of them, points are numbers alone.

@@ -1,16 +1,17 @@
 #include "spectra/detail/design_json.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "motion/text_lines.hpp"
+#include "spectra/detail/design_part.hpp"
 
 namespace overturn {
 namespace {
@@ -61,29 +62,15 @@ void collect(Json const& value, std::string const& name, int depth, std::vector<
     }
 }
 
-std::string names_of(std::vector<Spectrum> const& found) {
-    std::vector<std::string> names;
-    names.reserve(found.size());
-    for (auto const& spectrum : found) {
-        names.push_back(spectrum.name);
-    }
-    return fmt::format("{}", fmt::join(names, ", "));
-}
-
 Spectrum const& chosen(std::vector<Spectrum> const& found, std::string const& part, std::string const& file) {
-    auto const named = [&](Spectrum const& spectrum) { return spectrum.name == part; };
     if (found.empty()) {
         throw InputError({file},
                          "JSON without a spectrum (arrays periods and ordinates, or pairs under a name that "
                          "holds 'spectrum'). Write columns T (s),Sa (g)");
     }
-    if (part.empty() ? found.size() > 1 : std::ranges::count_if(found, named) != 1) {
-        throw InputError(
-            {file}, fmt::format("{} spectra: {} ({}). State part = \"{}\"", found.size(), names_of(found),
-                                part.empty() ? "which is meant?" : fmt::format("'{}' is not one of them alone", part),
-                                found.front().name));
-    }
-    return part.empty() ? found.front() : *std::ranges::find_if(found, named);
+    std::vector<std::string> names;
+    std::ranges::transform(found, std::back_inserter(names), &Spectrum::name);
+    return found[part_among(names, part, "spectra", {file})];
 }
 
 }  // namespace
