@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 seconds=${1:-600}
 readers=("${@:2}")
-[ ${#readers[@]} -gt 0 ] || readers=(toml record results)
+[ ${#readers[@]} -gt 0 ] || readers=(toml record tables results)
 
 command -v clang++ >/dev/null || { echo "no clang++ here (apt-get install clang)"; exit 77; }
 CXX=clang++ CC=clang cmake -S . -B .build/fuzz -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DOVERTURN_FUZZ=ON \
@@ -21,9 +21,10 @@ waves={source="harmonic",amplitude="1 m/s2",frequencies=[1],duration="4 s",time_
 bodies=[{name="b",mass="1 t",base_width="1 m",centre_height="2 m",inertia="uniform-block"}]
 levels={measure="factor",values=[1,9]}'
 rm -rf .build/fuzz/seeds
-mkdir -p .build/fuzz/seeds/{toml,record,results}
+mkdir -p .build/fuzz/seeds/{toml,record,tables,results}
 cp tests/fuzz/corpus/toml/* .build/fuzz/seeds/toml
 cp tests/fuzz/corpus/record/* .build/fuzz/seeds/record
+cp tests/fuzz/corpus/tables/* .build/fuzz/seeds/tables
 echo "$small" >.build/fuzz/seeds/toml/small
 "$program" run .build/fuzz/seeds/toml/small -o .build/fuzz/seeds/results/small.h5 >/dev/null 2>&1 ||
     { echo "no results file to begin with"; exit 1; }
