@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
 #include <fmt/ranges.h>
@@ -19,11 +18,6 @@ namespace overturn {
 namespace {
 
 using Text = std::string_view;
-
-bool same(double a, double b) {
-    constexpr double printed = 1e-3;
-    return std::abs(a - b) <= printed * std::abs(b);
-}
 
 bool holds(Text text, Text part) { return text.find(part) != Text::npos; }
 
@@ -74,7 +68,7 @@ std::vector<std::string> components_behind(Text text) {
 }  // namespace
 
 void Claims::Claim::take(double stated, int number) {
-    if (value && !same(stated, *value)) {
+    if (value && !same_as_printed(stated, *value)) {
         contradicted = true;
         value.reset();
     } else if (!contradicted && !value) {
@@ -221,106 +215,6 @@ std::vector<std::string> Claims::used() const {
         lines.push_back(fmt::format("line {}: {:.0f} samples", count_.line, *count_.value));
     }
     return lines;
-}
-
-std::optional<double> Claims::unit_beside(std::optional<double> named, std::optional<double> stated,
-                                          Location const& names, std::string_view advice) const {
-    constexpr double rounding = 1e-9;
-    auto const differ = [&](std::optional<double> a, std::optional<double> b) {
-        return a && b && std::abs(*a - *b) > rounding * *b;
-    };
-    Location const line{names.file, unit_.line};
-    if (differ(unit_.value, named)) {
-        throw InputError(line, fmt::format("unit {}, line {} says {} (they contradict each other). Mend one of them",
-                                           name_of_unit(*unit_.value, of_), names.line, name_of_unit(*named, of_)));
-    }
-    auto const said = named ? named : unit_.value;
-    if (differ(said, stated)) {
-        throw InputError(named ? names : line,
-                         fmt::format("unit {} in the file, {} stated (they contradict each other). {}",
-                                     name_of_unit(*said, of_), name_of_unit(*stated, of_), advice));
-    }
-    return said ? said : stated;
-}
-
-void Claims::check(RecordRequest const& request) const {
-    bool const beside_accelerations = named_ || (accelerations_ && other_of_several_);
-    bool const other = other_line_ > 0 && !beside_accelerations && (!unit_.value || spectrum_);
-    if (unit_.value && !other) {
-        check_stated_unit(request, *unit_.value, {request.name, unit_.line});
-    } else if (other) {
-        throw InputError({request.name, other_line_},
-                         fmt::format("{}, says the text (accelerations are read). Take the accelerations of the same "
-                                     "record, or mend the text",
-                                     other_));
-    }
-    if (step_.value) {
-        auto own = request;
-        own.may_be_resampled = false;  // the stated step is how the values are read, not what they are resampled to
-        check_stated_time_step(own, *step_.value, {request.name, step_.line});
-    }
-}
-
-void Claims::check_unit_of(std::string_view column, std::string const& file) const {
-    if (of_ != Dimension::none && other_line_ > 0 && !other_of_several_ && !unit_.value) {
-        throw InputError(
-            {file, other_line_},
-            fmt::format("a unit of {}, column '{}' (they contradict each other). Mend one of them", other_, column));
-    }
-}
-
-void Claims::check_unit_is_known(std::string const& file) const {
-    if (!unit_.value && !unknown_unit_.empty()) {
-        throw InputError({file, unknown_unit_line_},
-                         fmt::format("'{}' (no unit of {} that is known). Write {}, or leave it out and state the unit",
-                                     unknown_unit_, name_of(of_),
-                                     of_ == Dimension::acceleration ? "m/s2, gal or g" : si_symbol(of_)));
-    }
-}
-
-void Claims::check_times(double step_s, std::string const& file) const {
-    if (step_.value && !same(step_s, *step_.value)) {
-        throw InputError({file, step_.line},
-                         fmt::format("time step {:.6g} s where the times rise by {:.6g} s (one of them is wrong). Mend "
-                                     "the text or the times",
-                                     *step_.value, step_s));
-    }
-}
-
-void Claims::check_count(std::span<std::size_t const> counts, std::string const& file) const {
-    if (!count_.value) {
-        return;
-    }
-    auto const claimed = static_cast<std::size_t>(*count_.value);
-    if (std::ranges::find(counts, claimed) == counts.end()) {
-        throw InputError({file, count_.line},
-                         fmt::format("{} samples claimed, {} found (the file is cut short, or the text is another "
-                                     "file's). Fetch the file anew, or mend the text",
-                                     claimed, counts.front()));
-    }
-}
-
-void Claims::check_peaks(std::span<double const> peaks_mps2, double unit_mps2, std::string const& file) const {
-    constexpr double printed = 0.01;
-    constexpr std::array confused{9.80665, 980.665, 100.0, 1000.0, 9806.65};
-    for (auto const& peak : peaks_) {
-        double const claimed = peak.value * peak.unit.value_or(unit_mps2);
-        auto const off_by = [&](double factor) {
-            return std::ranges::any_of(
-                peaks_mps2, [&](double found) { return std::abs(found * factor - claimed) <= printed * claimed; });
-        };
-        if (off_by(1)) {
-            continue;
-        }
-        for (double const factor : confused) {
-            if (off_by(factor) || off_by(1 / factor)) {
-                throw InputError({file, peak.line},
-                                 fmt::format("peak of {:.6g} m/s2 claimed, {:.6g} m/s2 found (a wrong unit, by a "
-                                             "factor of {:g}). State the right unit",
-                                             claimed, std::ranges::max(peaks_mps2), factor));
-            }
-        }
-    }
 }
 
 std::string not_understood(std::span<std::string const> lines) {

@@ -1,6 +1,7 @@
 /// What one line of prose says, word by word. Every function takes a line in lower case.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -26,5 +27,11 @@ void each_unit(std::string_view line, Dimension dimension, std::function<void(do
 
 /// Does it hold the word, or the words, as such?
 [[nodiscard]] bool holds_word(std::string_view line, std::string_view word);
+
+/// To the digits that such lines print.
+[[nodiscard]] inline bool same_as_printed(double a, double b) {
+    constexpr double printed = 1e-3;
+    return std::abs(a - b) <= printed * std::abs(b);
+}
 
 }  // namespace overturn
