@@ -49,10 +49,9 @@ consteval bool is_sound() {
         }
     }
     return std::ranges::all_of(intensity_measures, [](IntensityMeasure const& entry) {
-        int const sources = (entry.of_wave != nullptr ? 1 : 0) + (entry.of_trial != nullptr ? 1 : 0)
-                            + (entry.of_motion != nullptr ? 1 : 0);
+        int const sources = (entry.of_wave ? 1 : 0) + (entry.of_trial ? 1 : 0) + (entry.of_motion ? 1 : 0);
         return sources == 1 && (entry.level.empty() || is_linear(&entry))
-               && (entry.curves == Curves::measured) == (entry.measured != nullptr);
+               && (entry.curves == Curves::measured) == entry.measured.has_value();
     });
 }
 static_assert(is_sound());
@@ -80,20 +79,20 @@ std::vector<std::string> fragility_measure_names() {
 
 double unscaled(Measure measure, WaveRow const& wave, MeasureRow const& of_body) {
     OVERTURN_EXPECT(is_linear(measure));
-    return measure->of_wave != nullptr ? measure->of_wave(wave, of_body)
-                                       : wave.measured.at(place_among(measure, &IntensityMeasure::has_wave_column));
+    return measure->of_wave ? (*measure->of_wave)(wave, of_body)
+                            : wave.measured.at(place_among(measure, &IntensityMeasure::has_wave_column));
 }
 
 double of_trial(Measure measure, TrialRow const& trial) {
     OVERTURN_EXPECT(!is_linear(measure));
-    return measure->of_trial != nullptr ? measure->of_trial(trial)
-                                        : trial.measured.at(place_among(measure, &IntensityMeasure::has_trial_column));
+    return measure->of_trial ? (*measure->of_trial)(trial)
+                             : trial.measured.at(place_among(measure, &IntensityMeasure::has_trial_column));
 }
 
 void measure_motion(GroundMotion const& motion, WaveRow& row) {
     for (auto const& entry : intensity_measures) {
         if (entry.has_wave_column()) {
-            row.measured.at(place_among(&entry, &IntensityMeasure::has_wave_column)) = entry.of_motion(motion, 1);
+            row.measured.at(place_among(&entry, &IntensityMeasure::has_wave_column)) = (*entry.of_motion)(motion, 1);
         }
     }
 }
@@ -102,7 +101,7 @@ void measure_scaled(std::span<Measure const> asked, GroundMotion const& motion, 
     for (auto const* const measure : asked) {
         if (measure->has_trial_column()) {
             row.measured.at(place_among(measure, &IntensityMeasure::has_trial_column)) =
-                measure->of_motion(motion, row.scale);
+                (*measure->of_motion)(motion, row.scale);
         }
     }
 }

@@ -40,6 +40,10 @@ enum class Curves {
     none       ///< never
 };
 
+/// A function or none. Under GCC's sanitizer of undefined behaviour no function's address compares as a constant, which
+/// a plain pointer would ask for.
+template <class Function> using MaybeFunction = std::optional<Function*>;
+
 /// One measure. A measure that is linear in the wave's scale has `of_wave`, or an `of_motion` that is `linear`.
 struct IntensityMeasure {
     std::int64_t number;          ///< in files, beside the name: never renumber
@@ -49,13 +53,13 @@ struct IntensityMeasure {
     Dimension dimension = Dimension::none;
     std::string_view meaning;
     Curves curves = Curves::asked;
-    bool (*measured)(MeasureSpec const&) = nullptr;
+    MaybeFunction<bool(MeasureSpec const&)> measured = {};
     /// Of the wave before scaling, for a body [SI]
-    double (*of_wave)(WaveRow const& /*wave*/, MeasureRow const& /*body*/) = nullptr;
+    MaybeFunction<double(WaveRow const& wave, MeasureRow const& body)> of_wave = {};
     /// Of the scaled wave, for the body of a trial [SI]
-    double (*of_trial)(TrialRow const&) = nullptr;
+    MaybeFunction<double(TrialRow const&)> of_trial = {};
     /// Of the motion times a factor [SI]: gives /waves a column of this name, with a factor of 1
-    double (*of_motion)(GroundMotion const&, double scale) = nullptr;
+    MaybeFunction<double(GroundMotion const&, double scale)> of_motion = {};
     /// Is of_motion proportional to the factor? Where it is not, /trials has a column of this name if it is asked for
     bool linear = true;
     bool criterion = false;                  ///< it is held against V_Ereq
@@ -64,8 +68,8 @@ struct IntensityMeasure {
     std::optional<std::size_t> period = {};  ///< Sa: at this place of measures.sa_periods
     PlausibleLevels plausible = {};
 
-    [[nodiscard]] constexpr bool has_wave_column() const { return of_motion != nullptr; }
-    [[nodiscard]] constexpr bool has_trial_column() const { return of_motion != nullptr && !linear; }
+    [[nodiscard]] constexpr bool has_wave_column() const { return of_motion.has_value(); }
+    [[nodiscard]] constexpr bool has_trial_column() const { return of_motion && !linear; }
     /// [SI], "1" for a pure number
     [[nodiscard]] std::string units() const;
 };
@@ -279,7 +283,7 @@ inline constexpr auto trial_measures =
 [[nodiscard]] double unscaled(Measure measure, WaveRow const& wave, MeasureRow const& of_body);
 /// Is it known of a wave before scaling, and of a trial by its scale?
 [[nodiscard]] constexpr bool is_linear(Measure measure) {
-    return measure->of_wave != nullptr || (measure->of_motion != nullptr && measure->linear);
+    return measure->of_wave || (measure->of_motion && measure->linear);
 }
 /// Of a trial [SI]. \pre the measure is not linear in the scale
 [[nodiscard]] double of_trial(Measure measure, TrialRow const& trial);

@@ -11,7 +11,7 @@ std::vector<Measure> measures_of(CampaignSpec const& spec) {
     std::vector measures{own->measured == &measuring::always ? own : measure_named("level")};
     for (auto const& entry : intensity_measures) {
         bool const asked = std::ranges::find(spec.measures.curves, &entry) != spec.measures.curves.end();
-        if (&entry != own && (asked || (entry.curves == Curves::measured && entry.measured(spec.measures)))) {
+        if (&entry != own && (asked || (entry.curves == Curves::measured && (*entry.measured)(spec.measures)))) {
             measures.push_back(&entry);
         }
     }
