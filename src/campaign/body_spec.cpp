@@ -145,7 +145,7 @@ void validate_draws(Table const& table, BodySpec const& spec) {
 }
 
 // The keys that outrank what the body's parts or file say.
-void read_uncertain(Table const& table, BodySpec& spec) {
+void read_uncertain(Table const& table, BodySpec& spec, int points_across) {
     if (table.kind("mass") == Kind::table) {
         spec.scatter.mass = read_distribution(table, body_keys["mass"]);
         set_mass(spec.stated, spec.scatter.mass->centre());
@@ -161,7 +161,7 @@ void read_uncertain(Table const& table, BodySpec& spec) {
         read_friction(table, spec);
     }
     read_placement(table, spec);
-    read_footing(table, spec.stated_footing);
+    read_footing(table, spec.stated_footing, points_across);
     spec.axes = static_cast<int>(table.integer(body_keys["axes"], {.otherwise = spec.axes}));
     table.finish();
 }
@@ -174,7 +174,7 @@ void settle(Table const& table, BodySpec& spec) {
     settle_footing(table, spec);
 }
 
-BodySpec read_stated(Table const& table, std::string name) {
+BodySpec read_stated(Table const& table, std::string name, int points_across) {
     std::vector<BodyPart> parts;
     auto stated = read_shape(table, parts);
     stated.gravity_mps2 = table.number(body_keys["gravity"]);
@@ -185,7 +185,8 @@ BodySpec read_stated(Table const& table, std::string name) {
     auto const body = table.located("", [&] { return scaled(unsettled, scaling); });
     BodySpec spec{std::move(name), stated, scaling, body, {}, {}, 3, {}, {}, {}};
     spec.parts = with_lengths(std::move(parts), length_factor(scaling));
-    read_uncertain(table, spec);
+    spec.stated_footing.base.points = points_across;
+    read_uncertain(table, spec, points_across);
     return spec;
 }
 
@@ -223,8 +224,10 @@ DrawnBody with(BodySpec const& spec, Values const& values) {
 }  // namespace
 
 BodySpec read_body(Table const& table, InputFiles& files) {
+    int const points_across =
+        files.are_before_format_5() ? BasePlan::points_across_before_format_5 : BasePlan::points_across;
     if (!table.has("file")) {
-        auto spec = read_stated(table, table.text(body_keys["name"], "body"));
+        auto spec = read_stated(table, table.text(body_keys["name"], "body"), points_across);
         settle(table, spec);
         return spec;
     }
@@ -233,7 +236,7 @@ BodySpec read_body(Table const& table, InputFiles& files) {
     auto const inner =
         table.named_document(table.located("file", [&]() -> std::string const& { return files.read(file); }), file);
     auto spec = config::with_all_faults(inner, [&] {
-        auto stated = read_stated(inner, inner.text(body_keys["name"], "body"));
+        auto stated = read_stated(inner, inner.text(body_keys["name"], "body"), points_across);
         if (!table.has("restitution") && !table.has("base")) {
             settle(inner, stated);  // what is wrong with the file alone is told there
         }
@@ -242,7 +245,7 @@ BodySpec read_body(Table const& table, InputFiles& files) {
     if (!name.empty()) {
         spec.name = name;
     }
-    read_uncertain(table, spec);
+    read_uncertain(table, spec, points_across);
     settle(table, spec);
     return spec;
 }

@@ -49,7 +49,7 @@ std::vector<ContactPoint> layout(BasePlan const& base, double half_width_m) {
         return rim(base.continuous() ? BasePlan::points_around : base.points, half_width_m);
     }
     validate(base.points >= 2 && base.points <= contact::most_points,
-             "a base of {} points (it takes 2 to {}). Take 2 for corners, 11 for a flat bed", base.points,
+             "a base of {} points (it takes 2 to {}). Take 2 for corners, 15 for a flat bed", base.points,
              contact::most_points);
     double const flat = flat_share(base.points);
     double const share = base.corner_share.value_or(flat);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -188,6 +190,46 @@ void add_match_knobs(std::vector<Knob>& knobs, CampaignInput const& input) {
     knobs.push_back(std::move(iterations));
 }
 
+/// "bodies.0.base={...}" for every bed: how many points it takes from corner to corner.
+std::vector<std::string> beds_of(CampaignSpec const& spec, int points) {
+    std::vector<std::string> settings;
+    for (std::size_t i = 0; i < spec.bodies.size(); ++i) {
+        auto const& base = spec.bodies[i].stated_footing.base;
+        if (base.is_bed()) {
+            auto const bedding = base.corner_share ? fmt::format("{}", *base.corner_share) : R"("flat")";
+            settings.push_back(
+                fmt::format(R"(bodies.{}.base={{shape="square",bedding={},points={}}})", i, bedding, points));
+        }
+    }
+    return settings;
+}
+
+// None where beds differ: no one position is the campaign's.
+void add_points_knob(std::vector<Knob>& knobs, CampaignInput const& input, CampaignSpec const& spec) {
+    std::set<int> own;
+    for (auto const& body : spec.bodies) {
+        if (body.stated_footing.base.is_bed()) {
+            own.insert(body.stated_footing.base.points);
+        }
+    }
+    auto const refused = [&](int points) {
+        return !std::ranges::all_of(beds_of(spec, points), [&](auto const& setting) { return takes(input, setting); });
+    };
+    std::vector<int> points{5, 7, 9, 11, 15, 21, 31, 41};
+    std::erase_if(points, refused);
+    if (own.size() != 1 || points.empty()) {
+        return;
+    }
+    Knob knob{"points", "points of a bed from corner to corner", peak_error, "trial", Acts::trials, {}, {}};
+    auto const most = std::max(points.back(), *own.begin());
+    fill(knob, points, *own.begin(), true, [&](int count) {
+        return Setting{fmt::format("{}", count), beds_of(spec, count), static_cast<double>(count)};
+    });
+    knob.reference = reference_settings();
+    std::ranges::copy(beds_of(spec, most), std::back_inserter(knob.reference));
+    knobs.push_back(std::move(knob));
+}
+
 Knob periods_knob() {
     Knob knob{"spectrum_periods",
               "periods per decade of a response spectrum",
@@ -211,8 +253,13 @@ std::vector<Knob> knobs_of(CampaignInput const& input, CampaignSpec const& spec)
         knobs.push_back(real_knob(contact_step, "step on compliant points, times the vertical mode's frequency",
                                   "accuracy.contact_step", {1.0, 0.6, 0.3, 0.15, 0.075},
                                   spec.accuracy.contact.step_ratio));
+        knobs.back().reference = contact_reference_settings();
     }
+    add_points_knob(knobs, input, spec);
     knobs.push_back(effects_knob(spec, scenes));
+    auto const of_effects = effects_reference_settings(spec);
+    bool const same = spec.effects.mode == EffectMode::automatic && of_effects.back() == automatic_effects;
+    knobs.back().reference = same ? reference_settings() : of_effects;
     if (spec.measures.energy) {
         auto const own = spec.measures.panel_phase_rad;
         knobs.push_back(panel_knob("ou_v_e", "phase per panel of 16 nodes, ouV_E alone", Acts::ou_v_e, own));

@@ -27,7 +27,8 @@ struct Knob {
     std::string timed;  ///< what its time is for: "trial"
     Acts acts = Acts::trials;
     std::vector<Setting> settings;
-    std::optional<std::size_t> here = {};  ///< where the campaign stands; empty if no key says
+    std::optional<std::size_t> here = {};     ///< where the campaign stands; empty if no key says
+    std::vector<std::string> reference = {};  ///< settings of the trials that its own are held against
 };
 
 /// The knobs this campaign has, each with the campaign's own position among its settings.

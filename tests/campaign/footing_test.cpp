@@ -24,7 +24,7 @@ TEST(Footing, WithoutAWordIsASquareOnItsCorners) {
     EXPECT_FALSE(footing.stated);
     EXPECT_EQ(footing.base.shape, BaseShape::square);
     EXPECT_EQ(footing.base.corner_share, 1);
-    EXPECT_EQ(footing.base.points, 11);
+    EXPECT_EQ(footing.base.points, 15);
     EXPECT_EQ(footing.pad.vertical_frequency_hz, 98);
     EXPECT_EQ(footing.pad.normal_restitution, 0.25);
     EXPECT_FALSE(footing.pad.strength_pa.has_value());

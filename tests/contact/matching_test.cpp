@@ -76,7 +76,8 @@ TEST(ContactMatching, TheNearestIsTakenWhereNoBaseGivesWhatIsStated) {
         EXPECT_EQ(match.pad.normal_restitution, 0.05) << e;
     }
     auto const most = match_restitution(with_restitution(body_a(), 0.999), {}, {});
-    EXPECT_EQ(most.restitution, emergent_restitution(body_a(), flat_bed(), {.normal_restitution = 0.95}));
+    EXPECT_EQ(most.restitution,
+              emergent_restitution(body_a(), flat_bed(BasePlan::points_across), {.normal_restitution = 0.95}));
 }
 
 // A bed that is stated stays: only its points are tuned.

@@ -105,5 +105,36 @@ TEST(Knobs, EffectsAreThoseThatApply) {
               "effects={include=[\"contact\",\"spatial\"]}");
 }
 
+// beds have a knob, their points from corner to corner, held against the most that are simulated; every bed
+// takes them, and nothing else. Beds that differ have none, nor have corners and rims.
+TEST(Knobs, BedsHaveTheirPoints) {
+    auto const with_bases = [](std::string const& first, std::string const& second) {
+        std::string bodies;
+        for (auto const& base : {first, second}) {
+            bodies += type_b;
+            bodies.replace(bodies.rfind("name='"), 6, "name='" + std::to_string(bodies.size()));
+            bodies += "base={" + base + "}\n";
+        }
+        return quick_waves + bodies + levels("values=[4]\n");
+    };
+    auto const flat = with_bases("bedding='flat'", "bedding=0.5");
+    auto const knobs = knobs_from(flat);
+    auto const* const points = knob_named(knobs, "points");
+    ASSERT_NE(points, nullptr);
+    EXPECT_EQ(here(knobs, "points"), "15");
+    EXPECT_EQ(points->settings.front().label, "5");
+    EXPECT_EQ(points->settings.back().label, "41");
+    auto const few = parse_campaign(with(input_from(flat), points->settings.front().settings));
+    auto const reference = parse_campaign(with(input_from(flat), points->reference));
+    EXPECT_EQ(few.bodies[0].footing.base.points, 5);
+    EXPECT_EQ(few.bodies[1].footing.base.points, 5);
+    EXPECT_FALSE(few.bodies[0].footing.base.corner_share.has_value());
+    EXPECT_EQ(few.bodies[1].footing.base.corner_share, 0.5);
+    EXPECT_EQ(reference.bodies[0].footing.base.points, 41);
+
+    EXPECT_EQ(knob_named(knobs_from(with_bases("bedding='flat'", "bedding='flat', points=21")), "points"), nullptr);
+    EXPECT_EQ(knob_named(knobs_from(with_bases("bedding='corners'", "shape='round'")), "points"), nullptr);
+}
+
 }  // namespace
 }  // namespace overturn::cost

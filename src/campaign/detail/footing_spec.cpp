@@ -32,7 +32,7 @@ constexpr config::Keys base_keys{
         .only("shape = polygon"),
     config::integer_key("points", 2, 1000,
                         "points from corner to corner; of a round base round its rim, whose directions then differ")
-        .otherwise_said("11; of a round base its rim is continuous, on a pad of a strength 64 points")
+        .otherwise_said("15; of a round base its rim is continuous, on a pad of a strength 64 points")
         .only("shape = square or round")};
 constexpr config::KeyTable base_table{.meaning = "the base that a body stands on", .keys = base_keys.all};
 constexpr config::Keys pad_keys{
@@ -67,7 +67,7 @@ std::optional<double> read_bedding(Table const& given) {
     return given.choice<bool>(base_keys["bedding"], beddings) ? std::optional(1.0) : std::nullopt;
 }
 
-BasePlan read_base(Table const& given) {
+BasePlan read_base(Table const& given, int points_across) {
     BasePlan base;
     base.shape = given.choice<BaseShape>(base_keys["shape"], shapes);
     bool const square = base.shape == BaseShape::square;
@@ -83,8 +83,7 @@ BasePlan read_base(Table const& given) {
     }
     base.corner_share = square ? read_bedding(given) : 1;
     if (base.shape != BaseShape::polygon) {
-        base.points =
-            static_cast<int>(given.integer(base_keys["points"], {.otherwise = square ? BasePlan::points_across : 0}));
+        base.points = static_cast<int>(given.integer(base_keys["points"], {.otherwise = square ? points_across : 0}));
     }
     given.finish();
     return base;
@@ -150,9 +149,9 @@ void validate_width(Table const& table, RigidBody const& body, SpatialBlock cons
 
 constinit config::KeyTable const footing_table{.meaning = "what a body stands on", .keys = footing_keys.all};
 
-void read_footing(Table const& table, Footing& footing) {
+void read_footing(Table const& table, Footing& footing, int points_across) {
     if (table.has("base")) {
-        footing.base = read_base(table.child(footing_keys["base"]));
+        footing.base = read_base(table.child(footing_keys["base"]), points_across);
         footing.stated = true;
     }
     if (table.has("pad")) {
@@ -175,7 +174,7 @@ void settle_footing(Table const& table, BodySpec& spec) {
     footing = scaled(spec.stated_footing, spec.scaling);
     auto const& base = footing.base;
     bool const states_restitution = spec.stated.restitution.has_value();
-    bool const of_its_own = base.continuous() || (base.shape == BaseShape::square && base.corner_share != 1);
+    bool const of_its_own = base.continuous() || base.is_bed();
     if (of_its_own && !states_restitution) {
         footing.pad.match_restitution = false;  // a bed or a rim has a restitution of its own
     }

@@ -9,8 +9,8 @@ namespace overturn {
 /// What may be stated of base, pad and the inertias of a body in space.
 extern config::KeyTable const footing_table;
 
-/// Keys that are not there leave what stands. \throws InputError
-void read_footing(config::Table const& table, Footing& footing);
+/// Keys that are not there leave what stands. \param points_across of a square base that states none \throws InputError
+void read_footing(config::Table const& table, Footing& footing, int points_across);
 
 /// The footing of the body in force: scaled, and matched where the restitution was stated. \throws InputError at the
 /// key that no base can follow

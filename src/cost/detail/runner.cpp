@@ -89,22 +89,27 @@ void Runner::run_references() {
     };
     auto trials = exact(reference_settings());
     study_.reference_seconds = trials.seconds / static_cast<double>(std::max<std::int64_t>(1, trials.units));
-    reference_ = std::move(trials.rows);
-    auto const effects_settings = effects_reference_settings(spec_);
-    bool const same = spec_.effects.mode == EffectMode::automatic && effects_settings.back() == automatic_effects;
-    effects_reference_ = same ? reference_ : exact(effects_settings).rows;
-    bool const on_points =
-        std::ranges::any_of(study_.knobs, [](KnobResult const& result) { return result.knob.name == contact_step; });
-    contact_reference_ = on_points ? exact(contact_reference_settings()).rows : reference_;
+    auto const& reference = references_[reference_settings()] = std::move(trials.rows);
+    auto const* of_defaults = &reference;
+    for (auto const& result : study_.knobs) {
+        auto const& knob = result.knob;
+        if (knob.acts == Acts::trials) {
+            auto const [held_against, is_new] = references_.try_emplace(knob.reference);
+            if (is_new) {
+                held_against->second = exact(knob.reference).rows;
+            }
+            of_defaults = knob.name == contact_step ? &held_against->second : of_defaults;
+        }
+    }
     if (spec_.measures.energy) {
         exact_ou_v_e_ = run_energy(few_, reference_panel_phase_rad, Acts::ou_v_e).values;
         exact_v_wes_ = run_energy(few_, reference_panel_phase_rad, Acts::v_wes).values;
     }
     exact_spectra_ = run_spectra(few_, reference_periods_per_decade, Depth::whole).values;
-    study_.rounding = compare(exact(second_reference_settings()).rows, reference_);
+    study_.rounding = compare(exact(second_reference_settings()).rows, reference);
     auto const own = run_trials(spec_, plan_, waves_.waves).rows;
     study_.trials = static_cast<std::int64_t>(own.size());
-    study_.defaults = compare(own, contact_reference_);
+    study_.defaults = compare(own, *of_defaults);
 }
 
 Run Runner::run_setting(Knob const& knob, Setting const& setting, CampaignSpec const& variant, Depth depth) const {
@@ -144,10 +149,7 @@ void Runner::judge(KnobResult& result, std::size_t s, Run const& run) {
     auto& row = result.rows[s];
     switch (result.knob.acts) {
         case Acts::trials:
-            take_verdicts(row, run.rows,
-                          result.knob.name == "effects"      ? effects_reference_
-                          : result.knob.name == contact_step ? contact_reference_
-                                                             : reference_);
+            take_verdicts(row, run.rows, references_.at(result.knob.reference));
             break;
         case Acts::waves:
             if (s + 1 == result.rows.size()) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <vector>
 
 #include "cost/study.hpp"
@@ -58,8 +59,9 @@ class Runner {
     Plan plan_;
     std::vector<std::int64_t> numbers_;
     Sample waves_{spec_, plan_, {}};
-    Sample few_{spec_, plan_, {}};  // for the knobs that act on waves
-    std::vector<TrialRow> reference_, contact_reference_, effects_reference_, best_matched_;
+    Sample few_{spec_, plan_, {}};                                          // for the knobs that act on waves
+    std::map<std::vector<std::string>, std::vector<TrialRow>> references_;  // by their settings
+    std::vector<TrialRow> best_matched_;
     std::vector<double> exact_ou_v_e_, exact_v_wes_, exact_spectra_;
     std::vector<Step> steps_;
     Study study_;
