@@ -257,6 +257,7 @@ void read_apart(Table const& root, InputFiles& files, CampaignSpec& spec) {
     faults.run([&] { spec.bodies = read_bodies(root, files); });
     faults.run([&] { spec.sampling = read_sampling(root.child_or_empty(campaign_keys["scatter"])); });
     faults.run([&] { spec.levels = read_levels(root.child(campaign_keys["levels"])); });
+    faults.run([&] { spec.site = root.has("site") ? read_site(root.child(campaign_keys["site"])) : Site{}; });
     faults.run([&] {
         auto const waves = root.child(campaign_keys["waves"]);
         read_source(root, waves, files, spec);
@@ -295,7 +296,7 @@ CampaignSpec read_campaign(Table const& root, CampaignInput const& input, InputF
                               spec.is_grid()                  ? WavesOfLevels::grid
                               : spec.levels.independent_waves ? WavesOfLevels::independent
                                                               : WavesOfLevels::shared,
-                              !input.before_format_5, spec.effects);
+                              !input.before_format_5, spec.site, spec.effects);
     check_reachable(root, spec.limits, spec.bodies);
     check_planar_limits(root, spec);
     check_pulses(root, spec);

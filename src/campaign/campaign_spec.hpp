@@ -12,6 +12,7 @@
 #include "campaign/level_spec.hpp"
 #include "campaign/limit_state.hpp"
 #include "campaign/rare_spec.hpp"
+#include "campaign/site.hpp"
 #include "config/input_value.hpp"
 #include "core/input_files.hpp"
 #include "generators/wave_source.hpp"
@@ -64,7 +65,8 @@ struct CampaignSpec {
     MeasureSpec measures;
     std::optional<RareSpec> rare;  ///< of every body and level, beside the trials
     double confidence = 0.95;
-    std::vector<LimitState> limits;          ///< overturning, then those of [[limits]]
+    Site site;                               ///< what is round every body
+    std::vector<LimitState> limits;          ///< overturning, those of the site, then those of [[limits]]
     std::vector<config::InputValue> inputs;  ///< every value that was read, and where it comes from
 
     /// Does the campaign end before all waves are done where it is precise enough?

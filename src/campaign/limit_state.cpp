@@ -34,7 +34,7 @@ double value_at(std::span<std::byte const> row, Field const& field) {
 }
 
 bool exceeds(LimitState const& limit, double value) {
-    double const size = std::abs(value);
+    double const size = limit.quantity.is_signed ? value : std::abs(value);
     return limit.rule == LimitState::Rule::above ? size > limit.threshold : size < limit.threshold;
 }
 
@@ -50,6 +50,11 @@ std::span<LimitQuantity const> limit_quantities() {
                 auto const needs = is_among(slip_quantities, field.name) ? mask_of(Effect::sliding) : 0;
                 all.push_back({field.name, field.units, field.description, needs, true});
             }
+        }
+        for (std::string_view const name : {"least_clearance", "edge_margin"}) {
+            auto const& field = field_named(fields_of<TrialRow>(), name);
+            constexpr auto decided_by = mask_of(Effect::sliding) | mask_of(Effect::spatial);
+            all.push_back({field.name, field.units, field.description, decided_by, true, true});
         }
         for (auto const& model : models()) {
             for (auto const& field : model.traits().fields) {
@@ -163,9 +168,16 @@ double LimitJudge::nearness(std::size_t limit, TrialRow const& row, std::span<st
     auto const& state = limits_[limit];
     constexpr double beyond = 1.0000001;
     bool const fell = entry_of(row.verdict).fell;
-    double const size = std::abs(value_of(limit, row, own));
+    double const value = value_of(limit, row, own);
+    double const size = std::abs(value);
     // fmax: what is not known of a trial that fell decides nothing.
     double const least = fell && state.falls_pass ? std::max(row.peak_rotation_ratio, beyond) : never;
+    if (state.quantity.is_signed) {  // a length over which it may grow: no more than its order matters
+        constexpr double usual_m = 1;
+        double const beyond_m =
+            state.rule == LimitState::Rule::below ? state.threshold - value : value - state.threshold;
+        return std::fmax(least, std::exp(beyond_m / usual_m));
+    }
     switch (state.rule) {
         case LimitState::Rule::overturning:
             return fell ? std::max(row.peak_rotation_ratio, beyond) : std::min(row.peak_rotation_ratio, 1.0);

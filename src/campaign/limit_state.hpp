@@ -15,7 +15,7 @@
 
 namespace overturn {
 
-/// A stored response that a limit may be set to. Compared is its magnitude.
+/// A stored response that a limit may be set to. Compared is its magnitude, unless its sign counts.
 struct LimitQuantity {
     std::string name;   ///< of the column: "peak_slip"
     std::string units;  ///< "m"
@@ -24,6 +24,7 @@ struct LimitQuantity {
     /// quantity is unknown.
     EffectMask needs = 0;
     bool of_every_model = true;  ///< else one of those that only some models know (ModelTraits::fields)
+    bool is_signed = false;      ///< compared is not its magnitude: less is worse, below 0 too
 
     /// Of how a body lands that has overturned: a fall passes such a limit by its own figure only.
     [[nodiscard]] bool is_of_the_fall() const { return name.starts_with("landing_"); }
@@ -56,8 +57,9 @@ struct LimitState {
 /// Of a limit state that a fall alone does not pass.
 inline constexpr std::string_view without_overturning = " without overturning";
 
-/// The name of the one that is always there, the first.
+/// The name of the one that is always there, the first; those of [site], which are there with it.
 inline constexpr char const* overturning_limit = "overturning";
+inline constexpr char const *touching_limit = "touches", *leaving_limit = "leaves-the-pad";
 
 /// How lines of results call it: "touches"; where a fall alone does not pass it "touches without overturning".
 [[nodiscard]] std::string said_name(LimitState const& limit, std::span<LimitState const> limits);

@@ -62,6 +62,8 @@ Bears where_pads_are_elastic(CampaignSpec const& spec) {
 
 Bears on_springs(CampaignSpec const& spec) { return allows(spec, Effect::contact) ? Bears::yes : Bears::no; }
 
+Bears where_no_site(CampaignSpec const& spec) { return spec.site.has_gaps() ? Bears::no : Bears::yes; }
+
 Bears with_friction(CampaignSpec const& spec) {
     return of_bodies(spec, [](BodySpec const& body) { return body.friction.has_value(); });
 }
@@ -104,8 +106,8 @@ constexpr std::array assumptions{
                     "Housner 1963", always},
     ModelAssumption{"one-plane", "the body moves in one vertical plane", Misjudged::unsafe,
                     "waves.transverse and bodies.axes",
-                    "overturned of 150, one axis and two: square on corners 4 and 4 (A), 93 and 103 (B); round 29 and "
-                    "120, 113 and 150",
+                    "overturned of 150, one axis and two: square on corners 4 and 4 (A), 93 and 103 (B); flat 44 and "
+                    "75, 118 and 128; round 29 and 120, 113 and 150",
                     "campaigns/multi_axis.toml", where_no_second_component},
     ModelAssumption{"no-vertical-motion", "the ground does not move vertically", Misjudged::unsafe,
                     "waves.vertical and bodies.axes",
@@ -118,7 +120,7 @@ constexpr std::array assumptions{
     ModelAssumption{"corner-contact",
                     "the base bears on its corners alone, and an impact keeps the angular momentum about the new one",
                     Misjudged::unsafe, "bodies.base.bedding",
-                    "a flat base lowers the median from 2400 to 1770 gal (A), from 1110 to 790 gal (B)",
+                    "a flat base lowers the median from 2400 to 1700 gal (A), from 1110 to 790 gal (B)",
                     "Housner 1963; campaigns/base_shape.toml", on_corners},
     ModelAssumption{
         "constant-restitution", "restitution does not depend on the velocity of the impact", Misjudged::unknown, "none",
@@ -127,7 +129,7 @@ constexpr std::array assumptions{
         always},
     ModelAssumption{"one-mass-on-springs", "on points, body, pallet and pad are one mass on one bed of springs",
                     Misjudged::unknown, "bodies.pad",
-                    "overturned of 600 (A): 91 at 98 Hz, 96 at 67 Hz; on a flat base 255 and 262",
+                    "overturned of 600 (A): 91 at 98 Hz, 96 at 67 Hz; on a flat base 261 and 275",
                     "campaigns/vertical_mode.toml", on_springs},
     ModelAssumption{"elastic-pad", "the pad is not crushed", Misjudged::unsafe, "bodies.pad.strength",
                     "overturned of 400, flat base (A): 154 elastic, 160 on 10 MPa, 224 on 3 MPa",
@@ -140,9 +142,9 @@ constexpr std::array assumptions{
                     "bodies.friction and effects",
                     "type A at 1950 gal: 6 of 100 overturn at friction 0.8, none at 0.55", "campaigns/friction.toml",
                     without_friction},
-    ModelAssumption{"alone", "bodies have room: they touch neither each other nor a wall", Misjudged::unknown,
-                    "limits (of peak_slip)", "a cask of 138 t slides 0.3 m in half of the waves of 230 kine",
-                    "campaigns/slip_limit.toml", always},
+    ModelAssumption{"alone", "bodies have room: they touch neither each other nor a wall", Misjudged::unknown, "site",
+                    "a cask of 138 t slides 0.3 m in half of the waves of 230 kine", "campaigns/slip_limit.toml",
+                    where_no_site},
     ModelAssumption{"starts-at-rest", "the body stands upright and at rest when the wave begins", Misjudged::unsafe,
                     "none", not_measured, "Housner 1963", always},
     ModelAssumption{"ends-with-the-wave",

@@ -50,10 +50,12 @@ double not_begun(double demand) {
 }  // namespace
 
 RareProblem::RareProblem(CampaignSpec const& spec, std::size_t body, std::size_t limit)
-    : body_(spec.bodies.at(body)),
+    : body_number_(body),
+      body_(spec.bodies.at(body)),
       waves_(spec.source->from_normals()),
       ladder_(spec.effects, spec.accuracy),
       judge_(spec.limits, ladder_),
+      site_(spec.site, spec.bodies, ladder_),
       limit_(limit),
       scatter_(body_.scattering().size()) {}
 
@@ -69,9 +71,12 @@ rare::Answer RareProblem::answer_of(Response const& response, double demand) con
     return answer;
 }
 
-rare::Answer RareProblem::held_to_limit(Response const& response, std::span<std::byte const> own, double demand) const {
+rare::Answer RareProblem::held_to_limit(DrawnBody const& drawn, Response const& response,
+                                        std::span<std::byte const> own, double demand) const {
     TrialRow row;
     static_cast<Response&>(row) = response;
+    row.centre_height_m = drawn.body.centre_height_m();
+    site_.fill(row, body_number_, own);
     auto const outcomes = judge_.judge(row, own);
     double const near = judge_.nearness(limit_, row, own);
     rare::Answer answer{.driver = near == 0 ? not_begun(demand) : near,
@@ -89,7 +94,7 @@ void RareProblem::respond(std::span<double const> normals, std::span<double cons
     auto const drawn = body_of(normals);
     double const peak = rare::peak_of_wave(wave.horizontal_mps2);
     Scene const scene{drawn.body, drawn.friction, body_.footing, body_.axes};
-    std::vector<std::byte> own(judge_.reads_own() ? ladder_.own_bytes() : 0);
+    std::vector<std::byte> own(judge_.reads_own() || site_.asked() ? ladder_.own_bytes() : 0);
     for (std::size_t f = 0; f < factors.size(); ++f) {
         if (!own.empty()) {
             ladder_.put_nothing(own);
@@ -97,7 +102,7 @@ void RareProblem::respond(std::span<double const> normals, std::span<double cons
         auto const response = ladder_.respond(
             {.scene = scene, .motion = wave, .scale = factors[f], .peak_mps2 = peak, .chunks = nullptr}, own);
         double const demand = factors[f] * peak / drawn.body.uplift_acceleration_mps2();
-        answers[f] = limit_ == 0 ? answer_of(response, demand) : held_to_limit(response, own, demand);
+        answers[f] = limit_ == 0 ? answer_of(response, demand) : held_to_limit(drawn, response, own, demand);
     }
 }
 

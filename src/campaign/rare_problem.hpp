@@ -41,13 +41,15 @@ class RareProblem : public rare::Problem {
         return body_.at_scores(normals.subspan(waves_->normals()));
     }
     [[nodiscard]] rare::Answer answer_of(Response const& response, double demand) const;
-    [[nodiscard]] rare::Answer held_to_limit(Response const& response, std::span<std::byte const> own,
-                                             double demand) const;
+    [[nodiscard]] rare::Answer held_to_limit(DrawnBody const& drawn, Response const& response,
+                                             std::span<std::byte const> own, double demand) const;
 
+    std::size_t body_number_;
     BodySpec const& body_;
     std::unique_ptr<NormalWaves> waves_;
     Ladder ladder_;
     LimitJudge judge_;
+    SiteJudge site_;
     std::size_t limit_;
     std::size_t scatter_;  ///< quantities of the body that scatter, a normal each
 };

@@ -189,7 +189,12 @@ template <> Fields const& fields_of<TrialRow>() {
             field<&T::ou_v_e_mps>("ou_v_e", "m/s", "Akiyama's ouV_E at this level"),
             field<&T::v_ereq_mps>("v_ereq", "m/s", "limit velocity sqrt(2 g (R - h)) of the body"),
             field<&T::v_wes_safe>("v_wes_safe", "1", "1: V_WES < V_Ereq says it does not overturn"),
-            field<&T::ou_v_e_safe>("ou_v_e_safe", "1", "1: ouV_E < V_Ereq says it does not overturn")};
+            field<&T::ou_v_e_safe>("ou_v_e_safe", "1", "1: ouV_E < V_Ereq says it does not overturn"),
+            field<&T::least_clearance_m>("least_clearance", "m",
+                                         "least distance left to the next cask or wall, slip and tilt together; below "
+                                         "0: it may touch"),
+            field<&T::edge_margin_m>("edge_margin", "m",
+                                     "least distance left between base and edge of the pad; below 0: it may leave it")};
         add_measures<&T::measured>(all, &IntensityMeasure::has_trial_column, ", at this level");
         auto const response = fields_of_base<TrialRow, Response>();
         all.insert(all.end(), response.begin(), response.end());

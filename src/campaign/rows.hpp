@@ -79,6 +79,7 @@ struct TrialRow : Response {
     double static_friction = never, kinetic_friction = never;
     double v_wes_mps = never, ou_v_e_mps = never, v_ereq_mps = 0;
     std::int64_t v_wes_safe = 0, ou_v_e_safe = 0;
+    double least_clearance_m = never, edge_margin_m = never;                  ///< of [site]
     std::array<double, trial_measures> measured = unknown<trial_measures>();  ///< of the scaled wave, in that order
 };
 

@@ -151,8 +151,10 @@ Scene scene_of(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t 
     return {drawn.body, drawn.friction, stated.footing, stated.axes};
 }
 
-void close_row(CampaignSpec const& spec, TrialRow& row, PreparedWave const& wave, Response const& response) {
+void close_row(CampaignSpec const& spec, SiteJudge const& site, TrialRow& row, PreparedWave const& wave,
+               Response const& response, std::span<std::byte const> own) {
     static_cast<Response&>(row) = response;
+    site.fill(row, static_cast<std::size_t>(row.body), own);
     auto const& drawn = wave.bodies[static_cast<std::size_t>(row.body)];
     row.verdict = spec.measures.movement.verdict(response, drawn.body, drawn.friction.has_value(),
                                                  spec.bodies[static_cast<std::size_t>(row.body)].footing.pad);
@@ -189,7 +191,7 @@ TrialRows run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int
         if (observer != nullptr) {
             ladder.show(at, response, *observer);
         }
-        close_row(spec, row, wave, response);
+        close_row(spec, SiteJudge(spec.site, spec.bodies, ladder), row, wave, response, trial.own);
     }
     return trial;
 }
@@ -201,6 +203,7 @@ bool append_trials(CampaignSpec const& spec, Plan const& plan, std::span<Prepare
         PreparedWave const* wave;
     };
     Ladder const ladder(spec.effects, spec.accuracy);
+    SiteJudge const site(spec.site, spec.bodies, ladder);
     std::vector<Place> places;
     std::vector<SceneTrial> tried;
     std::vector<Scene> scenes;
@@ -241,7 +244,7 @@ bool append_trials(CampaignSpec const& spec, Plan const& plan, std::span<Prepare
                 seconds);
         for (std::size_t i = 0; i < count; ++i) {
             auto const& [row, wave] = places[first + i];
-            close_row(spec, rows[row], *wave, responses[i]);
+            close_row(spec, site, rows[row], *wave, responses[i], std::span(own).subspan(i * each, each));
             std::copy_n(own.begin() + static_cast<std::ptrdiff_t>(i * each), each,
                         trials.own.begin() + static_cast<std::ptrdiff_t>(row * each));
         }

@@ -119,6 +119,10 @@ store::TableSpec trial_table(CampaignSpec const& spec) {
         return own != intensity_measures.end() && own->has_trial_column()
                && std::ranges::find(spec.measures.curves, own) == spec.measures.curves.end();
     });
+    std::erase_if(table.columns, [&](Field const& column) {
+        return (column.name == "least_clearance" && !spec.site.has_gaps())
+               || (column.name == "edge_margin" && !spec.site.has_edges());
+    });
     for (auto& column : table.columns) {
         if (column.name == "amplitude") {
             column.units = spec.levels.units();

@@ -123,8 +123,10 @@ TEST_F(Format, ThePageOfColumnsIsTheFilesOwn) {
         "c.h5");
     run(rare_campaign(), "rare.h5");
     run(varying_campaign(), "varying.h5");
+    run(small_campaign("shared", 2) + "[site]\nwall='1 m'\nedge='1 m'\n", "site.h5");
     ASSERT_EQ(execute(folder, {"/bin/sh", "-c", "gzip -dc '" OVERTURN_GOLDEN "/results-5.h5.gz' > grid.h5"}).code, 0);
-    auto const page = overturn(folder, {"list", "columns", "c.h5", "rare.h5", "varying.h5", "grid.h5", "--markdown"});
+    auto const page =
+        overturn(folder, {"list", "columns", "c.h5", "rare.h5", "varying.h5", "site.h5", "grid.h5", "--markdown"});
     ASSERT_EQ(page.code, 0) << page.err;
 
     auto const path = std::filesystem::path(OVERTURN_GOLDEN) / "../../src/store/COLUMNS.md";

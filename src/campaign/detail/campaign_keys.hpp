@@ -7,6 +7,7 @@
 #include "campaign/body_spec.hpp"
 #include "campaign/campaign_spec.hpp"
 #include "campaign/detail/limit_spec.hpp"
+#include "campaign/site.hpp"
 #include "campaign/withheld_inputs.hpp"
 #include "config/table.hpp"
 #include "contact/contact_accuracy.hpp"
@@ -112,6 +113,7 @@ inline constexpr config::Keys campaign_keys{
     config::table_key<effects_table>("effects", "what is simulated").optional(),
     config::table_key<measures_table>("measures", "what is measured of the waves").optional(),
     config::table_key<statistics_table>("statistics", "intervals, and when to stop").optional(),
+    config::table_key<site_table>("site", "what is round the bodies").optional(),
     config::tables_key<limit_table>("limits", "limit states beside overturning").optional(),
     config::table_key<rare_keys_table>("rare", "rare events").optional(),
     config::table_key<accuracy_table>("accuracy", "how exactly trials are followed").optional()};

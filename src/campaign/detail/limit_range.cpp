@@ -15,6 +15,7 @@ constexpr double above_nothing = std::numeric_limits<double>::denorm_min();
 
 double none(BodySpec const& /*body*/) { return 0; }
 double one(BodySpec const& /*body*/) { return 1; }
+double below_all(BodySpec const& /*body*/) { return -infinite_bound; }
 double unbounded(BodySpec const& /*body*/) { return infinite_bound; }
 
 double alpha(BodySpec const& body) { return std::max(body.body.corner(1).alpha_rad, body.body.corner(-1).alpha_rad); }
@@ -71,6 +72,8 @@ constexpr std::array entries{
     Entry{"edge_x_least", &half_width, &half_width, &unbounded, 0, &far_edge, {}, bodies_slide},
     Entry{"edge_y_most", &half_width, &half_width, &unbounded, 0, &far_edge, {}, bodies_slide},
     Entry{"edge_y_least", &half_width, &half_width, &unbounded, 0, &far_edge, {}, bodies_slide},
+    Entry{"least_clearance", &unbounded, &below_all, &unbounded, 0, &far, {}, bodies_slide},
+    Entry{"edge_margin", &unbounded, &below_all, &unbounded, 0, &far, {}, bodies_slide},
     Entry{"m", &none, &none, &unbounded, 1e-5, &far, any_give, bodies_slide},
     Entry{"rad", &none, &none, &unbounded, 1e-5, &all_round, any_give, "2 pi is a whole turn"},
     Entry{"m/s", &none, &none, &unbounded, 1e-4, &fast, any_give, of_falls},

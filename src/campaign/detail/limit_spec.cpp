@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -85,7 +86,9 @@ std::string read_name(Table const& table, std::span<LimitState const> before) {
     }
     if (std::ranges::find(before, name, &LimitState::name) != before.end()) {
         table.fail("name", fmt::format("'{}' {} (names tell limit states apart). Rename it", name,
-                                       name == overturning_limit ? "is always there" : "twice"));
+                                       name == overturning_limit                         ? "is always there"
+                                       : name == touching_limit || name == leaving_limit ? "comes with [site]"
+                                                                                         : "twice"));
     }
     return name;
 }
@@ -168,6 +171,10 @@ void read_threshold(Table const& table, LimitState& limit, bool falls_pass, Effe
                        : table.has("overturned")
                            ? table.choice<Falls>(limit_keys["overturned"], fall_kinds) == Falls::pass
                            : falls_pass;
+    if (limit.quantity.is_signed && !table.has("below")) {
+        table.fail("quantity",
+                   fmt::format("'{}' above a value (it is a distance that is left). State below", limit.quantity.name));
+    }
     auto const& key = table.has("below") ? limit_keys["below"] : limit_keys["above"];
     limit.rule = table.has("below") ? LimitState::Rule::below : LimitState::Rule::above;
     if (table.has("above") && table.has("below")) {
@@ -234,11 +241,21 @@ constinit config::KeyTable const limit_table{
     .meaning = "a limit state beside overturning", .keys = limit_keys.all, .also = {&precision_table}};
 
 std::vector<LimitState> read_limits(config::Table const& root, config::Table const& statistics, WavesOfLevels waves,
-                                    bool falls_pass, EffectRequest& effects) {
+                                    bool falls_pass, Site const& site, EffectRequest& effects) {
     auto const common = read_target(statistics, waves, {});
     std::vector<LimitState> limits(1);
     limits.front().name = overturning_limit;
     limits.front().target = common;
+    for (auto const& [name, quantity, there] : {std::tuple{touching_limit, "least_clearance", site.has_gaps()},
+                                                std::tuple{leaving_limit, "edge_margin", site.has_edges()}}) {
+        if (there) {
+            auto& limit = limits.emplace_back();
+            limit.name = name;
+            limit.rule = LimitState::Rule::below;
+            limit.quantity = *std::ranges::find(limit_quantities(), quantity, &LimitQuantity::name);
+            limit.target = common;
+        }
+    }
     if (!root.has("limits")) {
         return limits;
     }
@@ -247,6 +264,11 @@ std::vector<LimitState> read_limits(config::Table const& root, config::Table con
             table.fail("name", fmt::format("more than {} limit states in one campaign. Split it", most_limits - 1));
         }
         auto limit = read_limit(table, limits, falls_pass, effects);
+        bool const gap = limit.quantity.name == "least_clearance";
+        if (limit.quantity.is_signed && !(gap ? site.has_gaps() : site.has_edges())) {
+            table.fail("quantity", fmt::format("'{}' without {} in [site] (a distance to nothing). State one",
+                                               limit.quantity.name, gap ? "cask or wall" : "edge"));
+        }
         limit.target = read_target(table, waves, common);
         table.finish();
         limits.push_back(std::move(limit));
@@ -272,9 +294,10 @@ std::string unreachable(LimitState const& limit, BodySpec const& body) {
 }
 
 void check_reachable(config::Table const& root, std::span<LimitState const> limits, std::span<BodySpec const> bodies) {
-    for (std::size_t i = 1; i < limits.size(); ++i) {
+    auto const of_the_site = limits.size() - (root.has("limits") ? root.children("limits").size() : 0);
+    for (auto i = of_the_site; i < limits.size(); ++i) {
         if (std::ranges::none_of(bodies, [&](BodySpec const& body) { return unreachable(limits[i], body).empty(); })) {
-            root.children("limits")[i - 1].fail("quantity", unreachable(limits[i], bodies.front()));
+            root.children("limits")[i - of_the_site].fail("quantity", unreachable(limits[i], bodies.front()));
         }
     }
 }

@@ -7,6 +7,7 @@
 
 #include "campaign/body_spec.hpp"
 #include "campaign/limit_state.hpp"
+#include "campaign/site.hpp"
 #include "config/table.hpp"
 
 namespace overturn {
@@ -17,12 +18,13 @@ enum class WavesOfLevels { shared, independent, grid };
 extern config::KeyTable const limit_table;      ///< of [[limits]]
 extern config::KeyTable const precision_table;  ///< what a campaign may stop at: in [statistics], and of one limit
 
-/// Reads [[limits]], behind overturning, which is always there. Targets that a limit does not state are those of
-/// [statistics].
-/// \param statistics [statistics], whose targets are read too \param falls_pass of limits that do not say what a trial
-/// that overturned counts as \param effects gets what limits call for \throws InputError
+/// Reads [[limits]], behind overturning, which is always there, and those that a site brings. Targets that a limit does
+/// not state are those of [statistics]. \param statistics [statistics], whose targets are read too \param falls_pass of
+/// limits that do not say what a trial that overturned counts as \param effects gets what limits call for \throws
+/// InputError
 [[nodiscard]] std::vector<LimitState> read_limits(config::Table const& root, config::Table const& statistics,
-                                                  WavesOfLevels waves, bool falls_pass, EffectRequest& effects);
+                                                  WavesOfLevels waves, bool falls_pass, Site const& site,
+                                                  EffectRequest& effects);
 
 /// Why a body, as it is stated, cannot pass a limit: slip without friction, crush without a strength. "": it can.
 [[nodiscard]] std::string unreachable(LimitState const& limit, BodySpec const& body);

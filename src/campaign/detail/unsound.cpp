@@ -80,9 +80,10 @@ void refuse_unsound(CampaignInput const& input, CampaignSpec const& spec) {
         return;
     }
     auto const limits = root.children("limits");
+    auto const before = spec.limits.size() - limits.size();  // those that are there without being stated
     for (std::size_t l = 0; l < limits.size(); ++l) {
-        refuse_bare_threshold(limits[l], spec.limits.at(l + 1), spec.levels);
-        refuse_out_of_reach(limits[l], spec.limits.at(l + 1), spec.bodies);
+        refuse_bare_threshold(limits[l], spec.limits.at(before + l), spec.levels);
+        refuse_out_of_reach(limits[l], spec.limits.at(before + l), spec.bodies);
     }
 }
 
