@@ -1,7 +1,7 @@
 #include "spectra/detail/design_part.hpp"
 
 #include <algorithm>
-#include <ranges>
+#include <span>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -21,7 +21,7 @@ std::string without_unit(std::string_view name) {
 /// The names of all columns but the first.
 std::vector<std::string> ordinates_of(std::vector<Cell> const& header, bool with_units) {
     std::vector<std::string> names;
-    for (auto const& cell : header | std::views::drop(1)) {
+    for (auto const& cell : std::span(header).subspan(1)) {
         names.push_back(with_units ? std::string(cell.text) : without_unit(cell.text));
     }
     return names;
