@@ -84,11 +84,12 @@ std::string read_name(Table const& table, std::span<LimitState const> before) {
     if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos) {
         table.fail("name", fmt::format("'{}' (names a group of the results file). Choose another, without '/'", name));
     }
-    if (std::ranges::find(before, name, &LimitState::name) != before.end()) {
+    if (auto const found = std::ranges::find(before, name, &LimitState::name); found != before.end()) {
+        bool const of_the_site = found->quantity.is_signed && found->threshold == 0;  // others are below more than 0
         table.fail("name", fmt::format("'{}' {} (names tell limit states apart). Rename it", name,
-                                       name == overturning_limit                         ? "is always there"
-                                       : name == touching_limit || name == leaving_limit ? "comes with [site]"
-                                                                                         : "twice"));
+                                       found->is_overturning() ? "is always there"
+                                       : of_the_site           ? "comes with [site]"
+                                                               : "twice"));
     }
     return name;
 }
