@@ -73,7 +73,7 @@ void LongPeriodStep::apply(Lines& lines, std::span<PeakDisplacement const> peaks
     double const largest = gains.cwiseAbs().maxCoeff();
     gains *= largest > most ? most / largest : 1;
     for (Index c = 0; c < count; ++c) {
-        lines[static_cast<std::size_t>(first + c)] *= std::complex<double>(1 + gains(c), gains(count + c));
+        lines[first + c] *= std::complex<double>(1 + gains(c), gains(count + c));
     }
 }
 

@@ -109,7 +109,7 @@ std::vector<double> TargetVariability::deviations(std::uint64_t seed, std::uint6
 
 double TargetVariability::at_condition(std::vector<double> const& values) const {
     auto const place = std::find(period_s_.begin(), period_s_.end(), input_.condition->period_s);
-    return values[static_cast<std::size_t>(place - period_s_.begin())];
+    return values[place - period_s_.begin()];
 }
 
 DrawnTarget TargetVariability::draw(std::uint64_t seed, std::uint64_t wave) const {

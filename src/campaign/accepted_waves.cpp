@@ -57,16 +57,16 @@ AcceptedWaves::AcceptedWaves(CampaignSpec const& spec, Plan const& drawn)
       missed_(clause_names().size()) {}
 
 void AcceptedWaves::take(std::int64_t block, std::span<WaveRow const> rows) {
-    known_.at(static_cast<std::size_t>(block)) = true;
+    known_.at(block) = true;
     if (!needs_rows()) {
         return;
     }
     auto const [first, count] = drawn_.waves_of_block(block);
     OVERTURN_EXPECT(count == static_cast<std::int64_t>(rows.size()));
     for (std::int64_t w = 0; w < count; ++w) {
-        auto const& row = rows[static_cast<std::size_t>(w)];
+        auto const& row = rows[w];
         bool const accepted = is_tried(acceptance_, row);
-        waves_.at(static_cast<std::size_t>(first + w)) = accepted ? Wave::accepted : Wave::refused;
+        waves_.at(first + w) = accepted ? Wave::accepted : Wave::refused;
         for (std::size_t c = 0; c < missed_.size() && !accepted; ++c) {
             missed_[c] += static_cast<std::int64_t>(static_cast<std::uint64_t>(row.acceptance_failures) >> c & 1U);
         }
@@ -77,7 +77,7 @@ AcceptedWaves::Known AcceptedWaves::known(std::int64_t group, std::int64_t count
     Known found;
     auto const first = group * drawn_.drawn_per_group();
     while (found.drawn < drawn_.drawn_per_group() && found.accepted < count) {
-        auto const wave = waves_[static_cast<std::size_t>(first + found.drawn)];
+        auto const wave = waves_[first + found.drawn];
         if (wave == Wave::unknown) {
             break;
         }
@@ -125,7 +125,7 @@ Plan AcceptedWaves::chosen(std::int64_t count) const {
         auto const first = group * drawn_.drawn_per_group();
         std::int64_t accepted = 0;
         for (std::int64_t n = first; n < first + drawn_.drawn_per_group() && accepted < count; ++n) {
-            auto const wave = waves_[static_cast<std::size_t>(n)];
+            auto const wave = waves_[n];
             OVERTURN_EXPECT(wave != Wave::unknown);
             if (wave == Wave::accepted) {
                 numbers.push_back(n);
@@ -182,7 +182,7 @@ std::vector<WaveRow> refused_rows(BlockRows const& rows, Plan const& drawn, std:
     for (std::int64_t w = 0; w < waves; ++w) {
         auto const number = first + w;
         if (!chosen.has(number) && number < chosen.drawn_until(drawn.group_of(number))) {
-            refused.push_back(rows.waves[static_cast<std::size_t>(w)]);
+            refused.push_back(rows.waves[w]);
         }
     }
     return refused;

@@ -22,7 +22,7 @@ class AcceptedWaves {
 
     /// Is there a rule, so that rows say which waves count?
     [[nodiscard]] bool needs_rows() const { return acceptance_.refuses(); }
-    [[nodiscard]] bool knows(std::int64_t block) const { return known_.at(static_cast<std::size_t>(block)); }
+    [[nodiscard]] bool knows(std::int64_t block) const { return known_.at(block); }
     /// \param rows of its waves; of no use without a rule
     void take(std::int64_t block, std::span<WaveRow const> rows = {});
 

@@ -14,7 +14,7 @@ template <class Row> void put(std::vector<std::byte>& bytes, std::vector<Row> co
 }
 
 template <class Row> void take(std::span<std::byte const>& bytes, std::vector<Row>& rows, std::int64_t count) {
-    rows.resize(static_cast<std::size_t>(count));
+    rows.resize(count);
     auto const size = rows.size() * sizeof(Row);
     if (bytes.size() < size) {
         throw SystemError("a block of results is too short (written by another version?). Start anew without --resume");
@@ -39,7 +39,7 @@ std::optional<BlockRows> run_block(CampaignSpec const& spec, Plan const& plan, s
     for (auto next = first; next < first + count; next += together) {
         std::vector<PreparedWave> waves;
         auto const end = std::min(next + together, first + count);
-        waves.reserve(static_cast<std::size_t>(end - next));
+        waves.reserve(end - next);
         for (auto wave = next; wave < end; ++wave) {
             if (!goes_on()) {
                 return std::nullopt;

@@ -111,7 +111,7 @@ std::uint64_t Plan::wave_id(std::int64_t wave) const {
     if (!independent_) {
         return static_cast<std::uint64_t>(drawn);
     }
-    auto const key = level_keys_.at(static_cast<std::size_t>(drawn / drawn_per_group_));
+    auto const key = level_keys_.at(drawn / drawn_per_group_);
     return static_cast<std::uint64_t>(key * ids_per_level + drawn % drawn_per_group_);
 }
 

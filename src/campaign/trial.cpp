@@ -114,8 +114,8 @@ namespace {
 
 // A row before its response: what is known of the trial beforehand.
 TrialRow open_row(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t body, std::int64_t level) {
-    auto const& drawn = wave.bodies.at(static_cast<std::size_t>(body));
-    auto const& at = spec.levels.levels.at(static_cast<std::size_t>(level));
+    auto const& drawn = wave.bodies.at(body);
+    auto const& at = spec.levels.levels.at(level);
     TrialRow row;
     row.wave = wave.row.id;
     row.body = body;
@@ -155,10 +155,10 @@ void close_row(CampaignSpec const& spec, SiteJudge const& site, TrialRow& row, P
                Response const& response, std::span<std::byte const> own) {
     static_cast<Response&>(row) = response;
     site.fill(row, static_cast<std::size_t>(row.body), own);
-    auto const& drawn = wave.bodies[static_cast<std::size_t>(row.body)];
+    auto const& drawn = wave.bodies[row.body];
     row.verdict = spec.measures.movement.verdict(response, drawn.body, drawn.friction.has_value(),
-                                                 spec.bodies[static_cast<std::size_t>(row.body)].footing.pad);
-    auto const& measures = wave.measures.at(static_cast<std::size_t>(row.body));
+                                                 spec.bodies[row.body].footing.pad);
+    auto const& measures = wave.measures.at(row.body);
     if (std::isnan(measures.v_wes_max_mps)) {
         return;
     }

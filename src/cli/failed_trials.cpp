@@ -51,9 +51,8 @@ void FailedTrials::add(std::int64_t number, TrialRow const& row) {
     ++reasons_[reason];
     if (lists_more()) {
         first_.push_back(fmt::format("  trial {}: wave {}, {}, {} {}: {}\n", number, row.wave,
-                                     spec_.bodies.at(static_cast<std::size_t>(row.body)).name,
-                                     spec_.levels.measure_name(), spec_.levels.text(row.amplitude),
-                                     reason_name(reason)));
+                                     spec_.bodies.at(row.body).name, spec_.levels.measure_name(),
+                                     spec_.levels.text(row.amplitude), reason_name(reason)));
         if (auto const found = clauses_.find(row.wave); found != clauses_.end()) {
             first_.back().pop_back();
             first_.back() += fmt::format(" ({})\n", fmt::join(names_of_clauses(found->second), ", "));

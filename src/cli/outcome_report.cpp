@@ -45,13 +45,12 @@ std::vector<std::int64_t> false_safe_trials(Specimen const& specimen, std::size_
         if (static_cast<std::size_t>(trial) >= ends.verdicts.size()) {
             break;  // it ended early
         }
-        auto const& end = entry_of(ends.verdicts[static_cast<std::size_t>(trial)]);
+        auto const& end = entry_of(ends.verdicts[trial]);
         if (specimen.outcomes[w] == Outcome::fell && end.decided && !end.fell) {
             wrong.push_back(trial);
         }
     }
-    std::ranges::stable_sort(wrong, std::ranges::greater{},
-                             [&](std::int64_t trial) { return ends.peaks[static_cast<std::size_t>(trial)]; });
+    std::ranges::stable_sort(wrong, std::ranges::greater{}, [&](std::int64_t trial) { return ends.peaks[trial]; });
     return wrong;
 }
 

@@ -87,8 +87,7 @@ int replay(ReplayOptions const& options) {
         }
     }
     fmt::print("trial {}: wave number {} (id {}), body {}, {} {}\n", options.trial, plan.number(wave), row.wave,
-               spec.bodies[static_cast<std::size_t>(body)].name, spec.levels.measure_name(),
-               spec.levels.text(row.amplitude));
+               spec.bodies[body].name, spec.levels.measure_name(), spec.levels.text(row.amplitude));
     bool const known = !std::isnan(row.peak_rotation_rad);
     auto const when = std::isnan(row.time_of_peak_s) ? std::string() : fmt::format(" at {:.3f} s", row.time_of_peak_s);
     if (known) {

@@ -60,12 +60,11 @@ std::vector<ChosenTrial> chosen(CampaignSpec const& spec, Plan const& plan, std:
     std::ranges::stable_sort(by_kind, {}, &TellingTrial::kind);
     std::vector<std::vector<ChosenTrial>> offered(spec.bodies.size());
     for (auto const& t : by_kind) {
-        add(offered.at(static_cast<std::size_t>(t.body)), t.trial,
-            std::string(telling_kinds.at(static_cast<std::size_t>(t.kind))));
+        add(offered.at(t.body), t.trial, std::string(telling_kinds.at(static_cast<std::size_t>(t.kind))));
     }
     for (auto const& trial : nearest_misses(spec, plan, file)) {
         if (trial) {
-            add(offered.at(static_cast<std::size_t>(plan.trial(*trial).body)), *trial, "nearest-miss on points");
+            add(offered.at(plan.trial(*trial).body), *trial, "nearest-miss on points");
         }
     }
     std::vector<std::size_t> counts;
@@ -93,16 +92,14 @@ ShownTrials histories_of(CampaignSpec const& spec, Plan const& plan, std::span<C
             continue;
         }
         auto const& row = trial.rows.front();
-        auto const& stated = spec.bodies[static_cast<std::size_t>(body)];
+        auto const& stated = spec.bodies[body];
         auto const record = spec.source->name(plan.wave_id(wave));
         auto const title = fmt::format("{}, trial {} ({}): wave {}{} at {}, {}", stated.name, number, words,
                                        plan.number(wave), record.empty() ? "" : ", " + record,
                                        spec.levels.text(row.amplitude), entry_of(row.verdict).name);
         MeasureSpec const* const measures = spec.measures.energy ? &spec.measures : nullptr;
         shown.drawn.push_back(history_data(
-            kept,
-            {title, stated, prepared.bodies[static_cast<std::size_t>(body)].body, prepared.motion, row.scale, measures},
-            for_a_page));
+            kept, {title, stated, prepared.bodies[body].body, prepared.motion, row.scale, measures}, for_a_page));
         shown.drawn.back()["body"] = stated.name;
         shown.drawn.back()["trial"] = number;
         shown.bodies += body != last ? 1 : 0;

@@ -74,7 +74,7 @@ void print_so_far(CampaignSpec const& spec, Plan const& plan, store::ShardFolder
         auto const [first, count] = plan.waves_of_block(block);
         auto const rows = BlockRows::unpack(shards.read(block), plan, count);
         for (std::int64_t w = 0; w < count; ++w) {
-            auto const& row = rows.waves[static_cast<std::size_t>(w)];
+            auto const& row = rows.waves[w];
             if (!is_tried(acceptance, row)) {
                 ++waves.refused;
                 missed.add(row);
@@ -83,7 +83,7 @@ void print_so_far(CampaignSpec const& spec, Plan const& plan, store::ShardFolder
             waves.add(row);
             failed.know(row);
             for (auto t = w * each; t < (w + 1) * each; ++t) {
-                failed.add(first * each + t, rows.trials.rows[static_cast<std::size_t>(t)]);
+                failed.add(first * each + t, rows.trials.rows[t]);
             }
         }
     }

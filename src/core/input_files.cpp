@@ -59,7 +59,7 @@ std::string InputFiles::head(std::string const& name, std::size_t most) const {
     std::string bytes(from_memory_ ? 0 : most, '\0');
     std::ifstream stream(folder_ / name, std::ios::binary);
     stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
+    bytes.resize(std::max<std::streamsize>(0, stream.gcount()));
     return bytes;
 }
 

@@ -78,7 +78,7 @@ double thread_cpu_seconds() {
 std::vector<std::int64_t> spread_over(std::int64_t count, std::int64_t of) {
     std::vector<std::int64_t> numbers;
     count = std::min(count, of);
-    numbers.reserve(static_cast<std::size_t>(count));
+    numbers.reserve(count);
     for (std::int64_t i = 0; i < count; ++i) {
         numbers.push_back(i * of / count);
     }

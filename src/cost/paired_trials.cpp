@@ -34,7 +34,7 @@ PairedTrials::PairedTrials(CampaignSpec const& spec, Plan const& plan, std::span
         for (std::size_t t = 0; t < trials.rows.size(); ++t) {
             auto const& row = trials.rows[t];
             auto const own = std::span<std::byte const>(trials.own).subspan(t * each, each);
-            levels_.at(row.amplitude)[static_cast<std::size_t>(row.body)][first + t / per_wave] = judge.judge(row, own);
+            levels_.at(row.amplitude)[row.body][first + t / per_wave] = judge.judge(row, own);
         }
     }
 }

@@ -53,7 +53,7 @@ Sampling study_sampling(CampaignSpec const& spec, Plan const& plan, std::vector<
         std::vector<PreparedWave> waves;
         auto const begin = thread_cpu_seconds();
         for (auto const place : spread_over(size, most)) {
-            waves.push_back(prepare_wave(spec, plan, numbers[static_cast<std::size_t>(place)], ignored));
+            waves.push_back(prepare_wave(spec, plan, numbers[place], ignored));
         }
         auto const rows = run_trials(spec, plan, waves).rows;
         double const seconds = thread_cpu_seconds() - begin;

@@ -94,9 +94,7 @@ Table telling_trial_table(CampaignSpec const& spec, std::span<TellingTrial const
     using Row = TellingTrial;
     std::vector<std::string> const kinds(telling_kinds.begin(), telling_kinds.end());
     TableOf<Row> table({.name = "telling_trials", .constants = {{"units", spec.levels.units()}}}, trials);
-    table
-        .category("body", "the body", body_names(spec),
-                  [&](Row const& t) { return spec.bodies[static_cast<std::size_t>(t.body)].name; })
+    table.category("body", "the body", body_names(spec), [&](Row const& t) { return spec.bodies[t.body].name; })
         .category("kind", "why to inspect it", kinds,
                   [&](Row const& t) { return kinds.at(static_cast<std::size_t>(t.kind)); })
         .add("trial", "1", "number of its row in /trials", [](Row const& t) { return t.trial; })

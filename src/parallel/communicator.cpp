@@ -57,7 +57,7 @@ std::string Communicator::library() {
 void Communicator::broadcast(std::string& text) const {
     auto size = static_cast<std::int64_t>(text.size());
     check(MPI_Bcast(&size, 1, MPI_INT64_T, 0, MPI_COMM_WORLD), "broadcasting");
-    text.resize(static_cast<std::size_t>(size));
+    text.resize(size);
     constexpr std::int64_t most = 1 << 30;  // a count is an int
     for (std::int64_t at = 0; at < size; at += most) {
         auto const part = static_cast<int>(std::min(most, size - at));
@@ -76,7 +76,7 @@ std::vector<std::string> Communicator::gather(std::string const& text) const {
         places.push_back(total);
         total += l;
     }
-    all.resize(static_cast<std::size_t>(total));
+    all.resize(total);
     check(MPI_Gatherv(text.data(), length, MPI_CHAR, all.data(), lengths.data(), places.data(), MPI_CHAR, 0,
                       MPI_COMM_WORLD),
           "gathering");

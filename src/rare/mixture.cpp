@@ -55,8 +55,7 @@ bool Mixture::shift(std::span<double> normals, RandomStream& choice) const {
     auto const totals = std::span(totals_);
     auto const c = chosen(totals.first(pulses_.size()), gsl_rng_uniform(choice.gsl()));
     auto const j = chosen(totals.subspan(pulses_.size() + c * grid, grid), gsl_rng_uniform(choice.gsl()));
-    auto const strength =
-        pulse_strengths.at(static_cast<std::size_t>(gsl_rng_uniform_int(choice.gsl(), pulse_strengths.size())));
+    auto const strength = pulse_strengths.at(gsl_rng_uniform_int(choice.gsl(), pulse_strengths.size()));
     double const signed_strength = gsl_rng_uniform(choice.gsl()) < 0.5 ? -strength : strength;
     for (std::size_t k = 1; k <= frame_.lines; ++k) {
         auto const turned = signed_strength * pulses_[c].lines[k - 1] * turns_[k * j % grid];

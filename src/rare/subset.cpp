@@ -75,14 +75,14 @@ class Simulation {
 
 void Simulation::begin() {
     auto const each = options_.samples;
-    auto const rows = workers_.map<SubsetRow>(
-        {.name = name_ + "-0", .items = each * replicates()}, [&](std::int64_t first, std::span<SubsetRow> out) {
-            for (std::size_t i = 0; i < out.size(); ++i) {
-                auto const item = first + static_cast<std::int64_t>(i);
-                runs_[static_cast<std::size_t>(item / each)].plain(item % each, normals_);
-                out[i] = row_of(respond_at(problem_, normals_, factor_));
-            }
-        });
+    auto const rows = workers_.map<SubsetRow>({.name = name_ + "-0", .items = each * replicates()},
+                                              [&](std::int64_t first, std::span<SubsetRow> out) {
+                                                  for (std::size_t i = 0; i < out.size(); ++i) {
+                                                      auto const item = first + static_cast<std::int64_t>(i);
+                                                      runs_[item / each].plain(item % each, normals_);
+                                                      out[i] = row_of(respond_at(problem_, normals_, factor_));
+                                                  }
+                                              });
     for (std::size_t r = 0; r < runs_.size(); ++r) {
         runs_[r].begin(std::span(rows).subspan(r * static_cast<std::size_t>(each), static_cast<std::size_t>(each)));
     }
@@ -114,7 +114,7 @@ void Simulation::step_all(std::vector<std::size_t> const& going, std::int64_t st
         workers_.map<SubsetRow>({.name = name, .items = items}, [&](std::int64_t first, std::span<SubsetRow> out) {
             for (std::size_t i = 0; i < out.size(); ++i) {
                 auto const item = first + static_cast<std::int64_t>(i);
-                runs_[going[static_cast<std::size_t>(item / chains)]].propose(item % chains, normals_);
+                runs_[going[item / chains]].propose(item % chains, normals_);
                 out[i] = row_of(respond_at(problem_, normals_, factor_));
             }
         });

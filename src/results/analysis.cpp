@@ -46,7 +46,7 @@ std::vector<double> band_over(LevelSpec const& levels, int points) {
     constexpr double below = 0.5;
     constexpr double above = 1.6;
     std::vector<double> at;
-    at.reserve(static_cast<std::size_t>(points));
+    at.reserve(points);
     double const low = std::log(below * levels.levels.front().value);
     double const high = std::log(above * levels.levels.back().value);
     for (int i = 0; i < points; ++i) {

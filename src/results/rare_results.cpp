@@ -121,7 +121,7 @@ void read_replicates(store::ResultsReader const& file, std::string const& group,
         auto const levels = file.integers(own + "/level");
         auto const values = file.reals(own + "/estimate");
         for (std::size_t i = 0; i < levels.size(); ++i) {
-            estimates.at(static_cast<std::size_t>(levels[i])).replicates.push_back(values.at(i));
+            estimates.at(levels[i]).replicates.push_back(values.at(i));
         }
         return;
     }
@@ -152,8 +152,7 @@ void read_health(store::ResultsReader const& file, std::string const& group, std
     auto const limits = file.reals(place + (now ? "/limit_value" : "/limit"));
     auto const passed = file.integers(place + "/passed");
     for (std::size_t i = 0; i < levels.size(); ++i) {
-        estimates.at(static_cast<std::size_t>(levels[i]))
-            .health.push_back({names.at(i), values.at(i), limits.at(i), passed.at(i) != 0});
+        estimates.at(levels[i]).health.push_back({names.at(i), values.at(i), limits.at(i), passed.at(i) != 0});
     }
 }
 

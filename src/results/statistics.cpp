@@ -85,10 +85,10 @@ void Statistics::add(BlockRows const& block) {
 void Statistics::add(TrialRow const& row, std::span<std::byte const> own) {
     auto const limits = judge_.judge(row, own);
     measured_.add(row, limits);
-    auto& body = bodies_.at(static_cast<std::size_t>(row.body));
+    auto& body = bodies_.at(row.body);
     auto const level = static_cast<std::size_t>(row.level);
     if (!body.grid.empty()) {
-        body.grid.at(static_cast<std::size_t>(row.wave)).add(row, limits);
+        body.grid.at(row.wave).add(row, limits);
     }
     auto& stripe = body.stripes.at(level);
     auto const& end = entry_of(row.verdict);

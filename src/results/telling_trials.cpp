@@ -115,11 +115,11 @@ std::vector<TellingTrial> telling_trials(CampaignSpec const& spec, Plan const& p
         trial.wave = plan.number(wave);
         trial.body = body;
         trial.level = level;
-        trial.amplitude = spec.levels.levels.at(static_cast<std::size_t>(level)).value;
+        trial.amplitude = spec.levels.levels.at(level).value;
         trial.verdict = columns.verdicts[t];
         trial.peak_rotation_ratio = columns.peak_rotation_ratios[t];
         trial.peak_slip_m = columns.peak_slips_m[t];
-        bodies.at(static_cast<std::size_t>(body)).add(trial);
+        bodies.at(body).add(trial);
     }
     std::vector<TellingTrial> all;
     for (auto& body : bodies) {

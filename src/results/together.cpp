@@ -27,9 +27,9 @@ class JointCounts {
             wave_ = outcome.wave;
         }
         auto& ends = of_wave_.try_emplace(outcome.amplitude, none_).first->second;
-        ends.at(static_cast<std::size_t>(outcome.body)) = !outcome.decided ? JointEnd::undecided
-                                                          : outcome.passed ? JointEnd::overturned
-                                                                           : JointEnd::stood;
+        ends.at(outcome.body) = !outcome.decided ? JointEnd::undecided
+                                : outcome.passed ? JointEnd::overturned
+                                                 : JointEnd::stood;
     }
     [[nodiscard]] std::vector<JointTrial> take() {
         close_wave();
@@ -95,7 +95,7 @@ MeasurePair parse_measures(std::string const& text, CampaignSpec const& spec) {
         validate(at != names.end(),
                  "--measures: '{}' is no measure of this campaign (its curves are over others). State two of {}",
                  stated.at(i), fmt::join(names, ", "));
-        pair.at(i) = known[static_cast<std::size_t>(at - names.begin())];
+        pair.at(i) = known[at - names.begin()];
     }
     validate(pair[0] != pair[1], "--measures: '{}' twice (one curve holds it). State two different ones", stated[0]);
     return pair;

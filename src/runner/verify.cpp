@@ -157,8 +157,8 @@ class Verifier {
         }
         auto const& row = b.rows.front();
         differ(0, number, differing_columns(file_, spec_, a, b),
-               fmt::format("trial {} (wave {}, {}, {})", number, row.wave,
-                           spec_.bodies[static_cast<std::size_t>(row.body)].name, spec_.levels.text(row.amplitude)));
+               fmt::format("trial {} (wave {}, {}, {})", number, row.wave, spec_.bodies[row.body].name,
+                           spec_.levels.text(row.amplitude)));
     }
 
     void compare_waves(std::int64_t first, std::span<WaveRow const> waves, std::span<MeasureRow const> measures) {

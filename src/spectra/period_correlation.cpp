@@ -68,7 +68,7 @@ void check_periods(std::vector<double> const& periods_s, Location const& where) 
 void check_values(Eigen::MatrixXd const& values, std::vector<int> const& lines, std::string const& name) {
     constexpr double rounding = 1e-6;  // of a printed table
     for (Eigen::Index i = 0; i < values.rows(); ++i) {
-        Location const where{name, lines[static_cast<std::size_t>(i)]};
+        Location const where{name, lines[i]};
         if (std::abs(values(i, i) - 1) > rounding) {
             throw InputError(where,
                              fmt::format("{} on the diagonal (a period's with itself is 1). Mend it", values(i, i)));
@@ -160,7 +160,7 @@ CorrelatedNormals::CorrelatedNormals(std::vector<double> const& periods_s, Perio
     Eigen::MatrixXd matrix(count, count);
     for (Eigen::Index i = 0; i < count; ++i) {
         for (Eigen::Index j = 0; j < count; ++j) {
-            matrix(i, j) = correlation(periods_s[static_cast<std::size_t>(i)], periods_s[static_cast<std::size_t>(j)]);
+            matrix(i, j) = correlation(periods_s[i], periods_s[j]);
         }
     }
     Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> const solved(matrix);

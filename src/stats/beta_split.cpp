@@ -28,11 +28,11 @@ ProbitDesign design_of(std::vector<DrawnTrial> const& trials) {
         mean += trial.log_intensity / static_cast<double>(rows);
     }
     for (Index i = 0; i < rows; ++i) {
-        auto const& trial = trials[static_cast<std::size_t>(i)];
+        auto const& trial = trials[i];
         design.columns(i, 0) = 1;
         design.columns(i, 1) = trial.log_intensity - mean;
         for (Index k = 0; k < scores; ++k) {
-            design.columns(i, scores_from + k) = trial.scores[static_cast<std::size_t>(k)];
+            design.columns(i, scores_from + k) = trial.scores[k];
         }
         design.overturned.push_back(trial.overturned);
         design.waves.push_back(trial.wave);
@@ -61,7 +61,7 @@ WaveMeans means_of(std::vector<DrawnTrial> const& trials) {
         auto const place = places.at(trial.wave);
         means.trials[place] += 1;
         for (Index k = 0; k < scores; ++k) {
-            means.sums(k, place) += trial.scores[static_cast<std::size_t>(k)];
+            means.sums(k, place) += trial.scores[k];
         }
     }
     return means;

@@ -92,7 +92,7 @@ Bootstrap bootstrap_waves(std::span<SingleTrial const> trials, ProbitLine const&
     ProbitSolver solver;
     auto const centre = solver.fit(cells.points()).value_or(line);
     std::vector<Replicate> replicates;
-    replicates.reserve(static_cast<std::size_t>(key.replicates));
+    replicates.reserve(key.replicates);
     for (int r = 0; r < key.replicates; ++r) {
         RandomStream stream(key.seed, static_cast<std::uint64_t>(r), Purpose::bootstrap, key.stream);
         replicates.push_back(refit(cells.draw(stream), solver));
@@ -112,7 +112,7 @@ Bootstrap bootstrap_trials(std::span<FragilityPoint const> points, ProbitLine co
     ProbitSolver solver;
     auto const centre = many ? solver.fit(points).value_or(line) : line;
     std::vector<Replicate> replicates;
-    replicates.reserve(static_cast<std::size_t>(key.replicates));
+    replicates.reserve(key.replicates);
     for (int r = 0; r < key.replicates; ++r) {
         RandomStream stream(key.seed, static_cast<std::uint64_t>(r), Purpose::bootstrap, key.stream);
         for (std::size_t i = 0; i < points.size(); ++i) {

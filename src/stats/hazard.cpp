@@ -152,7 +152,7 @@ Interval annual_frequency_seen(HazardCurve const& hazard, std::span<FragilityPoi
             return 0.0;
         }
         auto const from = std::lower_bound(at.begin(), at.end(), intensity);
-        return from == at.end() ? 1.0 : most_up_to[static_cast<std::size_t>(from - at.begin())];
+        return from == at.end() ? 1.0 : most_up_to[from - at.begin()];
     };
     std::vector<double> ends{hazard.first(), hazard.last()};
     at.push_back(nothing_below);  // a place to part motions at, no stripe

@@ -112,10 +112,10 @@ SampleQuantile sample_quantile(std::span<double const> sorted, std::int64_t unpl
     auto const low = rank(q) - unplaced;
     auto const high = n + 1 - rank(1 - q);
     if (low >= 1) {
-        found.lower = sorted[static_cast<std::size_t>(low - 1)];
+        found.lower = sorted[low - 1];
     }
     if (high <= known) {
-        found.upper = sorted[static_cast<std::size_t>(high - 1)];
+        found.upper = sorted[high - 1];
     }
     return found;
 }

@@ -77,7 +77,7 @@ double rank_area(std::span<FragilityPoint const> points) {
 std::vector<double> rank_area_replicates(std::span<SingleTrial const> trials, BootstrapKey const& key) {
     auto const order = ranked(trials);
     std::vector<double> areas;
-    areas.reserve(static_cast<std::size_t>(key.replicates));
+    areas.reserve(key.replicates);
     for (int r = 0; r < key.replicates; ++r) {
         RandomStream stream(key.seed, static_cast<std::uint64_t>(r), Purpose::bootstrap, key.stream);
         std::vector<double> times(order.waves, 0.0);

@@ -24,7 +24,7 @@ Centred centred(std::vector<TwoMeasureTrial> const& trials) {
     auto const rows = static_cast<Index>(trials.size());
     made.design.columns.resize(rows, 3);
     for (Index i = 0; i < rows; ++i) {
-        auto const& trial = trials[static_cast<std::size_t>(i)];
+        auto const& trial = trials[i];
         made.design.columns.row(i) << 1, trial.log_intensity[0], trial.log_intensity[1];
         made.design.overturned.push_back(trial.overturned);
         made.design.waves.push_back(trial.wave);

@@ -43,7 +43,7 @@ void ContactRun::fill_waves() {
 void ContactRun::fill_points() {
     double const w = planar_.vertical_radps();
     for (int i = 0; i < lane_.points; ++i) {
-        auto const& point = planar_.points[static_cast<std::size_t>(i)];
+        auto const& point = planar_.points[i];
         double const stiffness = point.stiffness_share * w * w;
         lane_.at(Spot::offset, i, 0) = point.offset_m;
         lane_.at(Spot::stiffness, i, 0) = stiffness;

@@ -79,7 +79,7 @@ void Runner::make_sample() {
         waves_.waves.push_back(prepare_wave(spec_, plan_, number, ignored));
     }
     for (auto const place : spread_over(most_wave_units, static_cast<std::int64_t>(numbers_.size()))) {
-        few_.waves.push_back(waves_.waves[static_cast<std::size_t>(place)]);
+        few_.waves.push_back(waves_.waves[place]);
     }
 }
 
@@ -192,7 +192,7 @@ void Runner::count_criterion_flips(Measured& row, std::vector<double> const& val
         auto const first = plan_.first_level(wave.number);
         for (auto const& drawn : wave.bodies) {
             for (auto level = first; level < first + plan_.level_count(); ++level) {
-                auto const scale = spec_.levels.scale(spec_.levels.levels[static_cast<std::size_t>(level)], wave.row);
+                auto const scale = spec_.levels.scale(spec_.levels.levels[level], wave.row);
                 if (scale) {
                     double const limit = drawn.body.limit_velocity_mps();
                     ++row.trials;

@@ -70,7 +70,7 @@ std::vector<double> low_passed(std::span<double const> values, double time_step_
         for (auto k = middle - reach; k <= middle + reach; ++k) {
             double const weight = kernel(at_s - static_cast<double>(k) * time_step_s);
             weights += weight;
-            sum += k >= 0 && k <= last ? weight * values[static_cast<std::size_t>(k)] : 0.0;
+            sum += k >= 0 && k <= last ? weight * values[k] : 0.0;
         }
         made[i] = sum / weights;
     }

@@ -62,8 +62,7 @@ std::string hand_check_text(CampaignSpec const& spec, std::span<HandCheck const>
         text += fmt::format(
             "  {}: overturns above {} {} (the spectrum at {:.3g} Hz, {:.3g} % damping; tilt {:.2f} alpha)", check.body,
             spec.levels.measure_label(), level, check.rocking.frequency_hz, 100 * check.rocking.damping,
-            check.rocking.rotation_rad
-                / spec.bodies[static_cast<std::size_t>(&check - checks.data())].body.alpha_rad());
+            check.rocking.rotation_rad / spec.bodies[&check - checks.data()].body.alpha_rad());
         if (check.sliding_m) {
             text += std::isinf(*check.sliding_m)
                         ? std::string("; vertical motion takes all of its friction at the design basis")
@@ -90,8 +89,7 @@ std::string telling_text(CampaignSpec const& spec, std::span<TellingTrial const>
         file, "body", wide, "kind", "trial", "wave", spec.levels.measure_name(), "verdict", "peak/alpha", "slip m");
     for (auto const& t : trials) {
         text += fmt::format(
-            "{:<{}}  {:<16} {:>8} {:>7} {:>14}  {:<12} {:>11.4g} {:>9.4g}{}\n",
-            spec.bodies[static_cast<std::size_t>(t.body)].name, wide,
+            "{:<{}}  {:<16} {:>8} {:>7} {:>14}  {:<12} {:>11.4g} {:>9.4g}{}\n", spec.bodies[t.body].name, wide,
             telling_kinds.at(static_cast<std::size_t>(t.kind)), t.trial, t.wave, spec.levels.text(t.amplitude),
             entry_of(t.verdict).name, t.peak_rotation_ratio, t.peak_slip_m,
             std::isnan(t.overturned_at) ? std::string()

@@ -39,7 +39,7 @@ std::string few_waves_text(CampaignSpec const& spec, std::span<TrialRow const> t
     std::size_t record = 6, body = 4;
     for (auto const& row : trials) {
         record = std::max(record, spec.source->name(static_cast<std::uint64_t>(row.wave)).size());
-        body = std::max(body, spec.bodies[static_cast<std::size_t>(row.body)].name.size());
+        body = std::max(body, spec.bodies[row.body].name.size());
     }
     auto const levels = answer_levels(spec.levels);
     bool const limits = spec.limits.size() > 1;
@@ -50,7 +50,7 @@ std::string few_waves_text(CampaignSpec const& spec, std::span<TrialRow const> t
         if (std::ranges::find(levels, static_cast<std::size_t>(row.level)) == levels.end()) {
             continue;
         }
-        auto const& of = spec.bodies[static_cast<std::size_t>(row.body)];
+        auto const& of = spec.bodies[row.body];
         constexpr double millimetres = 1e3;
         text += fmt::format("{:<{}}  {:<{}}  {:>12}  {:<12} {:>9} {:>10}  {:<8}{}\n",
                             spec.source->name(static_cast<std::uint64_t>(row.wave)), record, of.name, body,

@@ -40,15 +40,15 @@ ChainStates::State ChainStates::moved(State const& from, SubsetNode const& to) {
 ChainStates::State ChainStates::state_of(std::vector<SubsetNode> const& nodes, std::int64_t node) {
     std::vector<std::int64_t> descent;
     auto at = node;
-    while (!kept_.contains(at) && nodes.at(static_cast<std::size_t>(at)).parent >= 0) {
+    while (!kept_.contains(at) && nodes.at(at).parent >= 0) {
         descent.push_back(at);
-        at = nodes[static_cast<std::size_t>(at)].parent;
+        at = nodes[at].parent;
     }
     auto const kept = kept_.find(at);
-    auto state = kept != kept_.end() ? kept->second : root(nodes.at(static_cast<std::size_t>(at)));
+    auto state = kept != kept_.end() ? kept->second : root(nodes.at(at));
     std::reverse(descent.begin(), descent.end());
     for (auto const next : descent) {
-        state = moved(state, nodes[static_cast<std::size_t>(next)]);
+        state = moved(state, nodes[next]);
     }
     return state;
 }

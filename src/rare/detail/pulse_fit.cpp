@@ -23,7 +23,7 @@ std::vector<double> capped_weights(std::span<FailedWave const> waves) {
     auto weights = sorted;
     auto const at = static_cast<std::ptrdiff_t>(quantile * static_cast<double>(sorted.size() - 1));
     std::nth_element(sorted.begin(), sorted.begin() + at, sorted.end());
-    double const cap = most * sorted[static_cast<std::size_t>(at)];
+    double const cap = most * sorted[at];
     for (double& weight : weights) {
         weight = std::min(weight, cap);
     }

@@ -72,7 +72,7 @@ void PulseLadder::run(std::string const& name, std::int64_t first, std::int64_t 
             std::vector<Answer> answers;
             for (std::size_t i = 0; i < out.size(); ++i) {
                 auto const item = from + static_cast<std::int64_t>(i);
-                auto const& stage = stages_[static_cast<std::size_t>(item / count)].back();
+                auto const& stage = stages_[item / count].back();
                 auto key = stage.key;
                 key.index = static_cast<std::uint64_t>(first + item % count);
                 auto& row = out[i];
@@ -152,7 +152,7 @@ void PulseLadder::fit(std::size_t pooled, double strengthened) {
                       .row_bytes = numbers * sizeof(double)};
     auto const bytes = workers_.rows_of(stage, [&](std::int64_t first, std::span<std::byte> out) {
         std::vector<double> made;
-        put(fitted(stages_[static_cast<std::size_t>(first)], pooled).strengthened(strengthened), made);
+        put(fitted(stages_[first], pooled).strengthened(strengthened), made);
         std::memcpy(out.data(), made.data(), out.size());
     });
     std::vector<double> all(bytes.size() / sizeof(double));

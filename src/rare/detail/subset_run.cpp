@@ -50,7 +50,7 @@ void SubsetRun::close_level() {
         return std::pair(node(a).failed, node(a).driver) > std::pair(node(b).failed, node(b).driver);
     });
     auto const in = samples_[static_cast<std::size_t>(n_c) - 1];
-    auto const out = samples_[static_cast<std::size_t>(n_c)];
+    auto const out = samples_[n_c];
     // A chain that stood still has one state twice; two states that answer the same are a plateau.
     if (in != out && node(in).driver == node(out).driver) {
         end_ = End::plateau;
@@ -70,16 +70,13 @@ void SubsetRun::close_level() {
 }
 
 SubsetNode SubsetRun::next_node(std::int64_t chain) const {
-    return {.parent = chains_[static_cast<std::size_t>(chain)],
-            .level = result_.levels,
-            .step = step_ + 1,
-            .index = chain,
-            .step_size = step_size_};
+    return {
+        .parent = chains_[chain], .level = result_.levels, .step = step_ + 1, .index = chain, .step_size = step_size_};
 }
 
 void SubsetRun::propose(std::int64_t chain, std::span<double> normals) {
-    auto const at = chains_[static_cast<std::size_t>(chain)];
-    auto& proposal = proposals_[static_cast<std::size_t>(chain)];
+    auto const at = chains_[chain];
+    auto& proposal = proposals_[chain];
     proposal = states_.moved(states_.state_of(result_.nodes, at), next_node(chain));
     std::copy(proposal.begin(), proposal.end(), normals.begin());
 }

@@ -44,7 +44,7 @@ class SubsetRun {
 
   private:
     [[nodiscard]] SubsetNode next_node(std::int64_t chain) const;
-    [[nodiscard]] SubsetNode const& node(std::int64_t n) const { return result_.nodes[static_cast<std::size_t>(n)]; }
+    [[nodiscard]] SubsetNode const& node(std::int64_t n) const { return result_.nodes[n]; }
 
     SubsetOptions options_;
     ChainStates states_;

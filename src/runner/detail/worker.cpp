@@ -46,7 +46,7 @@ class Worker {
     void compute() {
         while (!stopped_ && has_next()) {
             auto const begin = Clock::now();
-            auto const block = left_[static_cast<std::size_t>(next_++)];
+            auto const block = left_[next_++];
             auto const rows = run_block(spec_, plan_, block, seconds_, [&] { return goes_on(); });
             stopped_ = !rows || !commit(block, rows->pack());
             stop_policy_.block_took(seconds_since(begin));

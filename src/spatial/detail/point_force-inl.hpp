@@ -145,7 +145,7 @@ template <class V, int Stride> auto PointForce<V, Stride>::begin(Motion& start) 
         V const depth = reach - spot(point(i), Spot::crush);
         all.least = min(depth, all.least);
         all.most = max(reach, all.most);
-        if (!remembered_[static_cast<std::size_t>(i)] && any(depth > V(0))) {
+        if (!remembered_[i] && any(depth > V(0))) {
             static_cast<void>(remember(i));
         }
     }
@@ -156,7 +156,7 @@ template <class V, int Stride> auto PointForce<V, Stride>::begin(Motion& start) 
 
 template <class V, int Stride> void PointForce<V, Stride>::complete() {
     for (int i = 0; i < points_; ++i) {
-        if (!remembered_[static_cast<std::size_t>(i)]) {
+        if (!remembered_[i]) {
             static_cast<void>(remember(i));
         }
     }
@@ -177,7 +177,7 @@ OVERTURN_LANES_INLINE bool PointForce<V, Stride>::press(int i, Grips const& grip
     if constexpr (AtStart) {
         normal = remember(i);
     } else {
-        if (!remembered_[static_cast<std::size_t>(i)]) {
+        if (!remembered_[i]) {
             static_cast<void>(remember(i));
         }
         normal = normal_of(place, depth - spot(place, Spot::crush), over(place, grips.approach));

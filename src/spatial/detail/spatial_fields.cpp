@@ -94,7 +94,7 @@ void SpatialRun::fill_points() {
     put(State::stiffness, w * w);
     put(State::ring, w * w / pi);
     for (int i = 0; i < lane_.points; ++i) {
-        auto const& point = block_.points[static_cast<std::size_t>(i)];
+        auto const& point = block_.points[i];
         lane_.at(Spot::x, i, 0) = lane_.at(Spot::anchor_x, i, 0) = point.x_m;
         lane_.at(Spot::y, i, 0) = lane_.at(Spot::anchor_y, i, 0) = point.y_m;
         lane_.at(Spot::stiffness, i, 0) = point.stiffness_share * w * w;

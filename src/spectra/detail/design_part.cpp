@@ -59,7 +59,7 @@ std::optional<std::string> table_of_one_ordinate(std::string_view content, std::
         lines.emplace_back(*line);
     }
     auto const keep = [&](std::vector<Cell> const& cells) {
-        auto& line = lines[static_cast<std::size_t>(rows.line() - 1)];
+        auto& line = lines[rows.line() - 1];
         auto const note = line.find('#');
         line = fmt::format("{},{}{}", cells[0].text, cells[column].text,
                            note == std::string::npos ? "" : " " + line.substr(note));

@@ -35,7 +35,7 @@ using Bell = std::array<double, std::size_t{2} * reach>;  // exp(-q^2 / breadth)
 Bell bell() {
     Bell values{};
     for (int q = 1 - reach; q <= reach; ++q) {
-        values.at(static_cast<std::size_t>(q + reach - 1)) = std::exp(-q * q / breadth);
+        values.at(q + reach - 1) = std::exp(-q * q / breadth);
     }
     return values;
 }

@@ -18,7 +18,7 @@ using Eigen::Index;
 FragilityPoint outcome(ProbitDesign const& design, Index row) {
     FragilityPoint point;
     point.trials = 1;
-    point.overturned = design.overturned[static_cast<std::size_t>(row)] ? 1 : 0;
+    point.overturned = design.overturned[row] ? 1 : 0;
     return point;
 }
 
@@ -48,11 +48,10 @@ std::vector<WaveScore> by_waves(ProbitDesign const& design, Derivatives const& a
     auto const& x = design.columns;
     std::map<std::int64_t, WaveScore> waves;
     for (Index i = 0; i < x.rows(); ++i) {
-        auto& wave =
-            waves
-                .try_emplace(design.waves[static_cast<std::size_t>(i)],
-                             WaveScore{Eigen::VectorXd::Zero(x.cols()), Eigen::MatrixXd::Zero(x.cols(), x.cols())})
-                .first->second;
+        auto& wave = waves
+                         .try_emplace(design.waves[i], WaveScore{Eigen::VectorXd::Zero(x.cols()),
+                                                                 Eigen::MatrixXd::Zero(x.cols(), x.cols())})
+                         .first->second;
         wave.gradient += at.first[i] * x.row(i).transpose();
         wave.information += at.weight[i] * x.row(i).transpose() * x.row(i);
     }
