@@ -6,11 +6,11 @@ set -u
 
 packages=(g++ cmake ninja-build git ca-certificates libopenmpi-dev openmpi-bin libeigen3-dev libhdf5-dev libgsl-dev libfftw3-dev
           libfmt-dev libgtest-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libssl-dev librandom123-dev libhwy-dev
-          musl-dev libmseed-dev)
+          musl-dev libmseed-dev libxlsxwriter-dev)
 for wish in "$@"; do
     case $wish in
         tests) packages+=(python3-h5py python3-numpy python3-matplotlib python3-jsonschema  # another reading of our files; figures
-                          python3-pandas python3-xarray python3-netcdf4 python3-h5netcdf hdf5-tools  # and further ones
+                          python3-openpyxl python3-pandas python3-xarray python3-netcdf4 python3-h5netcdf hdf5-tools  # and further ones
                           slurmctld slurmd slurm-client slurm-wlm-basic-plugins munge  # a cluster to test on
                           qemu-user) ;;  # other CPUs to test on
         ci) packages+=(ccache clang-format clang-tidy libbenchmark-dev libboost-dev  # and what benchmarks compare with

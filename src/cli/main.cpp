@@ -41,6 +41,7 @@ int start(int argc, char** argv) {
     cli::add_qualify(line);
     cli::add_fit(line);
     cli::add_report(line);
+    cli::add_export(line);
     cli::add_cost(line);
     cli::add_rock(line);
     cli::add_spectrum(line);

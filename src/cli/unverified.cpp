@@ -6,13 +6,18 @@
 
 namespace overturn::cli {
 
-bool Unverified::warn_if_changed(store::ResultsReader const& file, std::string const& path) const {
+bool Unverified::warn_if_edited(store::ResultsReader const& file, std::string const& path) const {
     bool const changed = wished && !file.is_as_written();
     if (changed) {
         print_note(
             "overturn: {}: NOT as it was written (edited, damaged or never sealed); read as it is, with --unverified\n",
             path);
     }
+    return changed;
+}
+
+bool Unverified::warn_if_changed(store::ResultsReader const& file, std::string const& path) const {
+    bool const changed = warn_if_edited(file, path);
     if (auto const unknown = unknown_verdicts(file); !unknown.empty()) {
         print_note("overturn: {}: {} (another program wrote the file)\n", path, unknown);
     }

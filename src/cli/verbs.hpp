@@ -16,8 +16,10 @@ struct Unverified {
         verb.takes("--unverified", wished, "read a file that was edited or damaged since overturn wrote it, as it is");
     }
     [[nodiscard]] store::Trust trust() const { return wished ? store::Trust::unverified : store::Trust::sealed; }
-    /// Says that a file is not as it was written, and that what follows is read from it as it is; and which verdicts of
-    /// it this program does not know. \return whether it was changed
+    /// Says that a file is not as it was written, and that what follows is read from it as it is.
+    /// \return whether it was changed
+    [[nodiscard]] bool warn_if_edited(store::ResultsReader const& file, std::string const& path) const;
+    /// The same, and says which verdicts of it this program does not know.
     [[nodiscard]] bool warn_if_changed(store::ResultsReader const& file, std::string const& path) const;
 };
 
@@ -30,6 +32,7 @@ void add_verify(CommandLine& line);
 void add_qualify(CommandLine& line);
 void add_fit(CommandLine& line);
 void add_report(CommandLine& line);
+void add_export(CommandLine& line);
 void add_cost(CommandLine& line);
 void add_rock(CommandLine& line);
 void add_spectrum(CommandLine& line);

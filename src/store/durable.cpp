@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -157,6 +158,15 @@ bool create_durably(std::filesystem::path const& path, std::span<std::byte const
         make_durable(folder_of(path));
     });
     return made;
+}
+
+FileInWork::FileInWork(std::filesystem::path path) : path_(std::move(path)), beside_(path_) { beside_ += own_ending(); }
+
+FileInWork::~FileInWork() { ::unlink(beside_.c_str()); }
+
+void FileInWork::keep() {
+    make_durable(beside_);
+    rename_durably(beside_, path_);
 }
 
 void append(std::filesystem::path const& path, std::span<std::byte const> content) {

@@ -24,6 +24,25 @@ void write_durably(std::filesystem::path const& path, std::span<std::byte const>
 /// did
 bool create_durably(std::filesystem::path const& path, std::span<std::byte const> content);
 
+/// A file that is written piece by piece under a name beside its own, and removed unless keep() gives it that one.
+class FileInWork {
+  public:
+    explicit FileInWork(std::filesystem::path path);
+    ~FileInWork();
+    FileInWork(FileInWork const&) = delete;
+    FileInWork& operator=(FileInWork const&) = delete;
+    FileInWork(FileInWork&&) = delete;
+    FileInWork& operator=(FileInWork&&) = delete;
+
+    /// Where to write it.
+    [[nodiscard]] std::filesystem::path const& beside() const { return beside_; }
+    /// Whole and durable at its place. \throws SystemError
+    void keep();
+
+  private:
+    std::filesystem::path path_, beside_;
+};
+
 /// Adds to the end of a file that is there. \throws SystemError
 void append(std::filesystem::path const& path, std::span<std::byte const> content);
 

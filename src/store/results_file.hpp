@@ -86,6 +86,9 @@ class ResultsWriter {
 struct ColumnMeaning {
     std::string path;  ///< "trials/v_wes"
     std::string units, description;
+    FieldType type =
+        FieldType::real;    ///< of numbers; category: an enumeration; integers may have names too (categories())
+    std::int64_t rows = 0;  ///< -1: it holds texts, or does not run along one axis
 };
 
 /// Is a file held against what was written?

@@ -62,6 +62,15 @@ std::int64_t length_of(Dataset const& dataset) {
     return H5Sget_simple_extent_ndims(space.id()) == 1 ? H5Sget_simple_extent_npoints(space.id()) : -1;
 }
 
+// Type and length.
+void measure(Dataset const& dataset, ColumnMeaning& column) {
+    Datatype const type(checked(H5Dget_type(dataset.id()), "read a type"));
+    auto const kind = H5Tget_class(type.id());
+    bool const number = kind == H5T_FLOAT || kind == H5T_INTEGER || kind == H5T_ENUM;
+    column.type = kind == H5T_ENUM ? FieldType::category : kind == H5T_INTEGER ? FieldType::integer : FieldType::real;
+    column.rows = number ? length_of(dataset) : -1;
+}
+
 // A column that the file does not have.
 void fill_absent(Field const& column, std::size_t row_bytes, std::span<std::byte> rows) {
     for (std::size_t place = column.offset; place < rows.size(); place += row_bytes) {
@@ -110,6 +119,7 @@ std::vector<ColumnMeaning> ResultsReader::columns() const {
             return H5Aexists(object.id(), name) > 0 ? read_text_attribute(object.id(), name) : std::string();
         };
         found.push_back({path.substr(1), text("units"), text("description")});
+        measure(open_dataset(opened_->file, path), found.back());
     });
     std::ranges::sort(found, {}, &ColumnMeaning::path);
     return found;

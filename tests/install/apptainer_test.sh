@@ -35,10 +35,10 @@ for file in $copied; do cp -r "$file" "$copy/"; done
 configure=$(section post | grep -oE 'cmake --preset release.*')
 (cd "$copy" && $configure > configure.log 2>&1) || { tail -5 "$copy/configure.log" >&2; fail "what it copies does not configure"; }
 
-# spack.yaml names something for every library that cmake looks for; "-": one that may be missing, and spack has none.
+# spack.yaml names something for every library that cmake looks for; "-": one that may be missing, and is not asked of spack.
 declare -A spack=([MPI]=openmpi [Eigen3]=eigen [HDF5]=hdf5 [GSL]=gsl [FFTW]=fftw [fmt]=fmt [tomlplusplus]=tomlplusplus [CLI11]=cli11
     [nlohmann_json]=nlohmann-json [OpenSSL]=openssl [RANDOM123]=random123 [HIGHWAY]=highway [GTest]=googletest [MUSL_LIBC]=musl
-    [MSEED]=-)
+    [MSEED]=- [XLSX]=-)
 for library in $(grep -ohE '^find_package\([A-Za-z0-9_]+|^find_path\([A-Z0-9]+|^find_file\([A-Z_]+' .cmake/packages.cmake .cmake/portable_math.cmake | sed 's/.*(//; s/_INCLUDE_DIR//' | sort -u); do
     name=${spack[$library]:-}
     [ -n "$name" ] || fail "cmake looks for $library, for which this test knows no spack package"

@@ -1,0 +1,103 @@
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "cli/verbs.hpp"
+#include "core/error.hpp"
+#include "core/print_note.hpp"
+#include "output/csv.hpp"
+#include "output/sheets.hpp"
+#include "output/workbook.hpp"
+#include "store/durable.hpp"
+#include "store/format_versions.hpp"
+
+namespace overturn::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ExportOptions {
+    std::string file;
+    std::optional<std::string> folder, kind;
+    bool force = false;
+    Unverified unverified;
+
+    [[nodiscard]] bool writes(char const* what) const { return !kind || *kind == what; }
+    [[nodiscard]] fs::path place() const {
+        return folder ? fs::path(*folder) : fs::path(file).replace_extension(".tables");
+    }
+};
+
+void check(ExportOptions const& options) {
+    validate(options.writes("csv") || options.writes("xlsx"),
+             "--as '{}' (unknown). Say csv or xlsx, or leave it out: both", options.kind.value_or(""));
+    validate(!options.place().empty(), "-o '' (no name: an unset variable?). Name a folder");
+}
+
+// The folder, if it can be one and nothing in it would be lost.
+void make_place(fs::path const& folder, std::vector<fs::path> const& files, bool force) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    validate(fs::is_directory(folder), "-o {} (is no folder and cannot be one{}). Name another", folder.string(),
+             error ? ": " + error.message() : std::string());
+    for (auto const& file : files) {
+        validate(force || !fs::exists(file),
+                 "{}: there already (it would be lost). Name another folder with -o, or say --force", file.string());
+        validate(!fs::is_directory(file), "{}: a folder (a file shall have this name). Name another folder with -o",
+                 file.string());
+        store::require_writable(file);
+    }
+}
+
+int write_tables(ExportOptions const& options) {
+    check(options);
+    store::ResultsReader const file(options.file, options.unverified.trust());
+    auto const sheets = output::sheets_of(file);
+    (void)options.unverified.warn_if_edited(file, options.file);
+    auto const folder = options.place();
+    auto const book = folder / "tables.xlsx";
+    std::vector<fs::path> files;
+    for (auto const& sheet : sheets) {
+        if (options.writes("csv")) {
+            files.push_back(folder / (sheet.name + ".csv"));
+        }
+    }
+    if (options.writes("xlsx")) {
+        output::require_workbook(sheets);
+        files.push_back(book);
+    }
+    make_place(folder, files, options.force);
+    for (std::size_t i = 0; i < sheets.size() && options.writes("csv"); ++i) {
+        output::write_csv(files[i], sheets[i]);
+    }
+    if (options.writes("xlsx")) {
+        output::write_workbook(book, sheets);
+    }
+    if (auto const known = store::known_errors_of(file.integer("format_version")); !known.empty()) {
+        print_note("{}\n", known.substr(1));
+    }
+    print_note("{} trials, {} waves, {} stripes, {} curves: {}\n", sheets[0].rows, sheets[1].rows, sheets[2].rows,
+               sheets[3].rows, folder.string());
+    return done;
+}
+
+}  // namespace
+
+void add_export(CommandLine& line) {
+    auto verb =
+        line.verb("export", "trials, waves, stripes and curves of a results file as csv and as a workbook of Excel");
+    auto options = std::make_shared<ExportOptions>();
+    verb.needs("file", options->file, "results file");
+    verb.takes("-o,--output", options->folder, "the folder to write into; default: FILE.tables beside the file",
+               "FOLDER");
+    verb.takes("--as", options->kind, "one kind alone: csv (every digit) or xlsx (16 digits); default: both",
+               "csv|xlsx");
+    verb.takes("--force", options->force, "write over files that are there");
+    options->unverified.offered_by(verb);
+    verb.does([options] { return write_tables(*options); });
+}
+
+}  // namespace overturn::cli
