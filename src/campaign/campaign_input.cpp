@@ -131,18 +131,22 @@ CampaignInput load_campaign(std::filesystem::path const& path, std::span<std::st
         validate(setting.find('\n') == std::string::npos,
                  "--set {} (spans lines, which a results file cannot carry). State it in the campaign", setting);
     }
+    load_files(input, path.has_parent_path() ? path.parent_path() : std::filesystem::path("."));
+    return input;
+}
+
+void load_files(CampaignInput& input, std::filesystem::path const& folder) {
     // A results file carries the text as an attribute, which HDF5 holds to 64 KiB.
     constexpr std::size_t longest = 60'000;
     validate(input.text.size() <= longest,
              "{}: {} bytes (a results file can carry {}). Move long tables into files that the campaign names",
-             path.string(), input.text.size(), longest);
-    InputFiles files(path.has_parent_path() ? path.parent_path() : std::filesystem::path("."));
+             input.name, input.text.size(), longest);
+    InputFiles files(folder);
     auto const spec = parse_campaign(input, files);
     refuse_drifting_levels(input, spec);
     refuse_unsound(input, spec);
     refuse_withdrawn_keys(input);
     input.files = files.contents();
-    return input;
 }
 
 }  // namespace overturn

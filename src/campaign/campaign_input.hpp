@@ -45,5 +45,8 @@ struct CampaignInput {
 /// Reads a campaign file and whatever it refers to, and checks all of it by building the campaign once.
 /// \throws InputError
 [[nodiscard]] CampaignInput load_campaign(std::filesystem::path const& path, std::span<std::string const> settings);
+/// Of a text that need not be a file yet: reads what it refers to, from `folder`, and checks all of it likewise.
+/// \throws InputError
+void load_files(CampaignInput& input, std::filesystem::path const& folder);
 
 }  // namespace overturn

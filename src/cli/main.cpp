@@ -32,6 +32,7 @@ int start(int argc, char** argv) {
     gsl_set_error_handler_off();    // its own would abort; callers look at what came back
     cli::CommandLine line("Overturning of free-standing bodies in earthquakes: fragility campaigns and single trials.",
                           fmt::format("overturn {}; {}", program_identity(), library_versions()));
+    cli::add_new(line);
     cli::add_run(line);
     cli::add_plan(line);
     cli::add_merge(line);

@@ -23,6 +23,7 @@ struct Unverified {
     [[nodiscard]] bool warn_if_changed(store::ResultsReader const& file, std::string const& path) const;
 };
 
+void add_new(CommandLine& line);
 void add_run(CommandLine& line);
 void add_plan(CommandLine& line);
 void add_merge(CommandLine& line);

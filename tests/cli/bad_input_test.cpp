@@ -169,7 +169,7 @@ TEST_F(BadInput, Output) {
 // a command line that is not understood says what was probably meant.
 TEST_F(BadInput, CommandLine) {
     expect_refused(overturn(folder, {"rnu", "c.toml"}), "verb 'rnu' (unknown). Did you mean 'run'?");
-    expect_refused(overturn(folder, {"frobnicate"}), "Known: run, plan");
+    expect_refused(overturn(folder, {"frobnicate"}), "Known: new, run, plan");
     expect_refused(overturn(folder, {}), "no verb");
     expect_refused(overturn(folder, {"run", "c.toml", "--reusme"}), "Did you mean '--resume'?");
     expect_refused(overturn(folder, {"run", "c.toml", "--reusme=1"}), "option '--reusme' (unknown)");

@@ -1,0 +1,198 @@
+#include "campaign/study_answers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "core/error.hpp"
+#include "generators/acceptance.hpp"
+#include "spectra/named_targets.hpp"
+
+namespace overturn {
+namespace {
+
+template <Dimension dimension> void check_quantity(std::string const& text) {
+    double number = 0;
+    validate(!parse_number(text, number), "'{}' (a number without its unit). Write \"{} {}\", or with your own unit",
+             text, text, si_symbol(dimension));
+    validate(parse_quantity(text, dimension) > 0, "'{}' (not above 0). State a {}", text, name_of(dimension));
+}
+
+void check_number(std::string const& text, double least, double most, char const* range) {
+    double number = 0;
+    validate(parse_number(text, number) && number >= least && number <= most, "'{}' (no number {}). State one", text,
+             range);
+}
+
+void check_word(std::string const& text, std::vector<std::string> const& words) {
+    validate(std::ranges::find(words, text) != words.end(), "'{}' (unknown). {}", text,
+             config::suggestion(text, words));
+}
+
+bool is_quantity(std::string const& text, Dimension dimension) {
+    try {
+        double number = 0;
+        return !parse_number(text, number) && parse_quantity(text, dimension) > 0;
+    } catch (InputError const&) {
+        return false;
+    }
+}
+
+void check_level(std::string const& text) {
+    validate(is_quantity(text, Dimension::acceleration) || is_quantity(text, Dimension::velocity),
+             "'{}' (no peak acceleration or velocity above 0, with its unit). Write for example \"600 gal\", \"0.3 g\" "
+             "or \"100 kine\"",
+             text);
+}
+
+void check_count(std::string const& text) {
+    constexpr double most = 1e9;
+    check_number(text, 1, most, "from 1 to 1000000000");
+    validate(text.find_first_not_of("0123456789") == std::string::npos, "'{}' (no whole number). State one", text);
+}
+
+void check_restitution(std::string const& text) {
+    if (text != "housner") {
+        check_number(text, 0, 1, "from 0 to 1, nor housner");
+    }
+}
+
+void check_target(std::string const& text) {
+    auto const published = config::names_of(named_targets());
+    validate(std::ranges::find(published, text) != published.end() || std::filesystem::is_regular_file(text),
+             "'{}' (neither published, nor a file). {}", text, config::suggestion(text, published));
+    validate(text != "rg-1.60-vertical", "'{}' (of the vertical component). State rg-1.60, which brings it along",
+             text);
+}
+
+void check_file(std::string const& text) {
+    validate(std::filesystem::exists(text), "'{}' (no such file). Check the name", text);
+}
+
+void take_as_it_is(std::string const& /*text*/) {}
+
+bool of_spectrum(StudyAnswers const& answers) { return answers.spectrum.has_value(); }
+bool of_spectrum_file(StudyAnswers const& answers) { return answers.has_spectrum_file(); }
+bool of_records(StudyAnswers const& answers) { return answers.records.has_value(); }
+bool without_spectrum(StudyAnswers const& answers) { return !answers.spectrum; }
+bool of_site(StudyAnswers const& answers) { return answers.has_site(); }
+
+constexpr double largest_friction = 1e3;
+
+using Answers = StudyAnswers;
+constexpr std::array questions{
+    StudyQuestion{"--mass", "'117 t'", "mass of what stands there: the cask, with the pallet it stands on",
+                  &Answers::mass, check_quantity<Dimension::mass>, true},
+    StudyQuestion{"--centre-height", "'2.6 m'", "height of its centre of gravity above the ground",
+                  &Answers::centre_height, check_quantity<Dimension::length>, true},
+    StudyQuestion{"--base-width", "'3.4 m'", "width or diameter of what it stands on: its base, its feet or the pallet",
+                  &Answers::base_width, check_quantity<Dimension::length>, true},
+    StudyQuestion{"--base-shape", "square|round", "outline of that base", &Answers::base_shape,
+                  [](std::string const& text) {
+                      check_word(text, {"square", "round"});
+                  }},
+    StudyQuestion{"--friction", "0.5", "coefficient of friction between base and pad", &Answers::friction,
+                  [](std::string const& text) { check_number(text, 0, largest_friction, "from 0"); }},
+    StudyQuestion{"--restitution", "0.9|housner", "angular velocity after over before an impact", &Answers::restitution,
+                  check_restitution},
+    StudyQuestion{"--pad-strength", "'30 MPa'", "pressure above which the pad is crushed", &Answers::pad_strength,
+                  check_quantity<Dimension::pressure>},
+    StudyQuestion{"--gap", "'0.8 m'", "distance to the next cask, all round", &Answers::gap,
+                  check_quantity<Dimension::length>},
+    StudyQuestion{"--wall", "'1.5 m'", "distance to a wall, all round", &Answers::wall,
+                  check_quantity<Dimension::length>},
+    StudyQuestion{"--edge", "'2 m'", "distance to the edge of the pad, all round", &Answers::edge,
+                  check_quantity<Dimension::length>},
+    StudyQuestion{"--height", "'5.2 m'", "full height of the cask above the ground", &Answers::height,
+                  check_quantity<Dimension::length>, false, of_site, "it goes with --gap, --wall or --edge"},
+    StudyQuestion{"--spectrum", "NAME|FILE", "target spectrum: a published one (overturn list), or a file of one",
+                  &Answers::spectrum, check_target},
+    StudyQuestion{"--spectrum-kind", "KIND",
+                  "what that file holds: acceleration, pseudo-velocity, displacement or energy-velocity",
+                  &Answers::spectrum_kind,
+                  [](std::string const& text) { check_word(text, config::names_of(target_kinds())); }, true,
+                  of_spectrum_file, "it goes with a file of --spectrum"},
+    StudyQuestion{"--spectrum-unit", "gal", "unit of its ordinates, where the file does not say it",
+                  &Answers::spectrum_unit, take_as_it_is, false, of_spectrum_file, "it goes with a file of --spectrum"},
+    StudyQuestion{"--components", "1|2|3", "components of the motion: 1 horizontal, 2 both, 3 the vertical one too",
+                  &Answers::components,
+                  [](std::string const& text) {
+                      check_word(text, {"1", "2", "3"});
+                  },
+                  false, of_spectrum, "it goes with --spectrum"},
+    StudyQuestion{"--duration", "'120 s'", "duration of every wave", &Answers::duration,
+                  check_quantity<Dimension::time>, false, of_spectrum, "it goes with --spectrum"},
+    StudyQuestion{"--acceptance", "none|srp-3.7.1|japan", "rule that every wave must meet", &Answers::acceptance,
+                  [](std::string const& text) { check_word(text, config::names_of(acceptance_rules())); }, false,
+                  of_spectrum, "it goes with --spectrum"},
+    StudyQuestion{"--records", "FILE|FOLDER", "recorded motions: a file, or a folder of them", &Answers::records,
+                  check_file, true, without_spectrum, "--spectrum is stated"},
+    StudyQuestion{"--record-unit", "gal", "unit of the records, where they do not say it", &Answers::record_unit,
+                  take_as_it_is, false, of_records, "it goes with --records"},
+    StudyQuestion{"--baseline", "'high-pass 0.05 Hz'",
+                  "what takes the drift off the records: none, mean, polynomial or a high-pass", &Answers::baseline,
+                  take_as_it_is, false, of_records, "it goes with --records"},
+    StudyQuestion{"--count", "100", "number of waves", &Answers::count, check_count},
+    StudyQuestion{"--design-basis", "'0.3 g'", "peak acceleration or velocity of the design basis",
+                  &Answers::design_basis, check_level, true},
+    StudyQuestion{"--hazard", "CURVE.csv", "seismic hazard curve, for annual frequencies", &Answers::hazard,
+                  check_file}};
+
+}  // namespace
+
+bool StudyAnswers::has_spectrum_file() const {
+    auto const published = config::names_of(named_targets());
+    return spectrum && std::ranges::find(published, *spectrum) == published.end();
+}
+
+Dimension StudyAnswers::level_dimension() const {
+    return is_quantity(design_basis.value_or(""), Dimension::acceleration) ? Dimension::acceleration
+                                                                           : Dimension::velocity;
+}
+
+std::span<StudyQuestion const> study_questions() { return questions; }
+
+void check_answer(StudyQuestion const& question, std::string const& answer) {
+    try {
+        validate(!trimmed(answer).empty(), "'' (nothing stated: an unset variable?). State it, or leave it out");
+        auto const control = [](unsigned char c) { return c < ' ' || c == 0x7F; };
+        validate(std::ranges::none_of(answer, control), "(holds a control character). Write it on one line");
+        question.check(answer);
+    } catch (InputError const& error) {
+        throw InputError(fmt::format("{} {}", question.option, error.what()));
+    }
+}
+
+void check_answers(StudyAnswers const& answers) {
+    for (auto const& question : questions) {
+        if (auto const& answer = answers.*question.answer) {
+            check_answer(question, *answer);
+            validate(question.applies(answers), "{} '{}' ({}). Leave it out", question.option, *answer,
+                     question.otherwise);
+        }
+    }
+    if (answers.height && answers.centre_height) {
+        validate(parse_quantity(*answers.height, Dimension::length)
+                     > parse_quantity(*answers.centre_height, Dimension::length),
+                 "--height '{}' (not above the centre of gravity, {}). State the full height", *answers.height,
+                 *answers.centre_height);
+    }
+    if (answers.spectrum && answers.design_basis && is_scaled_by_pga(*answers.spectrum)) {
+        validate(answers.level_dimension() == Dimension::acceleration,
+                 "--design-basis '{}' (a velocity; {} is scaled by a peak acceleration). State that",
+                 *answers.design_basis, *answers.spectrum);
+    }
+}
+
+std::vector<std::string> missing_answers(StudyAnswers const& answers) {
+    std::vector<std::string> missing;
+    for (auto const& question : questions) {
+        if (question.must && question.applies(answers) && !(answers.*question.answer)) {
+            bool const has_another = question.answer == &StudyAnswers::records;
+            missing.emplace_back(has_another ? "--spectrum or --records" : question.option);
+        }
+    }
+    return missing;
+}
+
+}  // namespace overturn

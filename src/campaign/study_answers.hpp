@@ -1,0 +1,53 @@
+/// What a person says of a study before there is a campaign: each answer in the units in which it was typed.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/units.hpp"
+
+namespace overturn {
+
+struct StudyAnswers {
+    std::optional<std::string> mass, centre_height, base_width, base_shape, friction, restitution, pad_strength;
+    std::optional<std::string> gap, wall, edge, height;
+    std::optional<std::string> spectrum, spectrum_kind, spectrum_unit, components, duration, acceptance;
+    std::optional<std::string> records, record_unit, baseline;
+    std::vector<std::string> record_files;  ///< in the folder `records`; empty if that is a file
+    std::optional<std::string> count, design_basis, hazard;
+
+    /// Is the spectrum a file, and no published one?
+    [[nodiscard]] bool has_spectrum_file() const;
+    /// Is anything round the cask stated?
+    [[nodiscard]] bool has_site() const { return gap || wall || edge; }
+    /// Of the design basis: acceleration or velocity.
+    [[nodiscard]] Dimension level_dimension() const;
+};
+
+struct StudyQuestion {
+    char const* option;   ///< "--mass"
+    char const* example;  ///< "'117 t'"
+    char const* words;    ///< what is asked, as help and prompt say it
+    std::optional<std::string> StudyAnswers::*answer;
+    /// \throws InputError without the option's name
+    void (*check)(std::string const& answer);
+    bool must = false;  ///< nothing can be assumed for it
+    bool (*applies)(StudyAnswers const& answers) = [](StudyAnswers const&) { return true; };
+    char const* otherwise = "";  ///< why not where it does not apply
+};
+
+/// In the order in which a person is asked: each applies by answers to those before it.
+[[nodiscard]] std::span<StudyQuestion const> study_questions();
+
+/// \throws InputError that begins with the option, for a unit, number or word that cannot be
+void check_answer(StudyQuestion const& question, std::string const& answer);
+
+/// Each answer, then what they are together. \throws InputError also for what an answer is said of and is not there
+void check_answers(StudyAnswers const& answers);
+
+/// Options without which there is no study: "--mass", "--spectrum or --records".
+[[nodiscard]] std::vector<std::string> missing_answers(StudyAnswers const& answers);
+
+}  // namespace overturn

@@ -1,0 +1,274 @@
+#include "campaign/study_text.hpp"
+
+#include <array>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "spectra/named_targets.hpp"
+
+namespace overturn {
+namespace {
+
+std::string quoted(std::string const& text) {
+    std::string out = "\"";
+    for (char const c : text) {
+        out += (c == '"' || c == '\\') ? std::string{'\\', c} : std::string(1, c);
+    }
+    return out + '"';
+}
+
+// As a POSIX shell takes it.
+std::string as_argument(std::string const& text) {
+    constexpr char const* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._/-";
+    if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) {
+        return text;
+    }
+    std::string out = "'";
+    for (char const c : text) {
+        out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    }
+    return out + "'";
+}
+
+// A number that was typed, as TOML takes it: ".5" is 0.5 there, "housner" a text.
+std::string as_value(std::string const& answer) {
+    double number = 0;
+    return parse_number(answer, number) ? fmt::format("{}", number) : quoted(answer);
+}
+
+// "0.3 g" by 1.5: "0.45 g".
+std::string multiple(std::string const& level, double factor) {
+    auto const blank = level.find_first_of(" \t");
+    double number = 0;
+    (void)parse_number(level.substr(0, blank), number);
+    return quoted(fmt::format("{:.12g} {}", factor * number, trimmed(level.substr(blank))));
+}
+
+class StudyText {
+  public:
+    void line(std::string const& text) { text_ += text + '\n'; }
+    void begin(std::string const& table) { text_ += fmt::format("\n{}\n", table); }
+    void state(char const* key, std::string const& value) { text_ += fmt::format("{} = {}\n", key, value); }
+    /// How much is run, which plan does not count among what is assumed of the world.
+    void choose(char const* key, std::string const& value, std::string const& what) {
+        text_ += fmt::format("# assumed: {}\n{} = {}\n", what, key, value);
+    }
+    /// \param what "120 s, because ...": what follows is told as the source
+    void assume(char const* key, std::string const& value, std::string const& what) {
+        choose(key, value, what);
+        constexpr std::string_view because = ", because ";
+        auto const reason = what.substr(what.find(because) + because.size());
+        assumed_ += fmt::format("{}{} = {}", assumed_.empty() ? "" : ", ", key, quoted("assumed: " + reason));
+    }
+    /// A key that is not there. \param example how it would be stated
+    void leave_out(std::string const& example, std::string const& what) {
+        text_ += fmt::format("# assumed: {}\n# {}\n", what, example);
+    }
+    /// An answer as it was typed, or what is assumed without one.
+    void state_or_assume(char const* key, std::optional<std::string> const& answer, std::string const& otherwise,
+                         std::string const& what) {
+        answer ? state(key, quoted(*answer)) : assume(key, otherwise, what);
+    }
+    /// Says which keys of the table were assumed.
+    void end() {
+        if (!assumed_.empty()) {
+            text_ += fmt::format("basis = {{{}}}\n", assumed_);
+        }
+        assumed_.clear();
+    }
+    [[nodiscard]] std::string const& text() const { return text_; }
+
+  private:
+    std::string text_, assumed_;
+};
+
+void write_head(StudyText& out, std::string const& name, StudyAnswers const& a) {
+    auto const results = std::filesystem::path(name).replace_extension(".h5").string();
+    auto const page = std::filesystem::path(name).replace_extension(".html").string();
+    out.line(fmt::format("# Question: how likely is a cask of {} on a base of {} to overturn{} at {} and beyond?",
+                         *a.mass, *a.base_width, a.has_site() ? ", to touch or to leave its pad" : "",
+                         *a.design_basis));
+    out.line("#");
+    std::string command = "overturn new " + as_argument(name);
+    for (auto const& question : study_questions()) {
+        if (auto const& answer = a.*question.answer) {
+            command += fmt::format(" {} {}", question.option, as_argument(*answer));
+        }
+    }
+    out.line("# Written by: " + command);
+    out.line("# What was not stated stands behind \"assumed\". State it where you know better.");
+    out.line(fmt::format("# Look at it: overturn plan {}", as_argument(name)));
+    out.line(fmt::format("# Run it: overturn run {}", as_argument(name)));
+    auto const hazard = a.hazard ? " --hazard " + as_argument(*a.hazard) : std::string();
+    out.line(fmt::format("# Read it: overturn fit {}{}; overturn report {}{} -o {}", as_argument(results), hazard,
+                         as_argument(results), hazard, as_argument(page)));
+    if (!a.hazard) {
+        out.line("# assumed: no annual frequencies, because no hazard curve was stated (fit --hazard CURVE.csv)");
+    }
+    out.line("");
+    out.state("title", quoted(fmt::format("Cask of {}, design basis {}", *a.mass, *a.design_basis)));
+    out.state("seed", "1");
+}
+
+void write_target(StudyText& out, StudyAnswers const& a) {
+    out.begin("[waves.target]");
+    if (a.has_spectrum_file()) {
+        out.state("file", quoted(*a.spectrum));
+        out.state("kind", quoted(*a.spectrum_kind));
+        if (a.spectrum_unit) {
+            out.state("unit", quoted(*a.spectrum_unit));
+        }
+    } else {
+        out.state("spectrum", quoted(*a.spectrum));
+        if (is_scaled_by_pga(*a.spectrum)) {
+            out.state("pga", quoted(*a.design_basis));
+        }
+    }
+    out.assume("damping", "0.05", "5 % damping, because spectra are mostly stated so");
+    out.end();
+}
+
+void write_further_components(StudyText& out, StudyAnswers const& a) {
+    auto const write = [&](char const* table, bool has_own_target, char const* ratio, char const* what) {
+        if (has_own_target) {
+            out.begin(fmt::format("[waves.{}.target]", table));
+            out.state("spectrum", "\"rg-1.60-vertical\"");
+            return;
+        }
+        out.begin(fmt::format("[waves.{}]", table));
+        out.assume("ratio", ratio, what);
+        out.end();
+    };
+    if (!a.components) {
+        out.line("\n# assumed: three components, because none can be left out unasked (--components)");
+    }
+    auto const components = a.components.value_or("3");
+    if (components != "1") {
+        write("transverse", false, "1",
+              "as strong as the other horizontal component, because no spectrum of its own was stated");
+    }
+    if (components == "3") {
+        write("vertical", is_scaled_by_pga(*a.spectrum), "0.667",
+              "two thirds of the horizontal spectrum, because no vertical one was stated");
+    }
+}
+
+void write_drawn_waves(StudyText& out, StudyAnswers const& a) {
+    bool const short_motion = is_scaled_by_pga(*a.spectrum);
+    out.state("source", "\"spectrum-compatible\"");
+    a.count ? out.state("count", as_value(*a.count))
+            : out.choose("count", "100", "100 waves, because where none overturns they show P < 0.037 (95 %)");
+    out.state_or_assume("duration", a.duration, short_motion ? "\"30 s\"" : "\"120 s\"",
+                        short_motion ? "30 s, because no duration was stated; at least 20 s are usual"
+                                     : "120 s, because no duration was stated and long-period motion lasts minutes");
+    a.acceptance ? out.state("acceptance", quoted(*a.acceptance))
+                 : out.leave_out("acceptance = \"srp-3.7.1\"", "no rule that waves must meet, because none was stated");
+    out.leave_out("envelope = {shape = \"jennings\", rise = \"10 s\", level_end = \"60 s\", end = \"110 s\"}",
+                  "an envelope that is level from a tenth to half of the duration, because none was stated");
+    out.leave_out("variability = {sigma = 0.5, correlation = \"baker-jayaram-2008\"}",
+                  "every wave follows the one spectrum, because no scatter about it was stated: curves are steeper "
+                  "than those of recorded motions");
+    out.end();
+    write_target(out, a);
+    write_further_components(out, a);
+}
+
+void write_records(StudyText& out, StudyAnswers const& a) {
+    out.state("source", "\"records\"");
+    std::string files;
+    for (auto const& file : a.record_files) {
+        files += (files.empty() ? "" : ", ") + quoted(file);
+    }
+    if (!files.empty()) {
+        out.state("folder", quoted(*a.records));
+    }
+    out.state("files", fmt::format("[{}]", files.empty() ? quoted(*a.records) : files));
+    a.record_unit ? out.state("unit", quoted(*a.record_unit))
+                  : out.leave_out("unit = \"gal\"", "the unit that each file states, because none was stated");
+    a.baseline
+        ? out.state("baseline", quoted(*a.baseline))
+        : out.leave_out("baseline = \"high-pass 0.05 Hz\"", "no correction of baselines, because none was stated");
+    a.count ? out.state("count", as_value(*a.count))
+            : out.leave_out("count = 10", "all of the records, because no number was stated");
+    out.leave_out("components = \"station\"", "the components that each file holds, because no others were stated");
+    out.end();
+}
+
+void write_body(StudyText& out, StudyAnswers const& a, char const* name, char const* assumed_friction) {
+    out.begin("[[bodies]]");
+    out.state("name", quoted(name));
+    out.state("mass", quoted(*a.mass));
+    out.state("centre_height", quoted(*a.centre_height));
+    out.state("base_width", quoted(*a.base_width));
+    out.assume("inertia", "\"uniform-block\"", "a block of one density, because no inertia was stated");
+    a.friction ? out.state("friction", as_value(*a.friction))
+               : out.assume("friction", assumed_friction,
+                            "friction of 0.2 in one body and 0.8 in the other, because none was stated: steel on "
+                            "concrete lies between (NUREG/CR-6865)");
+    a.restitution ? out.state("restitution", as_value(*a.restitution))
+                  : out.assume("restitution", "\"housner\"",
+                               "the restitution of a rigid block (Housner 1963), because none was stated");
+    a.base_shape
+        ? out.state("base", fmt::format("{{shape = {}}}", quoted(*a.base_shape)))
+        : out.leave_out("base = {shape = \"round\"}", "a square base on rigid corners, because no shape was stated");
+    a.pad_strength
+        ? out.state("pad", fmt::format("{{strength = {}}}", quoted(*a.pad_strength)))
+        : out.leave_out("pad = {strength = \"30 MPa\"}", "a pad that is not crushed, because no strength was stated");
+    out.end();
+}
+
+void write_levels(StudyText& out, StudyAnswers const& a) {
+    constexpr std::array multiples{0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0};
+    std::string values;
+    for (double const factor : multiples) {
+        values += (values.empty() ? "" : ", ") + multiple(*a.design_basis, factor);
+    }
+    out.begin("[levels]");
+    out.state("measure", a.level_dimension() == Dimension::acceleration ? "\"pga\"" : "\"pgv\"");
+    out.state("design_basis", quoted(*a.design_basis));
+    out.choose("beyond_design", fmt::format("[{}, {}]", multiple(*a.design_basis, 1.5), multiple(*a.design_basis, 2)),
+               "1.5 and 2 times the design basis, because no other motion beyond it was stated");
+    out.choose("values", "[" + values + "]",
+               "levels from half to five times the design basis, because a curve needs levels at which some overturn");
+}
+
+void write_site(StudyText& out, StudyAnswers const& a) {
+    if (!a.has_site()) {
+        out.line("\n# assumed: nothing within reach of the cask, because no --gap, --wall or --edge was stated");
+        out.line("# site = {cask = \"0.8 m\", edge = \"2 m\"}");
+        return;
+    }
+    out.begin("[site]");
+    auto const write = [&](char const* key, std::optional<std::string> const& distance, char const* what) {
+        distance ? out.state(key, quoted(*distance))
+                 : out.leave_out(fmt::format("{} = \"2 m\"", key),
+                                 fmt::format("{} within reach, because no distance to one was stated", what));
+    };
+    write("cask", a.gap, "no other cask");
+    write("wall", a.wall, "no wall");
+    write("edge", a.edge, "no edge of the pad");
+    a.height ? out.state("height", quoted(*a.height))
+             : out.leave_out("height = \"5.2 m\"",
+                             "twice as high as its centre of gravity, because no full height was stated");
+}
+
+}  // namespace
+
+std::string study_text(std::string const& name, StudyAnswers const& answers) {
+    StudyText out;
+    write_head(out, name, answers);
+    out.begin("[waves]");
+    answers.spectrum ? write_drawn_waves(out, answers) : write_records(out, answers);
+    if (answers.friction) {
+        write_body(out, answers, "cask", "");
+    } else {
+        write_body(out, answers, "cask-that-slides", "0.2");
+        write_body(out, answers, "cask-that-rocks", "0.8");
+    }
+    write_levels(out, answers);
+    write_site(out, answers);
+    return out.text();
+}
+
+}  // namespace overturn

@@ -1,0 +1,180 @@
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <unistd.h>
+
+#include "campaign/campaign_input.hpp"
+#include "campaign/campaign_spec.hpp"
+#include "campaign/plan.hpp"
+#include "campaign/study_answers.hpp"
+#include "campaign/study_text.hpp"
+#include "campaign/warnings.hpp"
+#include "cli/campaign_hazard.hpp"
+#include "cli/scene_files.hpp"
+#include "cli/verbs.hpp"
+#include "config/suggestion.hpp"
+#include "core/print_note.hpp"
+#include "store/durable.hpp"
+
+namespace overturn::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct NewOptions {
+    std::string file;
+    StudyAnswers answers;
+    bool force = false;
+};
+
+void check_place(NewOptions const& options) {
+    fs::path const path(options.file);
+    validate(std::ranges::none_of(options.file, [](unsigned char c) { return c < ' '; }),
+             "new: a name with a control character (the file itself tells it). Say for example study.toml");
+    validate(path.extension() == ".toml", "{}: no name of a campaign (it ends with .toml). Say for example study.toml",
+             options.file);
+    validate(options.force || !fs::exists(path), "{}: there already (it would be lost). Say another name, or --force",
+             options.file);
+    validate(!fs::is_directory(path), "{}: a folder (a file shall have this name). Say another", options.file);
+    auto const folder = path.parent_path();
+    validate(folder.empty() || fs::is_directory(folder),
+             "{}: no folder {} (nowhere to write). Make it, or name another", options.file, folder.string());
+    store::require_writable(path);
+}
+
+// An answer, asked until it is one or there are no more; empty: none was given.
+std::optional<std::string> ask(StudyQuestion const& question) {
+    while (true) {
+        print_note("{} ({}){}: ", question.words, question.example, question.must ? "" : ", or Enter");
+        std::string line;
+        if (!std::getline(std::cin, line)) {
+            return std::nullopt;
+        }
+        auto answer = std::string(trimmed(line));
+        if (answer.size() > 1 && answer.front() == '\'' && answer.back() == '\'') {
+            answer = answer.substr(1, answer.size() - 2);  // as the example has it
+        }
+        if (answer.empty()) {
+            if (!question.must) {
+                return std::nullopt;
+            }
+            continue;
+        }
+        try {
+            check_answer(question, answer);
+            return answer;
+        } catch (InputError const& error) {
+            print_note("  {}\n", error.what());
+        }
+    }
+}
+
+void ask_what_is_missing(StudyAnswers& answers) {
+    for (auto const& question : study_questions()) {
+        auto& answer = answers.*question.answer;
+        if (!answer && question.applies(answers) && std::cin) {
+            answer = ask(question);
+        }
+    }
+}
+
+void require_all(StudyAnswers const& answers) {
+    auto const missing = missing_answers(answers);
+    validate(missing.empty(), "new: {} (not stated, and nothing can be assumed). State {}, or answer at a terminal",
+             config::joined(missing), missing.size() == 1 ? "it" : "them");
+}
+
+// The name that a campaign in `folder` calls a file by.
+std::string as_seen_from(fs::path const& folder, std::string const& file) {
+    return folder.empty() || fs::path(file).is_absolute()
+               ? file
+               : fs::proximate(fs::absolute(file), fs::absolute(folder)).generic_string();
+}
+
+// What people keep in it, in the order of names.
+std::vector<std::string> files_in(std::string const& folder) {
+    std::vector<std::string> names;
+    for (auto const& entry : fs::directory_iterator(folder)) {
+        if (auto name = entry.path().filename().string(); entry.is_regular_file() && name.front() != '.') {
+            names.push_back(std::move(name));
+        }
+    }
+    validate(!names.empty(), "--records '{}' (a folder without files). Name the one where they lie", folder);
+    std::ranges::sort(names);
+    return names;
+}
+
+// Files are named from the folder of the campaign.
+StudyAnswers located(StudyAnswers answers, fs::path const& folder) {
+    if (answers.has_spectrum_file()) {
+        answers.spectrum = as_seen_from(folder, *answers.spectrum);
+    }
+    if (answers.records) {
+        answers.record_files =
+            fs::is_directory(*answers.records) ? files_in(*answers.records) : std::vector<std::string>();
+        answers.records = as_seen_from(folder, *answers.records);
+    }
+    if (answers.hazard) {
+        answers.hazard = as_seen_from(folder, *answers.hazard);
+    }
+    return answers;
+}
+
+int write_study(NewOptions const& options) {
+    auto answers = options.answers;
+    check_place(options);
+    check_answers(answers);
+    if (isatty(STDIN_FILENO) != 0) {
+        ask_what_is_missing(answers);
+    }
+    require_all(answers);
+    check_answers(answers);
+    fs::path const path(options.file);
+    auto const folder = path.parent_path();
+    CampaignInput input{.name = options.file,
+                        .text = study_text(path.filename().string(), located(answers, folder)),
+                        .settings = {},
+                        .files = {}};
+    try {
+        load_files(input, folder.empty() ? fs::path(".") : folder);
+    } catch (InputError const& error) {
+        throw InputError(fmt::format("new: nothing was written, because plan would refuse it: {}", error.what()));
+    }
+    auto const spec = parse_campaign(input);
+    if (answers.hazard) {
+        (void)hazard_of_campaign(*answers.hazard, spec);
+    }
+    auto const bytes = std::as_bytes(std::span(input.text));
+    if (options.force) {
+        store::write_durably(path, bytes);
+    } else {
+        validate(store::create_durably(path, bytes),
+                 "{}: there already (it would be lost). Say another name, or --force", options.file);
+    }
+    note_warnings(warnings_of(spec));
+    print_note("{}: {} trials. What is assumed stands there behind \"assumed\". Next: overturn plan {}\n", options.file,
+               Plan(spec).without_refusals().trials(), options.file);
+    return done;
+}
+
+}  // namespace
+
+void add_new(CommandLine& line) {
+    auto verb = line.verb("new", "write a campaign of your own: asks at a terminal for what no option states");
+    auto options = std::make_shared<NewOptions>();
+    verb.needs("file", options->file, "the campaign to write, NAME.toml");
+    for (auto const& question : study_questions()) {
+        verb.takes(question.option, options->answers.*question.answer, question.words, question.example);
+    }
+    verb.takes("--force", options->force, "write over a file that is there");
+    verb.does([options] { return write_study(*options); });
+}
+
+}  // namespace overturn::cli

@@ -1,0 +1,256 @@
+// Requirement R-918: whatever is answered, the campaign that `new` writes is one that `plan` takes as it stands:
+// answers as they were typed, all else said to be assumed and why; what cannot be is refused, and no file is written
+// over unasked.
+#include <cmath>
+#include <regex>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/python.hpp"
+#include "support/command.hpp"
+
+namespace overturn::testing {
+namespace {
+
+using nlohmann::json;
+using Arguments = std::vector<std::string>;
+
+class New : public ::testing::Test {
+  protected:
+    New() {
+        folder.write("record.csv", "time,a_horizontal\n0.00,0\n0.02,120\n0.04,-80\n0.06,0\n");
+        std::string shaking = "time,a [gal]\n";
+        for (int i = 0; i < 2000; ++i) {
+            shaking += fmt::format("{:.2f},{:.3f}\n", 0.01 * i, 100 * std::sin(0.03 * i));
+        }
+        folder.write("shaking.csv", shaking);
+        folder.write("target.csv", "period,sa [gal]\n0.02,250\n0.1,620\n1,800\n10,32\n");
+        folder.write("hazard.csv", "pga [gal], annual_exceedance\n100, 2e-2\n600, 1e-4\n2000, 1e-6\n");
+        std::filesystem::create_directory(folder / "records");
+        std::filesystem::copy_file(folder / "record.csv", folder / "records" / "b.csv");
+        std::filesystem::copy_file(folder / "record.csv", folder / "records" / "a.csv");
+    }
+
+    Ended written(Arguments const& more) const {
+        return overturn(folder, joined(joined({"new", "s.toml", "--force"}, cask), more));
+    }
+    void expect_planned(Arguments const& more) const {
+        auto const ended = written(more);
+        ASSERT_EQ(ended.code, 0) << ended.err;
+        auto const plan = overturn(folder, {"plan", "s.toml", "--json"});
+        ASSERT_EQ(plan.code, 0) << plan.err << folder.read("s.toml");
+        expect_assumptions_said(json::parse(plan.out)["assumptions"]["inputs"]);
+    }
+    /// Every line of an assumption says why; those of keys are what plan lists, each with that reason.
+    void expect_assumptions_said(json const& inputs) const {
+        std::istringstream lines(folder.read("s.toml"));
+        std::regex const assumption("# assumed: .+, because .+");
+        std::string line, before;
+        std::size_t of_keys = 0;
+        for (; std::getline(lines, line); before = line) {
+            EXPECT_TRUE(!line.starts_with("# assumed") || std::regex_match(line, assumption)) << line;
+            bool const of_world = std::regex_search(line, std::regex("^(?!count|values|beyond_design)[a-z_]+ = "));
+            of_keys += before.starts_with("# assumed") && of_world ? 1 : 0;
+        }
+        std::size_t listed = 0;
+        for (auto const& input : inputs) {
+            if (input["basis"] == "assumed") {
+                ++listed;
+                EXPECT_NE(folder.read("s.toml").find(", because " + input["source"].get<std::string>()),
+                          std::string::npos)
+                    << input;
+            }
+        }
+        EXPECT_GE(of_keys, 2U);
+        EXPECT_EQ(listed, of_keys);
+    }
+    void expect_refused(Arguments const& arguments, std::string const& why) const {
+        auto const ended = overturn(folder, joined({"new", "refused.toml"}, arguments));
+        EXPECT_EQ(ended.code, 2) << ended.err;
+        EXPECT_TRUE(is_one_error_line(ended.err));
+        EXPECT_NE(ended.err.find(why), std::string::npos) << ended.err;
+        EXPECT_FALSE(folder.has("refused.toml"));
+    }
+
+    Folder folder;
+    Arguments const cask{"--mass", "258 kip", "--centre-height", "8.5 ft", "--base-width", "134 in"};
+};
+
+// over all of it that decides which keys are written.
+TEST_F(New, WhatItWritesIsPlanned) {
+    Arguments const short_one{"--duration", "20 s", "--count", "2"};
+    for (auto const& body : {Arguments{},
+                             {"--base-shape", "round", "--friction", "0.4"},
+                             {"--base-shape", "square", "--restitution", "housner", "--pad-strength", "30 MPa"}}) {
+        for (auto const& site :
+             {Arguments{}, {"--gap", "80 cm"}, {"--wall", "5 ft", "--edge", "2 m", "--height", "17 ft"}}) {
+            auto const placed = joined(body, site);
+            for (auto const& waves : {Arguments{"--spectrum", "mlit-sz1", "--design-basis", "100 kine"},
+                                      {"--spectrum", "rg-1.60", "--design-basis", "0.3 g", "--components", "3"},
+                                      {"--spectrum", "mlit-ch1", "--design-basis", "600 gal", "--components", "1"}}) {
+                expect_planned(joined(placed, joined(waves, short_one)));
+            }
+            expect_planned(joined(placed, {"--records", "records", "--record-unit", "gal", "--design-basis", "0.3 g"}));
+        }
+    }
+}
+
+TEST_F(New, OtherSpectraRulesAndFiles) {
+    for (auto const& waves :
+         {Arguments{"--spectrum", "mlit-os2", "--components", "2", "--design-basis", "600 gal"},
+          {"--spectrum", "rg-1.60", "--acceptance", "srp-3.7.1", "--design-basis", "3 m/s2"},
+          {"--spectrum", "mlit-ka1", "--acceptance", "japan", "--design-basis", "1 m/s"},
+          {"--spectrum", "target.csv", "--spectrum-kind", "acceleration", "--design-basis", "600 gal"},
+          {"--records", "shaking.csv", "--baseline", "high-pass 0.2 Hz", "--design-basis", "40 kine"},
+          {"--spectrum", "mlit-ch1", "--friction", "+.5D0", "--restitution", ".9", "--count", "007", "--design-basis",
+           "1 g"},
+          {"--spectrum", "mlit-ch1", "--hazard", "hazard.csv", "--design-basis", "600 gal"}}) {
+        expect_planned(waves);
+    }
+    EXPECT_NE(folder.read("s.toml").find("overturn fit s.h5 --hazard hazard.csv;"), std::string::npos);
+}
+
+TEST_F(New, AnswersStandAsTheyWereTyped) {
+    ASSERT_EQ(written({"--spectrum", "rg-1.60", "--design-basis", "0.3 g", "--gap", "2.5 ft"}).code, 0);
+    auto const text = folder.read("s.toml");
+    for (auto const* line :
+         {"mass = \"258 kip\"\n", "centre_height = \"8.5 ft\"\n", "base_width = \"134 in\"\n", "cask = \"2.5 ft\"\n",
+          "pga = \"0.3 g\"\n", "design_basis = \"0.3 g\"\n", "beyond_design = [\"0.45 g\", \"0.6 g\"]\n",
+          "# Written by: overturn new s.toml --mass '258 kip' --centre-height '8.5 ft' --base-width '134 in' --gap "
+          "'2.5 ft' "
+          "--spectrum rg-1.60 --design-basis '0.3 g'\n"}) {
+        EXPECT_NE(text.find(line), std::string::npos) << line << text;
+    }
+    EXPECT_NE(text.find("friction = 0.2\n"), std::string::npos) << "unstated friction is taken on both sides";
+    EXPECT_NE(text.find("friction = 0.8\n"), std::string::npos);
+}
+
+// Names that would end a text, a comment or a shell's word; files beside another folder.
+TEST_F(New, FilesAreNamedFromTheCampaign) {
+    std::string const hostile = "it's \"mine\" \\ $(x).csv";
+    std::filesystem::copy_file(folder / "record.csv", folder / hostile);
+    expect_planned({"--records", hostile, "--record-unit", "gal", "--design-basis", "0.3 g"});
+    std::filesystem::create_directory(folder / "studies");
+    auto const arguments = joined({"new", "studies/s.toml", "--records", "records", "--record-unit", "gal",
+                                   "--design-basis", "0.3 g", "--hazard", "hazard.csv"},
+                                  cask);
+    ASSERT_EQ(overturn(folder, arguments).code, 0);
+    auto const text = folder.read("studies/s.toml");
+    EXPECT_NE(text.find("folder = \"../records\"\nfiles = [\"a.csv\", \"b.csv\"]\n"), std::string::npos) << text;
+    EXPECT_NE(text.find(" --hazard ../hazard.csv"), std::string::npos) << text;
+    EXPECT_EQ(overturn(folder, {"plan", "studies/s.toml"}).code, 0);
+}
+
+TEST_F(New, RefusesWhatCannotBe) {
+    Arguments const waves{"--spectrum", "mlit-ch1", "--design-basis", "600 gal"};
+    expect_refused({"--mass", "117 stone"}, "--mass unit 'stone' (not a unit of mass). Use one of: ");
+    expect_refused({"--mass", "117"}, "--mass '117' (a number without its unit). Write \"117 kg\"");
+    expect_refused({"--mass", "-117 t"}, "--mass '-117 t' (not above 0)");
+    expect_refused({"--mass", ""}, "--mass '' (nothing stated");
+    expect_refused({"--mass", "117 t\nseed = 2"}, "--mass (holds a control character)");
+    expect_refused({"--mass", "nan t"}, "--mass 'nan t'");
+    expect_refused({"--friction", "0.5 m"}, "--friction '0.5 m' (no number from 0)");
+    expect_refused({"--count", "1.5"}, "--count '1.5' (no whole number)");
+    expect_refused({"--base-shape", "rond"}, "--base-shape 'rond' (unknown). Did you mean 'round'?");
+    expect_refused({"--spectrum", "rg-1.61"},
+                   "--spectrum 'rg-1.61' (neither published, nor a file). Did you mean 'rg-1.60'?");
+    expect_refused({"--spectrum", "rg-1.60-vertical"}, "(of the vertical component)");
+    expect_refused({"--records", "none.csv"}, "--records 'none.csv' (no such file)");
+    expect_refused({"--hazard", "none.csv"}, "--hazard 'none.csv' (no such file)");
+    expect_refused({"--design-basis", "2 m"}, "--design-basis '2 m' (no peak acceleration or velocity");
+    expect_refused({"--height", "5 m"}, "--height '5 m' (it goes with --gap, --wall or --edge)");
+    expect_refused({"--duration", "5 s"}, "--duration '5 s' (it goes with --spectrum)");
+    expect_refused({"--spectrum", "mlit-ch1", "--records", "record.csv"},
+                   "--records 'record.csv' (--spectrum is stated)");
+    expect_refused({"--spectrum", "rg-1.60", "--design-basis", "30 kine"}, "rg-1.60 is scaled by a peak acceleration");
+    // What only plan knows.
+    expect_refused(joined(cask, {"--records", "record.csv", "--design-basis", "600 gal"}),
+                   "plan would refuse it: refused.toml:");
+    expect_refused(joined(joined(cask, waves), {"--gap", "1 m", "--height", "1 m"}),
+                   "--height '1 m' (not above the centre of gravity, 8.5 ft)");
+    expect_refused(joined(cask, {"--spectrum", "mlit-ch1", "--design-basis", "30 kine", "--hazard", "hazard.csv"}),
+                   "State it over pgv");
+}
+
+// Without a terminal nothing is asked.
+TEST_F(New, SaysAllThatIsMissing) {
+    expect_refused({},
+                   "new: --mass, --centre-height, --base-width, --spectrum or --records, --design-basis (not stated");
+    expect_refused(joined(cask, {"--spectrum", "target.csv", "--design-basis", "600 gal"}),
+                   "new: --spectrum-kind (not stated");
+}
+
+TEST_F(New, LosesNoFile) {
+    Arguments const study = joined(cask, {"--spectrum", "mlit-ch1", "--design-basis", "600 gal"});
+    folder.write("mine.toml", "mine");
+    auto const ended = overturn(folder, joined({"new", "mine.toml"}, study));
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_NE(ended.err.find("mine.toml: there already (it would be lost)"), std::string::npos) << ended.err;
+    EXPECT_EQ(folder.read("mine.toml"), "mine");
+    std::filesystem::create_directory(folder / "d.toml");
+    for (auto const* name : {"study", "nowhere/s.toml", "a\nb.toml", "d.toml", ""}) {
+        auto const refused = overturn(folder, joined({"new", name, "--force"}, study));
+        EXPECT_EQ(refused.code, 2) << name;
+        EXPECT_TRUE(is_one_error_line(refused.err));
+    }
+    EXPECT_EQ(overturn(folder, joined({"new", "mine.toml", "--force"}, study)).code, 0);
+    EXPECT_NE(folder.read("mine.toml"), "mine");
+}
+
+// At a terminal it asks for what is not stated, again after a wrong answer, and gives up where input ends.
+TEST_F(New, AsksAtATerminal) {
+    folder.write("answers",
+                 "117 stone\n'117 t'\n2.6 m\n\n3.4 m\nround\n\n\n\n0.8 m\n\n\n\nmlit-ch1\n1\n\n\n\n0.6 g\n\n");
+    auto const shell = [&](std::string const& input, std::string const& name) {
+        return execute(folder, {"/bin/sh", "-c",
+                                std::string(OVERTURN_PYTHON " " OVERTURN_AT_TERMINAL " " OVERTURN_PROGRAM " new ")
+                                    + name + " --count 5 < " + input});
+    };
+    auto const ended = shell("answers", "asked.toml");
+    ASSERT_EQ(ended.code, 0) << ended.out << ended.err;
+    EXPECT_NE(ended.out.find("--mass unit 'stone' (not a unit of mass)"), std::string::npos) << ended.out;
+    EXPECT_EQ(ended.out.find("number of waves"), std::string::npos) << "what an option states is not asked";
+    EXPECT_EQ(ended.out.find("that file holds"), std::string::npos) << "nor what does not apply";
+    auto const stated = overturn(
+        folder,
+        {"new",          "stated.toml", "--count",        "5",     "--mass", "117 t", "--centre-height", "2.6 m",
+         "--base-width", "3.4 m",       "--base-shape",   "round", "--gap",  "0.8 m", "--spectrum",      "mlit-ch1",
+         "--components", "1",           "--design-basis", "0.6 g"});
+    ASSERT_EQ(stated.code, 0) << stated.err;
+    auto const as_asked =
+        std::regex_replace(folder.read("stated.toml"), std::regex("stated\\.(toml|h5|html)"), "asked.$1");
+    EXPECT_EQ(folder.read("asked.toml"), as_asked);
+
+    folder.write("few", "117 t\n");
+    auto const broken_off = shell("few", "few.toml");
+    EXPECT_EQ(broken_off.code, 2) << broken_off.out;
+    EXPECT_NE(broken_off.out.find("new: --centre-height, --base-width,"), std::string::npos) << broken_off.out;
+    EXPECT_FALSE(folder.has("few.toml"));
+}
+
+// the studies that come with the program are what the command in each writes, and plan takes them.
+TEST_F(New, LicenceStudiesAreItsOwn) {
+    for (auto const* beside : {"examples", "hazard"}) {
+        std::filesystem::create_directory_symlink(std::filesystem::path(OVERTURN_CAMPAIGNS) / beside, folder / beside);
+    }
+    std::filesystem::remove_all(folder / "licence");
+    std::filesystem::create_directory(folder / "licence");
+    int count = 0;
+    for (auto const& file : std::filesystem::directory_iterator(OVERTURN_CAMPAIGNS "/licence")) {
+        auto const text = read_text(file.path());
+        std::smatch command;
+        ASSERT_TRUE(std::regex_search(text, command, std::regex("# Written by: overturn (new [^\n]*)"))) << file.path();
+        auto const again = execute(folder, {"/bin/sh", "-c", "cd licence && " OVERTURN_PROGRAM " " + command[1].str()});
+        EXPECT_EQ(again.code, 0) << again.err;
+        EXPECT_EQ(folder.read("licence/" + file.path().filename().string()), text)
+            << "write it anew: that command, with --force, in campaigns/licence";
+        EXPECT_EQ(overturn(folder, {"plan", file.path(), "--json"}).code, 0);
+        ++count;
+    }
+    EXPECT_GE(count, 3);
+}
+
+}  // namespace
+}  // namespace overturn::testing
