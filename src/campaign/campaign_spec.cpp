@@ -278,6 +278,20 @@ void read_apart(Table const& root, InputFiles& files, CampaignSpec& spec) {
     faults.tell();
 }
 
+void read_neighbour(Table const& root, CampaignSpec& spec) {
+    if (!root.has("site")) {
+        return;
+    }
+    auto const site = root.child(campaign_keys["site"]);
+    spec.site.cask_body = read_cask_body(site, spec.bodies);
+    if (spec.site.cask_body && spec.rare) {
+        site.fail(
+            "cask_body",
+            "beside [rare] (rare events follow one body at a time). Leave it out: the other cask is then like the "
+            "body itself");
+    }
+}
+
 CampaignSpec read_campaign(Table const& root, CampaignInput const& input, InputFiles& files) {
     CampaignSpec spec;
     read_apart(root, files, spec);
@@ -290,6 +304,7 @@ CampaignSpec read_campaign(Table const& root, CampaignInput const& input, InputF
     check_quality(root, spec);
     waves.located("acceptance", [&] { validate_bands(*spec.source, spec.bodies, spec.measures.radius_unit); });
     spec.rare = read_rare(root, spec.levels, *spec.source);
+    read_neighbour(root, spec);
     auto const statistics = root.child_or_empty(campaign_keys["statistics"]);
     spec.confidence = statistics.number(statistics_keys["confidence"]);
     spec.limits = read_limits(root, statistics,

@@ -7,6 +7,7 @@
 
 #include "campaign/campaign_spec.hpp"
 #include "campaign/limit_state.hpp"
+#include "campaign/site_judge.hpp"
 #include "generators/normal_waves.hpp"
 #include "rare/problem.hpp"
 #include "response/ladder.hpp"

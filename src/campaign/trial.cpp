@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "campaign/detail/wave_rows.hpp"
+#include "campaign/site_judge.hpp"
 #include "campaign/wave_check.hpp"
 #include "core/elapsed.hpp"
 #include "core/error.hpp"
@@ -151,10 +152,8 @@ Scene scene_of(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t 
     return {drawn.body, drawn.friction, stated.footing, stated.axes};
 }
 
-void close_row(CampaignSpec const& spec, SiteJudge const& site, TrialRow& row, PreparedWave const& wave,
-               Response const& response, std::span<std::byte const> own) {
+void close_row(CampaignSpec const& spec, TrialRow& row, PreparedWave const& wave, Response const& response) {
     static_cast<Response&>(row) = response;
-    site.fill(row, static_cast<std::size_t>(row.body), own);
     auto const& drawn = wave.bodies[row.body];
     row.verdict = spec.measures.movement.verdict(response, drawn.body, drawn.friction.has_value(),
                                                  spec.bodies[row.body].footing.pad);
@@ -178,9 +177,11 @@ void account(std::vector<RungCost> const& taken, PhaseSeconds& seconds) {
 
 }  // namespace
 
-TrialRows run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t body, std::int64_t level,
-                    Observer* observer) {
-    Ladder const ladder(spec.effects, spec.accuracy);
+namespace {
+
+// A trial alone, but for what a site makes of it.
+TrialRows answered(CampaignSpec const& spec, Ladder const& ladder, PreparedWave const& wave, std::int64_t body,
+                   std::int64_t level, Observer* observer = nullptr) {
     TrialRows trial{{open_row(spec, wave, body, level)}, std::vector<std::byte>(ladder.own_bytes())};
     auto& row = trial.rows.front();
     ladder.put_nothing(trial.own);
@@ -191,8 +192,46 @@ TrialRows run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int
         if (observer != nullptr) {
             ladder.show(at, response, *observer);
         }
-        close_row(spec, SiteJudge(spec.site, spec.bodies, ladder), row, wave, response, trial.own);
+        close_row(spec, row, wave, response);
     }
+    return trial;
+}
+
+// Rows of waves from `first_row` on, each with its bodies and their levels: the other cask is another of these rows.
+void judge_site(SiteJudge const& site, Plan const& plan, TrialRows& trials, std::size_t first_row) {
+    if (!site.asked()) {
+        return;
+    }
+    auto const of_wave = static_cast<std::size_t>(plan.trials_per_wave());
+    auto const levels = static_cast<std::size_t>(plan.level_count());
+    auto const each = trials.own.size() / std::max<std::size_t>(1, trials.rows.size());
+    auto const trial = [&](std::size_t number) {
+        return SiteJudge::Trial{trials.rows[number], std::span(trials.own).subspan(number * each, each)};
+    };
+    for (auto number = first_row; number < trials.rows.size(); ++number) {
+        auto const place = (number - first_row) % of_wave;
+        std::optional<SiteJudge::Trial> neighbour;
+        if (auto const other = site.neighbour_of(trials.rows[number].body)) {
+            neighbour.emplace(trial(number - place + *other * levels + place % levels));
+        }
+        site.fill(trials.rows[number], trial(number), neighbour);
+    }
+}
+
+}  // namespace
+
+TrialRows run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t body, std::int64_t level,
+                    Observer* observer) {
+    Ladder const ladder(spec.effects, spec.accuracy);
+    SiteJudge const site(spec.site, spec.bodies, ladder);
+    auto trial = answered(spec, ladder, wave, body, level, observer);
+    TrialRows other;
+    std::optional<SiteJudge::Trial> neighbour;
+    if (auto const number = site.neighbour_of(body)) {
+        other = answered(spec, ladder, wave, static_cast<std::int64_t>(*number), level);
+        neighbour.emplace(SiteJudge::Trial{other.rows.front(), other.own});
+    }
+    site.fill(trial.rows.front(), {trial.rows.front(), trial.own}, neighbour);
     return trial;
 }
 
@@ -203,7 +242,6 @@ bool append_trials(CampaignSpec const& spec, Plan const& plan, std::span<Prepare
         PreparedWave const* wave;
     };
     Ladder const ladder(spec.effects, spec.accuracy);
-    SiteJudge const site(spec.site, spec.bodies, ladder);
     std::vector<Place> places;
     std::vector<SceneTrial> tried;
     std::vector<Scene> scenes;
@@ -244,11 +282,12 @@ bool append_trials(CampaignSpec const& spec, Plan const& plan, std::span<Prepare
                 seconds);
         for (std::size_t i = 0; i < count; ++i) {
             auto const& [row, wave] = places[first + i];
-            close_row(spec, site, rows[row], *wave, responses[i], std::span(own).subspan(i * each, each));
+            close_row(spec, rows[row], *wave, responses[i]);
             std::copy_n(own.begin() + static_cast<std::ptrdiff_t>(i * each), each,
                         trials.own.begin() + static_cast<std::ptrdiff_t>(row * each));
         }
     }
+    judge_site(SiteJudge(spec.site, spec.bodies, ladder), plan, trials, first_row);
     return true;
 }
 

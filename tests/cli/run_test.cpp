@@ -41,9 +41,10 @@ TEST_F(Run, RanksDoNotMatter) {
     EXPECT_TRUE(folder.has("shared3.runtime.json"));
 }
 
-// R-1001: that holds on compliant points, in the plane and in space; every model answers some trial.
+// R-1001, R-713: that holds on compliant points, in the plane and in space, and beside another cask that moves too;
+// every model answers some trial.
 TEST_F(Run, RanksDoNotMatterOnPoints) {
-    folder.write("c.toml", campaign_on_points(4));
+    folder.write("c.toml", campaign_on_points(4) + "[site]\ncask='2 m'\ncask_body='round'\nedge='1 m'\n");
     auto const alone = bytes({OVERTURN_PROGRAM, "run", "c.toml", "-o", "0.h5"}, "0.h5");
     for (int const ranks : {1, 2, 3}) {
         auto const name = std::to_string(ranks) + ".h5";

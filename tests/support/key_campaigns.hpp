@@ -101,8 +101,8 @@ inline std::vector<std::string> key_campaigns() {
                     "overturned='excluded'\ntarget_half_width=0.2\n[[limits]]\nname='b'\nquantity='peak_slip'\nbelow='0.1 m'\n"
                     "[[limits]]\nname='c'\nany=['a','overturning']\n[[limits]]\nname='d'\nall=['a','b']\n");
     all.push_back("seed=1\n" + steady + usual
-                  + "friction=0.5\n[site]\ncask='1 m'\nwall={plus_x=1, minus_x=2, plus_y=3, minus_y=4}\n"
-                    "edge={plus_x=5}\nheight=2\n");
+                  + "friction=0.5\n[site]\ncask='1 m'\ncask_body='body'\nwall={plus_x=1, minus_x=2, plus_y=3, minus_y=4}\n"
+                    "edge={plus_x=5}\nheight=2\nwidth=3\n");
     all.push_back("seed=1\n" + noise + "model='kanai-tajimi'\n" + body + "friction=0.5\n[effects]\ninclude=['sliding']\n"
                   "[levels]\nmeasure='factor'\nvalues=[1]\n[rare]\nmethod='auto'\ntarget_cov=0.2\nreplicates=8\n"
                   "max_runs=50000\n");

@@ -1,0 +1,189 @@
+#include "campaign/site_judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include "response/registry.hpp"
+
+namespace overturn {
+namespace {
+
+// In the order of Sides.
+constexpr std::array<std::string_view, Sides::count> edge_columns{"edge_x_most", "edge_x_least", "edge_y_most",
+                                                                  "edge_y_least"};
+constexpr std::array<double, Sides::count> side_angles_rad{0, pi, pi / 2, -pi / 2};
+
+// Where a column lies in the record of all models' own; empty: this model has none of that name.
+std::optional<Field> own_field(ModelTraits const& traits, std::size_t offset, std::string_view name) {
+    auto const found = std::ranges::find(traits.fields, name, &Field::name);
+    if (found == traits.fields.end()) {
+        return std::nullopt;
+    }
+    auto field = *found;
+    field.offset += offset;
+    return field;
+}
+
+// A rigid body that left the ground: until it lies nobody follows where it flies.
+bool flew(TrialRow const& row) {
+    constexpr auto on_points = mask_of(Effect::contact) | mask_of(Effect::spatial);
+    return !std::isnan(row.contact_lost_s) && (static_cast<EffectMask>(row.effects) & on_points) == 0;
+}
+
+bool is_known(TrialRow const& row) {
+    constexpr auto needed = mask_of(Effect::sliding) | mask_of(Effect::spatial);
+    auto const missed = static_cast<EffectMask>(row.called) & ~static_cast<EffectMask>(row.effects);
+    return (missed & needed) == 0 && entry_of(row.verdict).decided && !flew(row) && !std::isnan(row.peak_slip_m)
+           && !std::isnan(row.peak_rotation_rad);
+}
+
+double sine_of_lean(double angle_rad) { return std::sin(std::min(angle_rad, pi / 2)); }
+
+// Towards +x (side 1) or -x. Of two corners that differ the row has the rotation that came nearest to its own corner's
+// alpha: over the other one it may have been larger, by as much as that one's alpha is.
+double tilt_towards(double side, TrialRow const& row, RigidBody const& body) {
+    if (!body.lopsided() || entry_of(row.verdict).fell) {
+        return row.peak_rotation_rad;
+    }
+    auto const& corner = body.corner(side);
+    double const base_angle = std::atan(corner.half_width_m / row.centre_height_m);  // of the drawn height
+    return row.peak_rotation_ratio * (base_angle + corner.alpha_rad - corner.base_angle_rad);
+}
+
+}  // namespace
+
+BaseReach::BaseReach(BodySpec const& body) : farthest_m_(body.body.half_width_m()) {
+    auto corners = body.footing.base.corners_m;
+    if (body.footing.base.shape == BaseShape::square) {
+        double const b = body.body.half_width_m();
+        corners = {{b, b}, {-b, b}, {-b, -b}, {b, -b}};
+    }
+    for (auto const& [x, y] : corners) {
+        corners_.push_back({std::hypot(x, y), std::atan2(y, x)});
+    }
+    if (!corners_.empty()) {
+        farthest_m_ = std::ranges::max(corners_, {}, &Corner::far_m).far_m;
+    }
+}
+
+double BaseReach::within_m(std::size_t side, double turn_rad) const {
+    if (corners_.empty()) {
+        return farthest_m_;
+    }
+    double most = 0;
+    for (auto const& corner : corners_) {
+        double const apart = std::abs(corner.angle_rad - side_angles_rad.at(side));
+        double const away = std::min(apart, 2 * pi - apart);
+        most = std::max(most, corner.far_m * std::cos(std::max(0.0, away - turn_rad)));
+    }
+    return most;
+}
+
+SiteJudge::SiteJudge(Site const& site, std::span<BodySpec const> bodies, Ladder const& ladder)
+    : site_(site), bodies_(bodies), bases_(bodies.begin(), bodies.end()) {
+    for (auto const& [traits, offset] : ladder.own_parts()) {
+        auto const yaw = own_field(*traits, offset, "peak_yaw");
+        OfModel model{traits->number, {}, yaw.value_or(Field{})};
+        bool all = yaw.has_value();
+        for (std::size_t i = 0; i < Sides::count; ++i) {
+            auto const edge = own_field(*traits, offset, edge_columns[i]);
+            all = all && edge.has_value();
+            model.edges[i] = edge.value_or(Field{});
+        }
+        if (all) {
+            models_.push_back(std::move(model));
+        }
+    }
+}
+
+std::optional<std::size_t> SiteJudge::neighbour_of(std::int64_t body) const {
+    auto const& other = site_.cask_body;
+    return other && *other != static_cast<std::size_t>(body) ? other : std::nullopt;
+}
+
+// The model has the circle round the base. Its middle went no farther than that less the circle as the largest tilt
+// leaves it; from there the base's own corners reach as far as turn and tilt take them. Of both bounds the nearer one.
+SiteJudge::PerSide SiteJudge::spatial_ways(Trial const& trial, OfModel const& model) const {
+    auto const& base = bases_[static_cast<std::size_t>(trial.row.body)];
+    double const tilted_m = base.farthest_m() * (1 - std::cos(std::min(trial.row.peak_rotation_rad, pi / 2)));
+    double const turn_rad = std::abs(real_at(trial.own, model.yaw));
+    PerSide ways{};
+    for (std::size_t i = 0; i < Sides::count; ++i) {
+        double const rest_m = base.within_m(i, 0);
+        double const far_m = (i % 2 == 0 ? 1 : -1) * real_at(trial.own, model.edges[i]);
+        double const middle_m = far_m - base.farthest_m() + tilted_m;
+        double const turned_m = middle_m + base.within_m(i, turn_rad) + tilted_m;
+        ways[i] = std::min(far_m, turned_m) - rest_m;
+    }
+    return ways;
+}
+
+SiteJudge::PerSide SiteJudge::base_ways(Trial const& trial) const {
+    auto const model = std::ranges::find(models_, trial.row.rung, &OfModel::rung);
+    if (model != models_.end() && !trial.own.empty()) {
+        auto ways = spatial_ways(trial, *model);
+        for (auto& way : ways) {
+            way = way < 0 ? 0 : way;  // what is not known stays so
+        }
+        return ways;
+    }
+    double const slip_m = trial.row.peak_slip_m;
+    return {slip_m, slip_m, 0, 0};
+}
+
+SiteJudge::PerSide SiteJudge::leans(TrialRow const& row) const {
+    auto const& spec = bodies_[static_cast<std::size_t>(row.body)];
+    double const top_m = site_.top_m(spec, row.centre_height_m);
+    auto const& body = spec.body;
+    double const slope_rad = body.slope_rad();
+    bool const in_space = has(static_cast<EffectMask>(row.effects), Effect::spatial);
+    double const across_m = in_space ? top_m * sine_of_lean(row.peak_rotation_rad) : 0;
+    return {top_m * sine_of_lean(tilt_towards(1, row, body) + std::max(0.0, slope_rad)),
+            top_m * sine_of_lean(tilt_towards(-1, row, body) + std::max(0.0, -slope_rad)), across_m, across_m};
+}
+
+std::optional<SiteJudge::Ways> SiteJudge::ways_of(Trial const& trial) const {
+    if (!is_known(trial.row)) {
+        return std::nullopt;
+    }
+    auto const number = static_cast<std::size_t>(trial.row.body);
+    double const widest_m = site_.widest_m(bodies_[number]);
+    auto const lean_m = leans(trial.row);
+    Ways ways{base_ways(trial), {}};
+    for (std::size_t i = 0; i < Sides::count; ++i) {
+        double const beyond_m = std::max(0.0, widest_m - bases_[number].within_m(i, 0));
+        ways.all_m[i] = ways.base_m[i] + beyond_m + lean_m[i];
+    }
+    return ways;
+}
+
+void SiteJudge::fill(TrialRow& row, Trial const& trial, std::optional<Trial> const& neighbour) const {
+    auto const ways = asked() ? ways_of(trial) : std::nullopt;
+    auto const other = neighbour ? ways_of(*neighbour) : ways;
+    if (!ways) {
+        return;
+    }
+    constexpr double endless = std::numeric_limits<double>::infinity();
+    double clearance_m = endless;
+    double margin_m = endless;
+    auto const lower = [](double& least, double distance_m, double way_m) {
+        double const left_m = distance_m - way_m;
+        if (std::isfinite(distance_m)) {
+            least = std::isnan(least) || left_m >= least ? least : left_m;  // what is not known stays so
+        }
+    };
+    for (std::size_t i = 0; i < Sides::count; ++i) {
+        double const towards_m = other ? other->all_m[Sides::opposite(i)] : never;
+        double const comes_m = neighbour ? towards_m : std::max(towards_m, ways->all_m[i]);
+        lower(clearance_m, site_.cask.m[i], ways->all_m[i] + comes_m);
+        lower(clearance_m, site_.wall.m[i], ways->all_m[i]);
+        lower(margin_m, site_.edge.m[i], ways->base_m[i]);
+    }
+    row.least_clearance_m = site_.has_gaps() ? clearance_m : never;
+    row.edge_margin_m = site_.has_edges() ? margin_m : never;
+}
+
+}  // namespace overturn

@@ -1,0 +1,86 @@
+/// How near a trial came to what stands round its body, and to the edge of its pad.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "campaign/body_spec.hpp"
+#include "campaign/rows.hpp"
+#include "campaign/site.hpp"
+#include "response/ladder.hpp"
+
+namespace overturn {
+
+/// A base as its edges reach from the body's axis.
+class BaseReach {
+  public:
+    explicit BaseReach(BodySpec const& body);
+
+    /// Towards a side, as far as any turn about the axis up to this angle takes the edge [m]
+    [[nodiscard]] double within_m(std::size_t side, double turn_rad) const;
+    [[nodiscard]] double farthest_m() const { return farthest_m_; }  ///< to its farthest corner
+
+  private:
+    struct Corner {
+        double far_m, angle_rad;
+    };
+    std::vector<Corner> corners_;  ///< none of a round base
+    double farthest_m_ = 0;
+};
+
+/// Fills the columns least_clearance and edge_margin of trials. They stay unknown where effects that decide them were
+/// called for and left out, where a trial has no verdict, and where a rigid body fell through the air.
+///
+/// A direction's reach is bounded from above: how far the base's edge went that way, what of the body reaches beyond
+/// its base, and its height times the sine of its largest tilt, as if all were at the same instant and the tilt that
+/// way. (A body of height H that turns by theta about its leading corner has its top H sin theta beyond that corner; a
+/// place o beyond the base and z high is o cos theta + z sin theta beyond it.) In a plane neither slip nor tilt is
+/// known to be to one side rather than the other; across it nothing moves. On a slope it leans towards the valley from
+/// the first. In space the way of the base's edge is known for each side.
+class SiteJudge {
+  public:
+    /// \param bodies and `site` outlive it
+    SiteJudge(Site const& site, std::span<BodySpec const> bodies, Ladder const& ladder);
+
+    /// A trial of one of the bodies, and what models have to say of their own.
+    struct Trial {
+        TrialRow const& row;  ///< of which the body, its drawn height and the response count
+        std::span<std::byte const> own;
+    };
+    /// \param row of `trial`
+    /// \param neighbour the trial of neighbour_of its body, under the same wave at the same level; without one the
+    /// other cask is like the body itself: it may come as far as the body went to either side
+    void fill(TrialRow& row, Trial const& trial, std::optional<Trial> const& neighbour = {}) const;
+    /// The body whose own trial says how the other cask moves; empty: it is like the body itself.
+    [[nodiscard]] std::optional<std::size_t> neighbour_of(std::int64_t body) const;
+    /// Is there a site? Else nothing is filled, and no such record read.
+    [[nodiscard]] bool asked() const { return site_.has_gaps() || site_.has_edges(); }
+
+  private:
+    using PerSide = std::array<double, Sides::count>;
+    /// How far a body came to each side of its place at most: its base, and any of it [m]
+    struct Ways {
+        PerSide base_m, all_m;
+    };
+    [[nodiscard]] std::optional<Ways> ways_of(Trial const& trial) const;
+    [[nodiscard]] PerSide base_ways(Trial const& trial) const;
+    [[nodiscard]] PerSide leans(TrialRow const& row) const;
+
+    struct OfModel {
+        std::int64_t rung;
+        std::array<Field, Sides::count> edges;  ///< their offsets are those in the record
+        Field yaw;                              ///< likewise
+    };
+    [[nodiscard]] PerSide spatial_ways(Trial const& trial, OfModel const& model) const;
+
+    Site const& site_;
+    std::span<BodySpec const> bodies_;
+    std::vector<BaseReach> bases_;
+    std::vector<OfModel> models_;  ///< those that tell the way of the base's edge
+};
+
+}  // namespace overturn

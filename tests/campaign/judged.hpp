@@ -1,0 +1,86 @@
+/// Trials of a campaign with a site, as its judge sees them.
+#pragma once
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "campaign/site_judge.hpp"
+#include "core/units.hpp"
+#include "response/registry.hpp"
+#include "spatial/spatial_model.hpp"
+#include "support/campaigns.hpp"
+
+namespace overturn::testing {
+
+inline std::string const slides = type_b + "friction=0.3\n";
+inline std::string const square_slides = slides + "base={shape='square'}\n";
+
+inline std::string with_site(std::string const& site, std::string const& bodies = slides) {
+    return quick_waves + bodies + levels("values=[4,8]\n") + "[site]\n" + site;
+}
+
+/// Twice the height of the centre of gravity of these.
+inline constexpr double height_m = 2 * 1.045;
+
+class Judged {
+  public:
+    explicit Judged(std::string const& site, std::string const& bodies = slides)
+        : spec(campaign_from(with_site(site, bodies))),
+          ladder(spec.effects, spec.accuracy),
+          judge(spec.site, spec.bodies, ladder),
+          own(ladder.own_bytes()) {
+        ladder.put_nothing(own);
+    }
+
+    /// Of a body that slid so far and tilted so far in a plane.
+    [[nodiscard]] TrialRow moved(double slip_m, double tilt_rad, std::int64_t body = 0) const {
+        TrialRow row;
+        row.body = body;
+        row.verdict = tilt_rad >= pi / 2 ? Verdict::overturned : Verdict::slid_and_rocked;
+        row.peak_slip_m = slip_m;
+        row.peak_rotation_rad = tilt_rad;
+        row.centre_height_m = spec.bodies[static_cast<std::size_t>(body)].body.centre_height_m();
+        return row;
+    }
+    [[nodiscard]] TrialRow filled(TrialRow row) const {
+        judge.fill(row, {row, own});
+        return row;
+    }
+    [[nodiscard]] TrialRow filled(double slip_m, double tilt_rad) const { return filled(moved(slip_m, tilt_rad)); }
+
+    /// Of a body in space. \param edges_m where the circle round its base reached towards +x, -x, +y, -y
+    TrialRow in_space(double tilt_rad, double yaw_rad, std::array<double, Sides::count> const& edges_m) {
+        put("edge_x_most", edges_m[0]);
+        put("edge_x_least", -edges_m[1]);
+        put("edge_y_most", edges_m[2]);
+        put("edge_y_least", -edges_m[3]);
+        put("peak_yaw", yaw_rad);
+        auto row = moved(0, tilt_rad);
+        row.rung = spatial_traits().number;
+        row.effects = mask_of(Effect::contact) | mask_of(Effect::spatial);
+        return filled(row);
+    }
+
+    CampaignSpec spec;
+    Ladder ladder;
+    SiteJudge judge;
+    std::vector<std::byte> own;
+
+  private:
+    void put(std::string_view name, double value) {
+        for (auto const& [traits, offset] : ladder.own_parts()) {
+            auto const field = std::ranges::find(traits->fields, name, &Field::name);
+            if (traits->number == spatial_traits().number) {
+                ASSERT_NE(field, traits->fields.end());
+                std::memcpy(own.data() + offset + field->offset, &value, sizeof value);
+            }
+        }
+    }
+};
+
+}  // namespace overturn::testing
