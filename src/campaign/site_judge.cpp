@@ -14,7 +14,6 @@ namespace {
 // In the order of Sides.
 constexpr std::array<std::string_view, Sides::count> edge_columns{"edge_x_most", "edge_x_least", "edge_y_most",
                                                                   "edge_y_least"};
-constexpr std::array<double, Sides::count> side_angles_rad{0, pi, pi / 2, -pi / 2};
 
 // Where a column lies in the record of all models' own; empty: this model has none of that name.
 std::optional<Field> own_field(ModelTraits const& traits, std::size_t offset, std::string_view name) {
@@ -34,10 +33,8 @@ bool flew(TrialRow const& row) {
 }
 
 bool is_known(TrialRow const& row) {
-    constexpr auto needed = mask_of(Effect::sliding) | mask_of(Effect::spatial);
-    auto const missed = static_cast<EffectMask>(row.called) & ~static_cast<EffectMask>(row.effects);
-    return (missed & needed) == 0 && entry_of(row.verdict).decided && !flew(row) && !std::isnan(row.peak_slip_m)
-           && !std::isnan(row.peak_rotation_rad);
+    return followed_until_s(row) == std::numeric_limits<double>::infinity() && entry_of(row.verdict).decided
+           && !std::isnan(row.peak_slip_m) && !std::isnan(row.peak_rotation_rad);
 }
 
 double sine_of_lean(double angle_rad) { return std::sin(std::min(angle_rad, pi / 2)); }
@@ -55,31 +52,11 @@ double tilt_towards(double side, TrialRow const& row, RigidBody const& body) {
 
 }  // namespace
 
-BaseReach::BaseReach(BodySpec const& body) : farthest_m_(body.body.half_width_m()) {
-    auto corners = body.footing.base.corners_m;
-    if (body.footing.base.shape == BaseShape::square) {
-        double const b = body.body.half_width_m();
-        corners = {{b, b}, {-b, b}, {-b, -b}, {b, -b}};
-    }
-    for (auto const& [x, y] : corners) {
-        corners_.push_back({std::hypot(x, y), std::atan2(y, x)});
-    }
-    if (!corners_.empty()) {
-        farthest_m_ = std::ranges::max(corners_, {}, &Corner::far_m).far_m;
-    }
-}
-
-double BaseReach::within_m(std::size_t side, double turn_rad) const {
-    if (corners_.empty()) {
-        return farthest_m_;
-    }
-    double most = 0;
-    for (auto const& corner : corners_) {
-        double const apart = std::abs(corner.angle_rad - side_angles_rad.at(side));
-        double const away = std::min(apart, 2 * pi - apart);
-        most = std::max(most, corner.far_m * std::cos(std::max(0.0, away - turn_rad)));
-    }
-    return most;
+double followed_until_s(TrialRow const& row) {
+    constexpr double always = std::numeric_limits<double>::infinity();
+    constexpr auto needed = mask_of(Effect::sliding) | mask_of(Effect::spatial);
+    auto const missed = static_cast<EffectMask>(row.called) & ~static_cast<EffectMask>(row.effects);
+    return (missed & needed) != 0 ? -always : flew(row) ? row.contact_lost_s : always;
 }
 
 SiteJudge::SiteJudge(Site const& site, std::span<BodySpec const> bodies, Ladder const& ladder)

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "campaign/base_reach.hpp"
 #include "campaign/body_spec.hpp"
 #include "campaign/rows.hpp"
 #include "campaign/site.hpp"
@@ -15,22 +16,9 @@
 
 namespace overturn {
 
-/// A base as its edges reach from the body's axis.
-class BaseReach {
-  public:
-    explicit BaseReach(BodySpec const& body);
-
-    /// Towards a side, as far as any turn about the axis up to this angle takes the edge [m]
-    [[nodiscard]] double within_m(std::size_t side, double turn_rad) const;
-    [[nodiscard]] double farthest_m() const { return farthest_m_; }  ///< to its farthest corner
-
-  private:
-    struct Corner {
-        double far_m, angle_rad;
-    };
-    std::vector<Corner> corners_;  ///< none of a round base
-    double farthest_m_ = 0;
-};
+/// Until when a trial follows its body [s]: infinite: all the way; before 0: never, as effects that decide where it is
+/// were called for and left out. A rigid body is followed until it flies, one without a verdict to its last instant.
+[[nodiscard]] double followed_until_s(TrialRow const& row);
 
 /// Fills the columns least_clearance and edge_margin of trials. They stay unknown where effects that decide them were
 /// called for and left out, where a trial has no verdict, and where a rigid body fell through the air.

@@ -5,6 +5,7 @@
 
 #include "campaign/detail/wave_rows.hpp"
 #include "campaign/site_judge.hpp"
+#include "campaign/site_path.hpp"
 #include "campaign/wave_check.hpp"
 #include "core/elapsed.hpp"
 #include "core/error.hpp"
@@ -79,34 +80,6 @@ PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64
     return prepared;
 }
 
-namespace {
-
-// Under its weight alone the base settles by g / w_v^2. A moment that just lifts one edge off sinks the other to twice
-// that; rigid ground does not give way.
-double tilt_of_pad_m(Response const& response, RigidBody const& body, Pad const& pad) {
-    constexpr auto of_points = mask_of(Effect::contact) | mask_of(Effect::spatial);
-    bool const on_points = (static_cast<EffectMask>(response.effects) & of_points) != 0;
-    return on_points ? 2 * body.gravity_mps2() / std::pow(2 * pi * pad.vertical_frequency_hz, 2) : 0;
-}
-
-}  // namespace
-
-Verdict MovementSpec::verdict(Response const& response, RigidBody const& body, bool may_slip, Pad const& pad) const {
-    bool const stands = response.verdict == Verdict::at_rest || response.verdict == Verdict::slid
-                        || response.verdict == Verdict::rocked;
-    if (!stands || by_model) {
-        return response.verdict;
-    }
-    bool const slid = may_slip && response.peak_slip_m > 0 && response.peak_slip_m >= slip_m;
-    double const uplift_of_edge_m =
-        2 * body.half_width_m() * std::sin(response.peak_rotation_rad) - tilt_of_pad_m(response, body, pad);
-    bool const rocked = uplift_of_edge_m > 0 && uplift_of_edge_m >= uplift_m;
-    return slid && rocked ? Verdict::slid_and_rocked
-           : slid         ? Verdict::slid
-           : rocked       ? Verdict::rocked
-                          : Verdict::at_rest;
-}
-
 bool is_tried(Acceptance const& acceptance, WaveRow const& row) {
     return row.accepted == Accepted::yes || !acceptance.refuses();
 }
@@ -152,6 +125,10 @@ Scene scene_of(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t 
     return {drawn.body, drawn.friction, stated.footing, stated.axes};
 }
 
+SceneTrial scaled(Scene const& scene, PreparedWave const& wave, TrialRow const& row) {
+    return {scene, wave.motion, row.scale, wave.intensity.pga_mps2, &wave.chunks};
+}
+
 void close_row(CampaignSpec const& spec, TrialRow& row, PreparedWave const& wave, Response const& response) {
     static_cast<Response&>(row) = response;
     auto const& drawn = wave.bodies[row.body];
@@ -175,26 +152,45 @@ void account(std::vector<RungCost> const& taken, PhaseSeconds& seconds) {
     }
 }
 
-}  // namespace
-
-namespace {
-
 // A trial alone, but for what a site makes of it.
 TrialRows answered(CampaignSpec const& spec, Ladder const& ladder, PreparedWave const& wave, std::int64_t body,
-                   std::int64_t level, Observer* observer = nullptr) {
+                   std::int64_t level) {
     TrialRows trial{{open_row(spec, wave, body, level)}, std::vector<std::byte>(ladder.own_bytes())};
     auto& row = trial.rows.front();
     ladder.put_nothing(trial.own);
     if (!failed(row)) {
         auto const scene = scene_of(spec, wave, body);
-        SceneTrial const at{scene, wave.motion, row.scale, wave.intensity.pga_mps2, &wave.chunks};
-        auto const response = ladder.respond(at, trial.own);
-        if (observer != nullptr) {
-            ladder.show(at, response, *observer);
-        }
-        close_row(spec, row, wave, response);
+        close_row(spec, row, wave, ladder.respond(scaled(scene, wave, row), trial.own));
     }
     return trial;
+}
+
+/// What answered trials.
+struct Answering {
+    CampaignSpec const& spec;
+    Ladder const& ladder;
+    PreparedWave const& wave;
+};
+
+// The history of a trial that ran.
+void show(Answering const& by, TrialRow const& row, Observer& observer) {
+    if (!std::isnan(row.scale)) {
+        auto const scene = scene_of(by.spec, by.wave, row.body);
+        by.ladder.show(scaled(scene, by.wave, row), row, observer);
+    }
+}
+
+void show_in_its_room(Answering const& by, TrialRow const& row, std::optional<SiteJudge::Trial> const& neighbour,
+                      Observer& observer) {
+    auto const& bodies = by.spec.bodies;
+    auto const& beside = neighbour ? neighbour->row : row;
+    SitePath its_path(by.spec.site, bodies.at(beside.body), beside);
+    if (by.spec.site.cask.any()) {
+        show(by, beside, its_path);
+    }
+    OtherCask const other{its_path, !neighbour};
+    SitePath path(by.spec.site, bodies.at(row.body), row, &observer, &other);
+    show(by, row, path);
 }
 
 // Rows of waves from `first_row` on, each with its bodies and their levels: the other cask is another of these rows.
@@ -224,12 +220,17 @@ TrialRows run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int
                     Observer* observer) {
     Ladder const ladder(spec.effects, spec.accuracy);
     SiteJudge const site(spec.site, spec.bodies, ladder);
-    auto trial = answered(spec, ladder, wave, body, level, observer);
+    auto trial = answered(spec, ladder, wave, body, level);
     TrialRows other;
     std::optional<SiteJudge::Trial> neighbour;
     if (auto const number = site.neighbour_of(body)) {
         other = answered(spec, ladder, wave, static_cast<std::int64_t>(*number), level);
         neighbour.emplace(SiteJudge::Trial{other.rows.front(), other.own});
+    }
+    if (observer != nullptr && site.asked()) {
+        show_in_its_room({spec, ladder, wave}, trial.rows.front(), neighbour, *observer);
+    } else if (observer != nullptr) {
+        show({spec, ladder, wave}, trial.rows.front(), *observer);
     }
     site.fill(trial.rows.front(), {trial.rows.front(), trial.own}, neighbour);
     return trial;
@@ -262,7 +263,7 @@ bool append_trials(CampaignSpec const& spec, Plan const& plan, std::span<Prepare
                     continue;
                 }
                 places.push_back({rows.size() - 1, &wave});
-                tried.push_back({scenes.back(), wave.motion, rows.back().scale, wave.intensity.pga_mps2, &wave.chunks});
+                tried.push_back(scaled(scenes.back(), wave, rows.back()));
             }
         }
     }

@@ -47,7 +47,8 @@ struct TrialRows {
     std::vector<std::byte> own;
 };
 
-/// One trial on a prepared wave. \param observer sees the history if given
+/// One trial on a prepared wave. \param observer sees the history if given, with its way through the room where there
+/// is a site (SitePath)
 [[nodiscard]] TrialRows run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t body,
                                   std::int64_t level, Observer* observer = nullptr);
 

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "body/response_velocity.hpp"
+#include "campaign/site_path.hpp"
 #include "cli/json_values.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
@@ -90,6 +91,9 @@ Json channels_of(KeptHistory const& history, RigidBody const& body, std::size_t 
     auto channels = Json::object();
     for (std::size_t i = 0; i < history.keys().size(); ++i) {
         auto const& key = history.keys()[i];
+        if (SitePath::adds(key)) {
+            continue;  // not drawn
+        }
         auto const& values = history.columns()[i];
         bool const of_a_pose = key == "time_s" || key == "x_m" || key == "y_m" || key == "yaw_rad";
         bool const force = key == "contact_force_over_weight";

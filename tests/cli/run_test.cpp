@@ -59,6 +59,8 @@ TEST_F(Run, RanksDoNotMatterOnPoints) {
     for (auto const* trial : {"7", "25", "38", "57"}) {
         auto const replayed = overturn(folder, {"replay", "0.h5", "--trial", trial, "--history", "h.csv"});
         EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;
+        auto const history = folder.read("h.csv");
+        EXPECT_TRUE(history.substr(0, history.find('\n')).ends_with(",reach_minus_y_m,clearance_m,edge_margin_m"));
     }
 }
 
