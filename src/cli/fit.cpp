@@ -47,11 +47,9 @@ void check(FitOptions const& options) {
              "TABLE.csv, or --median and --beta",
              things == 0 ? "nothing to fit" : "several of a results file, --stripes, --capacities and --median");
     check_fit_options(options.beta_u, options.confidence);
-    validate(options.design_basis >= 0 && std::isfinite(options.design_basis),
-             "--design-basis: {} (must be above 0). State it in the table's unit", options.design_basis);
-    validate(options.design_basis == 0 || options.file.empty(),
+    validate(options.design_basis.empty() || options.file.empty(),
              "--design-basis beside a results file (its campaign names the level). Leave it out");
-    validate(options.design_basis == 0 || !options.stripes.empty(),
+    validate(options.design_basis.empty() || !options.stripes.empty(),
              "--design-basis without --stripes (P is quoted of stripes alone). Leave it out");
     validate(options.measures.empty() || !options.file.empty(),
              "--measures without a results file (a table, or a stated curve, has one). Fit a results file");
@@ -219,7 +217,8 @@ void add_fit(CommandLine& line) {
     verb.takes("--json", options->json, "as JSON");
     verb.takes("--beta-u", options->beta_u, "lognormal standard deviation of what is not known, for HCLPF");
     verb.takes("--confidence", options->confidence, "of all intervals; default: the campaign's, or 0.95");
-    verb.takes("--design-basis", options->design_basis, "with --stripes: quote P at multiples of this amplitude");
+    verb.takes("--design-basis", options->design_basis,
+               "with --stripes: quote P at multiples of this amplitude, '0.3 g'");
     verb.takes("--hazard", options->hazard,
                "annual frequency by this hazard curve: '<measure> [unit], annual_exceedance' (csv)");
     verb.takes("--measures", options->measures, "also fit a curve over two measures: pga,v_wes");

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 
@@ -10,6 +11,8 @@
 #include "cli/stripe_csv.hpp"
 #include "core/error.hpp"
 #include "core/input_files.hpp"
+#include "core/units.hpp"
+#include "motion/column_unit.hpp"
 #include "output/curve_tables.hpp"
 #include "output/curve_text.hpp"
 #include "output/fit_json.hpp"
@@ -42,6 +45,32 @@ std::string stripes_text(StripeTable const& table, double confidence, bool full)
     return text;
 }
 
+// In the table's unit: as stated, or converted.
+double design_basis_of(std::string const& text, StripeTable const& table) {
+    auto const plain = trimmed(text);
+    auto const split = std::min(plain.find_first_of(" \t"), plain.size());
+    double number = 0;
+    validate(parse_number(plain.substr(0, split), number) && number > 0 && std::isfinite(number),
+             "--design-basis: '{}' (must be a number above 0). Write for example '0.3 g'", text);
+    auto const unit = trimmed(plain.substr(split));
+    if (unit.empty() || table.unit.empty()) {
+        validate(
+            unit.empty() == table.unit.empty(),
+            "--design-basis: '{}' beside column '{}' (one of them states a unit, one none). State both with theirs",
+            text, table.amplitude);
+        return number;
+    }
+    for (auto const dimension : {Dimension::acceleration, Dimension::velocity, Dimension::length}) {
+        auto const of_table = unit_spelled(table.unit, dimension);
+        auto const own = unit_spelled(unit, dimension);
+        if (of_table && own) {
+            return number * *own / *of_table;
+        }
+    }
+    throw InputError(fmt::format("--design-basis: '{}' beside '{}' (units that cannot be converted). State it in {}",
+                                 text, table.amplitude, table.unit));
+}
+
 }  // namespace
 
 int fit_stripes(FitOptions const& options) {
@@ -57,10 +86,11 @@ int fit_stripes(FitOptions const& options) {
     measured.label = table.amplitude;
     measured.units = "1";
     measured.told = {measured.units};
-    if (options.design_basis > 0) {
+    if (!options.design_basis.empty()) {
+        double const basis = design_basis_of(options.design_basis, table);
         measured.quote_base = "design-basis";
         for (double const multiple : quoted_multiples) {
-            request.quotes.push_back({multiple * options.design_basis, multiple});
+            request.quotes.push_back({multiple * basis, multiple});
         }
     }
     auto const data = FragilityData::of_stripes(stripes);

@@ -19,9 +19,9 @@ struct FitOptions {
     bool json = false;
     double beta_u = 0;
     std::optional<double> confidence;  ///< none: the campaign's, or 0.95
-    double design_basis = 0;
-    std::string median;          ///< of a stated curve, with its unit
-    std::optional<double> beta;  ///< of it
+    std::string design_basis;          ///< of stripes, in their unit or with its own
+    std::string median;                ///< of a stated curve, with its unit
+    std::optional<double> beta;        ///< of it
     TextChoice text;
     std::string hazard;
     std::string measures;

@@ -53,8 +53,12 @@ NamedColumn named_column(std::string_view cell) {
 
 std::string counted_things(std::string_view name) {
     auto plain = lowered(name);
+    bool const numbered = plain.starts_with("no.");  // "no collapse" and "non-collapses" are the others
     std::erase_if(plain, [](char c) { return std::string_view(" _-.").find(c) != std::string_view::npos; });
     for (std::string_view const before : {"numberof", "noof", "numof", "num", "no"}) {
+        if (before == "no" && !numbered) {
+            continue;
+        }
         if (plain.starts_with(before) && plain.size() > before.size()) {
             plain.erase(0, before.size());
             break;

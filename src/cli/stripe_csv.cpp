@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "cli/named_column.hpp"
 #include "config/suggestion.hpp"
@@ -65,6 +66,71 @@ bool is_verdict(std::string const& bare) {
     return std::ranges::find(verdicts, std::string_view(bare)) != verdicts.end();
 }
 
+/// "wave", "record", "GM": the name of one, where "waves" and "n_gms" are a number of them.
+bool may_name_trials(std::string_view cell) {
+    auto const lower = lowered(trimmed(named_column(cell).bare));
+    constexpr auto singular = std::to_array<std::string_view>(
+        {"trial", "gm", "ground motion", "ground_motion", "motion", "record", "wave", "analysis", "test"});
+    return std::ranges::find(singular, lower) != singular.end();
+}
+
+/// What a column of trials by its name holds, told by all rows.
+enum class Trials { counts, labels, either };
+
+/// Labels where none of the outcomes is above 1 and the column names the rows, or an amplitude comes twice; either
+/// where it counts the rows under a name that is a number of trials too.
+class TrialsColumn {
+  public:
+    TrialsColumn(std::string const& text, std::string const& file) {
+        CellRows rows(text, file, "");
+        place(rows.header());
+        if (!trials_ || !overturned_ || !amplitude_) {
+            return;
+        }
+        while (auto const cells = rows.next()) {
+            take(*cells);
+        }
+    }
+    [[nodiscard]] Trials held() const {
+        if (!trials_ || !overturned_ || !amplitude_ || !verdicts_ || rows_ < 2) {
+            return Trials::counts;
+        }
+        bool const labels = !numbers_ || counts_rows_ || amplitudes_.size() < rows_;
+        return !labels ? Trials::counts : singular_ ? Trials::labels : counts_rows_ ? Trials::either : Trials::counts;
+    }
+
+  private:
+    void place(std::vector<Cell> const& cells) {
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            auto const field = field_of(named_column(cells[i].text));
+            if (field == trials) {
+                trials_ = i;
+                singular_ = may_name_trials(cells[i].text);
+            } else if (field == overturned) {
+                overturned_ = i;
+            } else if (field == amplitude) {
+                amplitude_ = i;
+            }
+        }
+    }
+    void take(std::vector<Cell> const& cells) {
+        double number = 0;
+        bool const read = parse_number(cells[*trials_].text, number);
+        numbers_ = numbers_ && read;
+        bool const from_0 = read && number == static_cast<double>(rows_);
+        bool const from_1 = read && number == static_cast<double>(rows_ + 1);
+        counts_rows_ = counts_rows_ && (from_0 || from_1);
+        verdicts_ = verdicts_ && CellRows::yes_or_no(cells[*overturned_]).has_value();
+        amplitudes_.emplace(cells[*amplitude_].text);
+        ++rows_;
+    }
+
+    std::optional<std::size_t> trials_, overturned_, amplitude_;
+    bool singular_ = false, numbers_ = true, counts_rows_ = true, verdicts_ = true;
+    std::size_t rows_ = 0;
+    std::set<std::string> amplitudes_;
+};
+
 /// "", "No.", "stripe": it counts the rows.
 bool is_count_of_rows(std::string_view name) {
     return column_role(name).quantity == Quantity::index || lowered(trimmed(name)) == "stripe";
@@ -73,7 +139,9 @@ bool is_count_of_rows(std::string_view name) {
 class Reader {
   public:
     Reader(std::string const& text, std::string const& file)
-        : rows_(text, file, "Begin with amplitude,trials,overturned"), file_(file) {}
+        : rows_(text, file, "Begin with amplitude,trials,overturned"),
+          file_(file),
+          trials_held_(TrialsColumn(text, file).held()) {}
 
     [[nodiscard]] StripeTable table() {
         read_header(rows_.header());
@@ -131,13 +199,16 @@ class Reader {
                                                   "amplitude,trials,overturned",
                                                   in_quotes(cells.front().text)));
         }
-        bool const counts =
-            std::ranges::any_of(cells, [](Cell const& cell) { return field_of(named_column(cell.text)) == trials; });
+        bool const counts = trials_held_ == Trials::counts && std::ranges::any_of(cells, [](Cell const& cell) {
+                                return field_of(named_column(cell.text)) == trials;
+                            });
         for (auto const& cell : cells) {
             auto const place = static_cast<std::size_t>(&cell - cells.data());
             auto const column = named_column(cell.text);
             bool const verdict = column.unit.empty() && is_verdict(lowered(column.bare));
-            if (!field_of(column) && is_count_of_rows(cell.text)) {
+            if (field_of(column) == trials && trials_held_ != Trials::counts) {
+                check_are_labels(cell);
+            } else if (!field_of(column) && is_count_of_rows(cell.text)) {
                 counters_.push_back(place);
             } else if (verdict && !counts) {
                 take_verdict(cell, place);
@@ -155,6 +226,15 @@ class Reader {
             rows_.fail(cells[*verdict_],
                        "beside a column of counts (without a column of trials each row is one trial). Add the trials, "
                        "or keep one of these columns");
+        }
+    }
+
+    void check_are_labels(Cell const& cell) const {
+        if (trials_held_ == Trials::either) {
+            rows_.fail(cell,
+                       fmt::format("column {} (it counts the rows 1, 2, 3: the number of each, or of its trials?). "
+                                   "Name it 'No.' where each row is one trial, or write the trials of each row",
+                                   in_quotes(cell.text)));
         }
     }
 
@@ -239,6 +319,7 @@ class Reader {
 
     CellRows rows_;
     std::string const& file_;
+    Trials trials_held_;
     std::array<std::optional<std::size_t>, fields> place_;
     std::vector<std::size_t> counters_;  ///< columns that count the rows
     std::size_t rows_read_ = 0;

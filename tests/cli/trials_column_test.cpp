@@ -1,0 +1,82 @@
+// Requirement R-702: a table of single trials is told from one of counts by its rows where a name may be either, and
+// what counts those that stood is no count of those that fell.
+#include <string>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/campaign_files.hpp"
+#include "support/command.hpp"
+
+namespace overturn::testing {
+namespace {
+
+using nlohmann::json;
+
+class TrialsColumn : public ::testing::Test {
+  protected:
+    [[nodiscard]] Ended fit(std::string const& content, std::vector<std::string> further = {}) {
+        folder.write("t.csv", content);
+        std::vector<std::string> words{"fit", "--stripes", "t.csv", "--json"};
+        words.insert(words.end(), further.begin(), further.end());
+        return overturn(folder, words);
+    }
+    [[nodiscard]] json stripes(std::string const& content) {
+        auto const done = fit(content);
+        EXPECT_EQ(done.code, 0) << done.err;
+        return done.code == 0 ? json::parse(done.out)["stripes"] : json();
+    }
+    void refuse(std::string const& content, std::string const& why, std::vector<std::string> further = {}) {
+        auto const done = fit(content, std::move(further));
+        EXPECT_EQ(done.code, 2) << done.out;
+        EXPECT_NE(done.err.find(why), std::string::npos) << done.err;
+    }
+    Folder folder;
+};
+
+TEST_F(TrialsColumn, NumbersOfTrialsAreNoCounts) {
+    auto const single = stripes("id,pga [g],overturned\n1,0.5,0\n2,0.7,0\n3,0.6,1\n4,0.9,1\n");
+    ASSERT_EQ(single.size(), 4U);
+    for (char const* name : {"wave", "record", "GM", "motion", "test", "trial", "ground motion"}) {
+        EXPECT_EQ(stripes(fmt::format("{},pga [g],overturned\n1,0.5,0\n2,0.7,0\n3,0.6,1\n4,0.9,1\n", name)), single)
+            << name;
+    }
+    EXPECT_EQ(stripes("wave,pga [g],overturned\nELC,0.5,0\nTAF,0.7,0\nKOB,0.6,1\nTOK,0.9,1\n"), single);
+    auto const twice = stripes("wave,pga [g],overturned\n1,0.6,0\n1,0.9,1\n2,0.6,0\n2,0.9,1\n");
+    ASSERT_EQ(twice.size(), 2U);
+    EXPECT_EQ(twice[0]["trials"], 2);
+}
+
+// counts stay counts, also of few trials and without a single fall more than one.
+TEST_F(TrialsColumn, CountsStayCounts) {
+    auto const counted = stripes("trials,pga [g],overturned\n40,0.5,0\n40,0.7,1\n40,0.6,0\n");
+    ASSERT_EQ(counted.size(), 3U);
+    EXPECT_EQ(counted[0]["trials"], 40);
+    EXPECT_EQ(stripes("n,pga [g],overturned\n1,0.5,0\n2,0.7,2\n3,0.9,3\n")[2]["trials"], 3);
+    refuse("waves,pga [g],overturned\n1,0.5,0\n2,0.7,1\n3,0.9,1\n", "it counts the rows 1, 2, 3");
+}
+
+TEST_F(TrialsColumn, ThoseThatStoodAreNotThoseThatFell) {
+    for (char const* name :
+         {"non-collapses", "no collapse", "no_collapses", "not overturned", "noncollapse", "stood"}) {
+        refuse(fmt::format("pga [g],trials,{}\n0.6,40,0\n0.9,40,0\n", name), "(unknown)");
+    }
+    EXPECT_EQ(stripes("pga [g],trials,No. of collapses\n0.6,40,3\n0.9,40,30\n")[0]["overturned"], 3);
+    EXPECT_EQ(stripes("pga [g],trials,no. collapses\n0.6,40,3\n0.9,40,30\n")[0]["overturned"], 3);
+}
+
+// beside a table with a unit the design basis has one; it is converted.
+TEST_F(TrialsColumn, TheDesignBasisHasAUnitWhereTheTableHas) {
+    std::string const table = "pga [g],trials,overturned\n0.6,40,2\n0.9,40,20\n1.2,40,38\n";
+    refuse(table, "one of them states a unit", {"--design-basis", "0.6"});
+    refuse(table, "cannot be converted", {"--design-basis", "6 kine"});
+    refuse(table, "must be a number above 0", {"--design-basis", "-0.6 g"});
+    auto const in_g = fit(table, {"--design-basis", "0.6 g"});
+    ASSERT_EQ(in_g.code, 0) << in_g.err;
+    auto const in_gal = fit(table, {"--design-basis", "588.399 gal"});
+    EXPECT_EQ(json::parse(in_g.out)["fragility"][0]["quotes"].size(),
+              json::parse(in_gal.out)["fragility"][0]["quotes"].size());
+}
+
+}  // namespace
+}  // namespace overturn::testing
