@@ -115,7 +115,7 @@ std::vector<Table> frequency_tables(std::string const& units, std::span<BodyFreq
              "of the upper end: motions below the lowest level, counted as failing as often as there",
              [](Row const& row) { return row.mean ? std::optional(row.bounds.below_most) : std::nullopt; })
         .add("below_curve_most", "1/a", "of the upper end: motions below the hazard curve's first point",
-             [](Row const& row) { return row.mean ? std::optional(row.bounds.weaker_most) : std::nullopt; })
+             [](Row const& row) { return row.mean ? row.bounds.weaker_most : row.seen_below_curve; })
         .add("poor_fit", "1", "1: the curve does not describe the data", [](Row const& row) { return row.poor; })
         .add("fractile_5", "1/a", "by the curve of 95 % confidence", fractile(&Row::Fractiles::low))
         .add("fractile_50", "1/a", "by the median curve", fractile(&Row::Fractiles::median))

@@ -78,8 +78,17 @@ void add_trust(std::vector<std::string>& notes, BodyFrequency const& f) {
 }
 
 // Of a body without a curve the stripes are the answer.
-void add_seen(std::vector<std::string>& notes, BodyFrequency const& f) {
+void add_seen(std::vector<std::string>& notes, BodyFrequency const& f, HazardCurve const& hazard) {
     constexpr double nearly_all = 0.75;
+    if (!f.mean && f.seen_below_curve > much * f.seen.upper) {
+        notes.push_back(fmt::format(
+            "{:.2g} of the upper end is motions below {}, where the hazard curve begins, by its "
+            "first slope{}. State the hazard curve from lower on",
+            f.seen_below_curve, hazard_text(hazard, hazard.first()), f.nothing_below > 0 ? "" : " up to one a year"));
+    } else if (!f.mean && f.nothing_below < hazard.first()) {
+        notes.push_back(fmt::format("motions below {}, where the hazard curve begins, are not counted",
+                                    hazard_text(hazard, hazard.first())));
+    }
     if (f.seen_below_levels > nearly_all * f.seen.upper) {
         notes.push_back(
             fmt::format("{:.2g} of the {:.2g} that the stripes alone allow is by motions weaker than all "
@@ -113,7 +122,7 @@ std::vector<std::string> frequency_notes(BodyFrequency const& f, HazardCurve con
         add_mean(notes, f, hazard);
         add_trust(notes, f);
     }
-    add_seen(notes, f);
+    add_seen(notes, f, hazard);
     return notes;
 }
 

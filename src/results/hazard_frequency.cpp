@@ -16,14 +16,16 @@ LognormalFragility curve_of(Replicate const& refit, double beside) {
 }
 
 // Of the upper end of a motion's frequency, where nothing is known of a refit's curve.
-double all_motions(HazardCurve const& hazard) { return hazard.points().front().annual_exceedance; }
+double all_motions(HazardCurve const& hazard, TriedRange const& tried) {
+    return from_lower_on(hazard, tried).points().front().annual_exceedance;
+}
 
 // Refits without a curve bound nothing: neither how often it is passed nor how seldom.
 Interval interval_of(std::span<Replicate const> refits, double beside, HazardCurve const& hazard,
                      TriedRange const& tried, double confidence) {
     std::vector<double> low;
     std::vector<double> high;
-    double const all = all_motions(hazard);
+    double const all = all_motions(hazard, tried);
     std::size_t open = 0;
     for (auto const& refit : refits) {
         if (std::isnan(refit.log_median) || std::isnan(refit.beta)) {
@@ -46,7 +48,7 @@ Interval interval_of_fit(FragilityFit const& fit, HazardCurve const& hazard, Tri
     double const beside = std::sqrt(std::max(0.0, fit.beta_u * fit.beta_u - fit.beta_u_drawn * fit.beta_u_drawn));
     auto ends = interval_of(fit.refits, beside, hazard, tried, confidence);
     for (auto const& refits : fit.extreme_refits) {
-        ends = hull(ends, refits.empty() ? Interval{0, all_motions(hazard)}
+        ends = hull(ends, refits.empty() ? Interval{0, all_motions(hazard, tried)}
                                          : interval_of(refits, beside, hazard, tried, confidence));
     }
     return ends;
@@ -120,12 +122,15 @@ BodyFrequency frequency_of(FragilityFit const& fit, FragilityData const& stripes
     made.nothing_below = nothing_below;
     made.lowest = fit.lowest;
     made.highest = fit.highest;
-    auto const seen = [&](double none_up_to) {
-        return hull(annual_frequency_seen(hazard, with_undecided(stripes, false), confidence, none_up_to),
-                    annual_frequency_seen(hazard, with_undecided(stripes, true), confidence, none_up_to));
+    auto const seen = [&](HazardCurve const& over, double none_up_to) {
+        return hull(annual_frequency_seen(over, with_undecided(stripes, false), confidence, none_up_to),
+                    annual_frequency_seen(over, with_undecided(stripes, true), confidence, none_up_to));
     };
-    made.seen = seen(nothing_below);
-    made.seen_below_levels = made.seen.upper - seen(std::max(nothing_below, fit.lowest)).upper;
+    auto const from_lower = from_lower_on(hazard, {fit.lowest, fit.highest, nothing_below});
+    auto const as_stated = seen(hazard, nothing_below);
+    made.seen = {as_stated.lower, std::max(as_stated.upper, seen(from_lower, nothing_below).upper)};
+    made.seen_below_curve = made.seen.upper - as_stated.upper;
+    made.seen_below_levels = made.seen.upper - seen(from_lower, std::max(nothing_below, fit.lowest)).upper;
     if (!fit.identifiable()) {
         return made;
     }

@@ -36,10 +36,13 @@ struct BodyFrequency {
         double low = 0, median = 0, high = 0;
     };
     std::optional<Fractiles> fractiles;
-    Interval seen;                          ///< from the stripes alone (annual_frequency_seen), likewise
-    double nothing_below = 0;               ///< intensity up to which no motion moves the body, if known [SI]
-    double lowest = 0, highest = 0;         ///< intensities that were tried [SI]
-    double seen_below_levels = 0;           ///< of the upper end of `seen`: by motions weaker than all levels
+    /// From the stripes alone (annual_frequency_seen), likewise; the upper end with the hazard continued
+    /// (from_lower_on)
+    Interval seen;
+    double nothing_below = 0;        ///< intensity up to which no motion moves the body, if known [SI]
+    double lowest = 0, highest = 0;  ///< intensities that were tried [SI]
+    double seen_below_curve = 0;     ///< of the upper end of `seen`: by motions weaker than the hazard curve's first
+    double seen_below_levels = 0;    ///< of the upper end of `seen`: by motions weaker than all levels
     std::optional<FrequencyShares> shares;  ///< of the mean: below, between and above the levels that were tried
     bool stated = false;                    ///< no trials: the curve is stated, and `interval` bounds the hazard alone
 

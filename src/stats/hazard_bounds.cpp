@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <gsl/gsl_cdf.h>
 
@@ -82,6 +83,23 @@ FrequencyBounds frequency_bounds(HazardCurve const& hazard, LognormalFragility c
         fragility.probability(bottom) * (hazard.annual_exceedance(start) - hazard.annual_exceedance(bottom));
     bounds.weaker_most = weaker(hazard, fragility, tried.nothing_below);
     return bounds;
+}
+
+HazardCurve from_lower_on(HazardCurve const& hazard, TriedRange const& tried) {
+    auto const& first = hazard.points()[0];
+    double const k = slope_between(first, hazard.points()[1]);
+    constexpr double weak = 1e-3;
+    double from = tried.nothing_below;
+    if (from == 0 && tried.lowest < first.intensity) {
+        double const yearly = k > 0 ? first.intensity * std::pow(first.annual_exceedance, 1 / k) : 0;
+        from = std::min(std::max(yearly, weak * tried.lowest), tried.lowest);
+    }
+    if (!(from > 0 && from < first.intensity)) {
+        return hazard;
+    }
+    auto points = hazard.points();
+    points.insert(points.begin(), {from, first.annual_exceedance * std::pow(from / first.intensity, -k)});
+    return HazardCurve(std::move(points), hazard.stated(), hazard.remarks());
 }
 
 double continued_frequency(HazardCurve const& hazard, LognormalFragility const& fragility) {

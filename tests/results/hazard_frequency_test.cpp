@@ -300,6 +300,29 @@ class OfUndecided : public Frequency {
     }
 };
 
+// without a curve, what lies below the first point of a hazard curve that begins amid the levels counts in the
+// upper end as it would with the whole curve, or more; the lower end stays.
+TEST(FrequencyWithoutACurve, AHazardThatBeginsLateCountsWhatIsWeaker) {
+    HazardCurve const whole({{0.05, 0.1}, {0.3, 7.5e-4}, {0.6, 1e-4}, {2, 1e-6}});
+    HazardCurve const late({{0.6, 1e-4}, {2, 1e-6}});
+    for (bool const all : {true, false}) {
+        std::vector<Stripe> stripes;
+        for (double const level : {0.3, 0.6, 0.9}) {
+            stripes.push_back({.amplitude = level, .trials = 40, .overturned = all ? 40 : 0});
+        }
+        auto const data = FragilityData::of_stripes(stripes);
+        auto const fit = fit_fragility(data, {});
+        auto const known = frequency_of(fit, data, whole, 0.95, 0);
+        auto const bounded = frequency_of(fit, data, late, 0.95, 0);
+        ASSERT_FALSE(bounded.mean);
+        EXPECT_GE(bounded.seen.upper, known.seen.upper) << all;
+        EXPECT_LE(bounded.seen.lower, known.seen.lower) << all;
+        EXPECT_GT(bounded.seen_below_curve, 0.5 * bounded.seen.upper);
+        auto const notes = output::frequency_notes(bounded, late);
+        EXPECT_NE(notes.front().find("where the hazard curve begins"), std::string::npos) << notes.front();
+    }
+}
+
 TEST(FrequencyOfUndecided, HoldsBothExtremes) {
     HazardCurve const hazard({{0.5, 1e-2}, {50, 1e-8}});
     auto const open = OfUndecided(Verdict::contact_lost).of(hazard);

@@ -100,5 +100,23 @@ TEST(FrequencyBounds, AStraightLineThatDecidesIsNumbered) {
     EXPECT_FALSE(widest_piece(fine, fragility).has_value());
 }
 
+// Towards weaker motions a hazard curve goes on at its first slope: down to where nothing moves, or, where it begins
+// amid the levels, down to one motion a year, or to the lowest level.
+TEST(FrequencyBounds, AHazardThatBeginsAmidTheLevelsGoesOn) {
+    EXPECT_EQ(from_lower_on(of_two, {1, 3, 0}).points().size(), 2U);  // it begins below the levels
+    auto const yearly = from_lower_on(of_two, {0.4, 3, 0});
+    EXPECT_NEAR(yearly.first(), 0.1, 1e-12);  // 1e-3 / 0.1^3 is one a year
+    EXPECT_NEAR(yearly.points().front().annual_exceedance, 1, 1e-12);
+    auto const lowest = from_lower_on(of_two, {0.05, 3, 0});
+    EXPECT_NEAR(lowest.first(), 0.05, 1e-12);
+    EXPECT_NEAR(lowest.points().front().annual_exceedance, 8, 1e-12);
+    auto const known = from_lower_on(of_two, {1, 3, 0.25});
+    EXPECT_NEAR(known.first(), 0.25, 1e-12);
+    EXPECT_NEAR(known.points().front().annual_exceedance, 64e-3, 1e-12);
+    EXPECT_EQ(from_lower_on(of_two, {0.4, 3, 0.6}).points().size(), 2U);
+    HazardCurve const flat({{0.1, 8e-3}, {0.5, 8e-3}, {4, 8e-3 / 512}});
+    EXPECT_NEAR(from_lower_on(flat, {0.05, 1, 0}).points().front().annual_exceedance, 8e-3, 1e-15);
+}
+
 }  // namespace
 }  // namespace overturn
