@@ -284,6 +284,13 @@ std::unique_ptr<WaveSource> make_records(config::Table const& waves, InputFiles&
     if (records.empty()) {
         waves.fail(waves.has("files") ? "files" : "records", "no record (the list is empty). Name at least one file");
     }
+    if (auto const same = files.are_before_format_5() ? std::nullopt : same_motion_twice(records)) {
+        waves.fail(
+            waves.has("files") ? "files" : "records",
+            fmt::format("records {} and {} are one motion (counted twice it makes intervals too short). Leave one "
+                        "out",
+                        same->first + 1, same->second + 1));
+    }
     return recorded_waves(std::move(records));
 }
 

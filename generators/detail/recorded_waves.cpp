@@ -1,8 +1,11 @@
 #include "generators/detail/recorded_waves.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <span>
 #include <string_view>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -47,6 +50,23 @@ class Records : public WaveSource {
 };
 
 }  // namespace
+
+std::optional<std::pair<std::size_t, std::size_t>> same_motion_twice(std::span<Record const> records) {
+    auto const key = [](Record const& record) {
+        return std::tie(record.motion.time_step_s, record.motion.horizontal_mps2, record.motion.transverse_mps2,
+                        record.motion.vertical_mps2);
+    };
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        if (records[i].withheld.empty()) {
+            order.push_back(i);
+        }
+    }
+    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return key(records[a]) < key(records[b]); });
+    auto const same = std::ranges::adjacent_find(
+        order, [&](std::size_t a, std::size_t b) { return key(records[a]) == key(records[b]); });
+    return same == order.end() ? std::nullopt : std::optional(std::pair(*same, *std::next(same)));
+}
 
 std::unique_ptr<WaveSource> recorded_waves(std::vector<Record> records) {
     return std::make_unique<Records>(std::move(records));

@@ -216,5 +216,22 @@ TEST(Records, AreResampledToAStatedStep) {
     EXPECT_EQ(same->make(1, 0).label, "a.csv");
 }
 
+// one motion under two names, or twice under one, is one motion; a file of before is read as it was.
+TEST(Records, OneMotionTwiceIsRefused) {
+    auto twice = files;
+    twice["copy.csv"] = files.at("a.csv");
+    for (char const* list : {"['a.csv','b.csv','a.csv']", "['a.csv','b.csv','copy.csv']"}) {
+        expect_input_error(
+            [&] { (void)source_of(fmt::format("source='records'\nfiles={}\nunit='gal'\n", list), twice); },
+            "records 1 and 3 are one motion");
+    }
+    EXPECT_EQ(source_of("source='records'\n[[records]]\nhorizontal='a.csv'\nunit='gal'\n[[records]]\n"
+                        "horizontal='a.csv'\nunit='gal'\nscale=2\n",
+                        twice)
+                  ->about()
+                  .available,
+              2U);
+}
+
 }  // namespace
 }  // namespace overturn
