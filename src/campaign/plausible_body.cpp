@@ -175,7 +175,7 @@ constexpr std::array body_ranges{
     OfBody{&ratio_of_models, 0.8, 15, &ratio_said, "models of casks 1.5 to 3, slender test blocks 7 to 13", swapped},
     OfBody{&of_housner, 0.7, 1.6, &restitution_said, "measured: 0.9 to 1.3 of it",
            "State another, or \"housner\": one too low takes energy that a real body keeps"},
-    OfBody{&friction, 0.05, 1.2, &friction_said, "steel on concrete 0.2 to 0.8", "Check it"},
+    OfBody{&friction, 0.15, 1.2, &friction_said, "steel on concrete 0.2 to 0.8", "Check it"},
     OfBody{&kinetic_share, 0.5, 1, &kinetic_said, "0.7 to 1", "Check it"},
     OfBody{&gravity, 9.7, 9.9, &gravity_said, "9.78 to 9.83 on Earth", its_unit},
     OfBody{&model_length, 0.02, 1, &length_said, "a model over its prototype, 1/10 to 1/2", "Check direction, and it"},

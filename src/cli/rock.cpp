@@ -100,6 +100,14 @@ void print_text(BodySpec const& spec, PlacedRecord const& record, Drift const& d
                b.alpha_rad() * 180 / pi, b.p_radps(), b.restitution(), b.uplift_acceleration_mps2(),
                unit.text(b.limit_velocity_mps()));
     fmt::print("read as          {}\n", record.read_as());
+    for (auto const& claim : record.claims) {
+        if (claim.starts_with("left out: ")) {
+            fmt::print("left out         {}\n", claim.substr(claim.find(' ', claim.find(':')) + 1));
+        }
+    }
+    for (auto const& line : record.unread) {
+        fmt::print("not understood   {}\n", line);
+    }
     fmt::print("wave             {}{}\n", drift.text(),
                drift.any_excessive() ? ": its baseline drifts, correct it with --baseline" : "");
     fmt::print("verdict          {}\n", entry_of(r.verdict).name);

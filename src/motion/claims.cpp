@@ -12,6 +12,7 @@
 #include "motion/detail/claimed_unit.hpp"
 #include "motion/detail/quantity_words.hpp"
 #include "motion/detail/record_readers.hpp"
+#include "motion/telling_words.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn {
@@ -88,8 +89,8 @@ bool Claims::take_unit(std::string const& lower, int number) {
         found = true;
         one ? (void)(of_peak = unit) : unit_.take(unit, number);
     });
-    if (auto const peak = peak_in(lower)) {
-        peaks_.push_back({*peak, of_peak, number});
+    if (auto const peak = peak_in(lower, of_)) {
+        peaks_.push_back({peak->value, peak->unit ? peak->unit : of_peak, number});
         return true;
     }
     if (!found && !one && !is_provenance(lower)) {
@@ -112,7 +113,7 @@ std::string_view Claims::other_than_own(Quantity quantity) const {
 }
 
 /// "velocity in cm/s", "displacement (cm)", "FLOAT, M/S", "units: counts".
-bool Claims::take_other_quantity(std::string const& lower, int number) {
+bool Claims::take_other_quantity(Text line, std::string const& lower, int number) {
     if (is_of_one_value(lower) || holds(lower, "wave velocity") || holds(lower, "shear wave")
         || holds(lower, "shear-wave") || holds(lower, "shear vel")) {
         return false;
@@ -145,6 +146,8 @@ bool Claims::take_other_quantity(std::string const& lower, int number) {
         other_line_ = number;
         other_ = found;
         other_of_several_ = of_several;
+        other_unit_ = !counts && !of_several && !is_provenance(lower);
+        other_said_ = fmt::format("line {}: {}", number, in_quotes(trimmed(line)));
     }
     return true;
 }
@@ -160,9 +163,30 @@ bool Claims::take_components(std::string_view line, std::string const& lower, in
             components_ = found;
             components_line_ = number;
         }
-        return !found.empty();
+        if (!found.empty()) {
+            return true;
+        }
     }
-    return false;
+    auto const vertical = vertical_alone_in(lower);
+    if (!vertical.empty() && components_.empty()) {
+        components_ = {vertical};
+        components_line_ = number;
+    }
+    return !vertical.empty();
+}
+
+// Is there a word that may change what the numbers are, and that nothing of the line accounts for?
+bool Claims::tells_more(std::string const& lower, bool component, bool quantity, bool step) const {
+    bool const other = of_ == Dimension::acceleration && !quantity && tells_other_quantity(lower);
+    bool const hertz = !step && tells_rate(lower);
+    return other || hertz || tells_factor(lower) || tells_statistic(lower) || tells_other_span(lower)
+           || (!component && tells_vertical(lower));
+}
+
+std::vector<std::string> Claims::unread() const {
+    auto all = telling_;
+    all.insert(all.end(), unread_.begin(), unread_.end());
+    return all;
 }
 
 void Claims::take(std::span<TextLine const> lines, int names_line) {
@@ -179,9 +203,11 @@ void Claims::take(std::string_view line, int number) {
     }
     auto const lower = lowered(line);
     bool understood = take_unit(lower, number);
-    understood = take_other_quantity(lower, number) || understood;
-    understood = take_components(line, lower, number) || understood;
-    if (auto const step = step_in(lower)) {
+    bool const other = take_other_quantity(line, lower, number);
+    bool const component = take_components(line, lower, number);
+    understood = understood || other || component;
+    auto const step = step_in(lower);
+    if (step) {
         step_.take(*step, number);
         understood = true;
     }
@@ -197,9 +223,11 @@ void Claims::take(std::string_view line, int number) {
         accelerations_ = true;
         understood = true;
     }
-    bool const qualified = holds(lower, "normali") || holds(lower, "relative");
-    if (qualified || (!understood && !is_provenance(lower))) {
-        unread_.push_back(fmt::format("line {}: {}", number, in_quotes(trimmed(line))));
+    auto const said_so = fmt::format("line {}: {}", number, in_quotes(trimmed(line)));
+    if (tells_more(lower, component, other, step.has_value())) {
+        telling_.push_back(said_so);
+    } else if (!understood && !is_provenance(lower)) {
+        unread_.push_back(said_so);
     }
 }
 

@@ -46,8 +46,13 @@ class Claims {
 
     /// "line 10: m/s2", for each claim that is used.
     [[nodiscard]] std::vector<std::string> used() const;
-    /// "line 3: 'Station X'", for each line that claims nothing known.
-    [[nodiscard]] std::vector<std::string> const& unread() const { return unread_; }
+    /// "line 3: 'Station X'", for each line that claims nothing known, and each in which a word that may change what
+    /// the numbers are ("vertical", "scaled by", "velocity") leads to no claim. The latter come first.
+    [[nodiscard]] std::vector<std::string> unread() const;
+    /// The latter alone.
+    [[nodiscard]] std::vector<std::string> const& telling() const { return telling_; }
+    /// The line that calls numbers something else which their names call accelerations; empty: none.
+    [[nodiscard]] std::string beside_names() const { return named_ ? other_said_ : std::string(); }
 
     /// The unit of numbers whose names say `named` and whose user says `stated`; nothing if neither these nor the text
     /// say one. \param names where these stand \param advice where the stated unit contradicts the file
@@ -66,7 +71,9 @@ class Claims {
     /// \throws InputError unless one of these counts of values is the one that is claimed, if any is
     void check_count(std::span<std::size_t const> counts, std::string const& file) const;
     /// \throws InputError if a peak is claimed that the peaks meet only in another unit: 100 or 981 times as much
-    void check_peaks(std::span<double const> peaks_mps2, double unit_mps2, std::string const& file) const;
+    /// \return the lines whose peak is none of these in any unit
+    [[nodiscard]] std::vector<std::string> check_peaks(std::span<double const> peaks_mps2, double unit_mps2,
+                                                       std::string const& file) const;
 
   private:
     struct Claim {
@@ -83,8 +90,9 @@ class Claims {
     /// What a quantity is called that is not the numbers' own; empty if it is, or is none.
     [[nodiscard]] std::string_view other_than_own(Quantity quantity) const;
     [[nodiscard]] bool take_unit(std::string const& lower, int number);
-    [[nodiscard]] bool take_other_quantity(std::string const& lower, int number);
+    [[nodiscard]] bool take_other_quantity(std::string_view line, std::string const& lower, int number);
     [[nodiscard]] bool take_components(std::string_view line, std::string const& lower, int number);
+    [[nodiscard]] bool tells_more(std::string const& lower, bool component, bool quantity, bool step) const;
 
     Dimension of_;
     Claim unit_, step_, count_;
@@ -94,12 +102,14 @@ class Claims {
     int other_line_ = 0;  ///< that calls the numbers velocities, displacements or counts; 0: none
     std::string other_;
     bool other_of_several_ = false;  ///< in a line that names such a quantity, perhaps beside accelerations
-    bool spectrum_ = false;          ///< of accelerations, which their unit tells nothing of
+    bool other_unit_ = false;        ///< as that line's unit says, and it is not on where or when
+    std::string other_said_;
+    bool spectrum_ = false;  ///< of accelerations, which their unit tells nothing of
     bool named_ = false;
     bool accelerations_ = false;
     std::vector<std::string> components_;
     int components_line_ = 0;
-    std::vector<std::string> unread_;
+    std::vector<std::string> telling_, unread_;
 };
 
 /// For one line of a message: " (not understood: line 3: 'x'; line 5: 'y')"; empty if there is no such line.

@@ -37,7 +37,7 @@ void Claims::check(RecordRequest const& request) const {
     bool const other = other_line_ > 0 && !beside_accelerations && (!unit_.value || spectrum_);
     if (unit_.value && !other) {
         check_stated_unit(request, *unit_.value, {request.name, unit_.line});
-    } else if (other) {
+    } else if (other || (named_ && other_unit_ && !unit_.value)) {
         throw InputError({request.name, other_line_},
                          fmt::format("{}, says the text (accelerations are read). Take the accelerations of the same "
                                      "record, or mend the text",
@@ -89,7 +89,9 @@ void Claims::check_count(std::span<std::size_t const> counts, std::string const&
     }
 }
 
-void Claims::check_peaks(std::span<double const> peaks_mps2, double unit_mps2, std::string const& file) const {
+std::vector<std::string> Claims::check_peaks(std::span<double const> peaks_mps2, double unit_mps2,
+                                             std::string const& file) const {
+    std::vector<std::string> unmet;
     constexpr double printed = 0.01;
     constexpr std::array confused{9.80665, 980.665, 100.0, 1000.0, 9806.65};
     for (auto const& peak : peaks_) {
@@ -109,7 +111,10 @@ void Claims::check_peaks(std::span<double const> peaks_mps2, double unit_mps2, s
                                              claimed, std::ranges::max(peaks_mps2), factor));
             }
         }
+        unmet.push_back(fmt::format("line {}: a peak of {:.4g} m/s2, the numbers have {:.4g} m/s2", peak.line, claimed,
+                                    std::ranges::max(peaks_mps2)));
     }
+    return unmet;
 }
 
 }  // namespace overturn

@@ -119,6 +119,22 @@ void state_unit(RecordRequest& request, std::string_view text) {
     validate(*request.unit_mps2 > 0 && std::isfinite(*request.unit_mps2), "{} (must be above 0). Mend it", plain);
 }
 
+/// \throws InputError at a record about 1 g: of a sensor that reads the weight too, and which way is not told
+void check_without_gravity(RecordComponent const& component, Location const& where) {
+    constexpr double near = 0.05;
+    double sum = 0;
+    for (double const value : component.acceleration_mps2) {
+        sum += value;
+    }
+    double const mean_g = sum / static_cast<double>(component.acceleration_mps2.size()) / g0;
+    if (std::abs(std::abs(mean_g) - 1) < near) {
+        throw InputError(where,
+                         fmt::format("component '{}' about {:+.3g} g (its sensor reads gravity too, or the unit is "
+                                     "wrong). Take the mean off, then give it with its direction",
+                                     component.name, mean_g));
+    }
+}
+
 Recording read_recording(std::string_view content, RecordRequest const& request) {
     Location const file{request.name};
     if (trimmed(content).empty()) {
@@ -143,6 +159,7 @@ Recording read_recording(std::string_view content, RecordRequest const& request)
     recording.format = format.name;
     for (auto const& component : recording.components) {
         check_believable_peak(component.acceleration_mps2, file);
+        check_without_gravity(component, file);
     }
     return recording;
 }

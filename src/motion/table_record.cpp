@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -139,14 +140,19 @@ void account_for(TextTable const& table, TableColumns const& columns, Claims con
         recording.claims.push_back(fmt::format("left out: {}", fmt::join(columns.left_out, ", ")));
     }
     recording.unread = claims.unread();
+    auto const other = claims.beside_names();
+    if (!other.empty() && std::ranges::find(recording.unread, other) == recording.unread.end()) {
+        recording.unread.insert(recording.unread.begin(), other);
+    }
 }
 
-void check_peaks(Recording const& recording, Claims const& claims, std::string const& file) {
+// Behind account_for.
+void check_peaks(Recording& recording, Claims const& claims, std::string const& file) {
     std::vector<double> peaks;
     for (auto const& component : recording.components) {
         peaks.push_back(peak_of(component.acceleration_mps2));
     }
-    claims.check_peaks(peaks, recording.unit_mps2, file);
+    std::ranges::move(claims.check_peaks(peaks, recording.unit_mps2, file), std::back_inserter(recording.unread));
 }
 
 bool has_times_first(TextTable const& table) {
@@ -179,8 +185,8 @@ Recording list_of(TextTable& table, TableColumns columns, RecordRequest const& r
         value *= recording.unit_mps2;
     }
     recording.components.push_back({role.name, role.component.direction, std::move(values)});
-    check_peaks(recording, claims, request.name);
     account_for(table, columns, claims, recording);
+    check_peaks(recording, claims, request.name);
     return recording;
 }
 
@@ -200,8 +206,8 @@ Recording columns_of(TextTable& table, TableColumns columns, RecordRequest const
         }
         recording.components.push_back({role.name, role.component.direction, std::move(table.column[column])});
     }
-    check_peaks(recording, claims, request.name);
     account_for(table, columns, claims, recording);
+    check_peaks(recording, claims, request.name);
     return recording;
 }
 

@@ -14,6 +14,7 @@
 #include "motion/column_unit.hpp"
 #include "motion/openquake.hpp"
 #include "motion/pair_table.hpp"
+#include "motion/telling_words.hpp"
 #include "motion/text_lines.hpp"
 #include "results/detail/unusual_hazard.hpp"
 
@@ -40,7 +41,9 @@ void check_measure(PairTable const& table, HazardAxis const& axis, Location cons
 
 // A frequency in a year by any of its usual names, with its unit in brackets or none.
 bool is_annual_frequency(std::string_view name) {
-    constexpr std::array<std::string_view, 10> names{"annual exceedance",
+    constexpr std::array<std::string_view, 12> names{"annual exceedance",
+                                                     "annual rate",
+                                                     "annual frequency",
                                                      "annual exceedance frequency",
                                                      "annual exceedance rate",
                                                      "annual frequency of exceedance",
@@ -169,6 +172,23 @@ Claims claims_of(PairTable const& table, Dimension dimension, std::string const&
     return claims;
 }
 
+// Lines on the hazard that say more of it than a reader of a mean annual curve expects: "median", "per century", "x
+// 10", "of the vertical component", "for Sa(1 s)" above another measure.
+std::vector<std::string> more_of_hazard(PairTable const& table, HazardAxis const& axis, Claims const& claims) {
+    auto lines = claims.unread();
+    for (auto const& line : table.text) {
+        auto const lower = lowered(line.text);
+        bool const another = lower.find("sa(") != std::string::npos && !axis.label.starts_with("sa");
+        bool const told = tells_statistic(lower) || tells_other_span(lower) || tells_factor(lower)
+                          || tells_vertical(lower) || lower.find('%') != std::string::npos || another;
+        auto said = fmt::format("line {}: {}", line.number, in_quotes(trimmed(line.text)));
+        if (told && std::ranges::find(lines, said) == lines.end()) {
+            lines.insert(lines.begin(), std::move(said));
+        }
+    }
+    return lines;
+}
+
 // The unit that the first column's name or the text states, none of a pure number.
 IntensityUnit unit_of(PairTable const& table, HazardAxis const& axis, Claims const& claims, Location const& where) {
     if (axis.dimension == Dimension::none) {
@@ -292,7 +312,7 @@ HazardCurve parse_hazard(std::string_view content, std::string const& name, Haza
     HazardCurve const hazard(std::move(points), std::move(unit), std::move(cut.remarks));
     check_overlap(hazard, axis, where);
     std::ranges::copy(hazard.remarks(), std::back_inserter(remarks));
-    if (auto const text = not_understood(claims.unread()); !text.empty()) {
+    if (auto const text = not_understood(more_of_hazard(table, axis, claims)); !text.empty()) {
         remarks.push_back(name + text);
     }
     std::ranges::move(unusual_hazard(hazard, axis, axis.label.empty() ? measure_in(table.first_name) : axis.label),

@@ -76,5 +76,20 @@ TEST(HazardNames, EveryLineOfTextIsAccountedFor) {
     EXPECT_EQ(told[0], "h.csv (not understood: line 1: '# of Smith, model 7b')");
 }
 
+// what a line says of a curve that is no mean annual one of this measure is a note.
+TEST(HazardNames, WordsThatChangeACurveAreNotes) {
+    auto const remarks = [](std::string const& comment) {
+        return parse_hazard(comment + "\npga [g], annual_exceedance\n0.1,1e-2\n1,1e-5\n", "h.csv", over_pga).remarks();
+    };
+    for (char const* text : {"# median hazard", "# hazard, 16 % fractile", "# monthly hazard",
+                             "# seismic hazard: rate per century", "# hazard x 1000", "# hazard for Sa(1 s)",
+                             "# hazard of the vertical component", "# Hazard: best estimate minus one sigma"}) {
+        auto const noted = remarks(text);
+        ASSERT_EQ(noted.size(), 1U) << text;
+        EXPECT_NE(noted.front().find("not understood: line 1"), std::string::npos) << noted.front();
+    }
+    EXPECT_TRUE(remarks("# mean hazard").empty());
+}
+
 }  // namespace
 }  // namespace overturn

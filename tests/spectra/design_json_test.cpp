@@ -31,6 +31,17 @@ TEST(DesignJson, NoUnitIsGuessed) {
     EXPECT_EQ(table_of_design_json(R"({"spectrum": [[0.1, 2], [1, 1]]})", "d.json", ""), "T (s),Sa\n0.1,2\n1,1\n");
 }
 
+// R-104: units and damping that stand anywhere in it are text of the table, for its reader to hold against the rest.
+TEST(DesignJson, UnitsAndDampingArePassedOn) {
+    EXPECT_EQ(table_of_design_json(R"({"units": "cm/s2", "damping": 0.02, "lengthUnits": "deg",
+"spectrum": [[0.1, 2], [1, 1]]})",
+                                   "d.json", ""),
+              "# units: cm/s2\n# damping 0.02\nT (s),Sa\n0.1,2\n1,1\n");
+    EXPECT_EQ(
+        table_of_design_json(R"({"meta": {"dampingRatio": "5 %"}, "spectrum": [[0.1, 2], [1, 1]]})", "d.json", ""),
+        "# damping 5 %\nT (s),Sa\n0.1,2\n1,1\n");
+}
+
 // R-104: several spectra, none, another name, a file that is cut.
 TEST(DesignJson, WhatIsNotCertainIsRefused) {
     auto const refuse = [](std::string const& text, std::string const& part, std::string const& why) {

@@ -45,7 +45,7 @@ TEST(DesignPart, WhatIsNotCertainIsRefused) {
     auto const refuse = [](std::string const& text, std::string const& part, std::string const& why) {
         expect_input_error([&] { (void)table_of_one_ordinate(text, "d.csv", part); }, "d.csv:", why);
     };
-    refuse(design, "", "2: 2 ordinates: SaDesign (g), SaMCER (g) (which is meant?). State part = \"SaDesign (g)\"");
+    refuse(design, "", "2: 2 ordinates: SaDesign (g), SaMCER (g) (which is meant?). State part = ");
     refuse(design, "Sa", "2: 2 ordinates: SaDesign, SaMCER ('Sa' is not one of them alone)");
     refuse("T,Sa (g),Sa (gal)\n1,2,3\n", "Sa", "1: 2 ordinates: Sa, Sa ('Sa' is not one of them alone)");
     refuse("T,Sa (g),Sv (m/s)\n1,2,3\n2,3\n", "Sv", "3:3: 2 columns (the header has 3)");

@@ -152,6 +152,7 @@ constexpr std::array keys{Key{"time increment"},
                           Key{"intervals of"},
                           Key{"points at"},
                           Key{"delta t"},
+                          Key{"delta"},
                           Key{"deltat"},
                           Key{"dt"},
                           Key{"sampling rate", true},
@@ -162,6 +163,7 @@ constexpr std::array keys{Key{"time increment"},
                           Key{"digitized at", true},
                           Key{"digitised at", true},
                           Key{"sampled at", true},
+                          Key{"fs", true},
                           Key{"sampling:", true},
                           Key{"interval:"},
                           Key{"intervalo de muestreo"},
@@ -264,7 +266,7 @@ std::optional<std::size_t> count_in(std::string line) {
     return std::nullopt;
 }
 
-std::optional<double> peak_in(Text line) {
+std::optional<ClaimedPeak> peak_in(Text line, Dimension dimension) {
     constexpr std::array keys_of_peaks{"pga",     "peak ground acceleration", "peak acceleration", "max. acc",
                                        "max acc", "maximum acceleration",     "peak value"};
     for (Text const key : keys_of_peaks) {
@@ -273,14 +275,13 @@ std::optional<double> peak_in(Text line) {
             continue;
         }
         auto const colon = line.find_first_of(":=", at);
-        if (colon == Text::npos) {
-            continue;
-        }
-        auto behind = trimmed(line.substr(colon + 1));
-        behind = behind.substr(0, behind.find_first_of(" \t,;"));
+        auto behind = trimmed(line.substr(colon == Text::npos ? at + key.size() : colon + 1));
+        auto const number = behind.substr(0, behind.find_first_of(" \t,;"));
         double value = 0;
-        if (parse_number(behind, value) && value != 0) {
-            return std::abs(value);
+        if (parse_number(number, value) && value != 0) {
+            behind = trimmed(behind.substr(number.size()));
+            auto const unit = behind.substr(0, behind.find_first_of(" \t,;)]"));
+            return ClaimedPeak{std::abs(value), unit_spelled(unit, dimension)};
         }
     }
     return std::nullopt;

@@ -22,8 +22,13 @@ void each_unit(std::string_view line, Dimension dimension, std::function<void(do
 /// "npts: 2500", "NUMBER OF DATA : 3000", "3000 samples"
 [[nodiscard]] std::optional<std::size_t> count_in(std::string line);
 
-/// "PGA (gal): 13.2", "peak value: 53.138": in the unit of the line, or of the numbers. Its sign is left out.
-[[nodiscard]] std::optional<double> peak_in(std::string_view line);
+struct ClaimedPeak {
+    double value = 0;                 ///< without its sign
+    std::optional<double> unit = {};  ///< SI value of the one behind it
+};
+/// "PGA (gal): 13.2", "peak value: 53.138", "PGA = 300 gal", "pga 0.3 g": in the unit behind it, else in that of the
+/// line, or of the numbers.
+[[nodiscard]] std::optional<ClaimedPeak> peak_in(std::string_view line, Dimension dimension);
 
 /// Does it hold the word, or the words, as such?
 [[nodiscard]] bool holds_word(std::string_view line, std::string_view word);

@@ -43,11 +43,15 @@ std::vector<Text> in_brackets(Text line) {
 
 /// Behind "unit", "units of", "unit =".
 Text behind_key(Text line) {
-    auto const at = line.find("unit");
+    Text key = "unit";
+    for (Text const other : {"einheit", "unidad", "unit\xC3\xA9"}) {
+        key = line.find(other) != Text::npos ? other : key;
+    }
+    auto const at = line.find(key);
     if (at == Text::npos || (at > 0 && is_letter(line[at - 1]))) {
         return {};
     }
-    auto rest = line.substr(at + Text("unit").size());
+    auto rest = line.substr(at + key.size());
     rest = rest.substr(rest.starts_with('s') ? 1 : 0);
     bool const said = !rest.empty() && Text(" :=").find(rest.front()) != Text::npos;
     rest = without_edges(rest);

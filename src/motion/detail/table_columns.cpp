@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "motion/detail/claimed_columns.hpp"
 #include "motion/detail/motion_look.hpp"
 #include "motion/text_lines.hpp"
 
@@ -39,6 +40,8 @@ class Placing {
         for (std::size_t i = 0; i < words.size(); ++i) {
             take_stated(i, lowered(trimmed(words[i])));
         }
+        check_each_once(words, where_, how_to_state(request_, table_.columns()));
+        take_claimed_component(columns_, claims_, request_.name);
     }
 
     void as_named() {
@@ -64,6 +67,7 @@ class Placing {
                 refuse(i);
             }
         }
+        take_claimed_component(columns_, claims_, request_.name);
         check_letters();
         check_told();
     }

@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "motion/detail/quantity_words.hpp"
 #include "motion/detail/table_columns.hpp"
 #include "motion/text_lines.hpp"
 
@@ -19,6 +20,21 @@ std::size_t known_of(std::vector<ColumnRole> const& roles) {
 std::vector<ColumnRole> roles_of(std::vector<std::string> const& names) {
     std::vector<ColumnRole> roles;
     std::ranges::transform(names, std::back_inserter(roles), [](auto const& name) { return column_role(name); });
+    // "BHZ,BHN,BHE [m/s2]": what one of a seismometer's channels is by its unit, the others without one are.
+    auto const is_channel = [](ColumnRole const& role) {
+        constexpr std::size_t letters = 3;
+        return quantity_in_name(role.name.substr(0, letters)) == Quantity::velocity
+               && unit_decides(role.name.substr(0, letters))
+               && (role.name.size() == letters || std::string_view(" [(_").find(role.name[letters]) != Text::npos);
+    };
+    bool const accelerations = std::ranges::any_of(
+        roles, [&](ColumnRole const& role) { return is_channel(role) && role.quantity == Quantity::acceleration; });
+    for (auto& role : roles) {
+        bool const without_unit = !role.unit && role.unknown_unit.empty();
+        if (accelerations && without_unit && is_channel(role)) {
+            role.quantity = Quantity::unknown;
+        }
+    }
     return roles;
 }
 

@@ -15,8 +15,11 @@ namespace {
 std::string number_or_dash(double value) { return std::isnan(value) ? std::string("-") : fmt::format("{:.3g}", value); }
 
 // "1.3 touches": the response nearest to its limit, over that limit, and the limit's name. Of limits that only some
-// models' own columns tell nothing is known here.
+// models' own columns tell nothing is known here. What fell passed them all, but those that leave it out.
 std::string nearest_limit(CampaignSpec const& spec, LimitJudge const& judge, TrialRow const& row) {
+    if (entry_of(row.verdict).fell) {
+        return "fell";
+    }
     double most = -1;
     std::size_t which = 0;
     for (std::size_t limit = 1; limit < spec.limits.size(); ++limit) {

@@ -1,6 +1,7 @@
 #include "spectra/detail/design_json.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "motion/column_unit.hpp"
 #include "motion/text_lines.hpp"
 #include "spectra/detail/design_part.hpp"
 
@@ -62,6 +64,30 @@ void collect(Json const& value, std::string const& name, int depth, std::vector<
     }
 }
 
+bool is_unit(std::string const& text) {
+    return std::ranges::any_of(std::array{Dimension::acceleration, Dimension::velocity, Dimension::length},
+                               [&](Dimension dimension) { return unit_spelled(text, dimension).has_value(); });
+}
+
+/// "# units: cm/s2" and "# damping 0.02" for each place below `value` that states one, as a table's text has them.
+void collect_text(Json const& value, int depth, std::string& text) {
+    constexpr int deepest = 16;
+    if (depth > deepest || !value.is_structured()) {
+        return;
+    }
+    for (auto const& [key, each] : value.items()) {
+        auto const lower = lowered(key);
+        if (each.is_string() && lower.find("unit") != std::string::npos && is_unit(each.get<std::string>())) {
+            text += fmt::format("# units: {}\n", each.get<std::string>());
+        } else if (lower.find("damping") != std::string::npos && each.is_primitive() && !each.is_boolean()) {
+            auto const said = each.is_string() ? each.get<std::string>() : each.dump();
+            text += fmt::format("# damping {}\n", said.substr(0, said.find('\n')));
+        } else if (!is_number_list(each)) {
+            collect_text(each, depth + 1, text);
+        }
+    }
+}
+
 Spectrum const& chosen(std::vector<Spectrum> const& found, std::string const& part, std::string const& file) {
     if (found.empty()) {
         throw InputError({file},
@@ -92,7 +118,9 @@ std::string table_of_design_json(std::string_view content, std::string const& na
     auto const lower = lowered(content);
     bool const of_usgs = lower.find("referencedocument") != std::string::npos
                          || lower.find("earthquake.usgs.gov/ws/designmaps") != std::string::npos;
-    std::string text = of_usgs ? "T (s),Sa (g)\n" : "T (s),Sa\n";
+    std::string text;
+    collect_text(json, 0, text);
+    text += of_usgs ? "T (s),Sa (g)\n" : "T (s),Sa\n";
     for (auto const& [period, ordinate] : spectrum.points) {
         text += fmt::format("{},{}\n", period, ordinate);
     }

@@ -33,9 +33,9 @@ std::size_t part_among(std::vector<std::string> const& names, std::string const&
                        Location const& where) {
     if (part.empty() ? names.size() != 1 : std::ranges::count(names, part) != 1) {
         throw InputError(
-            where, fmt::format("{} {}: {} ({}). State part = \"{}\"", names.size(), what, fmt::join(names, ", "),
-                               part.empty() ? "which is meant?" : fmt::format("'{}' is not one of them alone", part),
-                               names.front()));
+            where, fmt::format("{} {}: {} ({}). State part = \"...\" with the name of the one that is meant",
+                               names.size(), what, fmt::join(names, ", "),
+                               part.empty() ? "which is meant?" : fmt::format("'{}' is not one of them alone", part)));
     }
     return part.empty() ? 0 : static_cast<std::size_t>(std::ranges::find(names, part) - names.begin());
 }

@@ -10,6 +10,7 @@
 #include "motion/claims.hpp"
 #include "motion/column_role.hpp"
 #include "motion/column_unit.hpp"
+#include "motion/telling_words.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn {
@@ -46,6 +47,12 @@ std::optional<TargetKind> kind_named(Text name) {
                                                 {"v", TargetKind::pseudo_velocity},
                                                 {"sd", TargetKind::displacement},
                                                 {"d", TargetKind::displacement}});
+    if (lower.starts_with("v_e") || lower.starts_with("ve") || lower.find("energy") != std::string::npos) {
+        auto const behind = lower.substr(std::min(lower.find('e') + 1, lower.size()));
+        if (behind.empty() || !is_letter(behind[0]) || lower.find("energy") != std::string::npos) {
+            return TargetKind::energy_velocity;
+        }
+    }
     for (auto const& [text, kind] : parts) {
         if (lower.find(text) != std::string::npos) {
             return kind;
@@ -164,6 +171,12 @@ void check_kind(PairTable const& table, TargetKind kind, Location const& where) 
     }
     auto const named = kind_named(ordinate_name(table.second_name));
     bool const energy = kind == TargetKind::energy_velocity && named == TargetKind::pseudo_velocity;
+    if (named == TargetKind::energy_velocity && kind != *named) {
+        throw InputError(where,
+                         fmt::format("'{}' (an energy spectrum, which kind says it is not). Mend the kind, or the "
+                                     "header",
+                                     table.second_name));
+    }
     if (named && *named != kind && !energy) {
         throw InputError(where, fmt::format("'{}' where kind says {} (they contradict each other). Mend the kind, or "
                                             "the header",
@@ -184,7 +197,10 @@ std::vector<std::string> check_text(PairTable const& table, TargetKind kind, dou
         }
         return stated.has_value();
     };
-    check_damping(lowered(table.second_name), table.names_line);
+    auto const named = lowered(table.second_name);
+    check_damping(
+        named.find('%') != std::string::npos || named.find("pct") != std::string::npos ? "damping " + named : named,
+        table.names_line);
     for (auto const& line : table.text) {
         Claims claims(dimension_of(kind));
         claims.take(line.text, line.number);
@@ -200,29 +216,49 @@ std::vector<std::string> check_text(PairTable const& table, TargetKind kind, dou
                             of_spectrum ? "a spectrum of " + std::string(name_of(dimension_of(*of_spectrum))) : other,
                             name_of(dimension_of(kind))));
         }
-        if (!check_damping(lower, line.number)) {
-            std::ranges::copy(claims.unread(), std::back_inserter(unread));
+        if (lower.find("fourier") != std::string::npos) {
+            throw InputError({name, line.number},
+                             fmt::format("{} (no response spectrum). Give Sa, Sv or Sd, or mend the text",
+                                         in_quotes(trimmed(line.text))));
         }
+        bool const damped = check_damping(lower, line.number);
+        bool const telling = tells_vertical(lower) || lower.find("floor") != std::string::npos
+                             || (!damped && holds_any(lower, {"damp", "critical"}));
+        auto const said = damped ? claims.telling() : claims.unread();
+        if (said.empty() && telling) {
+            unread.push_back(fmt::format("line {}: {}", line.number, in_quotes(trimmed(line.text))));
+        }
+        std::ranges::copy(said, std::back_inserter(unread));
     }
     return unread;
 }
 
-std::optional<double> damping_in(std::string_view lower) {
-    auto const damp = lower.find("damp");
+std::optional<double> damping_in(std::string_view text) {
+    std::string plain(text);
+    for (Text const word : {" percent", "percent", " per cent", "pct"}) {
+        for (auto at = plain.find(word); at != std::string::npos; at = plain.find(word, at)) {
+            plain.replace(at, word.size(), "%");
+        }
+    }
+    Text const lower = plain;
+    auto const damp = std::min(lower.find("damp"), lower.find("critical"));
     auto const before = lower.rfind('%', damp);  // "10 % in 50 years, 5 % damped"
     auto const percent = damp == Text::npos || before == Text::npos ? lower.find('%') : before;
     if (damp != Text::npos && percent != Text::npos) {
         auto const value = number_before(lower.substr(0, percent));
         return value ? std::optional(*value / 100) : std::nullopt;
     }
-    for (Text const key : {"damping ratio", "damping factor", "damping", "zeta", "\xCE\xB6", "h =", "h="}) {
+    for (Text const key :
+         {"damping ratio", "damping factor", "damping", "zeta", "\xCE\xB6", "xi", "\xCE\xBE", "h =", "h="}) {
         auto const at = lower.find(key);
         if (at == Text::npos || (at > 0 && is_letter(lower[at - 1]))) {
             continue;
         }
         auto const value = number_behind(lower.substr(at + key.size()));
-        if (value && *value > 0 && *value < 1) {
-            return value;
+        bool const percent_behind = value && percent != Text::npos && percent > at;
+        double const share = value.value_or(0) / (percent_behind ? 100 : 1);
+        if (share > 0 && share < 1) {
+            return share;
         }
     }
     return std::nullopt;

@@ -1,0 +1,46 @@
+#include "motion/detail/claimed_columns.hpp"
+
+#include <fmt/format.h>
+
+#include "core/units.hpp"
+#include "motion/component_name.hpp"
+#include "motion/text_lines.hpp"
+
+namespace overturn {
+namespace {
+
+bool is_vertical(ComponentName const& name) {
+    return name.direction == Direction::up || name.direction == Direction::down;
+}
+
+}  // namespace
+
+void take_claimed_component(TableColumns& columns, Claims const& claims, std::string const& file) {
+    if (columns.motions.size() != 1 || claims.components().size() != 1) {
+        return;
+    }
+    auto& role = columns.motions.front().role;
+    auto const claimed = component_named(claims.components().front());
+    if (role.component.direction == Direction::unknown) {
+        role.component = claimed;
+    } else if (claimed.direction != Direction::unknown && is_vertical(claimed) != is_vertical(role.component)) {
+        throw InputError({file, claims.components_line()},
+                         fmt::format("component '{}', column '{}' is {} (they contradict each other). Mend one of them",
+                                     claims.components().front(), role.name,
+                                     is_vertical(role.component) ? "vertical" : "horizontal"));
+    }
+}
+
+void check_each_once(std::vector<std::string> const& words, Location const& where, std::string const& how) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        auto const word = lowered(trimmed(words[i]));
+        for (std::size_t j = 0; j < i && word != "-" && word != "skip"; ++j) {
+            if (lowered(trimmed(words[j])) == word) {
+                throw InputError(where, fmt::format("columns {} and {} are both '{}' (one of each is read). {}", j + 1,
+                                                    i + 1, word, how));
+            }
+        }
+    }
+}
+
+}  // namespace overturn

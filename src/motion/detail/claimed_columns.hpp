@@ -1,0 +1,20 @@
+/// What the text says, or a person states, of the columns of a table.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "motion/claims.hpp"
+#include "motion/detail/table_columns.hpp"
+
+namespace overturn {
+
+/// The one motion of a table takes the one direction that the text names. \throws InputError at the line if the
+/// column's own name says another
+void take_claimed_component(TableColumns& columns, Claims const& claims, std::string const& file);
+
+/// \param words stated, one for each column \param how to state them \throws InputError if two columns are the same
+void check_each_once(std::vector<std::string> const& words, Location const& where, std::string const& how);
+
+}  // namespace overturn

@@ -1,0 +1,31 @@
+/// Words of a line that may change what the numbers below it are. Every function takes a line in lower case.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace overturn {
+
+/// "scaled by 0.5", "multiply by 9.81", "x 100", "divide by 980", "normalised", "relative to"
+[[nodiscard]] bool tells_factor(std::string_view lower);
+
+/// "VEL", "NS velocity", "raw counts", "displ.": of accelerations that a line does not call so
+[[nodiscard]] bool tells_other_quantity(std::string_view lower);
+
+/// "median", "84th percentile", "16 % fractile", "best estimate minus one sigma": which of several curves it is
+[[nodiscard]] bool tells_statistic(std::string_view lower);
+
+/// "per century", "monthly": no rate of a year
+[[nodiscard]] bool tells_other_span(std::string_view lower);
+
+/// "200 Hz", "200Hz"
+[[nodiscard]] bool tells_rate(std::string_view lower);
+
+/// "vertical", "UD", "up-down", "HNZ", as a word of its own
+[[nodiscard]] bool tells_vertical(std::string_view lower);
+
+/// The only component that a line names between its commas, if it is vertical: "station ABC, vertical", "HNZ", "up-down
+/// component"; empty where it names none, another or several.
+[[nodiscard]] std::string vertical_alone_in(std::string_view lower);
+
+}  // namespace overturn

@@ -1,0 +1,108 @@
+// Requirement R-107: a word in a line that may change what the numbers are leads to a claim, to a refusal, or to a line
+// that is listed; one known word beside it hides nothing.
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "motion/claims.hpp"
+#include "motion/telling_words.hpp"
+#include "support/expect_input_error.hpp"
+#include "support/read_record.hpp"
+
+namespace overturn {
+namespace {
+
+using testing::expect_input_error;
+
+std::string text(std::string const& line, std::string const& names = "Time,acc [gal]") {
+    return line + "\n" + names + "\n0,10\n0.01,-20\n0.02,30\n0.03,-5\n";
+}
+
+Direction direction(std::string const& line) { return read_placed(text(line), {.name = "a"}).direction; }
+
+// a single column without a direction of its own is what the text says; the vertical one rocks nothing.
+TEST(TellingText, AComponentInTheTextIsThatOfTheColumn) {
+    for (char const* line :
+         {"# Component: UP", "# Channel: HNZ", "# Orientation: vertical", "# comp = Z", "# Dir. U-D", "# HNZ",
+          "# station ABC, vertical", "# DIRECTION: UP-DOWN", "# Komponente: vertikal", "# azimuth: up",
+          "# \xE6\x88\x90\xE5\x88\x86: \xE4\xB8\x8A\xE4\xB8\x8B", "# up-down component"}) {
+        EXPECT_EQ(direction(line), Direction::up) << line;
+    }
+    EXPECT_EQ(direction("# Component: NS"), Direction::horizontal);
+    EXPECT_EQ(direction("# components NS, EW, UD of one station"), Direction::unknown);
+    EXPECT_EQ(direction("# altitude Z: 300 m"), Direction::unknown);
+    expect_input_error([] { (void)read_placed(text("# Component: UP", "Time,NS [gal]"), {.name = "a"}); }, "a:1",
+                       "contradict each other");
+    RecordRequest stated{.name = "a"};
+    stated.columns = "time,h1";
+    expect_input_error([&] { (void)read_placed(text("# Component: UP"), stated); }, "a:1", "contradict each other");
+}
+
+// factors, other quantities, rates and directions within a line that is understood are listed, before others.
+TEST(TellingText, WhatMayChangeTheNumbersIsListed) {
+    for (char const* line :
+         {"# station X, values scaled by 0.5", "# date 2011-03-11, multiply by 9.81", "# Component: NS, x 100",
+          "# acceleration x 1000", "# event X, divide by 980", "# channel 1, amplification 10", "# VEL",
+          "# Component: NS velocity, cm/s", "# Event: X; ground velocity", "# 200 Hz", "# file 200Hz",
+          "# Station X, 200 Hz", "# station of the vertical array", "# accelerogram, reduced to 10 %"}) {
+        auto const placed = read_placed("blue ink\n" + text(line), {.name = "a"});
+        ASSERT_FALSE(placed.unread.empty()) << line;
+        EXPECT_TRUE(placed.unread.front().starts_with(fmt::format("line 2: '{}", std::string(line).substr(0, 20))))
+            << placed.unread.front();
+    }
+    for (char const* line : {"# Station: X", "# acceleration in gal", "# dt = 0.01 s"}) {
+        EXPECT_TRUE(read_placed(text(line), {.name = "a"}).unread.empty()) << line;
+    }
+}
+
+// a unit of velocities below which a column is called an acceleration.
+TEST(TellingText, AnotherUnitContradictsTheName) {
+    expect_input_error([] { (void)read_placed(text("# units: m/s", "time,acc"), {.name = "a", .unit_mps2 = 1}); },
+                       "a:1", "velocities");
+}
+
+// a peak in its own unit is held against the numbers in theirs; one that is none of them is listed.
+TEST(TellingText, PeaksHaveUnits) {
+    for (char const* line : {"# PGA = 30 gal", "# PGA = 0.3 m/s2", "# Peak acceleration: 30 cm/s2", "# pga 30 gal"}) {
+        EXPECT_TRUE(read_placed(text(line), {.name = "a"}).unread.empty()) << line;
+    }
+    expect_input_error([] { (void)read_placed(text("# PGA = 30 m/s2"), {.name = "a"}); }, "a:1", "a wrong unit");
+    auto const unmet = read_placed(text("# PGA = 0.5 g"), {.name = "a"}).unread;
+    ASSERT_EQ(unmet.size(), 1U);
+    EXPECT_EQ(unmet.front(), "line 1: a peak of 4.903 m/s2, the numbers have 0.3 m/s2");
+}
+
+// a sensor that reads gravity is refused, whichever way it is mounted.
+TEST(TellingText, RecordsAboutOneGAreRefused) {
+    for (char const* offset : {"", "-"}) {
+        auto const values = fmt::format("time,acc [g]\n0,{0}1.1\n0.01,{0}0.9\n0.02,{0}1.05\n0.03,{0}0.95\n", offset);
+        expect_input_error([&] { (void)read_placed(values, {.name = "a"}); }, "a", "reads gravity");
+    }
+}
+
+// what one channel of a seismometer is by its unit, the others are too; a word for two columns is refused.
+TEST(TellingText, NoChannelIsDropped) {
+    auto const placed = read_placed("Time(s),BHZ,BHN,BHE [m/s2]\n0,1,2,3\n0.01,-1,-2,-4\n0.02,1,2,3\n", {.name = "a"});
+    EXPECT_EQ(placed.components, (std::vector<std::string>{"BHN", "BHE [m/s2]", "BHZ"}));
+    RecordRequest stated{.name = "a", .unit_mps2 = 1};
+    stated.columns = "time,h1,h1,v";
+    expect_input_error([&] { (void)read_placed("0,1,2,3\n0.01,-1,-2,-4\n0.02,1,2,3\n", stated); }, "a",
+                       "columns 2 and 3 are both 'h1'");
+}
+
+TEST(TellingText, WordsAreFoundAsWords) {
+    EXPECT_TRUE(tells_factor("normalised to 1 g"));
+    EXPECT_TRUE(tells_factor("acc * 9.81"));
+    EXPECT_FALSE(tells_factor("a pit of 2 x 3 m"));
+    EXPECT_FALSE(tells_vertical("supper"));
+    EXPECT_TRUE(tells_statistic("84th percentile"));
+    EXPECT_TRUE(tells_other_span("per century"));
+    EXPECT_FALSE(tells_other_quantity("level of the sea"));
+    EXPECT_TRUE(tells_other_quantity("raw counts"));
+    EXPECT_FALSE(tells_rate("hertzian"));
+}
+
+}  // namespace
+}  // namespace overturn
