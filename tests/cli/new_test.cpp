@@ -30,7 +30,7 @@ class New : public ::testing::Test {
         folder.write("hazard.csv", "pga [gal], annual_exceedance\n100, 2e-2\n600, 1e-4\n2000, 1e-6\n");
         std::filesystem::create_directory(folder / "records");
         std::filesystem::copy_file(folder / "record.csv", folder / "records" / "b.csv");
-        std::filesystem::copy_file(folder / "record.csv", folder / "records" / "a.csv");
+        folder.write("records/a.csv", "time,a_horizontal\n0.00,0\n0.02,-90\n0.04,110\n0.06,0\n");
     }
 
     Ended written(Arguments const& more) const {
