@@ -14,8 +14,10 @@ esac
 .cmake/setup.sh tests
 cmake --preset dev
 CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)} cmake --build --preset dev
+# One more than cores: some tests wait for a clock.
+export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$(($(nproc) + 1))}
 ended=0
-ctest --preset dev --output-junit results.xml "${chosen[@]}" || ended=$?
+ctest --preset dev -j "$CTEST_PARALLEL_LEVEL" --output-junit results.xml "${chosen[@]}" || ended=$?
 # Which requirement is shown by which test, and how it ended.
 python3 tests/traceability.py --results .build/dev/results.xml > .build/dev/traceability.md
 if [ $# -eq 0 ]; then
