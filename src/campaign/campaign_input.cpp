@@ -3,12 +3,13 @@
 #include <fstream>
 #include <iterator>
 
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "campaign/campaign_spec.hpp"
 #include "campaign/detail/unsound.hpp"
 #include "campaign/withdrawn_keys.hpp"
+#include "config/stated_values.hpp"
 #include "store/sha256.hpp"
 
 namespace overturn {
@@ -30,14 +31,46 @@ std::string text_of(Json const& binary) {
     return {bytes.begin(), bytes.end()};
 }
 
-std::vector<std::string> lines_of(std::string const& text) {
-    std::vector<std::string> lines;
-    for (std::size_t begin = 0; begin < text.size();) {
-        auto const end = std::min(text.find('\n', begin), text.size());
-        lines.push_back(text.substr(begin, end - begin));
-        begin = end + 1;
+using StatedValues = std::map<std::string, std::string>;
+
+bool is_below(std::string const& key, std::string_view table) {
+    return key == table || (key.starts_with(table) && key.size() > table.size() && key[table.size()] == '.');
+}
+
+// Of what a campaign states: all but what moves neither a row nor a block.
+StatedValues decisive(CampaignInput const& input) {
+    auto values = config::stated_values(input.text, input.name, input.settings);
+    values.erase("title");
+    values.erase("statistics.confidence");
+    return values;
+}
+
+void add_changes(std::vector<std::string>& found, StatedValues const& before, StatedValues const& now) {
+    auto const said = [](StatedValues const& values, std::string const& key) {
+        auto const value = values.find(key);
+        return value == values.end() ? std::string("not stated") : value->second;
+    };
+    auto keys = before;
+    keys.insert(now.begin(), now.end());
+    for (auto const& [key, value] : keys) {
+        if (said(before, key) != said(now, key)) {
+            found.push_back(fmt::format("{} was {}, is {}", key, said(before, key), said(now, key)));
+        }
     }
-    return lines;
+}
+
+void add_changed_files(std::vector<std::string>& found, CampaignInput const& before, CampaignInput const& now) {
+    for (auto const& [file, content] : before.files) {
+        auto const there = now.files.find(file);
+        if (there == now.files.end() || there->second != content) {
+            found.push_back(fmt::format("file {} {}", file, there == now.files.end() ? "is gone" : "changed"));
+        }
+    }
+    for (auto const& [file, content] : now.files) {
+        if (!before.files.contains(file)) {
+            found.push_back(fmt::format("file {} is new", file));
+        }
+    }
 }
 
 }  // namespace
@@ -76,7 +109,14 @@ std::string CampaignInput::sha256() const {
     return store::sha256({reinterpret_cast<char const*>(bytes.data()), bytes.size()});
 }
 
-std::string CampaignInput::block_key() const { return store::sha256(sha256() + program + machine + libraries); }
+std::string CampaignInput::block_key() const {
+    Json json = json_of(*this);
+    json.erase("text");
+    json.erase("settings");
+    json["values"] = decisive(*this);
+    auto const bytes = Json::to_cbor(json);
+    return store::sha256(std::string(bytes.begin(), bytes.end()) + program + machine + libraries);
+}
 
 std::vector<std::string> CampaignInput::differences(CampaignInput const& other) const {
     std::vector<std::string> found;
@@ -90,31 +130,22 @@ std::vector<std::string> CampaignInput::differences(CampaignInput const& other) 
         found.push_back(
             fmt::format("begun with {}, this has {}: their last bits may differ", libraries, other.libraries));
     }
-    auto const ours = lines_of(text);
-    auto const theirs = lines_of(other.text);
-    for (std::size_t i = 0; i < std::max(ours.size(), theirs.size()); ++i) {
-        auto const a = i < ours.size() ? ours[i] : std::string("(no line)");
-        auto const b = i < theirs.size() ? theirs[i] : std::string("(no line)");
-        if (a != b) {
-            found.push_back(fmt::format("line {}: '{}' became '{}'", i + 1, a, b));
-            break;  // one line names the key; what follows may only have moved
-        }
-    }
-    if (settings != other.settings) {
-        found.push_back(
-            fmt::format("--set: '{}' became '{}'", fmt::join(settings, " "), fmt::join(other.settings, " ")));
-    }
-    for (auto const& [file, content] : files) {
-        auto const there = other.files.find(file);
-        if (there == other.files.end() || there->second != content) {
-            found.push_back(fmt::format("file {} {}", file, there == other.files.end() ? "is gone" : "changed"));
-        }
-    }
-    for (auto const& [file, content] : other.files) {
-        if (!files.contains(file)) {
-            found.push_back(fmt::format("file {} is new", file));
-        }
-    }
+    add_changes(found, decisive(*this), decisive(other));
+    add_changed_files(found, *this, other);
+    return found;
+}
+
+std::vector<std::string> CampaignInput::differences_of_rows(CampaignInput const& other) const {
+    auto const of_rows = [](CampaignInput const& input) {
+        auto values = decisive(input);
+        std::erase_if(values, [](auto const& each) {
+            return each.first == "waves.count" || is_below(each.first, "limits") || is_below(each.first, "statistics");
+        });
+        return values;
+    };
+    std::vector<std::string> found;
+    add_changes(found, of_rows(*this), of_rows(other));
+    add_changed_files(found, *this, other);
     return found;
 }
 

@@ -31,15 +31,20 @@ struct CampaignInput {
 
     /// SHA-256 of text, settings and files; neither the name nor program, machine and libraries count.
     [[nodiscard]] std::string sha256() const;
-    /// What finished blocks belong to: sha256(), the program, the kind of machine and the libraries.
+    /// What finished blocks belong to: every key that may decide a row or which waves a block holds, the files, the
+    /// program, the kind of machine and the libraries; neither comments nor title nor confidence.
     [[nodiscard]] std::string block_key() const;
 
     [[nodiscard]] std::string serialise() const;
     /// \throws SystemError if the bytes are no campaign
     [[nodiscard]] static CampaignInput deserialise(std::string_view bytes);
 
-    /// One line per difference between two inputs, naming keys where the texts differ; empty if they are the same.
+    /// One line per difference between two inputs that block_key() knows: "bodies.b.friction was 0.5, is 0.6"; empty if
+    /// there is none.
     [[nodiscard]] std::vector<std::string> differences(CampaignInput const& other) const;
+    /// Of these, those that bar the rows of a finished file from a campaign of more waves: all but waves.count, limits
+    /// and statistics.
+    [[nodiscard]] std::vector<std::string> differences_of_rows(CampaignInput const& other) const;
 };
 
 /// Reads a campaign file and whatever it refers to, and checks all of it by building the campaign once.

@@ -14,6 +14,8 @@
 #include "campaign/block_rows.hpp"
 #include "campaign/withheld_inputs.hpp"
 #include "core/print_note.hpp"
+#include "results/recount.hpp"
+#include "runner/detail/extension.hpp"
 #include "runner/root_broadcast.hpp"
 #include "store/durable.hpp"
 #include "store/results_file.hpp"
@@ -90,6 +92,10 @@ std::vector<std::int64_t> committed_in(store::ShardFolder const& shards, Plan co
     return shards.committed(range, notes, [&](std::int64_t block) { return BlockRows::packed_size(plan, block); });
 }
 
+bool is_same_campaign(std::filesystem::path const& output, CampaignInput const& input) {
+    return store::ResultsReader(output).text("input_sha256") == input.sha256();
+}
+
 }  // namespace
 
 std::vector<std::int64_t> sound_blocks(store::ShardFolder const& shards, Plan const& plan, store::BlockRange range) {
@@ -139,10 +145,17 @@ void warn_of_little_space(std::filesystem::path const& output, Plan const& plan,
 
 void check_complete(std::filesystem::path const& output, CampaignInput const& input, bool claimed) {
     store::ResultsReader const file(output);
-    refuse_other({file.text("campaign_name"), file.text("campaign"), {}, {}},
-                 {file.text("campaign_name"), input.text, {}, {}}, output.string());
+    auto made_from = input_of(file);
+    auto stated = input;
+    made_from.files = stated.files = {};  // of these the hash below knows
+    bool const only_more = made_from.differences_of_rows(stated).empty();
+    validate(only_more || made_from.differences(stated).empty(),
+             "{}: another campaign ({}). Undo the change, or start anew with another -o", output.string(),
+             fmt::join(made_from.differences(stated), "; "));
     validate(has_withheld(input) || file.text("input_sha256") == input.sha256(),
-             "output {} (made with other settings or input files). Name another with -o", output.string());
+             "output {} (made {}, or with other input files). {} with -o", output.string(),
+             only_more ? "with another number of waves, title, limits or statistics" : "with other settings",
+             only_more ? "Say --extend, which keeps its rows, or name another" : "Name another");
     store::ShardFolder const shards(output, input.block_key());
     if (!shards.exists() || !(claimed || becomes_free(shards))) {
         return;
@@ -162,17 +175,18 @@ OutputState claim_output(std::filesystem::path const& output, store::ShardFolder
     validate(!std::filesystem::is_directory(output), "output {} (is a folder). Name a file with -o", output.string());
     validate(!std::filesystem::exists(output) || std::filesystem::is_regular_file(output),
              "output {} (is no file that could hold results). Name another with -o", output.string());
+    bool const extends = wish.extend && can_be_extended(output, input) && !is_same_campaign(output, input);
     auto const refuse_taken = [&] {
         validate(wish.resume || !std::filesystem::exists(output),
                  "output {} (is there already and would be lost). Remove it, or name another with -o", output.string());
     };
     refuse_taken();
-    if (!std::filesystem::exists(output)) {
+    if (extends || !std::filesystem::exists(output)) {
         store::require_writable(output);
         claim.emplace(shards.folder(), claimed(plan, wish.part));
     }
     refuse_taken();  // another run may have finished meanwhile
-    if (std::filesystem::exists(output)) {
+    if (std::filesystem::exists(output) && (!extends || is_same_campaign(output, input))) {
         check_complete(output, input, claim.has_value());
         return {.complete = true};
     }
@@ -188,7 +202,24 @@ OutputState claim_output(std::filesystem::path const& output, store::ShardFolder
         refuse_other(*begun, input, shards.folder().string());
     }
     shards.remove_unfinished(plan.blocks_of(wish.part));
-    return {.begun = begun.has_value()};
+    return {.begun = begun.has_value(), .extends = extends};
+}
+
+void require_shared(store::ShardFolder const& shards, std::string const& key, parallel::Communicator const& comm) {
+    auto const record = shards.begun_with();
+    bool const seen = !record.empty() && CampaignInput::deserialise(record).block_key() == key;
+    if (comm.largest(seen ? 0 : 1) == 0) {
+        return;
+    }
+    std::string blind;
+    for (auto const& host : comm.gather(seen ? "" : comm.host())) {
+        blind = blind.empty() ? host : blind;
+    }
+    comm.broadcast(blind);
+    throw InputError(
+        fmt::format("{} (not seen from {}: every rank writes its own blocks). Choose an output that all "
+                    "nodes share with -o",
+                    shards.folder().string(), blind));
 }
 
 std::vector<std::int64_t> take_blocks(std::filesystem::path const& output, store::ShardFolder const& shards,

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "campaign/accepted_waves.hpp"
@@ -18,11 +19,13 @@ namespace overturn {
 struct OutputState {
     bool complete = false;  ///< the finished file of this very campaign is there
     bool begun = false;     ///< there is a record of it that an earlier run left behind
+    bool extends = false;   ///< a finished file of fewer waves is there
 };
 
 /// What a run wants to do there.
 struct OutputWish {
     bool resume = false;
+    bool extend = false;  ///< a finished file of fewer waves (can_be_extended) is no obstacle; with resume
     Part part;
 };
 
@@ -32,6 +35,9 @@ struct OutputWish {
 [[nodiscard]] OutputState claim_output(std::filesystem::path const& output, store::ShardFolder const& shards,
                                        CampaignInput const& input, Plan const& plan, OutputWish const& wish,
                                        std::optional<store::Claim>& claim);
+
+/// Every rank writes, so every node has to see the folder. Collective. \throws InputError on every rank if one does not
+void require_shared(store::ShardFolder const& shards, std::string const& key, parallel::Communicator const& comm);
 
 /// The part's blocks that an earlier run left behind, in rising order, each read and hashed by one of the ranks; what
 /// is reused and what is not sound is said on stderr, and where room is short. Collective; all ranks see the folder.

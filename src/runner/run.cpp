@@ -12,6 +12,7 @@
 #include "core/elapsed.hpp"
 #include "core/print_note.hpp"
 #include "output/stripe_text.hpp"
+#include "runner/detail/extension.hpp"
 #include "runner/detail/part_plan.hpp"
 #include "runner/detail/rare_run.hpp"
 #include "runner/detail/stopping.hpp"
@@ -29,24 +30,6 @@ std::vector<std::int64_t> all_of(store::BlockRange const& range) {
     std::vector<std::int64_t> blocks(static_cast<std::size_t>(range.count()));
     std::iota(blocks.begin(), blocks.end(), range.first);
     return blocks;
-}
-
-// Every rank writes, so every node has to see the folder.
-void require_shared(store::ShardFolder const& shards, std::string const& key, parallel::Communicator const& comm) {
-    auto const record = shards.begun_with();
-    bool const seen = !record.empty() && CampaignInput::deserialise(record).block_key() == key;
-    if (comm.largest(seen ? 0 : 1) == 0) {
-        return;
-    }
-    std::string blind;
-    for (auto const& host : comm.gather(seen ? "" : comm.host())) {
-        blind = blind.empty() ? host : blind;
-    }
-    comm.broadcast(blind);
-    throw InputError(
-        fmt::format("{} (not seen from {}: every rank writes its own blocks). Choose an output that all "
-                    "nodes share with -o",
-                    shards.folder().string(), blind));
 }
 
 // What a stopped run, or a finished part, has to say.
@@ -83,9 +66,16 @@ class Run {
                  "--part {}/{} of a campaign with [rare] (its stages need what all parts found before). Run it whole, "
                  "under mpirun",
                  options_.part.number, options_.part.of);
-        OutputWish const wish{options_.resume, options_.part};
+        validate(!options_.extend || options_.part.is_whole(),
+                 "--extend beside --part (one run extends). Leave one out");
+        OutputWish const wish{options_.resume || options_.extend, options_.extend, options_.part};
         auto const found = nlohmann::json::parse(broadcast_from_root(comm_, [&] {
             auto const state = claim_output(options_.output, shards_, input_, plan_, wish, claim_);
+            if (state.extends) {
+                auto const taken = take_finished_rows(options_.output, spec_, plan_, shards_);
+                print_note("extending {}: {} of {} blocks are taken from it\n", options_.output.string(), taken,
+                           plan_.blocks());
+            }
             return nlohmann::json{{"complete", state.complete}, {"begun", state.begun}}.dump();
         }));
         if (found.at("complete").get<bool>()) {

@@ -1,0 +1,17 @@
+/// What a file states, key by key, for comparing two of them: comments, order and layout do not count.
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace overturn::config {
+
+/// "waves.count" -> "200", "bodies.type-b.friction" -> "0.5": each value below its path, with the settings applied; a
+/// table in a list goes by its name, or by its number from 1, and "bodies" -> "a, b" is their order. \throws InputError
+/// if it is no TOML
+[[nodiscard]] std::map<std::string, std::string> stated_values(std::string_view text, std::string const& file,
+                                                               std::span<std::string const> settings);
+
+}  // namespace overturn::config

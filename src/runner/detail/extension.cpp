@@ -1,0 +1,160 @@
+#include "runner/detail/extension.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include <fmt/ranges.h>
+
+#include "campaign/block_rows.hpp"
+#include "campaign/version.hpp"
+#include "core/error.hpp"
+#include "response/ladder.hpp"
+#include "results/recount.hpp"
+#include "results/schema.hpp"
+#include "results/stored_names.hpp"
+#include "store/results_file.hpp"
+
+namespace overturn {
+namespace {
+
+// The rows of waves that a finished file holds, by the waves' identity.
+class FinishedRows {
+  public:
+    FinishedRows(store::ResultsReader const& file, CampaignSpec const& spec, Plan const& plan)
+        : file_(file),
+          spec_(spec),
+          plan_(plan),
+          ladder_(spec.effects, spec.accuracy),
+          waves_(static_cast<std::int64_t>(file.integers("waves/id").size())),
+          trial_table_(stored_trial_table(file, spec)),
+          wave_table_(held_in(file, wave_table(spec))) {
+        auto const ids = file.integers("waves/id");
+        for (std::size_t i = 0; i < ids.size(); ++i) {
+            places_.emplace(ids[i], static_cast<std::int64_t>(i));
+        }
+        for (std::size_t body = 0; body < spec.bodies.size(); ++body) {
+            measure_tables_.push_back(held_in(file, measure_table(spec, body)));
+        }
+    }
+
+    // All of a block, or nothing if the file lacks one of its waves.
+    [[nodiscard]] std::optional<BlockRows> block(std::int64_t number) const {
+        auto const [first, count] = plan_.waves_of_block(number);
+        std::vector<std::int64_t> rows;
+        for (auto wave = first; wave < first + count; ++wave) {
+            auto const found = places_.find(static_cast<std::int64_t>(plan_.wave_id(wave)));
+            if (found == places_.end()) {
+                return std::nullopt;
+            }
+            rows.push_back(found->second);
+        }
+        BlockRows block;
+        for (std::size_t begin = 0; begin < rows.size();) {
+            auto end = begin + 1;
+            while (end < rows.size() && rows[end] == rows[end - 1] + 1) {
+                ++end;
+            }
+            append(block, rows[begin], end - begin);
+            begin = end;
+        }
+        return block;
+    }
+
+  private:
+    // Of waves that follow each other in the file.
+    void append(BlockRows& block, std::int64_t wave, std::size_t count) const {
+        std::vector<WaveRow> waves(count);
+        file_.rows(wave_table_, waves_, wave, std::as_writable_bytes(std::span(waves)));
+        block.waves.insert(block.waves.end(), waves.begin(), waves.end());
+        std::vector<MeasureRow> measures(count * spec_.bodies.size());
+        for (auto const& table : measure_tables_) {
+            file_.rows(table, waves_, wave, std::as_writable_bytes(std::span(measures)));
+        }
+        block.measures.insert(block.measures.end(), measures.begin(), measures.end());
+        auto const each = plan_.trials_per_wave();
+        std::vector<TrialRow> trials(count * static_cast<std::size_t>(each));
+        file_.rows(trial_table_, waves_ * each, wave * each, std::as_writable_bytes(std::span(trials)));
+        block.trials.rows.insert(block.trials.rows.end(), trials.begin(), trials.end());
+        std::vector<std::byte> own(trials.size() * ladder_.own_bytes());
+        for (auto const& table : own_tables(ladder_)) {
+            file_.rows(table, waves_ * each, wave * each, own);
+        }
+        block.trials.own.insert(block.trials.own.end(), own.begin(), own.end());
+    }
+
+    store::ResultsReader const& file_;
+    CampaignSpec const& spec_;
+    Plan const& plan_;
+    Ladder ladder_;
+    std::int64_t waves_;
+    store::TableSpec trial_table_, wave_table_;
+    std::vector<store::TableSpec> measure_tables_;
+    std::map<std::int64_t, std::int64_t> places_;
+};
+
+// What a key decides that nobody thought of would show here.
+void check_against(BlockRows const& stored, store::ResultsReader const& file, CampaignSpec const& spec,
+                   Plan const& plan, std::int64_t block, std::string const& output) {
+    PhaseSeconds seconds;
+    auto const wave = prepare_wave(spec, plan, plan.waves_of_block(block).first, seconds);
+    TrialRows trials;
+    (void)append_trials(spec, plan, std::span(&wave, 1), trials, seconds);
+    auto const own = trials.own.size() / trials.rows.size();
+    auto const one = [&](TrialRows const& all, std::size_t t) {
+        auto const part = std::span(all.own).subspan(t * own, own);
+        return TrialRows{{all.rows[t]}, {part.begin(), part.end()}};
+    };
+    for (std::size_t t = 0; t < trials.rows.size(); ++t) {
+        auto const columns = differing_columns(file, spec, one(stored.trials, t), one(trials, t));
+        validate(
+            columns.empty(),
+            "{}: wave {} has other rows in this campaign, in {} (its bodies are drawn by the number of waves, or the "
+            "file is another program's). Start anew with another -o",
+            output, wave.row.id, fmt::join(columns, ", "));
+    }
+}
+
+}  // namespace
+
+bool can_be_extended(std::filesystem::path const& output, CampaignInput const& input) {
+    if (!std::filesystem::exists(output)) {
+        return false;
+    }
+    store::ResultsReader const file(output);
+    validate(file.text("program_version") == program_version() && file.text("sources_sha256") == sources_sha256()
+                 && file.text("library_versions") == library_versions(),
+             "{}: made by overturn {} with {} (rows of another program are not mixed with this one's). Start anew with "
+             "another -o",
+             output.string(), file.text("program_version"), file.text("library_versions"));
+    auto const bars = input_of(file).differences_of_rows(input);
+    validate(bars.empty(), "{}: its rows are of another campaign ({}). Undo the change, or start anew with another -o",
+             output.string(), fmt::join(bars, "; "));
+    return true;
+}
+
+std::int64_t take_finished_rows(std::filesystem::path const& output, CampaignSpec const& spec, Plan const& plan,
+                                store::ShardFolder const& shards) {
+    validate(!spec.rare, "--extend of a campaign with [rare] (its stages need all waves). Start anew with another -o");
+    store::ResultsReader const file(output);
+    FinishedRows const rows(file, spec, plan);
+    std::vector<std::string> notes;
+    auto const there = shards.committed({0, plan.blocks()}, notes,
+                                        [&](std::int64_t block) { return BlockRows::packed_size(plan, block); });
+    std::int64_t taken = 0;
+    for (std::int64_t block = 0; block < plan.blocks(); ++block) {
+        auto const found = std::ranges::binary_search(there, block) ? std::nullopt : rows.block(block);
+        if (!found) {
+            continue;
+        }
+        if (taken == 0) {
+            check_against(*found, file, spec, plan, block, output.string());
+        }
+        shards.commit(block, found->pack());
+        ++taken;
+    }
+    return taken;
+}
+
+}  // namespace overturn

@@ -1,0 +1,154 @@
+// Requirement R-1107: a finished campaign takes more waves, other limits and other statistics: rows that are there are
+// kept, the rest is computed, and the file is that of the larger campaign run at once.
+#include "cli/campaign_files.hpp"
+#include "store/results_file.hpp"
+#include "support/command.hpp"
+
+namespace overturn::testing {
+namespace {
+
+class Extend : public ::testing::Test {
+  protected:
+    Extend() { folder.write("target.csv", target_csv); }
+
+    void write(std::string const& text) { folder.write("c.toml", text); }
+    [[nodiscard]] Ended extend(int ranks) { return execute(folder, mpirun(ranks, {"run", "c.toml", "--extend"})); }
+    void expect_as_at_once() {
+        ASSERT_EQ(execute(folder, mpirun(2, {"run", "c.toml", "-o", "once.h5"})).code, 0);
+        EXPECT_TRUE(folder.read("c.h5") == folder.read("once.h5"));
+        EXPECT_FALSE(folder.has("c.h5.parts"));
+        std::filesystem::remove(folder / "once.h5");
+    }
+    Folder folder;
+};
+
+// R-1107: on one, two and three ranks, with waves that levels share and with waves of their own, and a second time.
+TEST_F(Extend, WavesAreAddedToTheSameBytes) {
+    int ranks = 1;
+    for (char const* waves : {"shared", "independent"}) {
+        write(small_campaign(waves, 6));
+        ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
+        for (int const count : {9, 14}) {
+            write(small_campaign(waves, count));
+            auto const ended = extend(ranks);
+            ASSERT_EQ(ended.code, 0) << ended.err;
+            EXPECT_EQ(ended.err.find(": 0 of"), std::string::npos) << ended.err;
+            EXPECT_NE(ended.err.find("extending c.h5: "), std::string::npos) << ended.err;
+            expect_as_at_once();
+            ranks = ranks % 3 + 1;
+        }
+        std::filesystem::remove(folder / "c.h5");
+    }
+}
+
+// R-1107: bodies on points have columns of their own models.
+TEST_F(Extend, OfModelsWithColumnsOfTheirOwn) {
+    write(campaign_on_points(2));
+    ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
+    write(campaign_on_points(3));
+    auto const ended = extend(2);
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    expect_as_at_once();
+}
+
+// R-1107: title, confidence, limits and comments compute nothing anew; fewer waves are kept as well.
+TEST_F(Extend, WhatMovesNoRowTakesAll) {
+    write(small_campaign("shared", 6));
+    ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
+    auto text = small_campaign("shared", 6);
+    text.replace(text.find("small"), 5, "other");
+    for (auto const& added : {std::string("# a comment\n"), std::string("[statistics]\nconfidence=0.9\n"),
+                              std::string("[[limits]]\nname='slips'\nquantity='peak_slip'\nabove='1 mm'\n")}) {
+        text += added;
+        write(text);
+        auto const refused = overturn(folder, {"run", "c.toml", "--resume"});
+        EXPECT_EQ(refused.code, 2);
+        EXPECT_NE(refused.err.find("Say --extend"), std::string::npos) << refused.err;
+        auto const ended = extend(1);
+        ASSERT_EQ(ended.code, 0) << ended.err;
+        EXPECT_NE(ended.err.find("extending c.h5: 6 of 6 blocks"), std::string::npos) << ended.err;
+        expect_as_at_once();
+    }
+    auto const again = extend(1);
+    EXPECT_NE(again.out.find("complete already"), std::string::npos) << again.out;
+    text.replace(text.find("count=6"), 7, "count=4");
+    write(text);
+    ASSERT_EQ(extend(1).code, 0);
+    expect_as_at_once();
+}
+
+// R-1107: waves that are held to a rule are drawn on from where the file ends.
+TEST_F(Extend, WavesThatMustBeAccepted) {
+    auto const ruled = [](int count) {
+        auto text = small_campaign("shared", count);
+        text.replace(text.find("match_iterations=3"), 18, "acceptance='japan'");
+        text.replace(text.find("longest=6"), 9, "longest=10");
+        return text;
+    };
+    write(ruled(3));
+    auto const first = overturn(folder, {"run", "c.toml"});
+    ASSERT_EQ(first.code, 0) << first.err;
+    write(ruled(5));
+    auto const ended = extend(2);
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    expect_as_at_once();
+}
+
+// R-1107: killed at any time the finished file is there still, and the next run goes on.
+TEST_F(Extend, AKillLosesNothing) {
+    write(small_campaign("shared", 20));
+    ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
+    auto const before = folder.read("c.h5");
+    write(small_campaign("shared", 120));
+    Running running(folder, {OVERTURN_PROGRAM, "run", "c.toml", "--extend"});
+    ASSERT_TRUE(comes_true([&] { return blocks_done(folder, "c.h5") > 30; }));
+    running.signal(SIGKILL);
+    EXPECT_EQ(running.wait().code, 128 + SIGKILL);
+    EXPECT_TRUE(folder.read("c.h5") == before);
+    auto const ended = extend(3);
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    expect_as_at_once();
+}
+
+// R-1103: what decides rows is named by key and value; the file stays as it was.
+TEST_F(Extend, AnotherCampaignIsNamedByKeyAndValue) {
+    write(small_campaign("shared", 4));
+    ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
+    auto const before = folder.read("c.h5");
+    auto const refuse = [&](std::string const& from, std::string const& to, std::string const& said) {
+        auto text = small_campaign("shared", 8);
+        text.replace(text.find(from), from.size(), to);
+        write(text);
+        auto const ended = extend(1);
+        EXPECT_EQ(ended.code, 2) << ended.err;
+        EXPECT_TRUE(is_one_error_line(ended.err)) << ended.err;
+        EXPECT_NE(ended.err.find(said), std::string::npos) << ended.err;
+        EXPECT_TRUE(folder.read("c.h5") == before);
+    };
+    refuse("friction=0.5", "friction=0.6", "bodies.type-a.friction was 0.5, is 0.6)");
+    refuse("seed  = 2013", "seed  = 2014", "seed was 2013, is 2014");
+    refuse("name='type-a'", "name='type-c'", "bodies was type-a, type-b, is type-c, type-b");
+    write(small_campaign("shared", 8));
+    folder.write("target.csv", target_csv + "12,0.3\n");
+    auto const file = extend(1);
+    EXPECT_EQ(file.code, 2);
+    EXPECT_NE(file.err.find("file target.csv changed"), std::string::npos) << file.err;
+}
+
+// R-1107: bodies drawn in slices of all waves change with their number: the first row tells.
+TEST_F(Extend, SlicedBodiesAreNotMixed) {
+    auto const sliced = [](int count) {
+        return small_campaign("shared", count) + "[scatter]\nsampling='latin-hypercube'\n";
+    };
+    write(sliced(4));
+    auto const first = overturn(folder, {"run", "c.toml"});
+    ASSERT_EQ(first.code, 0) << first.err;
+    write(sliced(8));
+    auto const ended = extend(1);
+    EXPECT_EQ(ended.code, 2) << ended.err;
+    EXPECT_NE(ended.err.find("has other rows in this campaign"), std::string::npos) << ended.err;
+    EXPECT_EQ(overturn(folder, {"status", "c.h5"}).code, 0);
+}
+
+}  // namespace
+}  // namespace overturn::testing
