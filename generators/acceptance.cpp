@@ -17,8 +17,8 @@ struct ClauseText {
 constexpr auto* follow = "State a longer duration or level part of the envelope, or more match_iterations";
 // The order is that of stored bits: never change it, only add.
 constexpr std::array clause_texts{
-    ClauseText{"time step", "State waves.time_step as the rule asks"},
-    ClauseText{"duration", "State a longer waves.duration"},
+    ClauseText{"time step", "State a waves.time_step of at most 0.01 s"},
+    ClauseText{"duration", "State a waves.duration of at least 20 s"},
     ClauseText{"judged to", "State waves.target.longest up to the target's last period, or 10 s"},
     ClauseText{"lowest ratio", follow},
     ClauseText{"adjacent below", follow},

@@ -11,6 +11,7 @@
 
 #include "campaign/detail/limit_range.hpp"
 #include "campaign/detail/limit_spec.hpp"
+#include "campaign/site.hpp"
 #include "core/units.hpp"
 #include "core/usual_range.hpp"
 
@@ -109,6 +110,22 @@ void add_unusual_threshold(LimitState const& limit, std::span<LimitRange const> 
     }
 }
 
+// Of a body that has not moved yet: how near what stands round it is.
+double room_at_rest(std::string_view quantity, Site const& site) {
+    auto const nearest = [](Sides const& sides) { return std::ranges::min(sides.m); };
+    return quantity == "least_clearance" ? std::min(nearest(site.cask), nearest(site.wall))
+           : quantity == "edge_margin"   ? nearest(site.edge)
+                                         : std::numeric_limits<double>::infinity();
+}
+
+void add_no_room(LimitState const& limit, Site const& site, Lines& lines) {
+    double const room_m = room_at_rest(limit.quantity.name, site);
+    if (limit.rule == LimitState::Rule::below && limit.threshold > room_m) {
+        lines.push_back(fmt::format("limit '{}': {} is passed by a body at rest, which has {:.4g} m. Lower it",
+                                    limit.name, rule_text(limit), room_m));
+    }
+}
+
 void add_limits(CampaignSpec const& spec, Lines& lines) {
     for (auto const& limit : spec.limits) {
         if (limit.rule != LimitState::Rule::above && limit.rule != LimitState::Rule::below) {
@@ -125,6 +142,7 @@ void add_limits(CampaignSpec const& spec, Lines& lines) {
             }
         }
         add_unusual_threshold(limit, ranges, lines);
+        add_no_room(limit, spec.site, lines);
     }
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "campaign/warnings.hpp"
 #include "support/campaigns.hpp"
 #include "support/expect_input_error.hpp"
@@ -110,6 +112,14 @@ TEST(Plausible, MistypedCampaignsGetOne) {
     EXPECT_TRUE(told(
         lines(waves, testing::levels("values=[3]\n"), "[[limits]]\nname='hits'\nquantity='peak_slip'\nbelow='0.3 m'\n"),
         "limit 'hits': peak_slip below 0.3 m is passed by a body at rest"));
+    auto const near = [&](char const* below) {
+        return lines(
+            waves, testing::levels("values=[3]\n"),
+            fmt::format("[site]\nwall='0.8 m'\n[[limits]]\nname='near'\nquantity='least_clearance'\nbelow='{}'\n",
+                        below));
+    };
+    EXPECT_TRUE(told(near("0.9 m"), "is passed by a body at rest, which has 0.8 m"));
+    EXPECT_FALSE(told(near("0.7 m"), "at rest"));
     EXPECT_TRUE(told(lines(waves + "[waves.vertical]\nratio=6.67\n", testing::levels("values=[3]\n")),
                      "wave 0 is stronger vertically"));
     EXPECT_TRUE(told(lines(with("time_step='0.02 s'", "time_step='0.1 s'"), testing::levels("values=[3]\n")),
