@@ -1,7 +1,6 @@
 #include "generators/pulse.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "generators/detail/components.hpp"
@@ -10,18 +9,8 @@
 namespace overturn {
 namespace {
 
-double sine(double u) { return std::sin(2 * pi * u); }
-
-double ricker(double u) {
-    double const v = pi * (u - 2) * pi * (u - 2);
-    return (1 - 2 * v) * std::exp(-v);
-}
-
-double flat(double /*u*/) { return 1; }
-
 struct PulseInput {
     PulseShape shape{};
-    bool jumps = false;  // at both ends
     std::string name;
     double amplitude_mps2 = 0;
     std::vector<double> periods_s;
@@ -54,28 +43,16 @@ class Pulse : public WaveSource {
     [[nodiscard]] GeneratedWave make(std::uint64_t /*seed*/, std::uint64_t wave) const override {
         validate_wave(wave, input_.periods_s.size());
         double const period = input_.periods_s[wave];
-        double const piece = input_.shape.quarter * period;
-        constexpr double slack = 1e-9;
-        double const per_piece = std::max(1.0, std::ceil(piece / input_.time_step_s - slack));
-        double const step = piece / per_piece;
-        auto const length = steps_in(input_.shape.length * period, step);
-        std::size_t const margin = input_.jumps ? 1 : 0;
-        auto const before = std::max(margin, steps_in(input_.quiet_before_s, step));
-        auto const after = std::max(margin, steps_in(input_.quiet_after_s, step));
+        auto const pulse = sample_pulse(input_.shape, period, input_.time_step_s);
+        std::size_t const margin = input_.shape.jumps ? 1 : 0;
+        auto const before = std::max(margin, steps_in(input_.quiet_before_s, pulse.time_step_s));
+        auto const after = std::max(margin, steps_in(input_.quiet_after_s, pulse.time_step_s));
         GeneratedWave made;
-        made.motion.time_step_s = step;
+        made.motion.time_step_s = pulse.time_step_s;
         auto& samples = made.motion.horizontal_mps2;
-        samples.assign(before + length + 1 + after, 0.0);
-        for (std::size_t i = 0; i <= length; ++i) {
-            double const u = static_cast<double>(i) * input_.shape.quarter / per_piece;
-            samples[before + i] = input_.amplitude_mps2 * input_.shape.at(u);
-        }
-        if (input_.jumps) {
-            samples[before] *= 0.5;
-            samples[before + length] *= 0.5;
-        } else {
-            samples[before] = 0;  // without the rounding of sin(2 pi), or the ricker's last 1e-15
-            samples[before + length] = 0;
+        samples.assign(before + pulse.values.size() + after, 0.0);
+        for (std::size_t i = 0; i < pulse.values.size(); ++i) {
+            samples[before + i] = input_.amplitude_mps2 * pulse.values[i];
         }
         add_further(made.motion);
         made.label = fmt::format("{} of {:g} s", input_.name, period);
@@ -113,20 +90,6 @@ class Pulse : public WaveSource {
     PulseInput input_;
 };
 
-}  // namespace
-
-std::span<config::Entry<PulseShape> const> pulse_shapes() {
-    static constexpr std::array entries{
-        config::Entry<PulseShape>{"one-sine", "one full cycle of a sine", {1, 0.25, &sine}},
-        config::Entry<PulseShape>{"half-sine", "the first half cycle of a sine of that period", {0.5, 0.25, &sine}},
-        config::Entry<PulseShape>{"ricker", "symmetric Ricker wavelet, four periods long", {4, 0.5, &ricker}},
-        config::Entry<PulseShape>{"rectangle", "constant for one period", {1, 1, &flat}},
-    };
-    return entries;
-}
-
-namespace {
-
 constexpr config::Range quiet{.low = 0, .high = 1000};
 constexpr config::Keys pulse_component_keys{
     ratio_key, config::number_key("lag", Dimension::time, quiet, "behind the horizontal component").otherwise(0)};
@@ -134,6 +97,11 @@ constexpr config::KeyTable pulse_component_table{.meaning = "a further component
                                                  .keys = pulse_component_keys.all};
 constexpr config::Keys pulse_keys{
     config::word_key<pulse_shapes>("shape", "form of the pulse"),
+    config::number_key("gamma", Dimension::none, {.low = 1, .high = 100, .low_open = true},
+                       "how many periods the pulse lasts")
+        .only("shape = mavroeidis-papageorgiou"),
+    config::number_key("phase", Dimension::angle, config::Range::any(), "nu, of the pulse's cosine in its middle")
+        .only("shape = mavroeidis-papageorgiou"),
     config::number_key("amplitude", Dimension::acceleration, config::Range::positive(), "peak of the pulse"),
     config::number_key("time_step", Dimension::time, {.low = 1e-6, .high = 1},
                        "largest time step: samples hit ends and peaks")
@@ -153,9 +121,13 @@ constinit config::KeyTable const pulse_table{.meaning = "single pulses, one wave
 
 std::unique_ptr<WaveSource> make_pulse(config::Table const& waves, InputFiles& /*files*/) {
     PulseInput input;
-    input.shape = waves.choice(pulse_keys["shape"], pulse_shapes());
+    auto const make_shape = waves.choice(pulse_keys["shape"], pulse_shapes());
     input.name = waves.text(pulse_keys["shape"]);
-    input.jumps = input.shape.at == &flat;
+    PulseParameters parameters;
+    if (input.name == parametric_pulse) {
+        parameters = {waves.number(pulse_keys["gamma"]), waves.number(pulse_keys["phase"])};
+    }
+    input.shape = make_shape(parameters);
     input.amplitude_mps2 = waves.number(pulse_keys["amplitude"]);
     input.periods_s = read_periods(waves, false);
     input.time_step_s = waves.number(pulse_keys["time_step"]);

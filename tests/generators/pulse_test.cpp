@@ -58,6 +58,69 @@ TEST(Pulse, RickerIsSymmetricAndEndsAtRest) {
     }
 }
 
+TEST(Pulse, OneCosineBeginsAndEndsAtItsPeak) {
+    auto const motion = pulse("one-cosine", "quiet_before=0.2\nquiet_after=0.2\n");
+    auto const& a = motion.horizontal_mps2;
+
+    EXPECT_TRUE(
+        near(*std::max_element(a.begin(), a.end()), 2.5 * std::cos(2 * pi * motion.time_step_s / 0.73), rounding))
+        << "half of the peak is left of the jump";
+    EXPECT_TRUE(near(*std::min_element(a.begin(), a.end()), -2.5, rounding));
+    EXPECT_NEAR(end_velocity(motion), 0, 1e-14);
+    auto const first = std::find_if(a.begin(), a.end(), [](double x) { return x != 0; });
+    EXPECT_TRUE(near(*first, 1.25, rounding));
+}
+
+// Vassiliou and Makris (2011): a = a_p/1.38 (x^2 - 3) x exp(-x^2/2), x = 2 pi t / (sqrt 3 T_p); 1.38 is its peak.
+TEST(Pulse, AntisymmetricRickerIsThePublishedOne) {
+    auto const motion = pulse("antisymmetric-ricker");
+    auto const& a = motion.horizontal_mps2;
+    double const middle_s = 0.5 * motion.duration_s();
+
+    EXPECT_TRUE(near(*std::max_element(a.begin(), a.end()), 2.5, rounding));
+    EXPECT_TRUE(near(*std::min_element(a.begin(), a.end()), -2.5, rounding));
+    EXPECT_NEAR(end_velocity(motion), 0, 1e-13);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        EXPECT_NEAR(a[i], -a[a.size() - 1 - i], 1e-13);
+        double const x = 2 * pi / std::sqrt(3.0) * (motion.time_step_s * static_cast<double>(i) - middle_s) / 0.73;
+        EXPECT_NEAR(a[i], 2.5 / 1.38 * (x * x - 3) * x * std::exp(-0.5 * x * x), 2.5 * 2e-4) << "1.38 has three digits";
+    }
+}
+
+// Mavroeidis and Papageorgiou (2003), eq. 3: v(t) = A/2 [1 + cos(2 pi f t/gamma)] cos(2 pi f t + nu), abs(t) <=
+// gamma/2f.
+TEST(Pulse, MavroeidisPapageorgiouHasItsVelocityAndEndsAtRest) {
+    struct Case {
+        double gamma, phase_deg;
+    };
+    for (auto const& [gamma, phase_deg] : {Case{1.5, 0}, Case{2, 90}, Case{3.2, 217}}) {
+        auto const motion = pulse("mavroeidis-papageorgiou",
+                                  fmt::format("gamma={}\nphase='{} deg'\ntime_step=1e-4\n", gamma, phase_deg));
+        auto const velocity = velocity_of(motion.horizontal_mps2, motion.time_step_s);
+        double const nu = phase_deg * pi / 180;
+        std::vector<double> published;
+        for (std::size_t i = 0; i < velocity.size(); ++i) {
+            double const w = motion.time_step_s * static_cast<double>(i) / 0.73 - 0.5 * gamma;
+            published.push_back(0.5 * (1 + std::cos(2 * pi * w / gamma)) * std::cos(2 * pi * w + nu));
+        }
+        double const amplitude = peak_of(velocity) / peak_of(published);
+
+        EXPECT_TRUE(near(motion.duration_s(), gamma * 0.73, testing::exact_formula));
+        EXPECT_TRUE(near(peak_of(motion.horizontal_mps2), 2.5, testing::Tolerance{1e-7, "between samples"}));
+        EXPECT_NEAR(velocity.back(), 0, 1e-7 * amplitude);
+        for (std::size_t i = 0; i < velocity.size(); ++i) {
+            ASSERT_NEAR(velocity[i], amplitude * published[i], 1e-6 * amplitude) << gamma << ' ' << i;
+        }
+    }
+}
+
+TEST(Pulse, OnlyMavroeidisPapageorgiouHasParameters) {
+    testing::expect_input_error([] { (void)pulse("mavroeidis-papageorgiou", "gamma=2\n"); }, "phase");
+    testing::expect_input_error([] { (void)pulse("mavroeidis-papageorgiou", "gamma=1\nphase=0\n"); },
+                                "c.toml:5:", "gamma");
+    testing::expect_input_error([] { (void)pulse("one-sine", "gamma=2\n"); }, "c.toml:5:", "gamma");
+}
+
 TEST(Pulse, RectangleHasExactlyItsArea) {
     for (auto const* quiet : {"", "quiet_before=0.3\nquiet_after=1\n"}) {
         auto const motion = pulse("rectangle", quiet);

@@ -63,6 +63,7 @@ inline std::vector<std::string> key_campaigns() {
         "[waves]\nsource='pulse'\nshape='ricker'\namplitude=3\nperiod=1\ntime_step=0.01\nquiet_before=1\nquiet_after=1\n"
         "transverse={ratio=1, lag=0.1}\nvertical={ratio=0.5}\n",
         "[waves]\nsource='pulse'\nshape='one-sine'\namplitude=3\nperiods=[1,2]\n",
+        "[waves]\nsource='pulse'\nshape='mavroeidis-papageorgiou'\ngamma=2\nphase='90 deg'\namplitude=3\nperiod=1\n",
         "[waves]\nsource='records'\nfolder='r'\nfiles=['a.csv','b.csv']\ncount=1\nformat='auto'\nunit='gal'\n"
         "time_step=0.005\ncolumns='time,h1'\ncomponent=''\ncomponents='file'\nresample='finer'\naxes='as-recorded'\nscale=2\n"
         "time_scale=0.5\nbaseline='mean'\n",
