@@ -111,4 +111,13 @@ SampledPulse sample_pulse(PulseShape const& shape, double period_s, double longe
     return {step, std::move(values)};
 }
 
+SampledPulse sample_pulse_alone(PulseShape const& shape, double period_s, double longest_step_s) {
+    auto pulse = sample_pulse(shape, period_s, longest_step_s);
+    if (shape.jumps) {
+        pulse.values.insert(pulse.values.begin(), 0);
+        pulse.values.push_back(0);
+    }
+    return pulse;
+}
+
 }  // namespace overturn

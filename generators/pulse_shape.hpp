@@ -45,4 +45,8 @@ struct SampledPulse {
 /// \param longest_step_s the time step is shortened so that samples hit ends and peaks
 [[nodiscard]] SampledPulse sample_pulse(PulseShape const& shape, double period_s, double longest_step_s);
 
+/// The same with a sample of 0 beside each end that jumps, so that the pulse's area is whole where nothing surrounds
+/// it.
+[[nodiscard]] SampledPulse sample_pulse_alone(PulseShape const& shape, double period_s, double longest_step_s);
+
 }  // namespace overturn
