@@ -1,10 +1,12 @@
 #include <memory>
+#include <span>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "campaign/warnings.hpp"
 #include "cli/figures.hpp"
+#include "cli/overturning_spectrum.hpp"
 #include "cli/scene_files.hpp"
 #include "cli/velocity_unit.hpp"
 #include "cli/verbs.hpp"
@@ -15,6 +17,7 @@
 #include "spectra/input_energy.hpp"
 #include "spectra/response_spectrum.hpp"
 #include "spectra/window_energy.hpp"
+#include "store/durable.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -24,6 +27,7 @@ struct SpectrumOptions {
     std::string body, plot;
     double damping = 0.05;
     VelocityUnit unit;
+    OverturningOptions overturning;
     bool json = false;
 };
 
@@ -136,7 +140,32 @@ void print_record_text(PlacedRecord const& record, Measures const& m, double dam
     fmt::print("damping {:g}; all {} periods with --json\n", damping, m.response.period_s.size());
 }
 
+int show_overturning(SpectrumOptions const& options) {
+    auto const& asked = options.overturning;
+    if (!options.plot.empty()) {
+        report::check_figure_name(options.plot);
+        validate(!asked.pulse.empty(), "--plot (a record's factors have no frequency to be drawn over). Leave it out");
+    }
+    auto const found = overturning_spectrum(asked, options.record, options.body);
+    auto const json = json_of(found);
+    if (!options.plot.empty()) {
+        report::draw_figure("overturning_figure.py", json, options.plot);
+    }
+    if (!asked.output.empty()) {
+        auto const csv = csv_of(found);
+        store::write_durably(asked.output, std::as_bytes(std::span(csv)));
+    }
+    fmt::print("{}", options.json ? json.dump(2) + "\n" : text_of(found));
+    return done;
+}
+
 int spectrum(SpectrumOptions const& options) {
+    if (options.overturning.asked) {
+        return show_overturning(options);
+    }
+    validate(!options.overturning.states_more(),
+             "--pulse, --p, --ratios and the like (they are of an overturning spectrum). State --overturning too");
+    validate(!options.record.wave.empty(), "--wave (missing). State a record, or --overturning with a pulse");
     validate(options.damping >= 0 && options.damping < 1,
              "--damping {} (a ratio, 0 to below 1: {} would be {:g} %). Write 0.05 for 5 %", options.damping,
              options.damping, 100 * options.damping);
@@ -170,15 +199,17 @@ int spectrum(SpectrumOptions const& options) {
 }  // namespace
 
 void add_spectrum(CommandLine& line) {
-    auto verb = line.verb("spectrum", "response, energy and window energy spectra of one wave");
+    auto verb =
+        line.verb("spectrum", "response, energy and window energy spectra of one wave, or an overturning spectrum");
     auto options = std::make_shared<SpectrumOptions>();
-    verb.needs("--wave", options->record.wave, "record, or columns time,a_horizontal");
+    verb.takes("--wave", options->record.wave, "record, or columns time,a_horizontal");
     add_record_options(verb, options->record);
     verb.takes("--body", options->body, "body file (TOML): adds its energy measures");
     verb.takes("--damping", options->damping, "damping ratio");
     verb.takes("--plot", options->plot, "draw it: out.svg, .png or .pdf");
     options->unit.offered_by(verb);
     verb.takes("--json", options->json, "as JSON");
+    options->overturning.offered_by(verb);
     verb.does([options] { return spectrum(*options); });
 }
 

@@ -181,6 +181,10 @@ double OverturningRanges::overturning() const {
     return found == ranges.end() ? std::numeric_limits<double>::infinity() : found->from;
 }
 
+double OverturningRanges::stands_to() const {
+    return ranges.empty() ? uplift : ranges.front().fate == Fate::stands ? ranges.front().to : ranges.front().from;
+}
+
 double uplift_factor(RockingBlock const& block, Excitation const& shaking, Restoring restoring) {
     double const slope = restoring == Restoring::linear ? block.alpha_rad : std::tan(block.alpha_rad);
     double strongest = 0;

@@ -41,6 +41,9 @@ struct OverturningRanges {
 
     /// The least factor that overturns it; infinity if none of the scan's does.
     [[nodiscard]] double overturning() const;
+    /// Up to here every factor stands: above it the block overturns, is undecided, or the scan ends; infinity where
+    /// nothing uplifts it.
+    [[nodiscard]] double stands_to() const;
 };
 
 /// Factor on the shaking above which a resting symmetric block uplifts: the least g tan(alpha) / (abs(a) - tan(alpha)

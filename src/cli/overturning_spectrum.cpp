@@ -1,0 +1,182 @@
+#include "cli/overturning_spectrum.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <string_view>
+
+#include <fmt/ranges.h>
+
+#include "body/rigid_body.hpp"
+#include "campaign/warnings.hpp"
+#include "core/error.hpp"
+#include "core/units.hpp"
+#include "generators/pulse_shape.hpp"
+#include "motion/intensity.hpp"
+#include "rocking/rocking_models.hpp"
+
+namespace overturn::cli {
+namespace {
+
+constexpr int samples_per_period = 2000;  // chords miss a sine by 1.2e-6 of its peak at most
+constexpr std::size_t most_frequencies = 2000;
+
+double positive(std::string_view text, char const* option) {
+    double value = 0;
+    validate(parse_number(trimmed(text), value) && value > 0,
+             "{} '{}' (not a number above 0). Write 1,2,5, or first:last:count for equal ratios", option, text);
+    return value;
+}
+
+std::vector<std::string_view> parts_of(std::string_view text, char between) {
+    std::vector<std::string_view> parts;
+    for (std::size_t from = 0; from <= text.size();) {
+        auto const to = std::min(text.find(between, from), text.size());
+        parts.push_back(text.substr(from, to - from));
+        from = to + 1;
+    }
+    return parts;
+}
+
+// "1,2,5" or "0.5:10:40".
+std::vector<double> grid_of(std::string_view text, char const* option) {
+    std::vector<double> grid;
+    auto const range = parts_of(text, ':');
+    if (range.size() == 1) {
+        for (auto const part : parts_of(text, ',')) {
+            grid.push_back(positive(part, option));
+        }
+        return grid;
+    }
+    validate(range.size() == 3, "{} '{}' (neither a list nor first:last:count). Write 1,2,5 or 0.5:10:40", option,
+             text);
+    double const first = positive(range[0], option);
+    double const last = positive(range[1], option);
+    double const count = positive(range[2], option);
+    validate(count >= 2 && count <= most_frequencies && count == std::floor(count),
+             "{} '{}' (its count is none from 2 to {}). Mend it", option, text, most_frequencies);
+    for (int i = 0; i < static_cast<int>(count); ++i) {
+        grid.push_back(first * std::pow(last / first, i / (count - 1)));
+    }
+    return grid;
+}
+
+RockingBlock stated_block(OverturningOptions const& options) {
+    validate(options.p.has_value() && !options.alpha.empty() && options.restitution.has_value(),
+             "--overturning (no body). State --body, or all of --p, --alpha and --restitution");
+    double const alpha = parse_quantity(options.alpha, Dimension::angle);
+    validate(alpha > 0 && alpha < pi / 2, "--alpha {} (must lie between 0 and 90 deg). Mend it", options.alpha);
+    validate(*options.p > 0 && std::isfinite(*options.p), "--p {} (rad/s, above 0). Mend it", *options.p);
+    validate(*options.restitution >= 0 && *options.restitution <= 1,
+             "--restitution {} (angular velocity behind an impact over that before it, 0 to 1). Mend it",
+             *options.restitution);
+    return {.alpha_rad = alpha, .p_radps = *options.p, .restitution = *options.restitution};
+}
+
+void take_body(OverturningSpectrum& spectrum, OverturningOptions const& options, std::string const& body) {
+    if (body.empty()) {
+        spectrum.block = stated_block(options);
+        spectrum.body = "stated block";
+        return;
+    }
+    validate(!options.p && options.alpha.empty() && !options.restitution,
+             "--p, --alpha and --restitution beside --body (it states them). Leave one of them out");
+    auto const spec = load_body(body);
+    validate(!spec.body.needs_planar_rocking(),
+             "{}: slope, offset or initial tilt (an overturning spectrum is of a symmetric body at rest). Leave it out",
+             body);
+    note_warnings(warnings_of(spec));
+    spectrum.block = block_of(spec.body);
+    spectrum.body = spec.name;
+}
+
+void sweep(OverturningSpectrum& spectrum, OverturningOptions const& options) {
+    auto const& shape_entry = config::find_entry(pulse_shapes(), options.pulse, "--pulse");
+    bool const parametric = options.pulse == parametric_pulse;
+    validate(parametric == (options.gamma.has_value() && !options.phase.empty())
+                 && (parametric || (!options.gamma && options.phase.empty())),
+             "--gamma and --phase (both are stated for --pulse {}, and for no other pulse). Mend it", parametric_pulse);
+    PulseParameters parameters;
+    if (parametric) {
+        parameters = {*options.gamma, parse_quantity(options.phase, Dimension::angle)};
+    }
+    validate(options.ratios.empty() || options.frequencies.empty(),
+             "--ratios beside --frequencies (both say which). Leave one of them out");
+    auto const shape = shape_entry.value(parameters);
+    double const hz_per_ratio = spectrum.block.p_radps / (2 * pi);
+    bool const in_hz = !options.frequencies.empty();
+    auto const grid = in_hz ? grid_of(options.frequencies, "--frequencies")
+                            : grid_of(options.ratios.empty() ? "0.5:10:40" : options.ratios, "--ratios");
+    spectrum.shaking = options.pulse;
+    for (double const value : grid) {
+        double const frequency = in_hz ? value : value * hz_per_ratio;
+        auto const pulse = sample_pulse_alone(shape, 1 / frequency, 1 / frequency / samples_per_period);
+        Excitation const shaking{.horizontal_mps2 = pulse.values, .time_step_s = pulse.time_step_s};
+        spectrum.points.push_back({frequency, overturning_ranges(spectrum.block, shaking, spectrum.scan)});
+    }
+}
+
+void scale_record(OverturningSpectrum& spectrum, OverturningOptions const& options, RecordOptions const& record) {
+    validate(options.ratios.empty() && options.frequencies.empty() && !options.gamma && options.phase.empty(),
+             "--ratios, --frequencies, --gamma or --phase (they are of pulses). State --pulse in place of --wave");
+    auto const placed = load_motion(record);
+    validate_rocking_plane(placed.direction, {record.wave});
+    auto const& motion = placed.motion;
+    note_warnings(warnings_of(motion));
+    spectrum.of_record = true;
+    spectrum.shaking = std::filesystem::path(record.wave).filename().string();
+    spectrum.peak_mps2 = peak_of(motion.horizontal_mps2);
+    Excitation const shaking{.horizontal_mps2 = motion.horizontal_mps2,
+                             .vertical_mps2 = motion.vertical_mps2,
+                             .time_step_s = motion.time_step_s};
+    spectrum.points.push_back({0, overturning_ranges(spectrum.block, shaking, spectrum.scan)});
+}
+
+}  // namespace
+
+void OverturningOptions::offered_by(Verb& verb) {
+    verb.takes("--overturning", asked, "which amplitudes of a pulse, or factors on the wave, overturn a body");
+    verb.takes("--pulse", pulse,
+               fmt::format("with --overturning: {}", fmt::join(config::names_of(pulse_shapes()), ", ")));
+    verb.takes("--p", p, "frequency parameter of the block [rad/s], in place of --body");
+    verb.takes("--alpha", alpha, "its critical angle, e.g. \"14 deg\"");
+    verb.takes("--restitution", restitution, "of its impacts");
+    verb.takes("--ratios", ratios, "omega/p of the pulse: 1,2,5 or first:last:count; default 0.5:10:40");
+    verb.takes("--frequencies", frequencies, "the same in Hz");
+    verb.takes("--gamma", gamma, "of the pulse mavroeidis-papageorgiou");
+    verb.takes("--phase", phase, "the same, e.g. \"90 deg\"");
+    verb.takes("--highest", highest, "where the scan ends, over the amplitude of uplift");
+    verb.takes("--step", step, "ratio of tried amplitudes, less 1");
+    verb.takes("--linearised", linearised, "of the linearised block, as in the papers");
+    verb.takes("-o,--output", output, "with --overturning: its ranges as csv");
+}
+
+bool OverturningOptions::states_more() const {
+    return p || restitution || gamma || linearised || !(alpha + pulse + phase + ratios + frequencies + output).empty();
+}
+
+double OverturningSpectrum::omega_over_p(OverturningPoint const& point) const {
+    return 2 * pi * point.frequency_hz / block.p_radps;
+}
+
+OverturningSpectrum overturning_spectrum(OverturningOptions const& options, RecordOptions const& record,
+                                         std::string const& body) {
+    validate(options.pulse.empty() != record.wave.empty(), "--overturning (of one pulse or one wave). State {}",
+             options.pulse.empty() ? "--pulse or --wave" : "one of them");
+    constexpr double finest = 1e-5;
+    validate(options.highest > 1 && options.highest <= 1e4, "--highest {} (above 1, to 10000). Mend it",
+             options.highest);
+    validate(options.step >= finest && options.step <= 1, "--step {} ({} to 1). Mend it", options.step, finest);
+    OverturningSpectrum spectrum;
+    spectrum.scan = {.highest = options.highest,
+                     .step = options.step,
+                     .accuracy = {.restoring = options.linearised ? Restoring::linear : Restoring::nonlinear}};
+    take_body(spectrum, options, body);
+    if (options.pulse.empty()) {
+        scale_record(spectrum, options, record);
+    } else {
+        sweep(spectrum, options);
+    }
+    return spectrum;
+}
+
+}  // namespace overturn::cli

@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "cli/json_values.hpp"
+#include "cli/overturning_spectrum.hpp"
+#include "core/outward.hpp"
+#include "core/units.hpp"
+
+namespace overturn::cli {
+namespace {
+
+constexpr int digits = 5;
+
+bool falls(Fate fate) { return fate == Fate::after_impact || fate == Fate::without_impact; }
+
+bool leaves_the_ground(OverturningPoint const& point) {
+    return std::ranges::any_of(point.found.ranges,
+                               [](FateRange const& range) { return range.fate == Fate::undecided; });
+}
+
+std::string words_of(Fate fate) {
+    std::string words = name_of(fate);
+    for (auto& c : words) {
+        c = c == '-' ? ' ' : c;
+    }
+    return words;
+}
+
+Json ranges_json(OverturningSpectrum const& spectrum, OverturningPoint const& point) {
+    auto ranges = Json::array();
+    for (auto const& range : point.found.ranges) {
+        Json one{{"fate", name_of(range.fate)},
+                 {"from_mps2", range.from * spectrum.peak_mps2},
+                 {"to_mps2", range.to * spectrum.peak_mps2},
+                 {"from_over_alpha_g", range.from * spectrum.peak_mps2 / spectrum.alpha_g_mps2()},
+                 {"to_over_alpha_g", range.to * spectrum.peak_mps2 / spectrum.alpha_g_mps2()}};
+        if (spectrum.of_record) {
+            one["from_factor"] = range.from;
+            one["to_factor"] = range.to;
+        }
+        ranges.push_back(std::move(one));
+    }
+    return ranges;
+}
+
+std::string head_of(OverturningSpectrum const& spectrum) {
+    auto const& block = spectrum.block;
+    bool const linear = spectrum.scan.accuracy.restoring == Restoring::linear;
+    return fmt::format(
+        "{} under {}: {}rigid block on two corners, in one plane, without slip\n"
+        "alpha {:.5g} deg, p {:.5g} rad/s, e {:.5g}; alpha g = {:.5g} m/s2\n",
+        spectrum.body, spectrum.shaking, linear ? "linearised " : "", block.alpha_rad * 180 / pi, block.p_radps,
+        block.restitution, spectrum.alpha_g_mps2());
+}
+
+// "overturns with impact 3.0323 to 6.7431; stands to 7.493; ...", in the unit of `per`.
+std::string ranges_text(OverturningRanges const& found, double per) {
+    std::string text;
+    for (std::size_t i = 0; i < found.ranges.size(); ++i) {
+        auto const& range = found.ranges[i];
+        bool const last = i + 1 == found.ranges.size();
+        if (range.fate == Fate::stands && i > 0
+            && rounded_down(range.to / per, digits) <= rounded_up(range.from / per, digits)) {
+            continue;  // so narrow that it is not seen in these digits
+        }
+        double const to = falls(range.fate) ? rounded_up(range.to / per, digits) : rounded_down(range.to / per, digits);
+        fmt::format_to(std::back_inserter(text), "{}{} to {:g}", i == 0 ? "" : "; ", words_of(range.fate), to);
+        text += last ? " (end of the scan)" : "";
+    }
+    return text.empty() ? "nothing uplifts it" : text;
+}
+
+std::string least_text(OverturningRanges const& found, double per) {
+    double const least = found.overturning();
+    bool const known = std::isfinite(least) && least == found.stands_to();
+    return fmt::format("{}{:g}", known ? "" : "> ", rounded_down(found.stands_to() / per, digits));
+}
+
+}  // namespace
+
+nlohmann::ordered_json json_of(OverturningSpectrum const& spectrum) {
+    auto points = Json::array();
+    for (auto const& point : spectrum.points) {
+        double const least = point.found.overturning() * spectrum.peak_mps2;
+        double const uplift = point.found.uplift * spectrum.peak_mps2;
+        Json one;
+        if (!spectrum.of_record) {
+            one["omega_over_p"] = spectrum.omega_over_p(point);
+            one["frequency_hz"] = point.frequency_hz;
+            one["period_s"] = 1 / point.frequency_hz;
+        }
+        one["uplift_mps2"] = or_null(std::isfinite(uplift), uplift);
+        double const stands = point.found.stands_to() * spectrum.peak_mps2;
+        one["stands_to_mps2"] = or_null(std::isfinite(stands), stands);
+        one["overturning_mps2"] = or_null(std::isfinite(least), least);
+        one["overturning_over_alpha_g"] = or_null(std::isfinite(least), least / spectrum.alpha_g_mps2());
+        one["ranges"] = ranges_json(spectrum, point);
+        points.push_back(std::move(one));
+    }
+    Json json{{"body", spectrum.body}, {"shaking", spectrum.shaking}};
+    if (spectrum.of_record) {
+        json["pga_mps2"] = spectrum.peak_mps2;
+    }
+    json["alpha_rad"] = spectrum.block.alpha_rad;
+    json["p_radps"] = spectrum.block.p_radps;
+    json["restitution"] = spectrum.block.restitution;
+    json["alpha_g_mps2"] = spectrum.alpha_g_mps2();
+    json["linearised"] = spectrum.scan.accuracy.restoring == Restoring::linear;
+    json["scan"] = {{"highest_over_uplift", spectrum.scan.highest},
+                    {"step", spectrum.scan.step},
+                    {"precision", spectrum.scan.precision}};
+    json["points"] = std::move(points);
+    return json;
+}
+
+std::string csv_of(OverturningSpectrum const& spectrum) {
+    std::string csv = spectrum.of_record ? "from_factor,to_factor" : "omega_over_p,frequency_hz,period_s";
+    csv += ",fate,from_mps2,to_mps2,from_over_alpha_g,to_over_alpha_g\n";
+    auto const out = std::back_inserter(csv);
+    for (auto const& point : spectrum.points) {
+        for (auto const& range : point.found.ranges) {
+            double const from = range.from * spectrum.peak_mps2;
+            double const to = range.to * spectrum.peak_mps2;
+            if (spectrum.of_record) {
+                fmt::format_to(out, "{},{}", range.from, range.to);
+            } else {
+                fmt::format_to(out, "{},{},{}", spectrum.omega_over_p(point), point.frequency_hz,
+                               1 / point.frequency_hz);
+            }
+            fmt::format_to(out, ",{},{},{},{},{}\n", name_of(range.fate), from, to, from / spectrum.alpha_g_mps2(),
+                           to / spectrum.alpha_g_mps2());
+        }
+    }
+    return csv;
+}
+
+std::string text_of(OverturningSpectrum const& spectrum) {
+    auto text = head_of(spectrum);
+    auto const out = std::back_inserter(text);
+    double const alpha_g = spectrum.alpha_g_mps2();
+    if (spectrum.of_record) {
+        auto const& found = spectrum.points.front().found;
+        fmt::format_to(out, "overturns from {} times the record on (PGA {:.5g} m/s2), uplifts from {:.5g} on\n{}\n",
+                       least_text(found, 1), spectrum.peak_mps2, found.uplift, ranges_text(found, 1));
+    } else {
+        fmt::format_to(out, "{:>8} {:>9} {:>9} {:>10} {:>8}  amplitudes over alpha g\n{:>8} {:>9} {:>9} {:>10} {:>8}\n",
+                       "omega/p", "f", "uplifts", "overturns", "over", "", "Hz", "m/s2", "m/s2", "alpha g");
+        for (auto const& point : spectrum.points) {
+            auto const& found = point.found;
+            fmt::format_to(out, "{:>8.4g} {:>9.4g} {:>9.5g} {:>10} {:>8}  {}\n", spectrum.omega_over_p(point),
+                           point.frequency_hz, found.uplift, least_text(found, 1), least_text(found, alpha_g),
+                           ranges_text(found, alpha_g));
+        }
+    }
+    if (std::ranges::any_of(spectrum.points, &leaves_the_ground)) {
+        text += "undecided: the body leaves the ground before it has tipped over\n";
+    }
+    fmt::format_to(out, "tried to {:g} times the amplitude of uplift; ranges narrower than {:g} % may be missed\n",
+                   spectrum.scan.highest, 100 * spectrum.scan.step);
+    return text;
+}
+
+}  // namespace overturn::cli

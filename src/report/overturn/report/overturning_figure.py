@@ -1,0 +1,48 @@
+"""The overturning spectrum of a pulse as the papers draw it: amplitude over alpha g against omega/p, where the block
+stands, and where it overturns with an impact and without."""
+
+from . import style
+from .style import INK, ORANGE, PALE, VERMILION
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+FATES = {"overturns-with-impact": (ORANGE, "overturns after an impact"),
+         "overturns-without-impact": (VERMILION, "overturns without an impact"),
+         "undecided": (PALE, "leaves the ground: undecided")}
+
+
+def edges_of(ratios):
+    """Of columns about each ratio, half way to its neighbours."""
+    if len(ratios) == 1:
+        return 0.95 * ratios, 1.05 * ratios
+    middles = 0.5 * (ratios[1:] + ratios[:-1])
+    return np.concatenate([ratios[:1], middles]), np.concatenate([middles, ratios[-1:]])
+
+
+def draw(data, path):
+    style.use()
+    points = sorted(data["points"], key=lambda point: point["omega_over_p"])
+    ratios = np.array([point["omega_over_p"] for point in points])
+    left, right = edges_of(ratios)
+    figure, axes = plt.subplots(figsize=(5.8, 4.2), layout="constrained")
+    for fate, (colour, label) in FATES.items():
+        bars = [(x, y - x, r["from_over_alpha_g"], r["to_over_alpha_g"] - r["from_over_alpha_g"])
+                for point, x, y in zip(points, left, right) for r in point["ranges"] if r["fate"] == fate]
+        if bars:
+            x, width, bottom, height = np.array(bars).T
+            axes.bar(x, height, width, bottom, align="edge", color=colour, lw=0, label=label)
+    axes.plot(ratios, [point["uplift_mps2"] / data["alpha_g_mps2"] for point in points], color=INK, lw=1, ls="--",
+              label="uplift")
+    least = np.array([point["overturning_over_alpha_g"] for point in points], dtype=float)
+    axes.plot(ratios, least, color=INK, lw=1.2, label="least that overturns")
+    if np.isfinite(least).any():  # so high as its notch is, not as the scan went
+        seen = [r["from_over_alpha_g"] for point in points for r in point["ranges"]]
+        axes.set_ylim(0, 1.15 * max(seen))
+    axes.set(xlabel=r"$\omega / p$", ylabel=r"amplitude over $\alpha g$", xlim=(left[0], right[-1]))
+    degrees = np.degrees(data["alpha_rad"])
+    axes.set_title(f"{data['shaking']}: " + rf"$\alpha$ {degrees:.4g}°, $p$ {data['p_radps']:.4g} rad/s, "
+                   f"$e$ {data['restitution']:.3g}{', linearised' if data['linearised'] else ''}")
+    style.name(figure, data["body"])
+    style.legend_below(figure, *axes.get_legend_handles_labels(), 2)
+    style.save(figure, path)

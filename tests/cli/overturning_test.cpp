@@ -1,0 +1,131 @@
+// Requirement R-410: `spectrum --overturning` gives every range of amplitude as text, JSON, csv and a figure, for a
+// body file or a stated block, under pulses and under a record.
+#include <cmath>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+#include "support/command.hpp"
+
+namespace overturn::testing {
+namespace {
+
+using nlohmann::json;
+
+class Overturning : public ::testing::Test {
+  protected:
+    Ended done(std::vector<std::string> const& arguments) {
+        auto ended = overturn(folder, joined({"spectrum", "--overturning"}, arguments));
+        EXPECT_EQ(ended.code, 0) << ended.err;
+        return ended;
+    }
+    void refused(std::vector<std::string> const& arguments, std::string const& why) {
+        auto const ended = overturn(folder, joined({"spectrum"}, arguments));
+        EXPECT_EQ(ended.code, 2) << why;
+        EXPECT_TRUE(is_one_error_line(ended.err)) << ended.err;
+        EXPECT_NE(ended.err.find(why), std::string::npos) << ended.err;
+    }
+
+    std::vector<std::string> const block{"--p", "2", "--alpha", "0.25", "--restitution", "0.9"};
+    Folder folder;
+};
+
+// The notch of the nonlinear block at omega/p = 5, known to seven digits; chords of the pulse miss 1e-6 of it.
+TEST_F(Overturning, JsonAndCsvHoldTheNotch) {
+    auto const shown = json::parse(
+        done(joined(block, {"--pulse", "one-sine", "--ratios", "5", "--json", "-o", "o.csv", "--highest", "8"})).out);
+
+    ASSERT_EQ(shown["points"].size(), 1U);
+    auto const& point = shown["points"][0];
+    EXPECT_NEAR(point["omega_over_p"], 5, 1e-12);
+    EXPECT_NEAR(point["frequency_hz"], 5 * 2 / (2 * M_PI), 1e-12);
+    EXPECT_NEAR(point["overturning_over_alpha_g"], 3.032339, 3e-6 * 3);
+    EXPECT_EQ(point["stands_to_mps2"], point["overturning_mps2"]);
+    EXPECT_NEAR(point["uplift_mps2"], std::tan(0.25) * 9.80665, 1e-9);
+    auto const& ranges = point["ranges"];
+    ASSERT_EQ(ranges.size(), 4U) << ranges;
+    EXPECT_EQ(ranges[1]["fate"], "overturns-with-impact");
+    EXPECT_NEAR(ranges[1]["to_over_alpha_g"], 6.743019, 3e-6 * 7);
+    EXPECT_EQ(ranges[2]["fate"], "stands");
+    EXPECT_EQ(ranges[3]["fate"], "overturns-without-impact");
+    EXPECT_NEAR(ranges[3]["from_over_alpha_g"], 7.493000, 3e-6 * 7);
+
+    std::istringstream csv(folder.read("o.csv"));
+    std::string head;
+    std::getline(csv, head);
+    EXPECT_EQ(head, "omega_over_p,frequency_hz,period_s,fate,from_mps2,to_mps2,from_over_alpha_g,to_over_alpha_g");
+    std::size_t rows = 0;
+    for (std::string row; std::getline(csv, row); ++rows) {
+        EXPECT_NE(row.find(ranges[rows]["fate"].get<std::string>()), std::string::npos) << row;
+    }
+    EXPECT_EQ(rows, ranges.size());
+}
+
+// Five digits, rounded so that what overturns is no less than it is.
+TEST_F(Overturning, TextIsRoundedToTheSafeSide) {
+    auto const text =
+        done(joined(block, {"--pulse", "one-sine", "--frequencies", "1.5915494309,30", "--highest", "10"})).out;
+
+    EXPECT_NE(text.find("3.0323  stands to 3.0323; overturns with impact to 6.7431; stands to 7.493"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("> 10.21"), std::string::npos) << "nothing overturned, and it says up to where: " << text;
+    EXPECT_NE(text.find("narrower than 1 % may be missed"), std::string::npos);
+}
+
+TEST_F(Overturning, OfABodyUnderARecordIsAFactorOnIt) {
+    folder.write("body.toml",
+                 "name='b'\nmass='12.6 t'\nbase_width='0.4 m'\ncentre_height='1 m'\ninertia='uniform-block'\n"
+                 "restitution=0.9\n");
+    std::string wave = "time,a\n";
+    for (int i = 0; i <= 200; ++i) {
+        wave += fmt::format("{:.2f},{:.9f}\n", 0.01 * i, 0.5 * std::sin(M_PI * 0.01 * i));
+    }
+    folder.write("w.csv", wave);
+    std::vector<std::string> const record{"--body", "body.toml", "--wave", "w.csv", "--unit", "m/s2"};
+    auto const shown = json::parse(done(joined(record, {"--json"})).out);
+
+    EXPECT_NEAR(shown["pga_mps2"], 0.5, 1e-9);
+    auto const& ranges = shown["points"][0]["ranges"];
+    ASSERT_GE(ranges.size(), 2U);
+    double const factor = ranges[1]["from_factor"];
+    EXPECT_NEAR(shown["points"][0]["overturning_mps2"].get<double>(), 0.5 * factor, 1e-9);
+    auto const verdict = [&](double scale) {
+        auto const ended = overturn(folder, {"rock", "--body", "body.toml", "--wave", "w.csv", "--unit", "m/s2",
+                                             "--scale", fmt::format("{}", scale), "--effects", "none", "--json"});
+        return json::parse(ended.out)["verdict"].get<std::string>();
+    };
+    EXPECT_EQ(verdict(factor * (1 + 1e-8)), "overturned");
+    EXPECT_EQ(verdict(factor * (1 - 1e-8)), "rocked");
+    EXPECT_NE(done(record).out.find("times the record"), std::string::npos);
+}
+
+TEST_F(Overturning, FigureIsDrawnFromTheSameNumbers) {
+    folder.write("interpreter", "#!/bin/sh\ncp \"$4\" \"$5\"\n");
+    std::filesystem::permissions(folder / "interpreter", std::filesystem::perms::owner_all);
+    ::setenv("OVERTURN_PYTHON", (folder / "interpreter").c_str(), 1);
+    auto const shown = done(joined(block, {"--pulse", "half-sine", "--ratios", "1,4", "--plot", "o.svg", "--json"}));
+    ::unsetenv("OVERTURN_PYTHON");
+
+    EXPECT_EQ(json::parse(folder.read("o.svg")), json::parse(shown.out));
+}
+
+TEST_F(Overturning, RefusesWhatHasNoMeaning) {
+    refused({}, "--wave (missing)");
+    refused({"--wave", "w.csv", "--pulse", "ricker"}, "State --overturning too");
+    refused({"--overturning", "--pulse", "one-sine"}, "State --body");
+    refused({"--overturning"}, "State --pulse or --wave");
+    auto const with = [&](std::vector<std::string> const& more) {
+        return joined(joined({"--overturning"}, block), more);
+    };
+    refused(with({"--pulse", "one_sine"}), "'one-sine'?");
+    refused(with({"--pulse", "ricker", "--ratios", "1:2"}), "first:last:count");
+    refused(with({"--pulse", "ricker", "--ratios", "1,x"}), "not a number above 0");
+    refused(with({"--pulse", "ricker", "--ratios", "1", "--frequencies", "1"}), "Leave one of them out");
+    refused(with({"--pulse", "ricker", "--gamma", "2"}), "--gamma and --phase");
+    refused(with({"--pulse", "mavroeidis-papageorgiou", "--gamma", "2"}), "--gamma and --phase");
+    refused(with({"--pulse", "ricker", "--highest", "1"}), "--highest");
+}
+
+}  // namespace
+}  // namespace overturn::testing
