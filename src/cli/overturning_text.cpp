@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/json_values.hpp"
 #include "cli/overturning_spectrum.hpp"
@@ -56,21 +58,31 @@ std::string head_of(OverturningSpectrum const& spectrum) {
         block.restitution, spectrum.alpha_g_mps2());
 }
 
-// "overturns with impact 3.0323 to 6.7431; stands to 7.493; ...", in the unit of `per`.
-std::string ranges_text(OverturningRanges const& found, double per) {
-    std::string text;
-    for (std::size_t i = 0; i < found.ranges.size(); ++i) {
-        auto const& range = found.ranges[i];
-        bool const last = i + 1 == found.ranges.size();
-        if (range.fate == Fate::stands && i > 0
-            && rounded_down(range.to / per, digits) <= rounded_up(range.from / per, digits)) {
-            continue;  // so narrow that it is not seen in these digits
-        }
+// What is seen of the ranges in so many digits: one that stands, and is too narrow for them, is not.
+std::vector<FateRange> seen_of(OverturningRanges const& found, double per) {
+    std::vector<FateRange> seen;
+    for (auto const& range : found.ranges) {
+        double const from = rounded_up(range.from / per, digits);
         double const to = falls(range.fate) ? rounded_up(range.to / per, digits) : rounded_down(range.to / per, digits);
-        fmt::format_to(std::back_inserter(text), "{}{} to {:g}", i == 0 ? "" : "; ", words_of(range.fate), to);
-        text += last ? " (end of the scan)" : "";
+        if (range.fate == Fate::stands && !seen.empty() && to <= from) {
+            continue;
+        }
+        if (!seen.empty() && seen.back().fate == range.fate) {
+            seen.back().to = to;
+        } else {
+            seen.push_back({range.fate, from, to});
+        }
     }
-    return text.empty() ? "nothing uplifts it" : text;
+    return seen;
+}
+
+// "stands to 3.0323; overturns with impact to 6.7431; stands to 7.493; ...", in the unit of `per`.
+std::string ranges_text(OverturningRanges const& found, double per) {
+    std::vector<std::string> parts;
+    for (auto const& range : seen_of(found, per)) {
+        parts.push_back(fmt::format("{} to {:g}", words_of(range.fate), range.to));
+    }
+    return parts.empty() ? "nothing uplifts it" : fmt::format("{} (end of the scan)", fmt::join(parts, "; "));
 }
 
 std::string least_text(OverturningRanges const& found, double per) {

@@ -12,6 +12,7 @@
 #include "qualify/installation.hpp"
 #include "qualify/known_answers.hpp"
 #include "qualify/page.hpp"
+#include "qualify/published.hpp"
 #include "runner/root_broadcast.hpp"
 #include "store/durable.hpp"
 
@@ -23,6 +24,7 @@ namespace fs = std::filesystem;
 struct QualifyOptions {
     std::string folder = ".";
     std::optional<std::string> page;
+    bool published = false;
     bool json = false;
 };
 
@@ -66,22 +68,31 @@ int print_outcome(QualifyOptions const& options, qualify::Qualification const& s
     return shown.passed() ? done : other_failure;
 }
 
+qualify::Checks installation_checks(fs::path const& folder, qualify::Checks const& campaign) {
+    qualify::Checks all;
+    for (auto const& part : {qualify::mechanics(), qualify::contact(), qualify::spectra(), qualify::numbers(), campaign,
+                             qualify::file_system_checks(folder)}) {
+        all.insert(all.end(), part.begin(), part.end());
+    }
+    return all;
+}
+
 int qualify_here(QualifyOptions const& options, parallel::Communicator const& comm) {
-    Bench const bench(options.folder, comm);
-    auto const campaign = qualify::campaign_checks(bench.folder(), comm);
+    std::optional<Bench> bench;
+    if (!options.published) {
+        bench.emplace(options.folder, comm);
+    }
+    auto const campaign = bench ? qualify::campaign_checks(bench->folder(), comm) : qualify::Checks{};
     return std::stoi(broadcast_from_root(comm, [&] {
-        qualify::Qualification shown{.checks = {},
-                                     .program = program_identity(),
-                                     .machine = machine(),
-                                     .compiler = compiler(),
-                                     .libraries = library_versions(),
-                                     .mpi = parallel::Communicator::library(),
-                                     .folder = fs::absolute(options.folder).lexically_normal().string(),
-                                     .ranks = comm.size()};
-        for (auto const& part : {qualify::mechanics(), qualify::contact(), qualify::spectra(), qualify::numbers(),
-                                 campaign, qualify::file_system_checks(bench.folder())}) {
-            shown.checks.insert(shown.checks.end(), part.begin(), part.end());
-        }
+        qualify::Qualification const shown{
+            .checks = bench ? installation_checks(bench->folder(), campaign) : qualify::published(),
+            .program = program_identity(),
+            .machine = machine(),
+            .compiler = compiler(),
+            .libraries = library_versions(),
+            .mpi = parallel::Communicator::library(),
+            .folder = fs::absolute(options.folder).lexically_normal().string(),
+            .ranks = comm.size()};
         return fmt::format("{}", print_outcome(options, shown));
     }));
 }
@@ -92,6 +103,7 @@ void add_qualify(CommandLine& line) {
     auto verb = line.verb("qualify", "hold this installation against known answers, alone or under mpirun");
     auto options = std::make_shared<QualifyOptions>();
     verb.takes("folder", options->folder, "where outputs will lie: its file system is looked at too; default: here");
+    verb.takes("--published", options->published, "hold it against results that others printed instead");
     verb.takes("--html", options->page, "write a page that needs no network");
     verb.takes("--json", options->json, "for scripts");
     verb.does([options] { return on_all_ranks([&](auto const& comm) { return qualify_here(*options, comm); }); });

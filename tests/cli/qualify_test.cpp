@@ -68,6 +68,31 @@ TEST(Qualify, ALibraryThatGivesAnotherNumberFails) {
     }
 }
 
+// R-1406.
+TEST(Qualify, HoldsItselfAgainstPublishedResults) {
+    Folder const folder;
+    auto const ended = overturn(folder, {"qualify", "--published", "--json", "--html", "page.html"});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    auto const shown = nlohmann::json::parse(ended.out);
+    auto const page = folder.read("page.html");
+    int derived = 0;
+    int printed = 0;
+    for (auto const& check : shown["checks"]) {
+        auto const number = check["number"].get<std::string>();
+        EXPECT_TRUE(check["passed"]) << check.dump();
+        EXPECT_FALSE(check["source"].get<std::string>().empty()) << number;
+        EXPECT_GT(check["tolerance"], 0) << number;
+        auto const remark = check["remark"].get<std::string>();
+        EXPECT_FALSE(remark.empty()) << number << " says what decides the difference";
+        derived += remark.find("derived again") != std::string::npos ? 1 : 0;
+        printed += remark.find("printed") != std::string::npos ? 1 : 0;
+        EXPECT_NE(page.find("<td>" + number + "</td>"), std::string::npos);
+    }
+    EXPECT_GE(shown["checks"].size(), 25U);
+    EXPECT_GT(derived, 0);
+    EXPECT_GT(printed, 0);
+}
+
 TEST(Qualify, AFolderThatKeepsNothingIsRefused) {
     Folder const folder;
     auto const ended = overturn(folder, {"qualify", "none"});
