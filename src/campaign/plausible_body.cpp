@@ -159,7 +159,7 @@ constexpr std::string_view sizes =
     "top)";
 constexpr std::string_view swapped = "Check that base_width and centre_height are not swapped, and their units";
 constexpr std::string_view its_unit = "Check it and its unit";
-constexpr std::string_view distribution = "Check its deviation: 0.05 of the mean for 5 %";
+constexpr std::string_view check_deviation = "Check its deviation: 0.05 of the mean for 5 %";
 
 constexpr double least_scatter = 1e-4;  // less is none
 using OfBody = UsualRange<BodySpec>;
@@ -195,11 +195,11 @@ constexpr std::array body_ranges{
     OfBody{&inertia_across, 0.2, 5, &across_said, "1 of a round or square body", its_unit},
     OfBody{&inertia_vertical, 0.05, 5, &vertical_said, "0.2 to 0.6 of a cask", its_unit},
     OfBody{&densest_part, 0, 9000, &part_said, "steel 7850, solid", "Check its unit, and diameter (not the radius)"},
-    OfBody{&scatter<&BodyScatter::mass>, least_scatter, 0.2, &mass_said, "of a cask 1 to 5 %", distribution},
+    OfBody{&scatter<&BodyScatter::mass>, least_scatter, 0.2, &mass_said, "of a cask 1 to 5 %", check_deviation},
     OfBody{&scatter<&BodyScatter::centre_height>, least_scatter, 0.15, &height_said, "of a cask 1 to 5 %",
-           distribution},
-    OfBody{&scatter<&BodyScatter::restitution>, least_scatter, 0.3, &bounce_said, "5 to 15 %", distribution},
-    OfBody{&scatter<&BodyScatter::friction>, least_scatter, 0.5, &grip_said, "10 to 30 %", distribution}};
+           check_deviation},
+    OfBody{&scatter<&BodyScatter::restitution>, least_scatter, 0.3, &bounce_said, "5 to 15 %", check_deviation},
+    OfBody{&scatter<&BodyScatter::friction>, least_scatter, 0.5, &grip_said, "10 to 30 %", check_deviation}};
 
 }  // namespace
 

@@ -56,7 +56,10 @@ double followed_until_s(TrialRow const& row) {
     constexpr double always = std::numeric_limits<double>::infinity();
     constexpr auto needed = mask_of(Effect::sliding) | mask_of(Effect::spatial);
     auto const missed = static_cast<EffectMask>(row.called) & ~static_cast<EffectMask>(row.effects);
-    return (missed & needed) != 0 ? -always : flew(row) ? row.contact_lost_s : always;
+    if ((missed & needed) != 0) {
+        return -always;
+    }
+    return flew(row) ? row.contact_lost_s : always;
 }
 
 SiteJudge::SiteJudge(Site const& site, std::span<BodySpec const> bodies, Ladder const& ladder)

@@ -164,7 +164,7 @@ void write_drawn_waves(StudyText& out, StudyAnswers const& a) {
                                      : "120 s, because no duration was stated and long-period motion lasts minutes");
     a.acceptance ? out.state("acceptance", quoted(*a.acceptance))
                  : out.leave_out("acceptance = \"srp-3.7.1\"", "no rule that waves must meet, because none was stated");
-    out.leave_out("envelope = {shape = \"jennings\", rise = \"10 s\", level_end = \"60 s\", end = \"110 s\"}",
+    out.leave_out(R"(envelope = {shape = "jennings", rise = "10 s", level_end = "60 s", end = "110 s"})",
                   "an envelope that is level from a tenth to half of the duration, because none was stated");
     out.leave_out("variability = {sigma = 0.5, correlation = \"baker-jayaram-2008\"}",
                   "every wave follows the one spectrum, because no scatter about it was stated: curves are steeper "
@@ -236,7 +236,7 @@ void write_levels(StudyText& out, StudyAnswers const& a) {
 void write_site(StudyText& out, StudyAnswers const& a) {
     if (!a.has_site()) {
         out.line("\n# assumed: nothing within reach of the cask, because no --gap, --wall or --edge was stated");
-        out.line("# site = {cask = \"0.8 m\", edge = \"2 m\"}");
+        out.line(R"(# site = {cask = "0.8 m", edge = "2 m"})");
         return;
     }
     out.begin("[site]");

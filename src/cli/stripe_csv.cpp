@@ -77,8 +77,8 @@ bool may_name_trials(std::string_view cell) {
 /// What a column of trials by its name holds, told by all rows.
 enum class Trials { counts, labels, either };
 
-/// Labels where none of the outcomes is above 1 and the column names the rows, or an amplitude comes twice; either
-/// where it counts the rows under a name that is a number of trials too.
+/// Labels where none of the outcomes is above 1 and the column, called by the name of one, numbers the rows, differs
+/// from row to row, or an amplitude comes twice; either where it may be both.
 class TrialsColumn {
   public:
     TrialsColumn(std::string const& text, std::string const& file) {
@@ -95,11 +95,19 @@ class TrialsColumn {
         if (!trials_ || !overturned_ || !amplitude_ || !verdicts_ || rows_ < 2) {
             return Trials::counts;
         }
-        bool const labels = !numbers_ || counts_rows_ || amplitudes_.size() < rows_;
-        return !labels ? Trials::counts : singular_ ? Trials::labels : counts_rows_ ? Trials::either : Trials::counts;
+        bool const numbered = counts_rows_ || is_permutation();
+        bool const all_differ = values_.size() == rows_;
+        if (!numbers_ || amplitudes_.size() < rows_ || numbered || (singular_ && all_differ)) {
+            return singular_ ? Trials::labels : numbered ? Trials::either : Trials::counts;
+        }
+        return singular_ && values_.size() > 1 ? Trials::either : Trials::counts;
     }
 
   private:
+    /// Of 1, 2, 3, ...
+    [[nodiscard]] bool is_permutation() const {
+        return values_.size() == rows_ && *values_.begin() == 1 && *values_.rbegin() == static_cast<double>(rows_);
+    }
     void place(std::vector<Cell> const& cells) {
         for (std::size_t i = 0; i < cells.size(); ++i) {
             auto const field = field_of(named_column(cells[i].text));
@@ -120,6 +128,7 @@ class TrialsColumn {
         bool const from_0 = read && number == static_cast<double>(rows_);
         bool const from_1 = read && number == static_cast<double>(rows_ + 1);
         counts_rows_ = counts_rows_ && (from_0 || from_1);
+        values_.insert(number);
         verdicts_ = verdicts_ && CellRows::yes_or_no(cells[*overturned_]).has_value();
         amplitudes_.emplace(cells[*amplitude_].text);
         ++rows_;
@@ -129,6 +138,7 @@ class TrialsColumn {
     bool singular_ = false, numbers_ = true, counts_rows_ = true, verdicts_ = true;
     std::size_t rows_ = 0;
     std::set<std::string> amplitudes_;
+    std::set<double> values_;
 };
 
 /// "", "No.", "stripe": it counts the rows.
@@ -231,10 +241,9 @@ class Reader {
 
     void check_are_labels(Cell const& cell) const {
         if (trials_held_ == Trials::either) {
-            rows_.fail(cell,
-                       fmt::format("column {} (it counts the rows 1, 2, 3: the number of each, or of its trials?). "
-                                   "Name it 'No.' where each row is one trial, or write the trials of each row",
-                                   in_quotes(cell.text)));
+            rows_.fail(cell, fmt::format("column {} (it numbers the rows: the name of each, or its number of trials?). "
+                                         "Name it 'No.' where each row is one trial, or write the trials of each row",
+                                         in_quotes(cell.text)));
         }
     }
 

@@ -179,8 +179,8 @@ bool Claims::take_components(std::string_view line, std::string const& lower, in
 bool Claims::tells_more(std::string const& lower, bool component, bool quantity, bool step) const {
     bool const other = of_ == Dimension::acceleration && !quantity && tells_other_quantity(lower);
     bool const hertz = !step && tells_rate(lower);
-    return other || hertz || tells_factor(lower) || tells_statistic(lower) || tells_other_span(lower)
-           || (!component && tells_vertical(lower));
+    return other || hertz || tells_factor(lower) || tells_share(lower) || tells_statistic(lower)
+           || tells_other_span(lower) || (!component && tells_vertical(lower));
 }
 
 std::vector<std::string> Claims::unread() const {

@@ -17,6 +17,7 @@
 #include "motion/detail/printed_times.hpp"
 #include "motion/detail/record_readers.hpp"
 #include "motion/detail/table_columns.hpp"
+#include "motion/telling_words.hpp"
 #include "motion/text_lines.hpp"
 #include "motion/text_table.hpp"
 
@@ -59,6 +60,11 @@ double unit_of(TextTable const& table, TableColumns const& columns, Claims const
             throw InputError(names, fmt::format("column '{}' ('{}' is no unit of acceleration that is known). Write "
                                                 "m/s2, gal or g, or leave the brackets out and state the unit",
                                                 role.name, role.unknown_unit));
+        }
+        if (!columns.stated && tells_factor(lowered(role.name))) {
+            throw InputError(names, fmt::format("column '{}' (a factor in its name: are its numbers that, or to be "
+                                                "multiplied by it?). Give accelerations as such, or state the columns",
+                                                role.name));
         }
         if (role.unit && named && *role.unit != *named) {
             throw InputError(names, "columns in different units (one is meant for all). Bring them into one");

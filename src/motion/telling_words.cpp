@@ -38,16 +38,41 @@ bool holds_word_of(Text lower, std::span<Text const> words) {
     return std::ranges::any_of(words, [&](Text word) { return std::ranges::find(found, word) != found.end(); });
 }
 
+/// "x100", "100*a"
+bool is_factor_at_once(Text lower) {
+    for (auto const word : words_of(lower)) {
+        if (word.size() > 1 && word.front() == 'x' && word.find_first_not_of("0123456789.", 1) == Text::npos) {
+            return true;
+        }
+    }
+    auto const at = lower.find('*');
+    return at != Text::npos && at > 0 && at + 1 < lower.size() && lower[at - 1] >= '0' && lower[at - 1] <= '9'
+           && lower[at + 1] >= 'a' && lower[at + 1] <= 'z';
+}
+
 /// "x 100", "* 9.81", "\xC3\x97 2": a sign of multiplication before a figure, and none of a size before it.
 bool is_multiplied(Text lower) {
     for (Text const sign : {" x ", "*", "\xC3\x97"}) {
         for (auto at = lower.find(sign); at != Text::npos; at = lower.find(sign, at + 1)) {
             auto const behind = trimmed(lower.substr(at + sign.size()));
             auto const before = trimmed(lower.substr(0, at));
+            bool const power =
+                sign == "*" && (lower.substr(at + 1).starts_with('*') || lower.substr(0, at).ends_with('*'));
             bool const size = sign == " x " && !before.empty() && before.back() >= '0' && before.back() <= '9';
-            if (!size && !behind.empty() && behind.front() >= '0' && behind.front() <= '9') {
+            if (!power && !size && !behind.empty() && behind.front() >= '0' && behind.front() <= '9') {
                 return true;
             }
+        }
+    }
+    return false;
+}
+
+/// "50 % of the original"; a comment's own mark is none.
+bool is_percent(Text lower) {
+    for (auto at = lower.find('%'); at != Text::npos; at = lower.find('%', at + 1)) {
+        auto const before = trimmed(lower.substr(0, at));
+        if (!before.empty() && before.back() >= '0' && before.back() <= '9') {
+            return true;
         }
     }
     return false;
@@ -75,9 +100,16 @@ std::string without_fillings(Text part) {
 }  // namespace
 
 bool tells_factor(Text lower) {
-    constexpr std::array<Text, 12> parts{"amplif",  "reduced", "compress", "scaled", "scaling", "scale factor",
-                                         "multipl", "divid",   "divisor",  "factor", "normali", "relative"};
-    return holds_any(lower, parts) || is_multiplied(lower);
+    constexpr auto parts = std::to_array<Text>(
+        {"amplif", "reduced",   "compress",   "scaled",     "scaling",    "scale factor", "multipl", "divid", "divisor",
+         "factor", "normali",   "relative",   "thousandth", "hundredth",  "twice",        "doubl",   "halv",  "half ",
+         "gain",   "times the", "conversion", "unit =",     "units of 0", "units of 1",   "rel. "});
+    return holds_any(lower, parts) || is_multiplied(lower) || is_factor_at_once(lower);
+}
+
+bool tells_share(Text lower) {
+    constexpr std::array<Text, 2> parts{"percent", "per cent"};
+    return holds_any(lower, parts) || is_percent(lower);
 }
 
 bool tells_other_quantity(Text lower) {

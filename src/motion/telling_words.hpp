@@ -9,6 +9,9 @@ namespace overturn {
 /// "scaled by 0.5", "multiply by 9.81", "x 100", "divide by 980", "normalised", "relative to"
 [[nodiscard]] bool tells_factor(std::string_view lower);
 
+/// "50 % of the original", "percent of g"
+[[nodiscard]] bool tells_share(std::string_view lower);
+
 /// "VEL", "NS velocity", "raw counts", "displ.": of accelerations that a line does not call so
 [[nodiscard]] bool tells_other_quantity(std::string_view lower);
 

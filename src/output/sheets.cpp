@@ -114,7 +114,7 @@ class Sheets {
         for (auto const& limit : limits()) {
             for (auto const& body : file_.categories("trials/body")) {
                 auto const group = group_of(table, body.name, limit);
-                auto part = part_of(group, group + "/" + axis, first);
+                auto part = part_of(group, fmt::format("{}/{}", group, axis), first);
                 part.sources.insert(part.sources.begin(),
                                     {{.column = {"body", "1", "name of the body"}, .text = body.name},
                                      {.column = {"limit", "1", "name of the limit state"}, .text = limit}});

@@ -126,7 +126,7 @@ BodyFrequency frequency_of(FragilityFit const& fit, FragilityData const& stripes
         return hull(annual_frequency_seen(over, with_undecided(stripes, false), confidence, none_up_to),
                     annual_frequency_seen(over, with_undecided(stripes, true), confidence, none_up_to));
     };
-    auto const from_lower = from_lower_on(hazard, {fit.lowest, fit.highest, nothing_below});
+    auto const from_lower = from_lower_on(hazard, {fit.lowest, fit.highest, nothing_below}, !fit.identifiable());
     auto const as_stated = seen(hazard, nothing_below);
     made.seen = {as_stated.lower, std::max(as_stated.upper, seen(from_lower, nothing_below).upper)};
     made.seen_below_curve = made.seen.upper - as_stated.upper;

@@ -67,12 +67,12 @@ std::optional<std::string> merge_blocks(std::filesystem::path const& output, Cam
         {.answered = answered, .few = few, .rare = rare, .telling = telling, .file = output.string()}, options);
 }
 
-std::string resume_command(CampaignInput const& input, std::filesystem::path const& output) {
+std::string resume_command(CampaignInput const& input, std::filesystem::path const& output, std::string_view flag) {
     std::string settings;
     for (auto const& setting : input.settings) {
         settings += " --set " + shell_word(setting);
     }
-    return fmt::format("overturn run {} -o {} --resume{}", shell_word(input.name), shell_word(output.string()),
+    return fmt::format("overturn run {} -o {} {}{}", shell_word(input.name), shell_word(output.string()), flag,
                        settings);
 }
 

@@ -42,6 +42,7 @@ void require_begun(store::ShardFolder const& shards, std::filesystem::path const
 void require_same_program(CampaignInput const& begun, std::filesystem::path const& output);
 
 /// "overturn run c.toml -o c.h5 --resume --set seed=3", to be pasted into a shell: what computes the rest.
-[[nodiscard]] std::string resume_command(CampaignInput const& input, std::filesystem::path const& output);
+[[nodiscard]] std::string resume_command(CampaignInput const& input, std::filesystem::path const& output,
+                                         std::string_view flag = "--resume");
 
 }  // namespace overturn

@@ -34,7 +34,7 @@ std::vector<std::int64_t> all_of(store::BlockRange const& range) {
 
 // What a stopped run, or a finished part, has to say.
 void print_what_is_left(CampaignInput const& input, RunOptions const& options, std::int64_t done, std::int64_t blocks) {
-    auto const again = resume_command(input, options.output);
+    auto const again = resume_command(input, options.output, options.extend ? "--extend" : "--resume");
     if (options.part.is_whole()) {
         print_note("stopped early: {} of {} blocks are done and safe. Go on with: {}\n", done, blocks, again);
         return;

@@ -85,12 +85,12 @@ FrequencyBounds frequency_bounds(HazardCurve const& hazard, LognormalFragility c
     return bounds;
 }
 
-HazardCurve from_lower_on(HazardCurve const& hazard, TriedRange const& tried) {
+HazardCurve from_lower_on(HazardCurve const& hazard, TriedRange const& tried, bool always) {
     auto const& first = hazard.points()[0];
     double const k = slope_between(first, hazard.points()[1]);
     constexpr double weak = 1e-3;
     double from = tried.nothing_below;
-    if (from == 0 && tried.lowest < first.intensity) {
+    if (from == 0 && (always || tried.lowest < first.intensity)) {
         double const yearly = k > 0 ? first.intensity * std::pow(first.annual_exceedance, 1 / k) : 0;
         from = std::min(std::max(yearly, weak * tried.lowest), tried.lowest);
     }

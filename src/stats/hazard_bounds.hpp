@@ -35,9 +35,9 @@ struct FrequencyBounds {
                                                TriedRange const& tried);
 
 /// The hazard curve continued at its first slope towards weaker motions: down to `nothing_below` where that is known,
-/// else, where it begins above `lowest`, down to the motion that is exceeded once a year, or to `lowest` if that is
-/// weaker. As it is where there is nothing to add.
-[[nodiscard]] HazardCurve from_lower_on(HazardCurve const& hazard, TriedRange const& tried);
+/// else, where it begins above `lowest` or `always`, down to the motion that is exceeded once a year, or to `lowest` if
+/// that is weaker. As it is where there is nothing to add.
+[[nodiscard]] HazardCurve from_lower_on(HazardCurve const& hazard, TriedRange const& tried, bool always = false);
 
 /// The integral with the hazard curve continued beyond both ends at the slopes it has there: an estimate [1/a].
 [[nodiscard]] double continued_frequency(HazardCurve const& hazard, LognormalFragility const& fragility);

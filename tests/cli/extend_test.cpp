@@ -105,6 +105,9 @@ TEST_F(Extend, AKillLosesNothing) {
     running.signal(SIGKILL);
     EXPECT_EQ(running.wait().code, 128 + SIGKILL);
     EXPECT_TRUE(folder.read("c.h5") == before);
+    auto const early = overturn(folder, {"run", "c.toml", "--extend", "--max-walltime", "0.05 s"});
+    EXPECT_EQ(early.code, 3);
+    EXPECT_NE(early.err.find("-o c.h5 --extend"), std::string::npos) << early.err;
     auto const ended = extend(3);
     ASSERT_EQ(ended.code, 0) << ended.err;
     expect_as_at_once();

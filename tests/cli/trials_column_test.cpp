@@ -42,6 +42,8 @@ TEST_F(TrialsColumn, NumbersOfTrialsAreNoCounts) {
             << name;
     }
     EXPECT_EQ(stripes("wave,pga [g],overturned\nELC,0.5,0\nTAF,0.7,0\nKOB,0.6,1\nTOK,0.9,1\n"), single);
+    EXPECT_EQ(stripes("pga [g],wave,overturned\n0.5,3,0\n0.6,1,1\n0.7,4,0\n0.9,2,1\n"), single);
+    EXPECT_EQ(stripes("pga [g],record,overturned\n0.5,107,0\n0.6,100,1\n0.7,121,0\n0.9,114,1\n"), single);
     auto const twice = stripes("wave,pga [g],overturned\n1,0.6,0\n1,0.9,1\n2,0.6,0\n2,0.9,1\n");
     ASSERT_EQ(twice.size(), 2U);
     EXPECT_EQ(twice[0]["trials"], 2);
@@ -53,7 +55,9 @@ TEST_F(TrialsColumn, CountsStayCounts) {
     ASSERT_EQ(counted.size(), 3U);
     EXPECT_EQ(counted[0]["trials"], 40);
     EXPECT_EQ(stripes("n,pga [g],overturned\n1,0.5,0\n2,0.7,2\n3,0.9,3\n")[2]["trials"], 3);
-    refuse("waves,pga [g],overturned\n1,0.5,0\n2,0.7,1\n3,0.9,1\n", "it counts the rows 1, 2, 3");
+    refuse("records,pga [g],overturned\n2,0.5,0\n1,0.7,1\n3,0.9,1\n", "it numbers the rows");
+    refuse("trial,pga [g],overturned\n40,0.5,0\n20,0.7,1\n40,0.9,1\n", "it numbers the rows");
+    refuse("waves,pga [g],overturned\n1,0.5,0\n2,0.7,1\n3,0.9,1\n", "it numbers the rows");
 }
 
 TEST_F(TrialsColumn, ThoseThatStoodAreNotThoseThatFell) {

@@ -46,7 +46,8 @@ TEST(TellingText, WhatMayChangeTheNumbersIsListed) {
          {"# station X, values scaled by 0.5", "# date 2011-03-11, multiply by 9.81", "# Component: NS, x 100",
           "# acceleration x 1000", "# event X, divide by 980", "# channel 1, amplification 10", "# VEL",
           "# Component: NS velocity, cm/s", "# Event: X; ground velocity", "# 200 Hz", "# file 200Hz",
-          "# Station X, 200 Hz", "# station of the vertical array", "# accelerogram, reduced to 10 %"}) {
+          "# Station X, 200 Hz", "# station of the vertical array", "# 50 % of the original",
+          "# acceleration in gal, (x1000)", "# 1 unit = 0.01 m/s2", "# gain = 10", "# accelerogram, reduced to 10 %"}) {
         auto const placed = read_placed("blue ink\n" + text(line), {.name = "a"});
         ASSERT_FALSE(placed.unread.empty()) << line;
         EXPECT_TRUE(placed.unread.front().starts_with(fmt::format("line 2: '{}", std::string(line).substr(0, 20))))
@@ -61,6 +62,14 @@ TEST(TellingText, WhatMayChangeTheNumbersIsListed) {
 TEST(TellingText, AnotherUnitContradictsTheName) {
     expect_input_error([] { (void)read_placed(text("# units: m/s", "time,acc"), {.name = "a", .unit_mps2 = 1}); },
                        "a:1", "velocities");
+}
+
+// a factor in a column's name is nothing to guess at; a distance is no time step.
+TEST(TellingText, FactorsInNamesAreRefusedAndDistancesAreNoSteps) {
+    for (char const* name : {"a x 100 [m/s2]", "a*100 [m/s2]", "a [m/s2] x100"}) {
+        expect_input_error([&] { (void)read_placed(text("# X", fmt::format("time,{}", name)), {.name = "a"}); }, "a:2");
+    }
+    EXPECT_EQ(read_placed(text("# Tokyo, delta = 0.05 deg"), {.name = "a"}).motion.time_step_s, 0.01);
 }
 
 // a peak in its own unit is held against the numbers in theirs; one that is none of them is listed.
@@ -95,6 +104,8 @@ TEST(TellingText, NoChannelIsDropped) {
 TEST(TellingText, WordsAreFoundAsWords) {
     EXPECT_TRUE(tells_factor("normalised to 1 g"));
     EXPECT_TRUE(tells_factor("acc * 9.81"));
+    EXPECT_TRUE(tells_factor("100*a"));
+    EXPECT_FALSE(tells_factor("m/s**2"));
     EXPECT_FALSE(tells_factor("a pit of 2 x 3 m"));
     EXPECT_FALSE(tells_vertical("supper"));
     EXPECT_TRUE(tells_statistic("84th percentile"));

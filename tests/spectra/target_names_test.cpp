@@ -147,21 +147,25 @@ TEST(TargetNames, WordsThatChangeASpectrumAreAccountedFor) {
     for (char const* name : {"Sa(10%) (m/s2)", "SA_10pct_damping (m/s2)", "h=10% [m/s2]"}) {
         expect_input_error([&] { (void)read(fmt::format("Period (s),{}\n", name)); }, "t.csv:1: damping 0.1");
     }
-    for (char const* text : {"# 2 percent of critical damping", "# xi = 2 %", "# spectrum, 2 percent of critical"}) {
+    for (char const* text : {"# 5 % in 50 years, damping 2 %", "# UHS 5% in 50 years; damping ratio: 2 %",
+                             "# 5 % in 50 years, damping = 0.02", "# 2 percent of critical damping", "# xi = 2 %",
+                             "# spectrum, 2 percent of critical"}) {
         expect_input_error([&] { (void)read(fmt::format("{}\nT,Sa\n", text)); }, "t.csv:1: damping 0.02");
     }
     for (char const* text :
          {"# vertical spectrum", "# vertical", "# spectrum x 0.01", "# spectrum at damping two percent",
-          "# response spectrum of the vertical component", "# floor spectrum at 20 m", "# spectrum, 84th percentile",
-          "# 5 % damped spectrum of the vertical component"}) {
+          "# response spectrum of the vertical component", "# floor spectrum at 20 m", "# damping 5 % and 2 %",
+          "# spectrum, 84th percentile", "# 5 % damped spectrum of the vertical component"}) {
         EXPECT_NE(read(fmt::format("{}\nT,Sa\n", text)).name().find("not understood: line 1"), std::string::npos)
             << text;
     }
-    for (char const* text : {"# response spectrum", "# 5 % damped", "# acceleration response spectrum"}) {
+    for (char const* text : {"# response spectrum", "# 5 % damped", "# zeta=0.05, 2% in 50 yr",
+                             "# 10 % in 50 years, damping 5 %", "# acceleration response spectrum"}) {
         EXPECT_EQ(read(fmt::format("{}\nT,Sa\n", text)).name(), "t.csv") << text;
     }
     expect_input_error([] { (void)read("# Fourier spectrum\nT,Sa\n"); }, "t.csv:1: '# Fourier", "no response spectrum");
-    for (char const* name : {"V_E (m/s)", "Ve (m/s)", "energy velocity (m/s)"}) {
+    for (char const* name :
+         {"V_E (m/s)", "Ve (m/s)", "energy velocity (m/s)", "Veq (m/s)", "V-E (m/s)", "SV_E (m/s)"}) {
         expect_input_error([&] { (void)read(fmt::format("T,{}\n", name), TargetKind::pseudo_velocity); }, "t.csv:1: '",
                            "an energy spectrum");
         EXPECT_NO_THROW((void)read(fmt::format("T,{}\n", name), TargetKind::energy_velocity)) << name;

@@ -156,6 +156,7 @@ Sheet text_sheet(std::string name, std::vector<SheetColumn> columns, std::vector
     sheet.each_row = [rows = std::move(rows)](Sheet::Take const& take) {
         for (auto const& row : rows) {
             std::vector<SheetCell> cells;
+            cells.reserve(row.size());
             for (auto const& text : row) {
                 cells.push_back(text.empty() ? SheetCell() : SheetCell(std::string_view(text)));
             }

@@ -47,6 +47,11 @@ std::optional<TargetKind> kind_named(Text name) {
                                                 {"v", TargetKind::pseudo_velocity},
                                                 {"sd", TargetKind::displacement},
                                                 {"d", TargetKind::displacement}});
+    if (holds_any(lower, {"equivalent vel", "velocity_eq", "sqrt(2e"}) || lower.starts_with("veq")
+        || lower.starts_with("v-e") || lower.starts_with("sv_e") || lower.starts_with("psv_e")
+        || lower.starts_with("e_i")) {
+        return TargetKind::energy_velocity;
+    }
     if (lower.starts_with("v_e") || lower.starts_with("ve") || lower.find("energy") != std::string::npos) {
         auto const behind = lower.substr(std::min(lower.find('e') + 1, lower.size()));
         if (behind.empty() || !is_letter(behind[0]) || lower.find("energy") != std::string::npos) {
@@ -197,10 +202,13 @@ std::vector<std::string> check_text(PairTable const& table, TargetKind kind, dou
         }
         return stated.has_value();
     };
-    auto const named = lowered(table.second_name);
-    check_damping(
-        named.find('%') != std::string::npos || named.find("pct") != std::string::npos ? "damping " + named : named,
-        table.names_line);
+    auto named = lowered(table.second_name);
+    if (auto const at = named.find("pct"); at != std::string::npos) {
+        named.replace(at, 3, "%");
+    }
+    auto const percent = named.find('%');  // of a column's name nothing else
+    auto const before = percent == std::string::npos ? std::nullopt : number_before(Text(named).substr(0, percent));
+    check_damping(before ? fmt::format("{} % damped", *before) : named, table.names_line);
     for (auto const& line : table.text) {
         Claims claims(dimension_of(kind));
         claims.take(line.text, line.number);
@@ -221,10 +229,18 @@ std::vector<std::string> check_text(PairTable const& table, TargetKind kind, dou
                              fmt::format("{} (no response spectrum). Give Sa, Sv or Sd, or mend the text",
                                          in_quotes(trimmed(line.text))));
         }
+        if (lower.find("energy") != std::string::npos && kind != TargetKind::energy_velocity) {
+            throw InputError(
+                {name, line.number},
+                fmt::format("{} where kind says another spectrum (they contradict each other). Mend the kind, "
+                            "or the text",
+                            in_quotes(trimmed(line.text))));
+        }
         bool const damped = check_damping(lower, line.number);
         bool const telling = tells_vertical(lower) || lower.find("floor") != std::string::npos
                              || (!damped && holds_any(lower, {"damp", "critical"}));
-        auto const said = damped ? claims.telling() : claims.unread();
+        bool const more = tells_factor(lower) || tells_statistic(lower) || tells_other_span(lower) || telling;
+        auto const said = !damped ? claims.unread() : more ? claims.telling() : std::vector<std::string>();
         if (said.empty() && telling) {
             unread.push_back(fmt::format("line {}: {}", line.number, in_quotes(trimmed(line.text))));
         }
@@ -233,18 +249,24 @@ std::vector<std::string> check_text(PairTable const& table, TargetKind kind, dou
     return unread;
 }
 
-std::optional<double> damping_in(std::string_view text) {
-    std::string plain(text);
+std::optional<double> damping_in(std::string_view lower) {
+    std::string plain(lower);
     for (Text const word : {" percent", "percent", " per cent", "pct"}) {
         for (auto at = plain.find(word); at != std::string::npos; at = plain.find(word, at)) {
             plain.replace(at, word.size(), "%");
         }
     }
-    Text const lower = plain;
-    auto const damp = std::min(lower.find("damp"), lower.find("critical"));
-    auto const before = lower.rfind('%', damp);  // "10 % in 50 years, 5 % damped"
-    auto const percent = damp == Text::npos || before == Text::npos ? lower.find('%') : before;
-    if (damp != Text::npos && percent != Text::npos) {
+    lower = plain;
+    // "5 % damped", "2 % of critical": the number right before; "10 % in 50 years, damping 5 %" is none.
+    constexpr std::size_t fillings = 16;
+    for (Text const word : {"damp", "of critical"}) {
+        auto const at = lower.find(word);
+        auto const percent = at == Text::npos ? Text::npos : lower.rfind('%', at);
+        if (percent == Text::npos || at - percent > fillings
+            || lower.substr(percent, at - percent).find_first_of(",;:0123456789") != Text::npos
+            || holds_any(lower.substr(percent, at - percent), {" in ", "year", "yr", " and "})) {
+            continue;
+        }
         auto const value = number_before(lower.substr(0, percent));
         return value ? std::optional(*value / 100) : std::nullopt;
     }
@@ -255,7 +277,13 @@ std::optional<double> damping_in(std::string_view text) {
             continue;
         }
         auto const value = number_behind(lower.substr(at + key.size()));
-        bool const percent_behind = value && percent != Text::npos && percent > at;
+        auto const begin = std::min(lower.find_first_not_of(" \t:=of", at + key.size()), lower.size());
+        auto const end = std::min(lower.find_first_not_of("0123456789.", begin), lower.size());
+        auto const mark = lower.find_first_not_of(" \t", end);
+        bool const percent_behind = value && mark != Text::npos && lower[mark] == '%';
+        if (percent_behind && lower.substr(mark + 1).starts_with(" and ")) {
+            return std::nullopt;  // "damping 5 % and 2 %"
+        }
         double const share = value.value_or(0) / (percent_behind ? 100 : 1);
         if (share > 0 && share < 1) {
             return share;
