@@ -59,7 +59,10 @@ double followed_until_s(TrialRow const& row) {
     if ((missed & needed) != 0) {
         return -always;
     }
-    return flew(row) ? row.contact_lost_s : always;
+    if (flew(row)) {
+        return row.contact_lost_s;
+    }
+    return always;
 }
 
 SiteJudge::SiteJudge(Site const& site, std::span<BodySpec const> bodies, Ladder const& ladder)

@@ -59,17 +59,22 @@ double end_of(std::vector<FateRange> const& ranges, Fate fate) {
     return found == ranges.end() ? std::nan("") : found->to;
 }
 
+// One of several like results.
+struct Known {
+    char const* number;
+    double at, expected;
+};
+
 Checks of_pulses() {
     constexpr double six_digits = 4e-6;
     auto const decided = [](std::string const& by) {
         return fmt::format("{}; the difference is of its six digits and of the chords of 8000 samples a period", by);
     };
     Checks all;
-    char const* const numbers[] = {"L-01", "L-02", "L-03"};
-    int place = 0;
-    for (auto const& [ratio, expected] : {std::pair{1.0, 1.32240}, {4.0, 2.79080}, {10.0, 5.78652}}) {
+    for (auto const& [number, ratio, expected] :
+         {Known{"L-01", 1, 1.32240}, {"L-02", 4, 2.79080}, {"L-03", 10, 5.78652}}) {
         auto const found = ranges_of("half-sine", ratio, Restoring::linear);
-        all.push_back(row(numbers[place++],
+        all.push_back(row(number,
                           fmt::format("least half-sine that overturns the linearised block, omega/p {:g}", ratio),
                           "Shi and others (1996), closed form", "alpha g", start_of(found, Fate::without_impact),
                           expected, six_digits, decided(derived)));
@@ -174,10 +179,9 @@ double slip_amplitude(double eta) {
 
 Checks harmonic_slip() {
     Checks all;
-    char const* const numbers[] = {"L-12", "L-13", "L-14"};
-    int place = 0;
-    for (auto const& [eta, expected] : {std::pair{0.1, 0.100063}, {0.5, 0.062717}, {0.8, 0.009514}}) {
-        all.push_back(row(numbers[place++],
+    for (auto const& [number, eta, expected] :
+         {Known{"L-12", 0.1, 0.100063}, {"L-13", 0.5, 0.062717}, {"L-14", 0.8, 0.009514}}) {
+        all.push_back(row(number,
                           fmt::format("steady amplitude of slip under 4 m/s2 at 1 Hz, friction {:g} of it", eta),
                           "Den Hartog (1931)", "m", slip_amplitude(eta), expected, 6e-5,
                           fmt::format("{}; known to six decimals", derived)));
@@ -215,7 +219,7 @@ Check steady_rocking(Orbit const& o) {
     constexpr int per_cycle = 4000;
     constexpr int cycles = 10;
     double const dt = 2 * pi / (o.sigma * block.p_radps) / per_cycle;
-    std::vector<double> wave(per_cycle * cycles);
+    std::vector<double> wave(std::size_t{per_cycle} * cycles);
     for (std::size_t i = 0; i < wave.size(); ++i) {
         wave[i] = o.k * block.gravity_mps2 * block.alpha_rad
                   * std::sin(2 * pi * static_cast<double>(i) / per_cycle + std::atan2(sine, cosine));
@@ -237,6 +241,7 @@ Checks baker() {
                                       1.33, 1.34, 1.40, 1.40, 1.47, 1.72, 1.76, 2.15, 2.31, 2.42, 2.50};
     constexpr double tried_to = 1.3;
     std::vector<Capacity> capacities;
+    capacities.reserve(example.size());
     for (double const capacity : example) {
         capacities.push_back({std::min(capacity, tried_to), capacity <= tried_to});
     }

@@ -107,6 +107,7 @@ class Search {
         std::vector<Bracket> closed;
         while (!open.empty()) {
             std::vector<double> middles;
+            middles.reserve(open.size());
             for (auto const& [low, high] : open) {
                 middles.push_back(0.5 * (low.factor + high.factor));
             }
