@@ -166,8 +166,10 @@ TEST_F(Outcomes, EachWrongTableIsOneLineThatSaysWhatToDo) {
 // A record goes by the name that the campaign gives it, by its file's alone, or by its number.
 TEST_F(Outcomes, RecordsGoByTheirNames) {
     std::filesystem::create_directories(*folder / "far/away");
-    for (auto const* name : {"far/away/a.csv", "far/away/b.csv", "far/away/c.csv"}) {
-        ASSERT_EQ(overturn(*folder, {"wave", "c.toml", "--wave", "0", "-o", name}).code, 0);
+    for (auto const* letter : {"a", "b", "c"}) {
+        auto const wave = std::to_string(*letter - 'a');
+        auto const name = fmt::format("far/away/{}.csv", letter);
+        ASSERT_EQ(overturn(*folder, {"wave", "c.toml", "--wave", wave, "-o", name}).code, 0);
     }
     auto campaign = noisy_campaign("measure='factor'\nvalues=[1]\n");
     auto const waves = campaign.find("[waves]");
