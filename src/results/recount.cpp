@@ -11,6 +11,7 @@
 #include "results/schema.hpp"
 #include "results/statistics.hpp"
 #include "results/stored_names.hpp"
+#include "results/stored_rows.hpp"
 
 namespace overturn {
 
@@ -222,14 +223,7 @@ Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec) {
 }
 
 TrialRows read_trial(store::ResultsReader const& file, CampaignSpec const& spec, std::int64_t number) {
-    Ladder const ladder(spec.effects, spec.accuracy);
-    TrialRows trial{{TrialRow{}}, std::vector<std::byte>(ladder.own_bytes())};
-    auto const rows = static_cast<std::int64_t>(file.integers("trials/verdict").size());
-    file.rows(stored_trial_table(file, spec), rows, number, std::as_writable_bytes(std::span(trial.rows)));
-    for (auto const& table : own_tables(ladder)) {
-        file.rows(table, rows, number, trial.own);
-    }
-    return trial;
+    return StoredRows(file, spec).trials(number, 1);
 }
 
 std::vector<std::string> differing_columns(store::ResultsReader const& file, CampaignSpec const& spec,

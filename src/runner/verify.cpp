@@ -17,7 +17,7 @@
 #include "results/rare_results.hpp"
 #include "results/recount.hpp"
 #include "results/schema.hpp"
-#include "results/stored_names.hpp"
+#include "results/stored_rows.hpp"
 #include "runner/progress.hpp"
 
 namespace overturn {
@@ -43,8 +43,8 @@ class Verifier {
           spec_(spec),
           ladder_(spec.effects, spec.accuracy),
           plan_(plan_in(file, spec)),
-          trial_table_(stored_trial_table(file, spec)) {
-        waves_ = static_cast<std::int64_t>(file.integers("waves/id").size());
+          rows_(file, spec) {
+        waves_ = rows_.wave_count();
         trials_ = waves_ * plan_.trials_per_wave();
         auto const limits = spec.rare ? spec.limits.size() : 0;
         for (std::size_t b = 0; b < spec.bodies.size() && limits > 0; ++b) {
@@ -123,16 +123,6 @@ class Verifier {
         rare_rows_.push_back({r, row});
     }
 
-    [[nodiscard]] TrialRows stored_trials(std::int64_t first, std::int64_t count) const {
-        TrialRows trials{std::vector<TrialRow>(static_cast<std::size_t>(count)),
-                         std::vector<std::byte>(static_cast<std::size_t>(count) * ladder_.own_bytes())};
-        file_.rows(trial_table_, trials_, first, std::as_writable_bytes(std::span(trials.rows)));
-        for (auto const& table : own_tables(ladder_)) {
-            file_.rows(table, trials_, first, trials.own);
-        }
-        return trials;
-    }
-
     void differ(int kind, std::int64_t row, std::vector<std::string> const& columns, std::string const& what) {
         if (columns.empty()) {
             return;
@@ -163,22 +153,18 @@ class Verifier {
 
     void compare_waves(std::int64_t first, std::span<WaveRow const> waves, std::span<MeasureRow const> measures) {
         auto const bodies = spec_.bodies.size();
-        std::vector<WaveRow> stored(waves.size());
-        std::vector<MeasureRow> stored_measures(measures.size());
-        auto const table = held_in(file_, wave_table(spec_));
-        file_.rows(table, waves_, first, std::as_writable_bytes(std::span(stored)));
-        std::vector<store::TableSpec> of_body;
-        for (std::size_t b = 0; b < bodies; ++b) {
-            of_body.push_back(held_in(file_, measure_table(spec_, b)));
-            file_.rows(of_body.back(), waves_, first, std::as_writable_bytes(std::span(stored_measures)));
-        }
+        auto const count = static_cast<std::int64_t>(waves.size());
+        auto const stored = rows_.waves(first, count);
+        auto const stored_measures = rows_.measures(first, count);
         for (std::size_t w = 0; w < waves.size(); ++w) {
-            auto columns = differing(table.columns, overturn::bytes_of(stored[w]), overturn::bytes_of(waves[w]));
+            auto columns =
+                differing(rows_.wave_table().columns, overturn::bytes_of(stored[w]), overturn::bytes_of(waves[w]));
             auto const mine = [&](std::span<MeasureRow const> rows) {
                 return std::as_bytes(rows.subspan(w * bodies, bodies));
             };
             for (std::size_t b = 0; b < bodies; ++b) {
-                for (auto const& name : differing(of_body[b].columns, mine(stored_measures), mine(measures))) {
+                for (auto const& name :
+                     differing(rows_.measure_tables()[b].columns, mine(stored_measures), mine(measures))) {
                     columns.push_back(spec_.bodies[b].name + "/" + name);
                 }
             }
@@ -192,7 +178,7 @@ class Verifier {
         auto const again = *run_block(spec_, plan_, unit.first / plan_.block_size(), seconds_, [] { return true; });
         auto const first = unit.first * plan_.trials_per_wave();
         auto const count = unit.count * plan_.trials_per_wave();
-        auto const stored = stored_trials(first, count);
+        auto const stored = rows_.trials(first, count);
         for (std::int64_t i = 0; i < count; ++i) {
             compare_trial(first + i, stored, again.trials, static_cast<std::size_t>(i));
         }
@@ -205,7 +191,7 @@ class Verifier {
         auto const wave = prepare_wave(spec_, plan_, unit.first, seconds_);
         for (auto const number : unit.drawn) {
             auto const [of_wave, body, level] = plan_.trial(number);
-            compare_trial(number, stored_trials(number, 1), run_trial(spec_, wave, body, level), 0);
+            compare_trial(number, rows_.trials(number, 1), run_trial(spec_, wave, body, level), 0);
         }
         compare_waves(unit.first, std::span(&wave.row, 1), wave.measures);
     }
@@ -222,7 +208,7 @@ class Verifier {
     CampaignSpec const& spec_;
     Ladder ladder_;
     Plan plan_;
-    store::TableSpec trial_table_;
+    StoredRows rows_;
     std::int64_t waves_ = 0, trials_ = 0;
     std::vector<Unit> units_;
     std::vector<std::unique_ptr<RareReplayer>> rare_;

@@ -10,10 +10,8 @@
 #include "campaign/block_rows.hpp"
 #include "campaign/version.hpp"
 #include "core/error.hpp"
-#include "response/ladder.hpp"
 #include "results/recount.hpp"
-#include "results/schema.hpp"
-#include "results/stored_names.hpp"
+#include "results/stored_rows.hpp"
 #include "store/results_file.hpp"
 
 namespace overturn {
@@ -23,19 +21,10 @@ namespace {
 class FinishedRows {
   public:
     FinishedRows(store::ResultsReader const& file, CampaignSpec const& spec, Plan const& plan)
-        : file_(file),
-          spec_(spec),
-          plan_(plan),
-          ladder_(spec.effects, spec.accuracy),
-          waves_(static_cast<std::int64_t>(file.integers("waves/id").size())),
-          trial_table_(stored_trial_table(file, spec)),
-          wave_table_(held_in(file, wave_table(spec))) {
+        : plan_(plan), rows_(file, spec) {
         auto const ids = file.integers("waves/id");
         for (std::size_t i = 0; i < ids.size(); ++i) {
             places_.emplace(ids[i], static_cast<std::int64_t>(i));
-        }
-        for (std::size_t body = 0; body < spec.bodies.size(); ++body) {
-            measure_tables_.push_back(held_in(file, measure_table(spec, body)));
         }
     }
 
@@ -56,7 +45,7 @@ class FinishedRows {
             while (end < rows.size() && rows[end] == rows[end - 1] + 1) {
                 ++end;
             }
-            append(block, rows[begin], end - begin);
+            append(block, rows[begin], static_cast<std::int64_t>(end - begin));
             begin = end;
         }
         return block;
@@ -64,33 +53,19 @@ class FinishedRows {
 
   private:
     // Of waves that follow each other in the file.
-    void append(BlockRows& block, std::int64_t wave, std::size_t count) const {
-        std::vector<WaveRow> waves(count);
-        file_.rows(wave_table_, waves_, wave, std::as_writable_bytes(std::span(waves)));
-        block.waves.insert(block.waves.end(), waves.begin(), waves.end());
-        std::vector<MeasureRow> measures(count * spec_.bodies.size());
-        for (auto const& table : measure_tables_) {
-            file_.rows(table, waves_, wave, std::as_writable_bytes(std::span(measures)));
-        }
-        block.measures.insert(block.measures.end(), measures.begin(), measures.end());
+    void append(BlockRows& block, std::int64_t wave, std::int64_t count) const {
+        auto const waves = rows_.waves(wave, count);
+        auto const measures = rows_.measures(wave, count);
         auto const each = plan_.trials_per_wave();
-        std::vector<TrialRow> trials(count * static_cast<std::size_t>(each));
-        file_.rows(trial_table_, waves_ * each, wave * each, std::as_writable_bytes(std::span(trials)));
-        block.trials.rows.insert(block.trials.rows.end(), trials.begin(), trials.end());
-        std::vector<std::byte> own(trials.size() * ladder_.own_bytes());
-        for (auto const& table : own_tables(ladder_)) {
-            file_.rows(table, waves_ * each, wave * each, own);
-        }
-        block.trials.own.insert(block.trials.own.end(), own.begin(), own.end());
+        auto const trials = rows_.trials(wave * each, count * each);
+        block.waves.insert(block.waves.end(), waves.begin(), waves.end());
+        block.measures.insert(block.measures.end(), measures.begin(), measures.end());
+        block.trials.rows.insert(block.trials.rows.end(), trials.rows.begin(), trials.rows.end());
+        block.trials.own.insert(block.trials.own.end(), trials.own.begin(), trials.own.end());
     }
 
-    store::ResultsReader const& file_;
-    CampaignSpec const& spec_;
     Plan const& plan_;
-    Ladder ladder_;
-    std::int64_t waves_;
-    store::TableSpec trial_table_, wave_table_;
-    std::vector<store::TableSpec> measure_tables_;
+    StoredRows rows_;
     std::map<std::int64_t, std::int64_t> places_;
 };
 
@@ -137,7 +112,7 @@ bool can_be_extended(std::filesystem::path const& output, CampaignInput const& i
 std::int64_t take_finished_rows(std::filesystem::path const& output, CampaignSpec const& spec, Plan const& plan,
                                 store::ShardFolder const& shards) {
     validate(!spec.rare, "--extend of a campaign with [rare] (its stages need all waves). Start anew with another -o");
-    store::ResultsReader const file(output);
+    store::ResultsReader const file(output, store::Trust::unverified);  // can_be_extended held it to its seal
     FinishedRows const rows(file, spec, plan);
     std::vector<std::string> notes;
     auto const there = shards.committed({0, plan.blocks()}, notes,

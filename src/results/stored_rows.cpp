@@ -1,0 +1,48 @@
+#include "results/stored_rows.hpp"
+
+#include <cstddef>
+#include <span>
+
+#include "results/schema.hpp"
+#include "results/stored_names.hpp"
+
+namespace overturn {
+
+StoredRows::StoredRows(store::ResultsReader const& file, CampaignSpec const& spec)
+    : file_(file),
+      ladder_(spec.effects, spec.accuracy),
+      trials_(static_cast<std::int64_t>(file.integers("trials/verdict").size())),
+      waves_(static_cast<std::int64_t>(file.integers("waves/id").size())),
+      trial_table_(stored_trial_table(file, spec)),
+      wave_table_(held_in(file, overturn::wave_table(spec))),
+      own_tables_(own_tables(ladder_)) {
+    for (std::size_t body = 0; body < spec.bodies.size(); ++body) {
+        measure_tables_.push_back(held_in(file, measure_table(spec, body)));
+    }
+}
+
+TrialRows StoredRows::trials(std::int64_t first, std::int64_t count) const {
+    auto const size = static_cast<std::size_t>(count);
+    TrialRows trials{std::vector<TrialRow>(size), std::vector<std::byte>(size * ladder_.own_bytes())};
+    file_.rows(trial_table_, trials_, first, std::as_writable_bytes(std::span(trials.rows)));
+    for (auto const& table : own_tables_) {
+        file_.rows(table, trials_, first, trials.own);
+    }
+    return trials;
+}
+
+std::vector<WaveRow> StoredRows::waves(std::int64_t first, std::int64_t count) const {
+    std::vector<WaveRow> waves(static_cast<std::size_t>(count));
+    file_.rows(wave_table_, waves_, first, std::as_writable_bytes(std::span(waves)));
+    return waves;
+}
+
+std::vector<MeasureRow> StoredRows::measures(std::int64_t first, std::int64_t count) const {
+    std::vector<MeasureRow> measures(static_cast<std::size_t>(count) * measure_tables_.size());
+    for (auto const& table : measure_tables_) {
+        file_.rows(table, waves_, first, std::as_writable_bytes(std::span(measures)));
+    }
+    return measures;
+}
+
+}  // namespace overturn
