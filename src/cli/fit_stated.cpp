@@ -31,12 +31,8 @@ struct StatedMedian {
 };
 
 StatedMedian read_median(std::string const& text) {
-    auto const plain = trimmed(text);
-    auto const split = std::min(plain.find(' '), plain.size());
-    double number = 0;
-    validate(parse_number(plain.substr(0, split), number) && number > 0 && std::isfinite(number),
-             "--median: '{}' (must be a number above 0 with its unit). Write for example '0.9 g'", text);
-    auto const unit = trimmed(plain.substr(split));
+    auto const [number, unit] =
+        stated_number(text, "--median", "a number above 0 with its unit). Write for example '0.9 g'");
     for (auto const dimension : {Dimension::acceleration, Dimension::velocity, Dimension::length}) {
         if (auto const si = unit.empty() ? std::nullopt : unit_spelled(unit, dimension)) {
             return {number * *si, {std::string(unit), *si}, dimension};

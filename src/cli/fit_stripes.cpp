@@ -47,12 +47,7 @@ std::string stripes_text(StripeTable const& table, double confidence, bool full)
 
 // In the table's unit: as stated, or converted.
 double design_basis_of(std::string const& text, StripeTable const& table) {
-    auto const plain = trimmed(text);
-    auto const split = std::min(plain.find_first_of(" \t"), plain.size());
-    double number = 0;
-    validate(parse_number(plain.substr(0, split), number) && number > 0 && std::isfinite(number),
-             "--design-basis: '{}' (must be a number above 0). Write for example '0.3 g'", text);
-    auto const unit = trimmed(plain.substr(split));
+    auto const [number, unit] = stated_number(text, "--design-basis", "a number above 0). Write for example '0.3 g'");
     if (unit.empty() || table.unit.empty()) {
         validate(
             unit.empty() == table.unit.empty(),

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/text_choice.hpp"
@@ -39,6 +40,15 @@ struct TableAxis {
 /// The hazard curve that --hazard names, its intensities in the table's unit. \throws InputError also where the table
 /// states no unit, or sa without its period
 [[nodiscard]] HazardCurve hazard_of_table(FitOptions const& options, TableAxis const& axis);
+
+/// "0.9 g" parted.
+struct StatedNumber {
+    double value = 0;
+    std::string_view unit;  ///< empty: none is stated
+};
+/// \param option "--median" \param what a number it must be, and an example, for the message
+/// \throws InputError unless it begins with a number above 0
+[[nodiscard]] StatedNumber stated_number(std::string_view text, std::string_view option, std::string_view what);
 
 /// A line for each of a table's that are not understood.
 void print_unread(std::vector<std::string> const& lines);

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -6,6 +8,7 @@
 #include "cli/fit_tables.hpp"
 #include "core/error.hpp"
 #include "core/input_files.hpp"
+#include "core/units.hpp"
 #include "motion/column_unit.hpp"
 #include "results/hazard_table.hpp"
 
@@ -26,6 +29,15 @@ std::pair<Dimension, double> dimension_of(TableAxis const& axis) {
 }
 
 }  // namespace
+
+StatedNumber stated_number(std::string_view text, std::string_view option, std::string_view what) {
+    auto const plain = trimmed(text);
+    auto const split = std::min(plain.find_first_of(" \t"), plain.size());
+    StatedNumber stated{.unit = trimmed(plain.substr(split))};
+    validate(parse_number(plain.substr(0, split), stated.value) && stated.value > 0 && std::isfinite(stated.value),
+             "{}: '{}' (must be {}", option, text, what);
+    return stated;
+}
 
 void print_unread(std::vector<std::string> const& lines) {
     for (auto const& line : lines) {

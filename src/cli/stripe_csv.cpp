@@ -5,9 +5,9 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <set>
 
 #include "cli/named_column.hpp"
+#include "cli/stripe_columns.hpp"
 #include "config/suggestion.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
@@ -18,128 +18,17 @@
 namespace overturn::cli {
 namespace {
 
-enum Field : std::size_t { amplitude, trials, overturned, failed, fields };
-constexpr std::array<char const*, fields> names{"amplitude", "trials", "overturned", "failed"};
+using enum StripeField;
+constexpr std::array<char const*, stripe_fields> names{"amplitude", "trials", "overturned", "failed"};
 
-struct Alias {
-    std::string_view name;
-    Field field;
-};
-// Of other programs and papers, as counted_things has them; "n_gms" as well as "gms".
-constexpr auto aliases = std::to_array<Alias>({{"trial", trials},
-                                               {"n", trials},
-                                               {"gm", trials},
-                                               {"groundmotion", trials},
-                                               {"motion", trials},
-                                               {"record", trials},
-                                               {"wave", trials},
-                                               {"analyse", trials},
-                                               {"test", trials},
-                                               {"total", trials},
-                                               {"overturned", overturned},
-                                               {"overturning", overturned},
-                                               {"collapse", overturned},
-                                               {"collapsed", overturned},
-                                               {"coll", overturned},
-                                               {"failure", overturned},
-                                               {"fell", overturned},
-                                               {"failed", failed}});
+char const* name_of_field(StripeField field) { return names.at(static_cast<std::size_t>(field)); }
+
 // Of one trial: did it fall?
 constexpr auto verdicts = std::to_array<std::string_view>({"collapse", "collapsed", "fell", "overturned", "failure"});
-
-/// The field that a column's name is a word for.
-std::optional<Field> field_of(NamedColumn const& column) {
-    if (column.is_intensity()) {
-        return amplitude;
-    }
-    auto plain = counted_things(column.bare);
-    auto const find = [&] { return std::ranges::find(aliases, std::string_view(plain), &Alias::name); };
-    auto const* alias = find();
-    if (alias == aliases.end() && plain.starts_with('n') && plain.size() > 1) {
-        plain.erase(0, 1);
-        alias = find();
-    }
-    return alias == aliases.end() ? std::nullopt : std::optional(alias->field);
-}
 
 bool is_verdict(std::string const& bare) {
     return std::ranges::find(verdicts, std::string_view(bare)) != verdicts.end();
 }
-
-/// "wave", "record", "GM": the name of one, where "waves" and "n_gms" are a number of them.
-bool may_name_trials(std::string_view cell) {
-    auto const lower = lowered(trimmed(named_column(cell).bare));
-    constexpr auto singular = std::to_array<std::string_view>(
-        {"trial", "gm", "ground motion", "ground_motion", "motion", "record", "wave", "analysis", "test"});
-    return std::ranges::find(singular, lower) != singular.end();
-}
-
-/// What a column of trials by its name holds, told by all rows.
-enum class Trials { counts, labels, either };
-
-/// Labels where none of the outcomes is above 1 and the column, called by the name of one, numbers the rows, differs
-/// from row to row, or an amplitude comes twice; either where it may be both.
-class TrialsColumn {
-  public:
-    TrialsColumn(std::string const& text, std::string const& file) {
-        CellRows rows(text, file, "");
-        place(rows.header());
-        if (!trials_ || !overturned_ || !amplitude_) {
-            return;
-        }
-        while (auto const cells = rows.next()) {
-            take(*cells);
-        }
-    }
-    [[nodiscard]] Trials held() const {
-        if (!trials_ || !overturned_ || !amplitude_ || !verdicts_ || rows_ < 2) {
-            return Trials::counts;
-        }
-        bool const numbered = counts_rows_ || is_permutation();
-        bool const all_differ = values_.size() == rows_;
-        if (!numbers_ || amplitudes_.size() < rows_ || numbered || (singular_ && all_differ)) {
-            return singular_ ? Trials::labels : numbered ? Trials::either : Trials::counts;
-        }
-        return singular_ && values_.size() > 1 ? Trials::either : Trials::counts;
-    }
-
-  private:
-    /// Of 1, 2, 3, ...
-    [[nodiscard]] bool is_permutation() const {
-        return values_.size() == rows_ && *values_.begin() == 1 && *values_.rbegin() == static_cast<double>(rows_);
-    }
-    void place(std::vector<Cell> const& cells) {
-        for (std::size_t i = 0; i < cells.size(); ++i) {
-            auto const field = field_of(named_column(cells[i].text));
-            if (field == trials) {
-                trials_ = i;
-                singular_ = may_name_trials(cells[i].text);
-            } else if (field == overturned) {
-                overturned_ = i;
-            } else if (field == amplitude) {
-                amplitude_ = i;
-            }
-        }
-    }
-    void take(std::vector<Cell> const& cells) {
-        double number = 0;
-        bool const read = parse_number(cells[*trials_].text, number);
-        numbers_ = numbers_ && read;
-        bool const from_0 = read && number == static_cast<double>(rows_);
-        bool const from_1 = read && number == static_cast<double>(rows_ + 1);
-        counts_rows_ = counts_rows_ && (from_0 || from_1);
-        values_.insert(number);
-        verdicts_ = verdicts_ && CellRows::yes_or_no(cells[*overturned_]).has_value();
-        amplitudes_.emplace(cells[*amplitude_].text);
-        ++rows_;
-    }
-
-    std::optional<std::size_t> trials_, overturned_, amplitude_;
-    bool singular_ = false, numbers_ = true, counts_rows_ = true, verdicts_ = true;
-    std::size_t rows_ = 0;
-    std::set<std::string> amplitudes_;
-    std::set<double> values_;
-};
 
 /// "", "No.", "stripe": it counts the rows.
 bool is_count_of_rows(std::string_view name) {
@@ -151,7 +40,7 @@ class Reader {
     Reader(std::string const& text, std::string const& file)
         : rows_(text, file, "Begin with amplitude,trials,overturned"),
           file_(file),
-          trials_held_(TrialsColumn(text, file).held()) {}
+          trials_held_(trials_held(text, file)) {}
 
     [[nodiscard]] StripeTable table() {
         read_header(rows_.header());
@@ -178,17 +67,17 @@ class Reader {
         }
         ++rows_read_;
         if (verdict_) {
-            double const level = positive(cells[*place_[amplitude]]);
+            double const level = positive(cells[*place_of(amplitude)]);
             auto& stripe = single_[level];
             stripe.amplitude = level;
             ++stripe.trials;
             stripe.overturned += fell(cells[*verdict_]) ? 1 : 0;
             return;
         }
-        add({.amplitude = positive(cells[*place_[amplitude]]),
-             .trials = count(cells[*place_[trials]]),
-             .overturned = count(cells[*place_[overturned]]),
-             .failed = place_[failed] ? count(cells[*place_[failed]]) : 0},
+        add({.amplitude = positive(cells[*place_of(amplitude)]),
+             .trials = count(cells[*place_of(trials)]),
+             .overturned = count(cells[*place_of(overturned)]),
+             .failed = place_of(failed) ? count(cells[*place_of(failed)]) : 0},
             cells);
     }
 
@@ -209,16 +98,16 @@ class Reader {
                                                   "amplitude,trials,overturned",
                                                   in_quotes(cells.front().text)));
         }
-        bool const counts = trials_held_ == Trials::counts && std::ranges::any_of(cells, [](Cell const& cell) {
-                                return field_of(named_column(cell.text)) == trials;
+        bool const counts = trials_held_ == TrialsHeld::counts && std::ranges::any_of(cells, [](Cell const& cell) {
+                                return stripe_field_of(named_column(cell.text)) == trials;
                             });
         for (auto const& cell : cells) {
             auto const place = static_cast<std::size_t>(&cell - cells.data());
             auto const column = named_column(cell.text);
             bool const verdict = column.unit.empty() && is_verdict(lowered(column.bare));
-            if (field_of(column) == trials && trials_held_ != Trials::counts) {
+            if (stripe_field_of(column) == trials && trials_held_ != TrialsHeld::counts) {
                 check_are_labels(cell);
-            } else if (!field_of(column) && is_count_of_rows(cell.text)) {
+            } else if (!stripe_field_of(column) && is_count_of_rows(cell.text)) {
                 counters_.push_back(place);
             } else if (verdict && !counts) {
                 take_verdict(cell, place);
@@ -227,12 +116,12 @@ class Reader {
             }
         }
         for (auto const field : {amplitude, trials, overturned}) {
-            if (!place_.at(field) && !(verdict_ && field != amplitude)) {
-                rows_.fail(cells.back(),
-                           fmt::format("no column '{}' (the fit needs it). Add it to the header", names.at(field)));
+            if (!place_of(field) && !(verdict_ && field != amplitude)) {
+                rows_.fail(cells.back(), fmt::format("no column '{}' (the fit needs it). Add it to the header",
+                                                     name_of_field(field)));
             }
         }
-        if (verdict_ && (place_[failed] || place_[overturned])) {
+        if (verdict_ && (place_of(failed) || place_of(overturned))) {
             rows_.fail(cells[*verdict_],
                        "beside a column of counts (without a column of trials each row is one trial). Add the trials, "
                        "or keep one of these columns");
@@ -240,11 +129,15 @@ class Reader {
     }
 
     void check_are_labels(Cell const& cell) const {
-        if (trials_held_ == Trials::either) {
+        if (trials_held_ == TrialsHeld::either) {
             rows_.fail(cell, fmt::format("column {} (it numbers the rows: the name of each, or its number of trials?). "
                                          "Name it 'No.' where each row is one trial, or write the trials of each row",
                                          in_quotes(cell.text)));
         }
+    }
+
+    [[nodiscard]] std::optional<std::size_t>& place_of(StripeField field) {
+        return place_.at(static_cast<std::size_t>(field));
     }
 
     void take_verdict(Cell const& cell, std::size_t place) {
@@ -255,15 +148,15 @@ class Reader {
     }
 
     void take_column(Cell const& cell, NamedColumn const& column, std::size_t at) {
-        auto const field = field_of(column);
+        auto const field = stripe_field_of(column);
         if (!field || !(column.unit.empty() || field == amplitude)) {
             rows_.fail(cell, fmt::format("column {} (unknown). {}", in_quotes(cell.text),
                                          config::suggestion(lowered(cell.text),
                                                             std::vector<std::string>(names.begin(), names.end()))));
         }
-        auto& place = place_.at(*field);
+        auto& place = place_of(*field);
         if (place) {
-            rows_.fail(cell, fmt::format("column '{}' twice (which one counts?). Remove one", names.at(*field)));
+            rows_.fail(cell, fmt::format("column '{}' twice (which one counts?). Remove one", name_of_field(*field)));
         }
         place = at;
         if (field == amplitude) {
@@ -309,17 +202,17 @@ class Reader {
 
     void add(Stripe const& stripe, std::vector<Cell> const& cells) {
         if (stripe.trials == 0) {
-            rows_.fail(cells[*place_[trials]], "no trial (nothing was seen). Leave the row out");
+            rows_.fail(cells[*place_of(trials)], "no trial (nothing was seen). Leave the row out");
         }
         if (stripe.overturned + stripe.failed > stripe.trials) {
-            rows_.fail(cells[*place_[overturned]],
+            rows_.fail(cells[*place_of(overturned)],
                        fmt::format("{} overturned or failed of {} trials (more than there were). Correct the counts",
                                    stripe.overturned + stripe.failed, stripe.trials));
         }
         for (auto const& other : stripes_) {
             if (other.amplitude == stripe.amplitude) {
                 rows_.fail(
-                    cells[*place_[amplitude]],
+                    cells[*place_of(amplitude)],
                     fmt::format("amplitude {} twice (a stripe is one row). Add the counts up", stripe.amplitude));
             }
         }
@@ -328,14 +221,14 @@ class Reader {
 
     CellRows rows_;
     std::string const& file_;
-    Trials trials_held_;
-    std::array<std::optional<std::size_t>, fields> place_;
-    std::vector<std::size_t> counters_;  ///< columns that count the rows
+    TrialsHeld trials_held_;
+    std::array<std::optional<std::size_t>, stripe_fields> place_;  ///< by field
+    std::vector<std::size_t> counters_;                            ///< columns that count the rows
     std::size_t rows_read_ = 0;
     std::vector<Stripe> stripes_;
     std::optional<std::size_t> verdict_;  ///< where each row is a trial
     std::map<double, Stripe> single_;     ///< of such rows, by amplitude
-    std::string called_ = names[amplitude];
+    std::string called_ = names.front();
     std::string measure_;
 };
 
