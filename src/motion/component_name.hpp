@@ -10,6 +10,10 @@ namespace overturn {
 /// Where a component points to, as far as its name tells.
 enum class Direction { unknown, horizontal, up, down };
 
+[[nodiscard]] constexpr bool is_vertical(Direction direction) {
+    return direction == Direction::up || direction == Direction::down;
+}
+
 struct ComponentName {
     Direction direction = Direction::unknown;
     std::string axis = {};  ///< of horizontal ones: two of the same axis are parallel ("n" of N, NS and HNN)

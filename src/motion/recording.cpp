@@ -14,8 +14,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-bool is_vertical(Direction direction) { return direction == Direction::up || direction == Direction::down; }
-
 bool is_vertical(RecordComponent const& component) { return is_vertical(component.direction); }
 
 Names names_of(Recording const& recording) {

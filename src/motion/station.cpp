@@ -9,10 +9,6 @@ namespace {
 
 constexpr std::size_t head_bytes = 16384;  // more than any header
 
-bool is_vertical(RecordComponent const& component) {
-    return component.direction == Direction::up || component.direction == Direction::down;
-}
-
 }  // namespace
 
 StationFiles::FilesOfStation const& StationFiles::folder_of(std::string const& name) {
@@ -38,7 +34,7 @@ Recording StationFiles::joined(std::string const& name, Recording own, RecordReq
                          "station or direction not stated in it (so its other components cannot be found). "
                          "Name them yourself: horizontal, transverse, vertical");
     }
-    if (is_vertical(component)) {
+    if (is_vertical(component.direction)) {
         throw InputError({name}, fmt::format("the vertical component {} (the rocking plane is horizontal). Name a "
                                              "horizontal one, the vertical is then found",
                                              component.name));

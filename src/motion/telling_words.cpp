@@ -78,10 +78,7 @@ bool is_percent(Text lower) {
     return false;
 }
 
-bool is_vertical(Text word) {
-    auto const direction = component_named(word).direction;
-    return word.size() > 1 && (direction == Direction::up || direction == Direction::down);
-}
+bool names_vertical(Text word) { return word.size() > 1 && is_vertical(direction_of(word)); }
 
 /// Without the words that say no direction: "up-down component" is "up-down".
 std::string without_fillings(Text part) {
@@ -137,7 +134,7 @@ bool tells_rate(Text lower) {
     });
 }
 
-bool tells_vertical(Text lower) { return std::ranges::any_of(words_of(lower), is_vertical); }
+bool tells_vertical(Text lower) { return std::ranges::any_of(words_of(lower), names_vertical); }
 
 std::string vertical_alone_in(Text lower) {
     std::vector<std::string> named;
@@ -148,7 +145,7 @@ std::string vertical_alone_in(Text lower) {
             named.push_back(std::move(rest));
         }
     }
-    return named.size() == 1 && is_vertical(named.front()) ? named.front() : std::string();
+    return named.size() == 1 && names_vertical(named.front()) ? named.front() : std::string();
 }
 
 }  // namespace overturn

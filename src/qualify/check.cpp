@@ -1,11 +1,24 @@
 #include "qualify/check.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace overturn::qualify {
 
 double Check::error() const { return std::abs(found - expected); }
 
 bool Check::passed() const { return error() <= tolerance; }
+
+Check relative(std::string number, std::string shows, std::string source, std::string unit, double found,
+               double expected, double relative_tolerance, std::string remark) {
+    return {std::move(number),
+            std::move(shows),
+            std::move(source),
+            std::move(unit),
+            found,
+            expected,
+            relative_tolerance * std::abs(expected),
+            std::move(remark)};
+}
 
 }  // namespace overturn::qualify

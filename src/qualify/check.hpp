@@ -22,4 +22,8 @@ struct Check {
 
 using Checks = std::vector<Check>;
 
+/// A check whose tolerance is a share of what is expected.
+[[nodiscard]] Check relative(std::string number, std::string shows, std::string source, std::string unit, double found,
+                             double expected, double relative_tolerance, std::string remark = {});
+
 }  // namespace overturn::qualify

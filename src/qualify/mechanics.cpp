@@ -14,17 +14,6 @@ namespace {
 
 constexpr double located = 1e-9;  // relative error of an event that is bisected or located on a series
 
-Check relative(std::string number, std::string shows, std::string source, std::string unit, double found,
-               double expected, double relative_tolerance) {
-    return {std::move(number),
-            std::move(shows),
-            std::move(source),
-            std::move(unit),
-            found,
-            expected,
-            relative_tolerance * std::abs(expected)};
-}
-
 BodyInput rectangle(double half_width_m, double half_height_m) {
     constexpr double mass = 1000;
     return {.mass_kg = mass,

@@ -18,18 +18,6 @@ namespace {
 
 constexpr char const* derived = "derived again, the paper was not at hand";
 
-Check row(std::string number, std::string shows, std::string source, std::string unit, double found, double expected,
-          double relative_tolerance, std::string remark) {
-    return {std::move(number),
-            std::move(shows),
-            std::move(source),
-            std::move(unit),
-            found,
-            expected,
-            relative_tolerance * std::abs(expected),
-            std::move(remark)};
-}
-
 PulseShape shape_of(std::string_view name) { return config::find_entry(pulse_shapes(), name, "pulse").value({}); }
 
 // Amplitudes over alpha g, of a block of alpha 0.25 and restitution 0.9.
@@ -74,10 +62,10 @@ Checks of_pulses() {
     for (auto const& [number, ratio, expected] :
          {Known{"L-01", 1, 1.32240}, {"L-02", 4, 2.79080}, {"L-03", 10, 5.78652}}) {
         auto const found = ranges_of("half-sine", ratio, Restoring::linear);
-        all.push_back(row(number,
-                          fmt::format("least half-sine that overturns the linearised block, omega/p {:g}", ratio),
-                          "Shi and others (1996), closed form", "alpha g", start_of(found, Fate::without_impact),
-                          expected, six_digits, decided(derived)));
+        all.push_back(relative(number,
+                               fmt::format("least half-sine that overturns the linearised block, omega/p {:g}", ratio),
+                               "Shi and others (1996), closed form", "alpha g", start_of(found, Fate::without_impact),
+                               expected, six_digits, decided(derived)));
     }
     auto const linear = ranges_of("one-sine", 5, Restoring::linear);
     auto const nonlinear = ranges_of("one-sine", 5, Restoring::nonlinear);
@@ -94,15 +82,15 @@ Checks of_pulses() {
         Edge{"L-06", "L-09", "least one-sine that overturns the {} block without an impact",
              [](auto const& ranges) { return start_of(ranges, Fate::without_impact); }, 7.16813, 7.493000}};
     for (auto const& edge : edges) {
-        all.push_back(row(edge.number, fmt::format(fmt::runtime(edge.what), "linearised") + ", omega/p 5, e 0.9",
-                          "Zhang and Makris (2001), closed form", "alpha g", edge.of(linear), edge.linear, six_digits,
-                          decided(derived)));
+        all.push_back(relative(edge.number, fmt::format(fmt::runtime(edge.what), "linearised") + ", omega/p 5, e 0.9",
+                               "Zhang and Makris (2001), closed form", "alpha g", edge.of(linear), edge.linear,
+                               six_digits, decided(derived)));
     }
     for (auto const& edge : edges) {
-        all.push_back(row(edge.nonlinear_number,
-                          fmt::format(fmt::runtime(edge.what), "nonlinear") + ", alpha 0.25, omega/p 5, e 0.9",
-                          "Zhang and Makris (2001), problem; independent integration", "alpha g", edge.of(nonlinear),
-                          edge.nonlinear, 1e-6, decided("integrated again, as the paper prints figures alone")));
+        all.push_back(relative(
+            edge.nonlinear_number, fmt::format(fmt::runtime(edge.what), "nonlinear") + ", alpha 0.25, omega/p 5, e 0.9",
+            "Zhang and Makris (2001), problem; independent integration", "alpha g", edge.of(nonlinear), edge.nonlinear,
+            1e-6, decided("integrated again, as the paper prints figures alone")));
     }
     return all;
 }
@@ -116,9 +104,9 @@ Check velocity_step() {
                                           {.highest = 1e6, .step = 0.5});
     double const expected = block.gravity_mps2 * std::sqrt(2 * (1 - std::cos(block.alpha_rad)))
                             / (block.p_radps * std::cos(block.alpha_rad));
-    return row("L-10", "least step of the ground's velocity that overturns, alpha 0.25, p 2 rad/s",
-               "closed form: angular momentum about the corner, then energy", "m/s", found.overturning() * at_once_s,
-               expected, 2e-5, "the step takes 1e-5 s here");
+    return relative("L-10", "least step of the ground's velocity that overturns, alpha 0.25, p 2 rad/s",
+                    "closed form: angular momentum about the corner, then energy", "m/s",
+                    found.overturning() * at_once_s, expected, 2e-5, "the step takes 1e-5 s here");
 }
 
 Check shenton() {
@@ -138,8 +126,9 @@ Check shenton() {
         double const middle = 0.5 * (low + high);
         (slips(middle) ? low : high) = middle;
     }
-    return row("L-11", "friction from which a block of h/b = 2 rocks without slip under 1 g", "Shenton (1996), 14/23",
-               "1", high, 14.0 / 23, 1e-6, "his equation; slip is looked for over 10 ms, the initiation is at once");
+    return relative("L-11", "friction from which a block of h/b = 2 rocks without slip under 1 g",
+                    "Shenton (1996), 14/23", "1", high, 14.0 / 23, 1e-6,
+                    "his equation; slip is looked for over 10 ms, the initiation is at once");
 }
 
 class SlipSeen : public RockingObserver {
@@ -181,10 +170,10 @@ Checks harmonic_slip() {
     Checks all;
     for (auto const& [number, eta, expected] :
          {Known{"L-12", 0.1, 0.100063}, {"L-13", 0.5, 0.062717}, {"L-14", 0.8, 0.009514}}) {
-        all.push_back(row(number,
-                          fmt::format("steady amplitude of slip under 4 m/s2 at 1 Hz, friction {:g} of it", eta),
-                          "Den Hartog (1931)", "m", slip_amplitude(eta), expected, 6e-5,
-                          fmt::format("{}; known to six decimals", derived)));
+        all.push_back(relative(number,
+                               fmt::format("steady amplitude of slip under 4 m/s2 at 1 Hz, friction {:g} of it", eta),
+                               "Den Hartog (1931)", "m", slip_amplitude(eta), expected, 6e-5,
+                               fmt::format("{}; known to six decimals", derived)));
     }
     return all;
 }
@@ -228,11 +217,12 @@ Check steady_rocking(Orbit const& o) {
     (void)simulate_rocking(
         block, {.horizontal_mps2 = wave, .time_step_s = dt}, {.restoring = Restoring::linear},
         {.rotation_rad = o.middle * block.alpha_rad, .velocity_radps = rate * block.alpha_rad * block.p_radps}, &seen);
-    return row(o.number,
-               fmt::format("largest rotation over alpha under a steady sinusoid, omega/p {:g}, {:g} alpha g, e {:g}",
-                           o.sigma, o.k, o.restitution),
-               "Spanos and Koh (1984)", "1", seen.peak / block.alpha_rad, o.largest, 2e-6,
-               fmt::format("{}; ten cycles of 4000 samples", derived));
+    return relative(
+        o.number,
+        fmt::format("largest rotation over alpha under a steady sinusoid, omega/p {:g}, {:g} alpha g, e {:g}", o.sigma,
+                    o.k, o.restitution),
+        "Spanos and Koh (1984)", "1", seen.peak / block.alpha_rad, o.largest, 2e-6,
+        fmt::format("{}; ten cycles of 4000 samples", derived));
 }
 
 Checks baker() {
@@ -250,9 +240,9 @@ Checks baker() {
     double const beta = line ? line->beta() : std::nan("");
     constexpr double half_a_digit = 5e-5;
     auto rows =
-        Checks{row("L-18", "median of 37 capacities tried up to 1.3", "Baker (2015), example", "1", median, 1.0582, 0,
-                   "printed to four digits"),
-               row("L-19", "their beta", "Baker (2015), example", "1", beta, 0.3821, 0, "printed to four digits")};
+        Checks{relative("L-18", "median of 37 capacities tried up to 1.3", "Baker (2015), example", "1", median, 1.0582,
+                        0, "printed to four digits"),
+               relative("L-19", "their beta", "Baker (2015), example", "1", beta, 0.3821, 0, "printed to four digits")};
     for (auto& one : rows) {
         one.tolerance = half_a_digit;
     }

@@ -7,14 +7,6 @@
 #include "motion/text_lines.hpp"
 
 namespace overturn {
-namespace {
-
-bool is_vertical(ComponentName const& name) {
-    return name.direction == Direction::up || name.direction == Direction::down;
-}
-
-}  // namespace
-
 void take_claimed_component(TableColumns& columns, Claims const& claims, std::string const& file) {
     if (columns.motions.size() != 1 || claims.components().size() != 1) {
         return;
@@ -23,11 +15,12 @@ void take_claimed_component(TableColumns& columns, Claims const& claims, std::st
     auto const claimed = component_named(claims.components().front());
     if (role.component.direction == Direction::unknown) {
         role.component = claimed;
-    } else if (claimed.direction != Direction::unknown && is_vertical(claimed) != is_vertical(role.component)) {
+    } else if (claimed.direction != Direction::unknown
+               && is_vertical(claimed.direction) != is_vertical(role.component.direction)) {
         throw InputError({file, claims.components_line()},
                          fmt::format("component '{}', column '{}' is {} (they contradict each other). Mend one of them",
                                      claims.components().front(), role.name,
-                                     is_vertical(role.component) ? "vertical" : "horizontal"));
+                                     is_vertical(role.component.direction) ? "vertical" : "horizontal"));
     }
 }
 

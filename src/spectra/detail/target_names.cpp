@@ -27,6 +27,16 @@ std::string stem_of(Text name) { return lowered(trimmed(name.substr(0, name.find
 
 bool is_letter(char c) { return c >= 'a' && c <= 'z'; }
 
+/// "V_E", "Ve (m/s)", "energy velocity", "Veq", "sqrt(2E/m)"; "vel" is none.
+bool names_energy(Text lower) {
+    constexpr auto begins = std::to_array<Text>({"veq", "v-e", "sv_e", "psv_e", "e_i"});
+    auto const alone = [&](Text word) {
+        return lower.starts_with(word) && (lower.size() == word.size() || !is_letter(lower[word.size()]));
+    };
+    return alone("ve") || alone("v_e") || holds_any(lower, {"energy", "equivalent vel", "velocity_eq", "sqrt(2e"})
+           || std::ranges::any_of(begins, [&](Text begin) { return lower.starts_with(begin); });
+}
+
 /// What a name calls the ordinates, where it says so.
 std::optional<TargetKind> kind_named(Text name) {
     auto const lower = lowered(trimmed(name));
@@ -47,16 +57,8 @@ std::optional<TargetKind> kind_named(Text name) {
                                                 {"v", TargetKind::pseudo_velocity},
                                                 {"sd", TargetKind::displacement},
                                                 {"d", TargetKind::displacement}});
-    if (holds_any(lower, {"equivalent vel", "velocity_eq", "sqrt(2e"}) || lower.starts_with("veq")
-        || lower.starts_with("v-e") || lower.starts_with("sv_e") || lower.starts_with("psv_e")
-        || lower.starts_with("e_i")) {
+    if (names_energy(lower)) {
         return TargetKind::energy_velocity;
-    }
-    if (lower.starts_with("v_e") || lower.starts_with("ve") || lower.find("energy") != std::string::npos) {
-        auto const behind = lower.substr(std::min(lower.find('e') + 1, lower.size()));
-        if (behind.empty() || !is_letter(behind[0]) || lower.find("energy") != std::string::npos) {
-            return TargetKind::energy_velocity;
-        }
     }
     for (auto const& [text, kind] : parts) {
         if (lower.find(text) != std::string::npos) {
