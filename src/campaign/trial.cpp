@@ -75,7 +75,7 @@ PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64
     describe_motion(prepared.row, prepared.motion, prepared.intensity);
     measure_sa(spec.measures, prepared);
     for (std::size_t b = 0; spec.measures.energy && b < spec.bodies.size(); ++b) {
-        measure_energy(spec.measures, prepared.motion, prepared.bodies[b].body.radius_m(), prepared.measures[b]);
+        measure_energy(spec.measures, prepared.motion, prepared.bodies[b].body, prepared.measures[b]);
     }
     return prepared;
 }

@@ -11,6 +11,7 @@
 #include "campaign/detail/plausible.hpp"
 #include "campaign/detail/scaled_records.hpp"
 #include "campaign/plan.hpp"
+#include "campaign/rocking_band.hpp"
 #include "campaign/trial.hpp"
 #include "core/units.hpp"
 
@@ -62,7 +63,7 @@ void add_drifts(CampaignSpec const& spec, Lines& lines) {
 void add_targets(CampaignSpec const& spec, Lines& lines) {
     auto const judged = spec.source->about().compared_periods;
     for (auto const& body : spec.bodies) {
-        auto const band = rocking_period_band(body.body.radius_m(), spec.measures.radius_unit);
+        auto const band = rocking_band(body.body, spec.measures.radius_unit);
         if (judged && ends_inside(*judged, band)) {
             lines.push_back(
                 fmt::format("waves are compared with their target from {:.3g} s to {:.3g} s only, and {} rocks at "

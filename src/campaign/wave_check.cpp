@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "campaign/rocking_band.hpp"
+
 namespace overturn {
 
 WaveCheck check_wave(GeneratedWave const& wave, std::vector<BodySpec> const& bodies, RadiusUnit radius_unit) {
@@ -18,7 +20,7 @@ WaveCheck check_wave(GeneratedWave const& wave, std::vector<BodySpec> const& bod
         }
     }
     for (auto const& body : bodies) {
-        auto const band = rocking_period_band(body.body.radius_m(), radius_unit);
+        auto const band = rocking_band(body.body, radius_unit);
         check.bands.push_back(match_figures(wave.judged_periods_s, wave.ratios, band.t0_s, band.t1_s));
         if (asked) {
             check.clauses.push_back(band_clause(body.name, check.bands.back().mean_misfit));
@@ -33,7 +35,7 @@ void validate_bands(WaveSource const& source, std::vector<BodySpec> const& bodie
         return;
     }
     for (auto const& body : bodies) {
-        auto const band = rocking_period_band(body.body.radius_m(), radius_unit);
+        auto const band = rocking_band(body.body, radius_unit);
         validate(band.t1_s <= judged->to_s,
                  "'{}' beside a body '{}' with T1 = {:.3g} s (waves are compared with their target to {:.3g} s only). "
                  "Use a target that goes on, and waves.target.longest no shorter",

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "campaign/rocking_band.hpp"
 #include "spectra/target_input.hpp"
 
 namespace overturn::cli {
@@ -11,7 +12,7 @@ using report::FigureBody;
 
 FigureBody figure_body(std::string const& name, RigidBody const& body, GroundMotion const& motion,
                        MeasureSpec const& measures) {
-    auto const band = rocking_period_band(body.radius_m(), measures.radius_unit);
+    auto const band = rocking_band(body, measures.radius_unit);
     WindowOptions options;
     options.reading = measures.window;
     options.keep_history = true;

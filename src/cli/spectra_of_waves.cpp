@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "campaign/plan.hpp"
+#include "campaign/rocking_band.hpp"
 #include "campaign/wave_check.hpp"
 #include "cli/figures.hpp"
 #include "cli/json_values.hpp"
@@ -122,7 +123,7 @@ Json spectra_json(CampaignSpec const& spec, SpectraOfWaves const& spectra) {
         }
     }
     for (auto const& body : spec.bodies) {
-        auto const band = rocking_period_band(body.body.radius_m(), spec.measures.radius_unit);
+        auto const band = rocking_band(body.body, spec.measures.radius_unit);
         json["bodies"].push_back({{"name", body.name},
                                   {"t0_s", band.t0_s},
                                   {"t1_s", band.t1_s},

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "campaign/rocking_band.hpp"
 #include "campaign/warnings.hpp"
 #include "cli/figures.hpp"
 #include "cli/overturning_spectrum.hpp"
@@ -56,7 +57,7 @@ Measures measure(GroundMotion const& motion, double damping) {
 }
 
 BodyEnergy energy_for(BodySpec const& spec, GroundMotion const& motion) {
-    auto const band = rocking_period_band(spec.body.radius_m());
+    auto const band = rocking_band(spec.body);
     return {band, window_energy(motion.horizontal_mps2, motion.time_step_s, band),
             window_energy(motion.horizontal_mps2, motion.time_step_s, band, {.reading = WindowReading::running}),
             spec.body.limit_velocity_mps()};

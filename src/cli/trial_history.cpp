@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "body/response_velocity.hpp"
+#include "campaign/rocking_band.hpp"
 #include "campaign/site_path.hpp"
 #include "cli/json_values.hpp"
 #include "core/error.hpp"
@@ -154,7 +155,7 @@ Json history_data(KeptHistory const& history, HistoryOf const& of, std::size_t m
               {"channels", channels_of(history, of.body, most)},
               {"wave", wave_of(of.motion, of.scale, most)}};
     if (of.measures != nullptr) {
-        auto const band = rocking_period_band(of.body.radius_m(), of.measures->radius_unit);
+        auto const band = rocking_band(of.body, of.measures->radius_unit);
         auto const energy = window_energy(of.motion.horizontal_mps2, of.motion.time_step_s, band,
                                           {.reading = of.measures->window,
                                            .smoothed = true,

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "campaign/rocking_band.hpp"
 #include "campaign/warnings.hpp"
 #include "cli/json_values.hpp"
 #include "motion/ground_motion.hpp"
@@ -61,7 +62,7 @@ std::string wave_report(CampaignSpec const& spec, GeneratedWave const& wave, Wav
     auto text = match_text("match", wave.match) + match_text("transverse match", wave.transverse_match)
                 + match_text("vertical match", wave.vertical_match);
     for (std::size_t b = 0; b < spec.bodies.size() && !wave.ratios.empty(); ++b) {
-        auto const band = rocking_period_band(spec.bodies[b].body.radius_m(), spec.measures.radius_unit);
+        auto const band = rocking_band(spec.bodies[b].body, spec.measures.radius_unit);
         text += fmt::format(
             "{} rocks at {:.2f} s to {:.2f} s: mean misfit {:.2f} %, largest {:.2f} %, mean ratio {:.3f}{}\n",
             spec.bodies[b].name, band.t0_s, band.t1_s, 100 * check.bands[b].mean_misfit,
@@ -108,7 +109,7 @@ std::string wave_json(CampaignSpec const& spec, GeneratedWave const& wave, WaveC
         json["match"] = match_json(wave.match);
         json["bands"] = Json::array();
         for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
-            auto const band = rocking_period_band(spec.bodies[b].body.radius_m(), spec.measures.radius_unit);
+            auto const band = rocking_band(spec.bodies[b].body, spec.measures.radius_unit);
             auto entry = figures_json(check.bands[b]);
             entry["body"] = spec.bodies[b].name;
             entry["t0_s"] = band.t0_s;

@@ -5,6 +5,7 @@
 #include <ctime>
 #include <optional>
 
+#include "campaign/rocking_band.hpp"
 #include "core/error.hpp"
 #include "spectra/response_spectrum.hpp"
 #include "spectra/target_input.hpp"
@@ -110,7 +111,7 @@ Run run_energy(Sample const& sample, double panel_phase_rad, Acts acts) {
         }
         auto const& motion = wave.motion;
         for (auto const& drawn : wave.bodies) {
-            auto const band = rocking_period_band(drawn.body.radius_m(), measures.radius_unit);
+            auto const band = rocking_band(drawn.body, measures.radius_unit);
             run.values.push_back(acts == Acts::ou_v_e ? overturning_energy_velocity(
                                      motion.horizontal_mps2, motion.time_step_s, band, panel_phase_rad)
                                                       : window_energy(motion.horizontal_mps2, motion.time_step_s, band,

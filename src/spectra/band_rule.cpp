@@ -12,9 +12,12 @@
 
 namespace overturn {
 
-PeriodBand rocking_period_band(double radius_m, RadiusUnit unit) {
+PeriodBand rocking_period_band(double radius_m, RadiusUnit unit, double gravity_mps2) {
     validate(radius_m > 0 && std::isfinite(radius_m), "radius {} m (must be positive). Mend the body", radius_m);
-    double const root = std::sqrt(unit == RadiusUnit::centimetre ? 100 * radius_m : radius_m);
+    validate(gravity_mps2 > 0 && std::isfinite(gravity_mps2), "gravity {} m/s2 (must be positive). Mend the body",
+             gravity_mps2);
+    double const root =
+        std::sqrt(unit == RadiusUnit::centimetre ? 100 * radius_m : radius_m) * std::sqrt(g0 / gravity_mps2);
     return {0.05 * root, 0.5 * root};
 }
 

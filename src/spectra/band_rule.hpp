@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "core/units.hpp"
+
 namespace overturn {
 
 /// The periods a rocking body runs through [s].
@@ -20,8 +22,11 @@ enum class RadiusUnit { centimetre, metre };
     return unit == RadiusUnit::metre ? RadiusUnit::centimetre : RadiusUnit::metre;
 }
 
-/// Band of a body whose centre of gravity lies `radius_m` from its edge [m].
-[[nodiscard]] PeriodBand rocking_period_band(double radius_m, RadiusUnit unit = RadiusUnit::centimetre);
+/// Band of a body whose centre of gravity lies `radius_m` from its edge [m]. The factors are the paper's, for `g0`;
+/// where gravity differs they go as the body's own periods, as 1 / sqrt(g). A campaign's body:
+/// campaign/rocking_band.hpp.
+[[nodiscard]] PeriodBand rocking_period_band(double radius_m, RadiusUnit unit = RadiusUnit::centimetre,
+                                             double gravity_mps2 = g0);
 
 /// Nodes for int f(T) g(T) dT over the band, f = 2 (T1-T)/(T1-T0)^2, in whole groups of 16: sum weight g(2 pi/w).
 struct BandRule {

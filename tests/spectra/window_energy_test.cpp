@@ -197,6 +197,16 @@ TEST(WindowEnergy, BandOfTypeABody) {
     EXPECT_TRUE(near(rocking_period_band(4, RadiusUnit::metre).t1_s, 1.0, exact_formula));
 }
 
+// Where gravity is four times as strong a body rocks twice as quickly, and where it is Earth's the band is the paper's.
+TEST(WindowEnergy, BandGoesWithGravity) {
+    auto const earth = rocking_period_band(1.2468);
+    auto const heavy = rocking_period_band(1.2468, RadiusUnit::centimetre, 4 * g0);
+    EXPECT_EQ(2 * heavy.t0_s, earth.t0_s);
+    EXPECT_EQ(2 * heavy.t1_s, earth.t1_s);
+    EXPECT_EQ(rocking_period_band(1.2468, RadiusUnit::centimetre, g0).t1_s, earth.t1_s);
+    EXPECT_THROW(static_cast<void>(rocking_period_band(1.2468, RadiusUnit::centimetre, 0)), InputError);
+}
+
 TEST(WindowEnergy, RefusesAnEmptyBand) {
     testing::expect_input_error([] { (void)window_energy(std::vector{1.0}, 0.01, {2, 1}); }, "0 < T0 < T1");
 }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/rocking_band.hpp"
 #include "core/units.hpp"
 #include "motion/intensity.hpp"
 #include "spectra/response_spectrum.hpp"
@@ -94,7 +95,7 @@ std::string warning_of_lost_periods(CampaignSpec const& spec) {
     constexpr std::uint64_t most = 8;  // a match takes a while
     std::vector<PeriodBand> bands;
     for (auto const& body : spec.bodies) {
-        bands.push_back(rocking_period_band(body.body.radius_m()));
+        bands.push_back(rocking_band(body.body));
     }
     auto const count = std::min(most, static_cast<std::uint64_t>(spec.wave_count));
     std::uint64_t lost = 0;

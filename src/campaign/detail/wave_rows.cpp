@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "campaign/rocking_band.hpp"
 #include "core/units.hpp"
 #include "spectra/response_spectrum.hpp"
 
@@ -132,11 +133,11 @@ void describe_check(PreparedWave& wave, WaveCheck const& check) {
     }
 }
 
-void measure_energy(MeasureSpec const& spec, GroundMotion const& motion, double radius_m, MeasureRow& row) {
+void measure_energy(MeasureSpec const& spec, GroundMotion const& motion, RigidBody const& body, MeasureRow& row) {
     WindowOptions const options{
         .reading = spec.window, .smoothed = true, .keep_history = false, .panel_phase_rad = spec.panel_phase_rad};
     auto const energy_over = [&](RadiusUnit unit) {
-        return window_energy(motion.horizontal_mps2, motion.time_step_s, rocking_period_band(radius_m, unit), options);
+        return window_energy(motion.horizontal_mps2, motion.time_step_s, rocking_band(body, unit), options);
     };
     auto const energy = energy_over(spec.radius_unit);
     row.ou_v_e_mps = energy.ou_v_e_mps;

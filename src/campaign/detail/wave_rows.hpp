@@ -18,7 +18,7 @@ void describe_motion(WaveRow& row, GroundMotion const& motion, Intensity const& 
 void describe_check(PreparedWave& wave, WaveCheck const& check);
 /// Sa at the campaign's periods and over its band, 5 % damping.
 void measure_sa(MeasureSpec const& measures, PreparedWave& wave);
-/// V_WES and ouV_E for a body of this radius [m].
-void measure_energy(MeasureSpec const& spec, GroundMotion const& motion, double radius_m, MeasureRow& row);
+/// V_WES and ouV_E over the band of this body.
+void measure_energy(MeasureSpec const& spec, GroundMotion const& motion, RigidBody const& body, MeasureRow& row);
 
 }  // namespace overturn

@@ -2,13 +2,14 @@
 
 #include <span>
 
+#include "campaign/rocking_band.hpp"
 #include "spectra/band_rule.hpp"
 
 namespace overturn::output {
 
 Table body_table(CampaignSpec const& spec, std::size_t number) {
     auto const& stated = spec.bodies[number];
-    auto const band = rocking_period_band(stated.body.radius_m(), spec.measures.radius_unit);
+    auto const band = rocking_band(stated.body, spec.measures.radius_unit);
     TableOf<BodySpec> table({.name = "bodies", .group = "bodies/" + stated.name, .axis = "body"},
                             std::span(&stated, 1));
     auto const of_body = [](double (RigidBody::*value)() const) {
