@@ -109,17 +109,6 @@ void read_restitution(Table const& table, BodySpec& spec) {
     spec.stated.restitution = spec.scatter.restitution->centre();
 }
 
-// An inertia that no body has is what is wrong, not what follows from it.
-std::string inertia_text(RigidBody const& body) {
-    double const share = gyration_share(body);
-    return share >= least_gyration_share
-               ? ""
-               : fmt::format(
-                   "; so low because inertia {:.4g} kg m2 is a radius of gyration of {:.2g} R, "
-                   "0.58 for a uniform block: check its unit",
-                   body.inertia_kgm2(), share);
-}
-
 constexpr double no_surface = 2;  // grips so
 
 // Every draw must be a body that cannot jam.
@@ -183,6 +172,9 @@ BodySpec read_stated(Table const& table, std::string name, int points_across) {
     auto unsettled = stated;
     unsettled.restitution = any;
     auto const body = table.located("", [&] { return scaled(unsettled, scaling); });
+    if (auto const excess = gyration_excess(body); !excess.empty() && table.has("inertia")) {
+        table.fail("inertia", excess);
+    }
     BodySpec spec{std::move(name), stated, scaling, body, {}, {}, 3, {}, {}, {}};
     spec.parts = with_lengths(std::move(parts), length_factor(scaling));
     spec.stated_footing.base.points = points_across;

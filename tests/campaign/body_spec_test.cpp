@@ -145,6 +145,8 @@ TEST(BodySpec, RefusesNonsense) {
     refuse(block + "inertia=6000\nfriction={static=0.4,kinetic=0.5}\n", "Swap them");
     refuse(block + "inertia=6000\nfricton=0.4\n", "Did you mean 'friction'?");
     refuse("mass='12 t'\nbase_width=3\ncentre_height=0.5\ninertia='uniform-block'\n", "so squat");
+    refuse(block + "inertia=1e12\n", "a radius of gyration of");
+    refuse(block + "inertia=6000\ngravity=1e-6\n", "gravity: 1e-06 m/s2");
     refuse("base_width=1\n[[parts]]\nkind='sphere'\nmass=1\n", "sphere");
     refuse("base_width=1\nmass=3\n[[parts]]\nkind='box'\nmass=1\nwidth=1\nheight=1\n", "mass");
 }

@@ -104,6 +104,8 @@ TEST(Footing, WhatCannotStandIsRefusedAtItsKey) {
     refused("restitution=0.5\nbase={shape='polygon', corners=[[0.68,0.68],[-0.68,0.68],[-0.68,-0.68],[0.68,-0.68]]}\n",
             "polygon", "normal_restitution");
     refused("pad={normal_restitution=0}\n", "normal_restitution");
+    refused("pad={vertical_frequency=1e6}\n", "vertical_frequency", "10000");
+    refused("pad={tangential_damping=1e9}\n", "tangential_damping", "100");
     refused("restitution=0.3\npad={strength='30 MPa'}\n", "restitution", "0.5687");
     EXPECT_NO_THROW((void)read("restitution=0.3\n")) << "nobody asked for a pad";
     EXPECT_NO_THROW((void)read("pad={strength='30 MPa'}\n")) << "Housner's is met as nearly as can be";

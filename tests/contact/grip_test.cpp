@@ -44,6 +44,23 @@ TEST(ContactGrip, WithoutFrictionTheGroundLeavesTheBody) {
     EXPECT_LT(out.peak_rotation_rad, 1e-12);
 }
 
+// Stiff or strongly damped grips need shorter steps than the bed does: at the bed's own step a base under ten times
+// critical damping chattered, slipped the other way and never came to rest.
+TEST(ContactGrip, StrongDampingAndStiffSpringsShortenTheStep) {
+    auto const wave = testing::sine(6, 1.2, 4, 1, 0.01);
+    struct Case {
+        double ratio, damping;
+    };
+    for (auto const& [ratio, damping] : {Case{0.8, 10}, Case{0.8, 100}, Case{100, 0.3}}) {
+        auto const block = on_corners(body_a(), 0.5, {.tangential_ratio = ratio, .tangential_damping = damping});
+        auto const usual = shaken(block, wave, 0.01);
+        auto const fine = shaken(block, wave, 0.01, {.step_ratio = 0.003});
+        EXPECT_GT(fine.peak_slip_m, 0.01);
+        EXPECT_NEAR(usual.peak_slip_m, fine.peak_slip_m, 1e-3 * fine.peak_slip_m) << ratio << " " << damping;
+        EXPECT_NEAR(usual.residual_slip_m, fine.residual_slip_m, 1e-3 * fine.peak_slip_m) << ratio << " " << damping;
+    }
+}
+
 // Rocking moves the middle of the base by b (1 - cos theta); until the impact the corner that it leans on stays.
 TEST(ContactGrip, RockingIsNoSlip) {
     auto const body = body_a();

@@ -64,7 +64,8 @@ inline constexpr config::Keys body_keys{
     distribution_key("friction", Dimension::none, config::Range::not_negative(), "coefficient; absent: no slip")
         .or_as(config::table_key<distribution_table, friction_table>("friction", ""))
         .optional(),
-    config::number_key("gravity", Dimension::acceleration, config::Range::positive(), "acceleration of gravity")
+    // Of asteroids and of centrifuges. Beyond, a motion is long or short beside what a body does under it.
+    config::number_key("gravity", Dimension::acceleration, config::Range::between(0.01, 1e4), "acceleration of gravity")
         .otherwise(g0)
         .only("there is no file"),
     config::table_key<similarity_table>("similarity", "carry what is described to a model or its prototype")

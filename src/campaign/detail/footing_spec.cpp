@@ -36,7 +36,9 @@ constexpr config::Keys base_keys{
         .only("shape = square or round")};
 constexpr config::KeyTable base_table{.meaning = "the base that a body stands on", .keys = base_keys.all};
 constexpr config::Keys pad_keys{
-    config::number_key("vertical_frequency", Dimension::frequency, Range::positive(), "of the body on its whole base")
+    // Above it a bed is rigid (it settles by 2.5 nm), and its match to a restitution alone takes seconds.
+    config::number_key("vertical_frequency", Dimension::frequency, {.low = 0, .high = 1e4, .low_open = true},
+                       "of the body on its whole base")
         .otherwise(Pad{}.vertical_frequency_hz),
     config::number_key("normal_restitution", Dimension::none, {.low = 0.05, .high = 1},
                        "of one point in a flat drop, at any speed")
@@ -47,7 +49,7 @@ constexpr config::Keys pad_keys{
     config::number_key("tangential_ratio", Dimension::none, {.low = 0.01, .high = 100},
                        "tangential over normal stiffness")
         .otherwise(Pad{}.tangential_ratio),
-    config::number_key("tangential_damping", Dimension::none, Range::not_negative(), "fraction of critical")
+    config::number_key("tangential_damping", Dimension::none, Range::between(0, 100), "fraction of critical")
         .otherwise(Pad{}.tangential_damping),
     config::boolean_key("match_restitution", "tune bed and points until the body rocks with its restitution")
         .otherwise(Pad{}.match_restitution)};

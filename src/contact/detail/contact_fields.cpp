@@ -8,7 +8,7 @@
 namespace overturn::contact {
 
 void ContactRun::fill_trial(ContactAccuracy const& accuracy) {
-    fill_steps(accuracy, 1);
+    fill_steps(accuracy, 1, planar_.inertia_over_mass_m2);
     fill_law();
     fill_waves();
     double const b = planar_.half_width_m;

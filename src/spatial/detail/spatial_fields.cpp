@@ -25,7 +25,9 @@ void SpatialRun::fill_trial(ContactAccuracy const& accuracy) {
     // Nothing touches and leaves a rim within a step: twice as long a one errs by 9e-4 of the peak in place of 8e-4,
     // which its eight nodes make (median of 16 waves; 2e-3 at 90 % either way).
     double const smooth = block_.rim ? 2 : 1;
-    fill_steps(accuracy, smooth * std::min(1.0, uniform_solid / block_.rotation_stiffness));
+    auto const& inertias = block_.inertia_over_mass_m2;
+    fill_steps(accuracy, smooth * std::min(1.0, uniform_solid / block_.rotation_stiffness),
+               std::min(inertias[0], inertias[1]));
     fill_law();
     if (block_.rim) {
         put(State::damping, rim_damping(planar_.pad.normal_restitution));
