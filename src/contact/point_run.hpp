@@ -11,6 +11,7 @@
 #include "contact/contact_accuracy.hpp"
 #include "contact/rest_gate.hpp"
 #include "model/excitation.hpp"
+#include "model/run_out.hpp"
 
 namespace overturn::contact {
 
@@ -76,7 +77,7 @@ template <class Derived, class Field, class Spot, class Lane> class PointRun {
   private:
     enum class Phase : std::uint8_t { resting, shaken, running_out };
     // After the wave: nothing shakes, and energy is looked at every so many samples.
-    static constexpr std::size_t still_samples = 8;
+    static constexpr std::size_t still_samples = run_out_samples;
     static constexpr std::array<double, still_samples + 1> stillness{};
 
     [[nodiscard]] Derived& self() { return static_cast<Derived&>(*this); }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "model/run_out.hpp"
 #include "rocking/detail/lane_run.hpp"
 #include "rocking/detail/rest.hpp"
 #include "rocking/detail/slip.hpp"
@@ -121,7 +122,11 @@ void run_out(RockingRun& run, double end_s) {
     run.log.raise_energy(run.energy());
     for (std::int64_t i = 0; !run.log.done() && run.state.mode != Mode::rest; ++i) {
         sample.calm(end_s + static_cast<double>(i) * length, length);
-        if ((!run.state.slipped && decided(run)) || sample.now() - end_s > balance_s) {
+        if (!run.state.slipped && decided(run)) {
+            break;
+        }
+        double const after_s = sample.now() - end_s;
+        if (run.state.slipped ? i % run_out_samples == 0 && after_s > longest_after_s : after_s > balance_s) {
             break;
         }
         run.progress.steps_here = 0;
