@@ -123,6 +123,9 @@ void run_out(RockingRun& run, double end_s) {
     for (std::int64_t i = 0; !run.log.done() && run.state.mode != Mode::rest; ++i) {
         sample.calm(end_s + static_cast<double>(i) * length, length);
         if (!run.state.slipped && decided(run)) {
+            // It still lands, with all of this energy: later impacts are slower.
+            double const spin = run.corner().p_radps * std::sqrt(2 * std::max(0.0, run.energy()));
+            run.log.outcome().impact_spin_radps = std::max(run.log.outcome().impact_spin_radps, spin);
             break;
         }
         double const after_s = sample.now() - end_s;
