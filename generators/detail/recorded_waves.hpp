@@ -6,7 +6,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "generators/wave_source.hpp"
@@ -27,8 +26,16 @@ struct Record {
     std::string name;      ///< of its file (of the horizontal component's), as the campaign says it
 };
 
-/// Two of them that are one motion, in all components and to the last bit; empty: all differ.
-[[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> same_motion_twice(std::span<Record const> records);
+/// Two of a list that are one motion.
+struct SameMotion {
+    std::size_t first = 0;
+    std::size_t second = 0;
+    double factor = 1;  ///< the second's horizontal component over the first's
+};
+
+/// Two of them whose components are multiples of each other, one to 1e-3 of its peak, zeros around them apart; empty:
+/// all differ.
+[[nodiscard]] std::optional<SameMotion> same_motion_twice(std::span<Record const> records);
 
 /// They in their order. \pre there is one
 [[nodiscard]] std::unique_ptr<WaveSource> recorded_waves(std::vector<Record> records);

@@ -24,7 +24,11 @@ class Spectra : public ::testing::Test {
         for (double const height : {1.0, 2.0, 4.0}) {
             std::string text = "time_s,acc (m/s2)\n";
             for (int i = 0; i <= 400; ++i) {
-                text += fmt::format("{:.2f},{}\n", 0.01 * i, i == 1 ? height : 0);
+                text += fmt::format("{:.2f},{}\n", 0.01 * i,
+                                    i == 1     ? height
+                                    : i == 201 ? 2e-3 * height * height
+                                    : i == 200 ? -2e-3 * height * height
+                                               : 0);
             }
             folder.write(fmt::format("blow{}.csv", height), text);
         }

@@ -163,10 +163,10 @@ TEST(RecordBaseline, IsStatedInTheTable) {
     expect("{high_pass='0.1 Hz', order=2, phase='causal'}", "high-passed at 0.1 Hz (Butterworth, order 2, causal)");
     auto const own = source_of(
         "source='records'\n[[records]]\nhorizontal='a.csv'\nunit='gal'\nbaseline='mean'\n"
-        "[[records]]\nhorizontal='a.csv'\nunit='gal'\n",
+        "[[records]]\nhorizontal='short.csv'\nunit='gal'\n",
         files);
     EXPECT_EQ(own->make(1, 0).label, label("'mean'"));
-    EXPECT_EQ(own->make(1, 1).label, "a.csv");
+    EXPECT_EQ(own->make(1, 1).label, "short.csv");
     auto const refuse = [&](std::string const& baseline, char const* part) {
         expect_input_error([&] { (void)label(baseline); }, "c.toml:4:", part);
     };

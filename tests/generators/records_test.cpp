@@ -225,12 +225,28 @@ TEST(Records, OneMotionTwiceIsRefused) {
             [&] { (void)source_of(fmt::format("source='records'\nfiles={}\nunit='gal'\n", list), twice); },
             "records 1 and 3 are one motion");
     }
-    EXPECT_EQ(source_of("source='records'\n[[records]]\nhorizontal='a.csv'\nunit='gal'\n[[records]]\n"
-                        "horizontal='a.csv'\nunit='gal'\nscale=2\n",
-                        twice)
-                  ->about()
-                  .available,
-              2U);
+    // Scaled or set later it is the same motion still.
+    auto const refuse = [&](std::string const& second, char const* part) {
+        expect_input_error(
+            [&] {
+                (void)source_of("source='records'\n[[records]]\nhorizontal='a.csv'\nunit='gal'\n[[records]]\n" + second,
+                                twice);
+            },
+            part);
+    };
+    refuse("horizontal='a.csv'\nunit='gal'\nscale=2\n", "records 1 and 2 are one motion times 2 (");
+    refuse("horizontal='copy.csv'\nunit='gal'\nscale=0.5\n", "records 1 and 2 are one motion times 0.5 (");
+    twice["later.csv"] = "0,0\n0.01,0\n0.02,0\n0.03,10\n0.04,-20\n0.05,0\n";
+    twice["early.csv"] = "0,0\n0.01,5.0001\n0.02,-10\n";
+    twice["other.csv"] = "0,0\n0.01,10\n0.02,-20\n0.03,1\n";
+    auto const pair = [&](char const* one, char const* other) {
+        return source_of(fmt::format("source='records'\nfiles=['{}','{}']\nunit='gal'\n", one, other), twice)
+            ->about()
+            .available;
+    };
+    expect_input_error([&] { (void)pair("later.csv", "early.csv"); }, "one motion times 0.5 ");
+    EXPECT_EQ(pair("later.csv", "other.csv"), 2U);
+    EXPECT_EQ(pair("other.csv", "early.csv"), 2U);
 }
 
 }  // namespace
