@@ -63,7 +63,8 @@ class ContactObserver {
 /// tips to theta < 0, as in simulate_rocking. Every point presses by F = k d + damping that grows with the depth (Hunt
 /// & Crossley 1975), yields at its strength and keeps the crush, and grips by a spring from an anchor up to mu F
 /// (Cundall & Strack 1979). RK4 at a fixed step, a whole number of steps per sample; what points remember is frozen
-/// within a step. Overturned at |theta| = pi/2; after the wave, energy decides. Allocates little, never while it steps.
+/// within a step. Overturned at |theta| = pi/2; after the wave the body is followed until it rests. Allocates little,
+/// never while it steps.
 ///
 /// \pre quantities are positive; components agree in length
 [[nodiscard]] ContactOutcome simulate_contact(ContactBlock const& block, Excitation const& shaking,

@@ -15,7 +15,7 @@
 
 namespace overturn::contact {
 
-/// At rest, shaken, then running out. \tparam Derived has fallen, decided, calm (until the next sample), hold,
+/// At rest, shaken, then running out. \tparam Derived has fallen, calm (until the next sample), hold,
 /// show_sample and wake, and names in shaken_by what its lanes hold of the shaking \tparam Field what its lanes hold of
 /// the body: the place in the wave, the steps and the law are named alike
 template <class Derived, class Field, class Spot, class Lane> class PointRun {
@@ -62,10 +62,6 @@ template <class Derived, class Field, class Spot, class Lane> class PointRun {
         }
         return deepest;
     }
-    /// Whether a body of this energy, over the mass, can neither fall over an edge so far from its axis nor swing
-    /// higher than it did.
-    [[nodiscard]] bool stays(double energy, double edge_m, double tilt_rad, double most_tilt_rad) const;
-
     [[nodiscard]] double get(Field field) const { return lane_.body.at(field, 0); }
     void put(Field field, double value) { lane_.body.at(field, 0) = value; }
 
@@ -128,7 +124,7 @@ bool PointRun<Derived, Field, Spot, Lane>::run_out(std::size_t index) {
     bool const stopped = index < still_samples;  // lanes stopped before the end: it is quiet
     double const reached = get(Field::origin) + still_samples * get(Field::time_step);
     double const after = reached - static_cast<double>(last_) * shaking_.time_step_s;
-    if (stopped || self().decided() || after > run_out_s_) {
+    if (stopped || after > run_out_s_) {
         return false;
     }
     put(Field::origin, reached);
@@ -213,24 +209,6 @@ template <class Derived, class Field, class Spot, class Lane> void PointRun<Deri
     put(Field::most_damping, y / w);
     put(Field::least_approach, planar_.approach_floor_mps());
     put(Field::flexibility, 1 / (pad.tangential_ratio * w * w));
-}
-
-template <class Derived, class Field, class Spot, class Lane>
-bool PointRun<Derived, Field, Spot, Lane>::stays(double energy, double edge_m, double tilt_rad,
-                                                 double most_tilt_rad) const {
-    double const h = planar_.centre_height_m;
-    double const radius = std::hypot(edge_m, h);
-    double const alpha = std::atan2(edge_m, h);
-    // A body that balances over one of two soft corners stands 2 settlements deep, g / w_v^2 each, and its top is lower
-    // by that: within 1 % of R (1 - cos alpha) where w_v^2 > 200 g / (R (1 - cos alpha)), 16 Hz if that height is 0.2
-    // m. Softer pads were not looked at. A crushed corner lowers the top by what is gone of it.
-    constexpr double safe = 0.99;
-    double const lifted = energy / (planar_.gravity_mps2 * radius) + deepest_crush() / radius;
-    if (lifted > safe * (1 - std::cos(alpha)) || tilt_rad >= alpha) {
-        return false;
-    }
-    double const turning = alpha - std::acos(std::min(1.0, lifted + std::cos(alpha)));
-    return turning <= most_tilt_rad;
 }
 
 }  // namespace overturn::contact

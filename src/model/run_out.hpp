@@ -3,9 +3,9 @@
 
 namespace overturn {
 
-/// After the last sample energy decides; what has slipped is followed until it rests, in every model for this long at
-/// most [s]. A body that slides at v still slides then where its kinetic friction is below v / (60 s g), 0.0005 for 0.3
-/// m/s; its slip is what it was by then.
+/// After the last sample energy decides of a rigid body that only rocks; what has slipped, and every body on points, is
+/// followed until it rests, for this long at most [s]. A body that slides at v still slides then where its kinetic
+/// friction is below v / (60 s g), 0.0005 for 0.3 m/s; its slip is what it was by then.
 inline constexpr double longest_after_s = 60;
 /// How often that is looked at, in samples of the motion.
 inline constexpr int run_out_samples = 8;

@@ -88,7 +88,7 @@ class SpatialObserver {
 /// m r'' = sum F - m (a_x, a_y, g + a_z), I w' = sum (X, Y, -h) x R^T F - w x I w about the body's own axes. Points
 /// press and grip as those of simulate_contact, friction bounding the length of the horizontal force; RK4 at its step,
 /// shorter where inertia is less than a uniform solid's. About one axis and on a square base it is simulate_contact.
-/// Overturned at a tilt of pi/2; after the wave, energy decides against the lowest edge. Allocates little, never while
+/// Overturned at a tilt of pi/2; after the wave the body is followed until it rests. Allocates little, never while
 /// it steps.
 ///
 /// \pre quantities are positive; components agree in length

@@ -94,6 +94,14 @@ inline void halve_step(Study& study) {
     study.step_s /= 2;
 }
 
+inline void quiet_behind(Study& study) {
+    for (auto& motion : study.motions) {
+        for (auto& wave : motion.gal) {
+            wave.resize(wave.empty() ? 0 : wave.size() + static_cast<std::size_t>(4 / study.step_s));
+        }
+    }
+}
+
 inline bool always(Family const&) { return true; }
 inline bool in_the_plane(Family const& family) { return !family.space; }
 inline bool spatial(Family const& family) { return family.space; }
@@ -239,21 +247,19 @@ inline std::vector<Relation> relations() {
              [](Study const&, std::array<std::size_t, 3> at) {
                  return std::array<std::size_t, 3>{at[0], at[1] == 1 ? 0U : 1U, at[2]};
              }},
-        // After the motion a body is followed until energy decides that it cannot fall or lean further: counts and what
-        // happens later than that depend on where the motion is said to end.
+        // After the motion a rigid body is followed until energy decides that it cannot fall or lean further: counts
+        // and what happens later than that depend on where the motion is said to end. On points it is followed until it
+        // rests, which is looked at every few samples from the end on: what is left of slip by then differs.
         {.name = "4 s of zeros behind",
-         .holds = always,
-         .change =
-             [](Study& study) {
-                 for (auto& motion : study.motions) {
-                     for (auto& wave : motion.gal) {
-                         wave.resize(wave.empty() ? 0 : wave.size() + static_cast<std::size_t>(4 / study.step_s));
-                     }
-                 }
-             },
+         .holds = [](Family const& family) { return !family.points; },
+         .change = quiet_behind,
          .told = {"verdict", "peak_rotation", "peak_rotation_ratio", "time_of_peak", "first_uplift", "overturn_time",
-                  "peak_energy_ratio", "peak_impact_velocity", "peak_slip", "v_resp", "contact.peak_crush",
-                  "contact.peak_rise", "spatial.peak_crush", "spatial.peak_rise", "spatial.peak_yaw", "v_wes"}},
+                  "peak_energy_ratio", "peak_impact_velocity", "peak_slip", "v_resp", "v_wes"}},
+        {.name = "4 s of zeros behind",
+         .holds = [](Family const& family) { return family.points; },
+         .change = quiet_behind,
+         .untold = {"ou_v_e", "residual_slip", "steps", "spatial.residual_x", "spatial.residual_y", "spatial.slip_path",
+                    "spatial.yaw"}},
         {.name = "midpoints inserted", .holds = always, .change = halve_step},
     };
 }

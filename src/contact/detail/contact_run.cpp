@@ -85,11 +85,4 @@ void ContactRun::wake() {
     put(ContactField::sway_speed, sway_speed);
 }
 
-// One that has slipped may slip on: it is followed until it rests.
-bool ContactRun::decided() const {
-    return !slipped()
-           && stays(mechanical_energy(), planar_.half_width_m, std::abs(get(ContactField::rotation)),
-                    std::max(get(ContactField::crest), -get(ContactField::trough)));
-}
-
 }  // namespace overturn::contact

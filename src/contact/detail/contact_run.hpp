@@ -49,7 +49,6 @@ class ContactRun : public PointRun<ContactRun, ContactField, Spot, ContactLanes<
     void fill_peaks(ContactOutcome& out) const;
     [[nodiscard]] bool fallen() const;
     [[nodiscard]] bool calm(std::size_t sample) const;
-    [[nodiscard]] bool decided() const;
     [[nodiscard]] bool slipped() const;
     [[nodiscard]] double slip_m() const;
     [[nodiscard]] double mechanical_energy() const;

@@ -130,23 +130,4 @@ void SpatialRun::wake() {
     put(State::vz, speed.rise);
 }
 
-// How much lower a rim that leans to its critical angle stands than a rigid one: its lowest point is d deep, where its
-// springs, which press as d^(3/2), hold 2/5 of g d.
-double SpatialRun::rim_sinking() const {
-    if (!block_.rim) {
-        return 0;
-    }
-    double const r = block_.edge_m;
-    double const sine = r / std::hypot(r, planar_.centre_height_m);
-    return 0.6 * 0.5 * std::pow(3 * pi * planar_.settlement_m(), 2.0 / 3) * std::cbrt(r * sine);
-}
-
-// One that has slipped may slip on: it is followed until it rests.
-bool SpatialRun::decided() const {
-    auto const angle = [](double half_sine2) { return 2 * std::asin(std::sqrt(half_sine2)); };
-    return !slipped()
-           && stays(mechanical_energy() + planar_.gravity_mps2 * rim_sinking(), block_.edge_m, angle(half_tilt_sine2()),
-                    angle(get(State::most_tilt)));
-}
-
 }  // namespace overturn::spatial

@@ -79,7 +79,6 @@ class SpatialRun : public contact::PointRun<SpatialRun, State, Spot, SpatialLane
     [[nodiscard]] bool fallen() const { return !(half_tilt_sine2() < 0.5); }
     [[nodiscard]] bool weak(std::size_t sample) const;
     [[nodiscard]] bool calm(std::size_t sample) const { return weak(sample) && weak(sample + 1); }
-    [[nodiscard]] bool decided() const;
     [[nodiscard]] bool slipped() const;
     [[nodiscard]] bool sound() const;
     [[nodiscard]] double half_tilt_sine2() const;
@@ -94,7 +93,6 @@ class SpatialRun : public contact::PointRun<SpatialRun, State, Spot, SpatialLane
     [[nodiscard]] BedMoments rim_moments() const;
     [[nodiscard]] BedMoments bed_moments() const;
     [[nodiscard]] double spring_energy() const;
-    [[nodiscard]] double rim_sinking() const;
     [[nodiscard]] LeanStiffness lean_stiffness(BedMoments const& bed) const;
     [[nodiscard]] Yielding yielding(BedMoments const& bed, Acceleration const& by) const;
 
