@@ -287,10 +287,11 @@ std::unique_ptr<WaveSource> make_records(config::Table const& waves, InputFiles&
     if (auto const same = files.are_before_format_5() ? std::nullopt : same_motion_twice(records)) {
         waves.fail(
             waves.has("files") ? "files" : "records",
-            fmt::format("records {} and {} are one motion{} (counted twice it makes intervals too short). Leave one "
-                        "out; [levels] scale motions",
-                        same->first + 1, same->second + 1,
-                        std::abs(same->factor - 1) < 1e-3 ? "" : fmt::format(" times {:.4g}", same->factor)));
+            fmt::format(
+                "records {} and {} are one motion{} (counted twice it makes intervals too short). Leave one "
+                "out; [levels] scale motions",
+                same->first + 1, same->second + 1,
+                std::abs(same->factor - 1) < same_motion_share ? "" : fmt::format(" times {:.4g}", same->factor)));
     }
     return recorded_waves(std::move(records));
 }

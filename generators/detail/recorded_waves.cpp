@@ -50,78 +50,55 @@ class Records : public WaveSource {
     std::vector<Record> records_;
 };
 
-// A motion and where it is strongest, by which two of them are laid over each other.
-struct Shape {
-    GroundMotion const* motion = nullptr;
-    std::size_t record = 0;
-    std::ptrdiff_t strongest = 0;  // sample
-};
+using Samples = std::vector<double>;
 
-Shape shape_of(GroundMotion const& motion, std::size_t record) {
-    auto const& h = motion.horizontal_mps2;
-    auto const strongest = std::ranges::max_element(h, {}, [](double x) { return std::abs(x); });
-    return {&motion, record, strongest - h.begin()};
+std::ptrdiff_t strongest_of(Samples const& x) {
+    return std::ranges::max_element(x, {}, [](double value) { return std::abs(value); }) - x.begin();
 }
 
-// By what `of` was multiplied to give `like`, whose samples come `later`; zero outside of either. From the strongest
-// sample on, where two motions that differ do so at once.
-std::optional<double> multiple(std::vector<double> const& of, std::vector<double> const& like, std::ptrdiff_t later) {
-    constexpr double same = 1e-3;  // of the strongest: copies are rounded where they are written
-    auto const at = [](std::vector<double> const& x, std::ptrdiff_t i) {
+// By what `of` was multiplied to give `like`, whose samples come `later`; zero outside of either. \param strongest
+// sample of `of`, from which on they are compared: two motions that differ do so there at once
+std::optional<double> multiple(Samples const& of, std::ptrdiff_t strongest, Samples const& like, std::ptrdiff_t later) {
+    auto const at = [](Samples const& x, std::ptrdiff_t i) {
         return i < 0 || i >= std::ssize(x) ? 0 : x[static_cast<std::size_t>(i)];
     };
-    if (of.empty() || like.empty()) {
-        return of.empty() && like.empty() ? std::optional(1.0) : std::nullopt;
+    if (of.empty() || at(of, strongest) == 0) {
+        return of.empty() == like.empty() && peak_of(like) == 0 ? std::optional(1.0) : std::nullopt;
     }
+    double const there = at(like, strongest + later);
+    double const factor = there / at(of, strongest);
     auto const begin = std::min<std::ptrdiff_t>(0, -later);
-    auto const end = std::max(std::ssize(of), std::ssize(like) - later);
-    auto const peak = std::ranges::max_element(of, {}, [](double x) { return std::abs(x); }) - of.begin();
-    if (at(of, peak) == 0) {
-        return peak_of(like) == 0 ? std::optional(1.0) : std::nullopt;
-    }
-    double const factor = at(like, peak + later) / at(of, peak);
-    double const slack = same * std::abs(at(like, peak + later));
-    auto const differs = [&](std::ptrdiff_t i) { return std::abs(at(like, i + later) - factor * at(of, i)) > slack; };
-    for (auto i = peak; i < end; ++i) {
-        if (differs(i)) {
-            return std::nullopt;
-        }
-    }
-    for (auto i = begin; i < peak; ++i) {
-        if (differs(i)) {
+    auto const count = std::max(std::ssize(of), std::ssize(like) - later) - begin;
+    for (std::ptrdiff_t k = 0; k < count; ++k) {
+        auto const i = begin + (strongest - begin + k) % count;
+        if (std::abs(at(like, i + later) - factor * at(of, i)) > same_motion_share * std::abs(there)) {
             return std::nullopt;
         }
     }
     return factor == 0 ? std::nullopt : std::optional(factor);
 }
 
-// Of the horizontal one, where all components are multiples and begin alike.
-std::optional<double> factor_between(Shape const& one, Shape const& other) {
-    auto const later = other.strongest - one.strongest;
-    auto const& a = *one.motion;
-    auto const& b = *other.motion;
-    if (a.time_step_s != b.time_step_s) {
-        return std::nullopt;
-    }
-    auto const factor = multiple(a.horizontal_mps2, b.horizontal_mps2, later);
-    bool const all = factor && multiple(a.transverse_mps2, b.transverse_mps2, later)
-                     && multiple(a.vertical_mps2, b.vertical_mps2, later);
-    return all ? factor : std::nullopt;
+std::optional<double> multiple(Samples const& of, Samples const& like, std::ptrdiff_t later) {
+    return multiple(of, strongest_of(of), like, later);
 }
 
 }  // namespace
 
 std::optional<SameMotion> same_motion_twice(std::span<Record const> records) {
-    std::vector<Shape> shapes;
-    for (std::size_t i = 0; i < records.size(); ++i) {
-        if (records[i].withheld.empty()) {
-            shapes.push_back(shape_of(records[i].motion, i));
-        }
-    }
-    for (auto one = shapes.begin(); one != shapes.end(); ++one) {
-        for (auto other = shapes.begin(); other != one; ++other) {
-            if (auto const factor = factor_between(*other, *one)) {
-                return SameMotion{other->record, one->record, *factor};
+    std::vector<std::ptrdiff_t> strongest;
+    for (std::size_t second = 0; second < records.size(); ++second) {
+        auto const& b = records[second].motion;
+        strongest.push_back(strongest_of(b.horizontal_mps2));
+        for (std::size_t first = 0; first < second && records[second].withheld.empty(); ++first) {
+            auto const& a = records[first].motion;
+            if (!records[first].withheld.empty() || a.time_step_s != b.time_step_s) {
+                continue;
+            }
+            auto const later = strongest[second] - strongest[first];
+            auto const factor = multiple(a.horizontal_mps2, strongest[first], b.horizontal_mps2, later);
+            if (factor && multiple(a.transverse_mps2, b.transverse_mps2, later)
+                && multiple(a.vertical_mps2, b.vertical_mps2, later)) {
+                return SameMotion{first, second, *factor};
             }
         }
     }

@@ -26,6 +26,10 @@ struct Record {
     std::string name;      ///< of its file (of the horizontal component's), as the campaign says it
 };
 
+/// Of their strongest sample, by which two recordings of one motion may differ: they are rounded where they are
+/// written.
+inline constexpr double same_motion_share = 1e-3;
+
 /// Two of a list that are one motion.
 struct SameMotion {
     std::size_t first = 0;
@@ -33,8 +37,8 @@ struct SameMotion {
     double factor = 1;  ///< the second's horizontal component over the first's
 };
 
-/// Two of them whose components are multiples of each other, one to 1e-3 of its peak, zeros around them apart; empty:
-/// all differ.
+/// Two of them whose components are multiples of each other, to `same_motion_share` of their peak, zeros around them
+/// apart; empty: all differ.
 [[nodiscard]] std::optional<SameMotion> same_motion_twice(std::span<Record const> records);
 
 /// They in their order. \pre there is one
