@@ -72,7 +72,7 @@ template <class Derived, class Field, class Spot, class Lane> class PointRun {
 
   private:
     enum class Phase : std::uint8_t { resting, shaken, running_out };
-    // After the wave: nothing shakes, and energy is looked at every so many samples.
+    // After the wave: nothing shakes, and rest is looked for every so many samples.
     static constexpr std::size_t still_samples = run_out_samples;
     static constexpr std::array<double, still_samples + 1> stillness{};
 
@@ -136,7 +136,7 @@ template <class Derived, class Field, class Spot, class Lane>
 void PointRun<Derived, Field, Spot, Lane>::begin_run_out() {
     phase_ = Phase::running_out;
     if (last_ == 0) {                      // no wave: free motion
-        constexpr double length_s = 0.01;  // in place of a sample: how often, over still_samples, energy is looked at
+        constexpr double length_s = 0.01;  // in place of a sample: how often, over still_samples, rest is looked for
         double const substeps = std::ceil(length_s / longest_step_s_);
         put(Field::time_step, length_s);
         put(Field::step, length_s / substeps);

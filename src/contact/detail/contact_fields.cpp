@@ -94,26 +94,6 @@ double ContactRun::slip_m() const {
            - std::copysign(lifted, get(ContactField::rotation));
 }
 
-// Kinetic, of position and of springs, over the mass; none in settled rest.
-double ContactRun::mechanical_energy() const {
-    double const base = get(ContactField::rise) + planar_.centre_height_m * (1 - get(ContactField::cosine));
-    double const middle = get(ContactField::sway) - planar_.centre_height_m * get(ContactField::sine);
-    double springs = 0;
-    for (int i = 0; i < lane_.points; ++i) {
-        double const x = lane_.at(Spot::offset, i, 0);
-        double const depth = get(ContactField::sine) * x - base - lane_.at(Spot::crush, i, 0);
-        if (depth > 0) {
-            double const shift = middle + get(ContactField::cosine) * x - lane_.at(Spot::anchor, i, 0);
-            springs +=
-                0.5 * lane_.at(Spot::stiffness, i, 0) * (depth * depth + planar_.pad.tangential_ratio * shift * shift);
-        }
-    }
-    double const moving = get(ContactField::sway_speed) * get(ContactField::sway_speed)
-                          + get(ContactField::rise_speed) * get(ContactField::rise_speed)
-                          + planar_.inertia_over_mass_m2 * get(ContactField::spin) * get(ContactField::spin);
-    return 0.5 * moving + springs + planar_.gravity_mps2 * (get(ContactField::rise) + 0.5 * planar_.settlement_m());
-}
-
 // Whether the base has moved farther than springs stretch whose points hold.
 bool ContactRun::slipped() const { return get(ContactField::most_slip) > elastic_way(); }
 

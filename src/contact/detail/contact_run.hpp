@@ -51,7 +51,6 @@ class ContactRun : public PointRun<ContactRun, ContactField, Spot, ContactLanes<
     [[nodiscard]] bool calm(std::size_t sample) const;
     [[nodiscard]] bool slipped() const;
     [[nodiscard]] double slip_m() const;
-    [[nodiscard]] double mechanical_energy() const;
     [[nodiscard]] double across(std::size_t sample) const;
     [[nodiscard]] double up(std::size_t sample) const;
 
