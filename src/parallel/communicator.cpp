@@ -7,6 +7,10 @@
 #include <exception>
 #include <thread>
 
+#if __has_include(<execinfo.h>)
+#include <execinfo.h>
+#endif
+
 #include <fmt/format.h>
 #include <mpi.h>
 
@@ -55,6 +59,12 @@ void broadcast_bytes(void* bytes, int count, MPI_Datatype type) {
 Environment::Environment() {
     // Open MPI 4.1's first choice for one-sided calls cannot make a window over TCP ("invalid window"); its others can.
     ::setenv("OMPI_MCA_osc", "^rdma", 0);
+#if __has_include(<execinfo.h>)
+    // On SIGABRT Open MPI prints where it came from. The first backtrace of a process loads a library, and that
+    // allocates: within an abort of malloc's own it waits for ever for what the abort holds. So the first is here.
+    std::array<void*, 1> here{};
+    (void)::backtrace(here.data(), 1);
+#endif
     int provided = 0;
     check(MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided), "starting up");
 }
