@@ -15,7 +15,8 @@ for wish in "$@"; do
                           qemu-user) ;;  # other CPUs to test on
         ci) packages+=(ccache clang-format clang-tidy libbenchmark-dev libboost-dev  # and what benchmarks compare with
                        libmpich-dev  # another MPI to build with
-                       chromium groff-base) ;;  # pages and the manual as others see them
+                       chromium groff-base  # pages as others see them
+                       python3-sphinx furo python3-myst-parser libjs-mathjax) ;;  # the manual
         *) echo "setup: '$wish' (unknown). Use tests or ci" >&2; exit 2 ;;
     esac
 done
