@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/units.hpp"
+#include "motion/column_unit.hpp"
 #include "motion/component_name.hpp"
 #include "motion/text_lines.hpp"
 
@@ -94,7 +95,88 @@ std::string without_fillings(Text part) {
     return rest;
 }
 
+/// Without the unit in it.
+std::string without_unit(Text name) {
+    constexpr std::array dimensions{Dimension::acceleration, Dimension::velocity, Dimension::length, Dimension::time,
+                                    Dimension::frequency};
+    auto const [text, bracketed] = unit_text_in_name(name);
+    bool const unit = !text.empty() && std::ranges::any_of(dimensions, [&, unit = text](Dimension dimension) {
+        return unit_spelled(unit, dimension).has_value();
+    });
+    std::string rest(name);
+    return unit ? rest.erase(static_cast<std::size_t>(text.data() - name.data()), text.size()) : rest;
+}
+
+/// "Sa_vertical" and "SaZ" in lower case, word by word; "S_v" is one.
+std::vector<std::string> words_of_name(Text name) {
+    std::vector<std::string> words;
+    for (auto const part : split(name, " \t_-./:,;()[]{}=\"'|")) {
+        bool const of_letter = words.size() == 1 && (words[0] == "s" || words[0] == "ps") && part.size() == 1;
+        std::size_t begin = 0;
+        for (std::size_t i = 1; i <= part.size(); ++i) {
+            bool const in_rotd = lowered(part.substr(begin, i - begin)).ends_with("rot");
+            bool const rises = i < part.size() && part[i - 1] >= 'a' && part[i - 1] <= 'z' && part[i] >= 'A'
+                               && part[i] <= 'Z' && !in_rotd;
+            if (i == part.size() || rises) {
+                words.push_back(lowered(part.substr(begin, i - begin)));
+                begin = i;
+            }
+        }
+        if (of_letter) {
+            words[0] += words[1];
+            words.pop_back();
+        }
+    }
+    return words;
+}
+
+bool has_figure(Text word) { return word.find_first_of("0123456789") != Text::npos; }
+
+/// Of a word behind the first, or of what follows "sa" or "psv" in the first: "z", "84", "vert".
+bool changes_values(Text word) {
+    constexpr auto known = std::to_array<Text>(
+        {"rotd00", "rotd50", "rotd100", "gmrotd50", "gmrotd100", "gmroti50", "t0", "t1", "h1", "h2"});
+    constexpr auto statistics = std::to_array<Text>({"avg", "ave", "average", "eps", "epsilon", "upper", "lower", "max",
+                                                     "min", "plus", "minus", "envelope", "pc", "ratio", "res"});
+    if (std::ranges::find(known, word) != known.end()) {
+        return false;
+    }
+    return word == "z" || word == "v" || is_vertical(direction_of(word)) || has_figure(word) || tells_factor(word)
+           || tells_statistic(word) || tells_other_spectrum(word)
+           || std::ranges::find(statistics, word) != statistics.end();
+}
+
 }  // namespace
+
+bool tells_no_response(Text lower) {
+    constexpr auto parts = std::to_array<Text>({"fourier", "power spectr", "periodogram"});
+    constexpr auto words = std::to_array<Text>({"fas", "hvsr"});
+    return holds_any(lower, parts) || holds_word_of(lower, words);
+}
+
+bool tells_other_spectrum(Text lower) {
+    constexpr auto parts =
+        std::to_array<Text>({"floor", "in-structure", "in structure", "instructure", "inelastic", "ductility"});
+    constexpr auto words = std::to_array<Text>({"frs", "isrs"});
+    return tells_no_response(lower) || holds_any(lower, parts) || holds_word_of(lower, words);
+}
+
+bool tells_more_in_name(Text name) {
+    auto const words = words_of_name(without_unit(name));
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        Text word = words[i];
+        if (i > 0 ? changes_values(word) : tells_factor(word) || tells_statistic(word) || tells_other_spectrum(word)) {
+            return true;
+        }
+        constexpr auto kinds = std::to_array<Text>({"psa", "psv", "sa", "sv", "sd", "se"});
+        auto const* const kind =
+            std::ranges::find_if(kinds, [&](Text each) { return i == 0 && word.starts_with(each); });
+        if (kind != kinds.end() && word.size() > kind->size() && changes_values(word.substr(kind->size()))) {
+            return true;
+        }
+    }
+    return !words.empty() && words[0].size() > 1 && is_vertical(direction_of(words[0]));
+}
 
 bool tells_factor(Text lower) {
     constexpr auto parts = std::to_array<Text>(

@@ -1,4 +1,5 @@
-/// Words of a line that may change what the numbers below it are. Every function takes a line in lower case.
+/// Words of a line that may change what the numbers below it are. Every function takes a line in lower case, but that
+/// of a column's name.
 #pragma once
 
 #include <string>
@@ -17,6 +18,16 @@ namespace overturn {
 
 /// "median", "84th percentile", "16 % fractile", "best estimate minus one sigma": which of several curves it is
 [[nodiscard]] bool tells_statistic(std::string_view lower);
+
+/// "Fourier", "FAS", "power spectral density": of nothing that an oscillator's response makes
+[[nodiscard]] bool tells_no_response(std::string_view lower);
+
+/// The same, "floor", "in-structure", "inelastic": of no response spectrum of the ground
+[[nodiscard]] bool tells_other_spectrum(std::string_view lower);
+
+/// Is there a word in a column's name, in any case, that may change what its numbers are: "Sa_vertical (g)", "SaZ",
+/// "Sa84", "Sa_2pc", "Sa_floor", "pga_v"? Its unit is none.
+[[nodiscard]] bool tells_more_in_name(std::string_view name);
 
 /// "per century", "monthly": no rate of a year
 [[nodiscard]] bool tells_other_span(std::string_view lower);

@@ -73,11 +73,14 @@ TargetSpectrum read_tabulated(config::Table const& table, InputFiles& files, dou
         auto const part = table.has("part") ? table.text(target_keys["part"]) : std::string();
         return table.located("file", [&] {
             auto const& content = files.read(name);
-            auto const chosen = is_json(content) ? table_of_design_json(content, name, part)
-                                                 : table_of_one_ordinate(content, name, part);
+            bool const silence_is_si = files.are_before_format_5();
+            if (is_json(content)) {
+                return target_of_table(table_of_design_json(content, name, part, kind), name, kind, damping, unit,
+                                       silence_is_si);
+            }
+            auto const chosen = table_of_one_ordinate(content, name, part);
             validate(chosen || part.empty(), "part '{}' of {} (it holds one spectrum alone). Leave it out", part, name);
-            return parse_target_table(chosen ? *chosen : content, name, kind, damping, unit,
-                                      files.are_before_format_5());
+            return parse_target_table(chosen ? *chosen : content, name, kind, damping, unit, silence_is_si);
         });
     }
     // With a unit stated for all of them, points are numbers alone.

@@ -96,6 +96,12 @@ class TargetSpectrum {
                                                 double damping, std::optional<double> unit_si = {},
                                                 bool silence_is_si = false);
 
+struct PairTable;
+/// The same of a table that is read already.
+[[nodiscard]] TargetSpectrum target_of_table(PairTable const& table, std::string const& name, TargetKind kind,
+                                             double damping, std::optional<double> unit_si = {},
+                                             bool silence_is_si = false);
+
 /// What the ordinates of a kind measure.
 [[nodiscard]] Dimension dimension_of(TargetKind kind);
 

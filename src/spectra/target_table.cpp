@@ -101,6 +101,11 @@ TargetSpectrum parse_target_table(std::string_view content, std::string const& n
     auto const table = read_pair_table(
         uniform ? *uniform : content, name,
         {.meaning = "period and value", .check = [](Pair const&, Pair const*) {}, .are_names = are_target_names});
+    return target_of_table(table, name, kind, damping, unit_si, silence_is_si);
+}
+
+TargetSpectrum target_of_table(PairTable const& table, std::string const& name, TargetKind kind, double damping,
+                               std::optional<double> unit_si, bool silence_is_si) {
     Location const where{name, table.names_line};
     auto const hertz = frequency_unit(table, where);
     bool const logarithms = are_logarithms(table, where);
@@ -108,10 +113,10 @@ TargetSpectrum parse_target_table(std::string_view content, std::string const& n
     auto const unread = check_text(table, kind, damping, name);
     double const abscissa = hertz ? *hertz : table.names_line > 0 ? period_unit(table, where) : 1;
     Claims claims(dimension_of(kind));
-    claims.take(table.text, table.names_line);
+    claims.take(table.text, 0);  // what stands beside the names is text
     auto const named = named_unit(table, kind, unit_si.has_value(), where);
     auto unit = claims.unit_beside(named, unit_si, where);
-    if (!unit && !silence_is_si) {
+    if (!named && !silence_is_si) {
         claims.check_unit_is_known(name);
     }
     unit = !unit && silence_is_si ? std::optional(1.0) : unit;

@@ -38,9 +38,10 @@ void expect_finite(double value) {
 
 void read_target(std::string const& text, TargetKind kind, std::optional<double> unit_si) {
     refused_or([&] {
-        auto const chosen =
-            is_json(text) ? table_of_design_json(text, "t", "") : table_of_one_ordinate(text, "t", "Sa");
-        auto const target = parse_target_table(chosen ? *chosen : text, "t", kind, 0.05, unit_si);
+        auto const chosen = is_json(text) ? std::nullopt : table_of_one_ordinate(text, "t", "Sa");
+        auto const target = is_json(text)
+                                ? target_of_table(table_of_design_json(text, "t", "", kind), "t", kind, 0.05, unit_si)
+                                : parse_target_table(chosen ? *chosen : text, "t", kind, 0.05, unit_si);
         if (target.defined_at(1)) {
             expect_finite(target.psa_mps2(1));
         }

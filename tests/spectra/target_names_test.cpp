@@ -172,5 +172,37 @@ TEST(TargetNames, WordsThatChangeASpectrumAreAccountedFor) {
     }
 }
 
+// R-104: words in the ordinates' name that may change them are listed; those of a horizontal spectrum are not.
+TEST(TargetNames, WordsOfAColumnsNameAreAccountedFor) {
+    for (char const* name : {"Sa_vertical", "Sa84", "Sa_floor", "Sa_2pc", "SaZ", "Sa_V", "SAz", "Sa_UD", "Sa p84",
+                             "Sa (84%)", "FRS", "vertical_acceleration", "Sa_x100", "Sa V/H", "Sa_median"}) {
+        EXPECT_EQ(read(fmt::format("T,{} (m/s2)\n", name)).name(),
+                  fmt::format("t.csv (not understood: line 1: '{} (m/s2)')", name));
+    }
+    for (char const* name : {"Sa", "S_a", "Sa(T)", "SaH", "Sa_NS", "SaRotD50", "PSA", "Sa (5%)", "Sa_5pct_damping",
+                             "Sa zeta=0.05", "Sa_design", "value", "Spectral acceleration"}) {
+        EXPECT_EQ(read(fmt::format("T,{} (m/s2)\n", name)).name(), "t.csv") << name;
+    }
+    EXPECT_EQ(read("T,S_v (m/s)\n", TargetKind::pseudo_velocity).name(), "t.csv");
+}
+
+// R-104: a spectrum of Fourier amplitudes is none of a response, and a letter says which component it is.
+TEST(TargetNames, AbbreviationsAreHeard) {
+    for (char const* line : {"# FAS", "# FAS, smoothed", "# HVSR", "# power spectral density"}) {
+        expect_input_error([&] { (void)read(std::string(line) + "\nT,a\n"); }, "t.csv:1: '#", "no response spectrum");
+    }
+    expect_input_error([] { (void)read("# PSV\nT,a\n"); }, "t.csv:1: a spectrum of velocity");
+    EXPECT_EQ(read("# component: Z\nT,a\n").name(), "t.csv (not understood: line 1: '# component: Z')");
+}
+
+// R-104: a unit beside the names counts; one that is not known is none, whatever is stated.
+TEST(TargetNames, UnitsBesideNamesAreHeard) {
+    auto const parse = [](std::string const& head, std::optional<double> unit) {
+        return parse_target_table(head + "0.1,70\n1,50\n", "t.csv", TargetKind::acceleration, 0.05, unit);
+    };
+    EXPECT_TRUE(near(parse("T,Sa # units: gal\n", {}).psa_mps2(0.1), 0.7, exact_formula));
+    expect_input_error([&] { (void)parse("# units: g/10\nT,S\n", g0); }, "t.csv:1: 'g/10'");
+}
+
 }  // namespace
 }  // namespace overturn

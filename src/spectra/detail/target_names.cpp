@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include "core/units.hpp"
-#include "motion/claims.hpp"
 #include "motion/column_role.hpp"
 #include "motion/column_unit.hpp"
-#include "motion/telling_words.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn {
@@ -37,8 +34,9 @@ bool names_energy(Text lower) {
            || std::ranges::any_of(begins, [&](Text begin) { return lower.starts_with(begin); });
 }
 
-/// What a name calls the ordinates, where it says so.
-std::optional<TargetKind> kind_named(Text name) {
+}  // namespace
+
+std::optional<TargetKind> kind_named(std::string_view name) {
     auto const lower = lowered(trimmed(name));
     struct Word {
         Text text;
@@ -70,6 +68,8 @@ std::optional<TargetKind> kind_named(Text name) {
     return found == words.end() ? std::nullopt : std::optional(found->kind);
 }
 
+namespace {
+
 /// Of no response spectrum, whatever its kind.
 bool is_something_else(Text name) {
     auto const lower = lowered(trimmed(name));
@@ -80,37 +80,6 @@ bool is_something_else(Text name) {
            || lower.starts_with("pgv") || lower.starts_with("pgd")
            || holds_any(lower, {"sigma", "std", " ratio", "norm", "/pga", "/ pga", "amplif", "fourier", "fas", "time",
                                 "rate", "\xCF\x83"});
-}
-
-/// What a line calls the spectrum's ordinates, "Pseudo-velocity response spectrum"; nothing if it names several, or
-/// none.
-std::optional<TargetKind> kind_of_spectrum(Text lower) {
-    std::optional<TargetKind> found;
-    for (auto const& [text, kind] : {std::pair{Text("accel"), TargetKind::acceleration},
-                                     {Text("veloc"), TargetKind::pseudo_velocity},
-                                     {Text("displ"), TargetKind::displacement}}) {
-        if (lower.find(text) != Text::npos) {
-            if (found) {
-                return std::nullopt;
-            }
-            found = kind;
-        }
-    }
-    return found;
-}
-
-std::optional<double> number_before(Text text) {
-    text = trimmed(text);
-    auto const begin = text.find_last_not_of("0123456789.");
-    double value = 0;
-    return parse_number(text.substr(begin == Text::npos ? 0 : begin + 1), value) ? std::optional(value) : std::nullopt;
-}
-
-std::optional<double> number_behind(Text text) {
-    text = text.substr(std::min(text.find_first_not_of(" \t:=of"), text.size()));
-    double value = 0;
-    return parse_number(text.substr(0, text.find_first_not_of("0123456789.")), value) ? std::optional(value)
-                                                                                      : std::nullopt;
 }
 
 }  // namespace
@@ -189,109 +158,6 @@ void check_kind(PairTable const& table, TargetKind kind, Location const& where) 
                                             "the header",
                                             table.second_name, name_of(dimension_of(kind))));
     }
-}
-
-std::vector<std::string> check_text(PairTable const& table, TargetKind kind, double damping, std::string const& name) {
-    std::vector<std::string> unread;
-    auto const check_damping = [&](Text lower, int line) {
-        constexpr double printed = 1e-3;
-        auto const stated = damping_in(lower);
-        if (stated && std::abs(*stated - damping) > printed) {
-            throw InputError({name, line},
-                             fmt::format("damping {} in the text, {} in the campaign (they contradict each "
-                                         "other). State stated_damping = {}",
-                                         *stated, damping, *stated));
-        }
-        return stated.has_value();
-    };
-    auto named = lowered(table.second_name);
-    if (auto const at = named.find("pct"); at != std::string::npos) {
-        named.replace(at, 3, "%");
-    }
-    auto const percent = named.find('%');  // of a column's name nothing else
-    auto const before = percent == std::string::npos ? std::nullopt : number_before(Text(named).substr(0, percent));
-    check_damping(before ? fmt::format("{} % damped", *before) : named, table.names_line);
-    for (auto const& line : table.text) {
-        Claims claims(dimension_of(kind));
-        claims.take(line.text, line.number);
-        auto const& other = claims.other();
-        auto const lower = lowered(line.text);
-        auto const of_spectrum = other == "a spectrum" ? kind_of_spectrum(lower) : std::nullopt;
-        if ((!other.empty() && other != "a spectrum")
-            || (of_spectrum && dimension_of(*of_spectrum) != dimension_of(kind))) {
-            throw InputError(
-                {name, line.number},
-                fmt::format("{}, says the text, where kind says {} (they contradict each other). Mend the "
-                            "kind, or the text",
-                            of_spectrum ? "a spectrum of " + std::string(name_of(dimension_of(*of_spectrum))) : other,
-                            name_of(dimension_of(kind))));
-        }
-        if (lower.find("fourier") != std::string::npos) {
-            throw InputError({name, line.number},
-                             fmt::format("{} (no response spectrum). Give Sa, Sv or Sd, or mend the text",
-                                         in_quotes(trimmed(line.text))));
-        }
-        if (lower.find("energy") != std::string::npos && kind != TargetKind::energy_velocity) {
-            throw InputError(
-                {name, line.number},
-                fmt::format("{} where kind says another spectrum (they contradict each other). Mend the kind, "
-                            "or the text",
-                            in_quotes(trimmed(line.text))));
-        }
-        bool const damped = check_damping(lower, line.number);
-        bool const telling = tells_vertical(lower) || lower.find("floor") != std::string::npos
-                             || (!damped && holds_any(lower, {"damp", "critical"}));
-        bool const more = tells_factor(lower) || tells_statistic(lower) || tells_other_span(lower) || telling;
-        auto const said = !damped ? claims.unread() : more ? claims.telling() : std::vector<std::string>();
-        if (said.empty() && telling) {
-            unread.push_back(fmt::format("line {}: {}", line.number, in_quotes(trimmed(line.text))));
-        }
-        std::ranges::copy(said, std::back_inserter(unread));
-    }
-    return unread;
-}
-
-std::optional<double> damping_in(std::string_view lower) {
-    std::string plain(lower);
-    for (Text const word : {" percent", "percent", " per cent", "pct"}) {
-        for (auto at = plain.find(word); at != std::string::npos; at = plain.find(word, at)) {
-            plain.replace(at, word.size(), "%");
-        }
-    }
-    lower = plain;
-    // "5 % damped", "2 % of critical": the number right before; "10 % in 50 years, damping 5 %" is none.
-    constexpr std::size_t fillings = 16;
-    for (Text const word : {"damp", "of critical"}) {
-        auto const at = lower.find(word);
-        auto const percent = at == Text::npos ? Text::npos : lower.rfind('%', at);
-        if (percent == Text::npos || at - percent > fillings
-            || lower.substr(percent, at - percent).find_first_of(",;:0123456789") != Text::npos
-            || holds_any(lower.substr(percent, at - percent), {" in ", "year", "yr", " and "})) {
-            continue;
-        }
-        auto const value = number_before(lower.substr(0, percent));
-        return value ? std::optional(*value / 100) : std::nullopt;
-    }
-    for (Text const key :
-         {"damping ratio", "damping factor", "damping", "zeta", "\xCE\xB6", "xi", "\xCE\xBE", "h =", "h="}) {
-        auto const at = lower.find(key);
-        if (at == Text::npos || (at > 0 && is_letter(lower[at - 1]))) {
-            continue;
-        }
-        auto const value = number_behind(lower.substr(at + key.size()));
-        auto const begin = std::min(lower.find_first_not_of(" \t:=of", at + key.size()), lower.size());
-        auto const end = std::min(lower.find_first_not_of("0123456789.", begin), lower.size());
-        auto const mark = lower.find_first_not_of(" \t", end);
-        bool const percent_behind = value && mark != Text::npos && lower[mark] == '%';
-        if (percent_behind && lower.substr(mark + 1).starts_with(" and ")) {
-            return std::nullopt;  // "damping 5 % and 2 %"
-        }
-        double const share = value.value_or(0) / (percent_behind ? 100 : 1);
-        if (share > 0 && share < 1) {
-            return share;
-        }
-    }
-    return std::nullopt;
 }
 
 }  // namespace overturn

@@ -29,8 +29,11 @@ namespace overturn {
 /// ratio, a standard deviation
 void check_kind(PairTable const& table, TargetKind kind, Location const& where);
 
-/// The lines of text that are not understood. \throws InputError if one calls the values another quantity, or states
-/// another damping
+/// What a name calls the ordinates, where it says so.
+[[nodiscard]] std::optional<TargetKind> kind_named(std::string_view name);
+
+/// The names and lines of text that are not understood. \throws InputError if one calls the values another quantity, or
+/// states another damping
 [[nodiscard]] std::vector<std::string> check_text(PairTable const& table, TargetKind kind, double damping,
                                                   std::string const& name);
 

@@ -1,0 +1,213 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "core/units.hpp"
+#include "motion/claims.hpp"
+#include "motion/component_name.hpp"
+#include "motion/telling_words.hpp"
+#include "motion/text_lines.hpp"
+#include "spectra/detail/target_names.hpp"
+
+namespace overturn {
+namespace {
+
+using Text = std::string_view;
+
+bool speaks_of(Text text, std::initializer_list<Text> words) {
+    return std::ranges::any_of(words, [&](Text word) { return text.find(word) != Text::npos; });
+}
+
+bool is_lower_case(char c) { return c >= 'a' && c <= 'z'; }
+
+/// What a line calls the spectrum's ordinates, "Pseudo-velocity response spectrum"; nothing if it names several, or
+/// none.
+std::optional<TargetKind> kind_of_spectrum(Text lower) {
+    std::optional<TargetKind> found;
+    for (auto const& [text, kind] : {std::pair{Text("accel"), TargetKind::acceleration},
+                                     {Text("veloc"), TargetKind::pseudo_velocity},
+                                     {Text("displ"), TargetKind::displacement}}) {
+        if (lower.find(text) != Text::npos) {
+            if (found) {
+                return std::nullopt;
+            }
+            found = kind;
+        }
+    }
+    return found;
+}
+
+std::optional<double> number_before(Text text) {
+    text = trimmed(text);
+    auto const begin = text.find_last_not_of("0123456789.");
+    double value = 0;
+    return parse_number(text.substr(begin == Text::npos ? 0 : begin + 1), value) ? std::optional(value) : std::nullopt;
+}
+
+std::optional<double> number_behind(Text text) {
+    text = text.substr(std::min(text.find_first_not_of(" \t:=of"), text.size()));
+    double value = 0;
+    return parse_number(text.substr(0, text.find_first_not_of("0123456789.")), value) ? std::optional(value)
+                                                                                      : std::nullopt;
+}
+
+/// "type: PSV", "PSV": what the only word behind a colon, or of a line, calls the ordinates; "psa" and "psv" wherever
+/// they stand.
+std::optional<TargetKind> kind_of_word(Text lower) {
+    auto const behind = trimmed(lower.substr(lower.find_last_of(":=#") + 1));
+    if (!behind.empty() && behind.find_first_of(" \t,;") == Text::npos && behind.size() > 1) {
+        return kind_named(behind);
+    }
+    for (auto const& [word, kind] :
+         {std::pair{Text("psa"), TargetKind::acceleration}, {Text("psv"), TargetKind::pseudo_velocity}}) {
+        auto const at = lower.find(word);
+        auto const end = at + word.size();
+        if (at != Text::npos && (at == 0 || !is_lower_case(lower[at - 1]))
+            && (end == lower.size() || !is_lower_case(lower[end]))) {
+            return kind;
+        }
+    }
+    return std::nullopt;
+}
+
+[[noreturn]] void contradict(std::string const& what, std::string const& kind, Location const& where) {
+    throw InputError(
+        where,
+        fmt::format("{} where kind says {} (they contradict each other). Mend the kind, or the text", what, kind));
+}
+
+/// \throws InputError if the line calls the ordinates something else
+void check_line(TextLine const& line, TargetKind kind, Claims const& claims, std::string const& file) {
+    Location const where{file, line.number};
+    auto const lower = lowered(line.text);
+    auto const own = dimension_of(kind);
+    auto const& other = claims.other();
+    if (!other.empty() && other != "a spectrum") {
+        contradict(other + ", says the text,", std::string(name_of(own)), where);
+    }
+    auto const said = other == "a spectrum" ? kind_of_spectrum(lower) : std::nullopt;
+    auto const of_spectrum = said ? said : kind_of_word(lower);
+    if (of_spectrum && dimension_of(*of_spectrum) != own) {
+        contradict(fmt::format("a spectrum of {}, says the text,", name_of(dimension_of(*of_spectrum))),
+                   std::string(name_of(own)), where);
+    }
+    if (tells_no_response(lower)) {
+        throw InputError(where, fmt::format("{} (no response spectrum). Give Sa, Sv or Sd, or mend the text",
+                                            in_quotes(trimmed(line.text))));
+    }
+    if (lower.find("energy") != std::string::npos && kind != TargetKind::energy_velocity) {
+        contradict(in_quotes(trimmed(line.text)), "another spectrum", where);
+    }
+}
+
+/// Does the text state a damping? \throws InputError if it is another one
+bool check_damping(Text lower, double damping, Location const& where) {
+    constexpr double printed = 1e-3;
+    auto const stated = damping_in(lower);
+    if (stated && std::abs(*stated - damping) > printed) {
+        throw InputError(where, fmt::format("damping {} in the text, {} in the campaign (they contradict each other). "
+                                            "State stated_damping = {}",
+                                            *stated, damping, *stated));
+    }
+    return stated.has_value();
+}
+
+/// Does the name of the ordinates say more of them than is understood? \throws InputError at another damping
+bool name_tells_more(Text name, double damping, Location const& where) {
+    auto named = lowered(name);
+    std::string rest(name);
+    for (Text const word : {"percent", "pct"}) {
+        if (auto const at = named.find(word); at != std::string::npos) {
+            named.replace(at, word.size(), "%");
+            rest.replace(at, word.size(), "%");
+        }
+    }
+    auto const percent = named.find('%');  // of a column's name nothing else, but of a fractile
+    auto const before = percent == std::string::npos ? std::nullopt : number_before(Text(named).substr(0, percent));
+    constexpr double highest = 30;
+    bool const share = before && *before <= highest;
+    bool const damped = check_damping(share ? fmt::format("{} % damped", *before) : named, damping, where);
+    if (!damped) {
+        return tells_more_in_name(rest);
+    }
+    auto const begin =
+        share ? rest.find_last_not_of("0123456789. ", percent - 1) + 1 : rest.find_first_of("0123456789");
+    auto const end = share ? percent + 1 : rest.find_first_not_of("0123456789.", begin);
+    rest.erase(begin, end == std::string::npos ? end : end - begin);
+    return tells_more_in_name(rest);
+}
+
+}  // namespace
+
+std::vector<std::string> check_text(PairTable const& table, TargetKind kind, double damping, std::string const& name) {
+    std::vector<std::string> unread;
+    auto const told = [](Text text, int line) { return fmt::format("line {}: {}", line, in_quotes(trimmed(text))); };
+    if (name_tells_more(table.second_name, damping, {name, table.names_line})) {
+        unread.push_back(told(table.second_name, table.names_line));
+    }
+    for (auto const& line : table.text) {
+        Claims claims(dimension_of(kind));
+        claims.take(line.text, line.number);
+        check_line(line, kind, claims, name);
+        auto const lower = lowered(line.text);
+        bool const damped = check_damping(lower, damping, {name, line.number});
+        bool const vertical = std::ranges::any_of(
+            claims.components(), [](auto const& component) { return is_vertical(direction_of(component)); });
+        bool const telling = vertical || tells_vertical(lower) || tells_other_spectrum(lower)
+                             || (!damped && speaks_of(lower, {"damp", "critical"}));
+        bool const more = tells_factor(lower) || tells_statistic(lower) || tells_other_span(lower) || telling;
+        auto const said = !damped ? claims.unread() : more ? claims.telling() : std::vector<std::string>();
+        if (said.empty() && telling) {
+            unread.push_back(told(line.text, line.number));
+        }
+        std::ranges::copy(said, std::back_inserter(unread));
+    }
+    return unread;
+}
+
+std::optional<double> damping_in(std::string_view lower) {
+    std::string plain(lower);
+    for (Text const word : {" percent", "percent", " per cent", "pct"}) {
+        for (auto at = plain.find(word); at != std::string::npos; at = plain.find(word, at)) {
+            plain.replace(at, word.size(), "%");
+        }
+    }
+    lower = plain;
+    // "5 % damped", "2 % of critical": the number right before; "10 % in 50 years, damping 5 %" is none.
+    constexpr std::size_t fillings = 16;
+    for (Text const word : {"damp", "of critical"}) {
+        auto const at = lower.find(word);
+        auto const percent = at == Text::npos ? Text::npos : lower.rfind('%', at);
+        if (percent == Text::npos || at - percent > fillings
+            || lower.substr(percent, at - percent).find_first_of(",;:0123456789") != Text::npos
+            || speaks_of(lower.substr(percent, at - percent), {" in ", "year", "yr", " and "})) {
+            continue;
+        }
+        auto const value = number_before(lower.substr(0, percent));
+        return value ? std::optional(*value / 100) : std::nullopt;
+    }
+    for (Text const key :
+         {"damping ratio", "damping factor", "damping", "zeta", "\xCE\xB6", "xi", "\xCE\xBE", "h =", "h="}) {
+        auto const at = lower.find(key);
+        if (at == Text::npos || (at > 0 && is_lower_case(lower[at - 1]))) {
+            continue;
+        }
+        auto const value = number_behind(lower.substr(at + key.size()));
+        auto const begin = std::min(lower.find_first_not_of(" \t:=of", at + key.size()), lower.size());
+        auto const end = std::min(lower.find_first_not_of("0123456789.", begin), lower.size());
+        auto const mark = lower.find_first_not_of(" \t", end);
+        bool const percent_behind = value && mark != Text::npos && lower[mark] == '%';
+        if (percent_behind && lower.substr(mark + 1).starts_with(" and ")) {
+            return std::nullopt;  // "damping 5 % and 2 %"
+        }
+        double const share = value.value_or(0) / (percent_behind ? 100 : 1);
+        if (share > 0 && share < 1) {
+            return share;
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace overturn
