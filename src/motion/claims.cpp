@@ -179,7 +179,8 @@ bool Claims::take_components(std::string_view line, std::string const& lower, in
 bool Claims::tells_more(std::string const& lower, bool component, bool quantity, bool step) const {
     bool const other = of_ == Dimension::acceleration && !quantity && tells_other_quantity(lower);
     bool const hertz = !step && tells_rate(lower);
-    return other || hertz || tells_factor(lower) || tells_share(lower) || tells_statistic(lower)
+    bool const peak = of_ == Dimension::acceleration && tells_peak(lower) && !peak_in(lower, of_);
+    return other || hertz || peak || tells_factor(lower) || tells_share(lower) || tells_statistic(lower)
            || tells_other_span(lower) || (!component && tells_vertical(lower));
 }
 
@@ -233,6 +234,9 @@ void Claims::take(std::string_view line, int number) {
 
 std::vector<std::string> Claims::used() const {
     std::vector<std::string> lines;
+    if (components_.size() == 1 && is_vertical(direction_of(components_.front()))) {
+        lines.push_back(fmt::format("line {}: component {}", components_line_, components_.front()));
+    }
     if (unit_.value) {
         lines.push_back(fmt::format("line {}: {}", unit_.line, name_of_unit(*unit_.value, of_)));
     }

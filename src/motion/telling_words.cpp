@@ -220,14 +220,18 @@ bool tells_vertical(Text lower) { return std::ranges::any_of(words_of(lower), na
 
 std::string vertical_alone_in(Text lower) {
     std::vector<std::string> named;
+    auto const is_unit = [](Text part) { return unit_spelled(part, Dimension::acceleration).has_value(); };
+    auto const parts = split(lower, ",;|#%!");
+    bool const beside_unit = std::ranges::any_of(parts, [&](Text part) { return is_unit(trimmed(part)); });
     for (auto const part : split(lower, ",;|:=")) {
         auto rest = without_fillings(part);
         bool const letters = std::ranges::any_of(rest, [](char c) { return c < '0' || c > '9'; });
-        if (letters && rest.size() > 1 && component_named(rest).direction != Direction::unknown) {
+        bool const letter = beside_unit && rest.size() == 1 && Text("zvunehxy").find(rest) != Text::npos;
+        if (letters && (rest.size() > 1 || letter) && component_named(rest).direction != Direction::unknown) {
             named.push_back(std::move(rest));
         }
     }
-    return named.size() == 1 && names_vertical(named.front()) ? named.front() : std::string();
+    return named.size() == 1 && is_vertical(direction_of(named.front())) ? named.front() : std::string();
 }
 
 }  // namespace overturn

@@ -39,7 +39,7 @@ namespace overturn {
 [[nodiscard]] bool tells_vertical(std::string_view lower);
 
 /// The only component that a line names between its commas, if it is vertical: "station ABC, vertical", "HNZ", "up-down
-/// component"; empty where it names none, another or several.
+/// component", a letter beside a unit, "m/s2, Z"; empty where it names none, another or several.
 [[nodiscard]] std::string vertical_alone_in(std::string_view lower);
 
 }  // namespace overturn

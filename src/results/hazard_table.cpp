@@ -176,6 +176,11 @@ Claims claims_of(PairTable const& table, Dimension dimension, std::string const&
 // 10", "of the vertical component", "for Sa(1 s)" above another measure.
 std::vector<std::string> more_of_hazard(PairTable const& table, HazardAxis const& axis, Claims const& claims) {
     auto lines = claims.unread();
+    auto const name = measure_in_name(table.first_name);
+    auto const behind = name.substr(std::min(measure_in(table.first_name).size(), name.size()));
+    if (tells_more_in_name("x" + behind)) {
+        lines.insert(lines.begin(), fmt::format("line {}: {}", table.names_line, in_quotes(table.first_name)));
+    }
     for (auto const& line : table.text) {
         auto const lower = lowered(line.text);
         bool const another = lower.find("sa(") != std::string::npos && !axis.label.starts_with("sa");

@@ -233,8 +233,9 @@ TEST(Columns, NonUniformTimeIsRefusedAtItsLine) {
 }
 
 TEST(Columns, BadRowsAreRefusedAtTheirLine) {
-    for (char const* bad : {"1,nan", "1,inf", "nan,1", "1,-Infinity", "1,x", "1,", "1,1,1", "1", "1,,1", "1;1;1",
-                            "1,1 # c", "1,1e999", "1,1.0E-06-2.0E-06", "1,\"1\"", "1,1,", "1,1,1,1", "text", "t,acc"}) {
+    for (char const* bad :
+         {"1,nan", "1,inf", "nan,1", "1,-Infinity", "1,x", "1,", "1,1,1", "1", "1,,1", "1;1;1", "1,1 # c", "1,1e999",
+          "1,1.0E-06-2.0E-06", "1,\"x\"", "1,\"1", "1,1,", "1,1,1,1", "text", "t,acc"}) {
         expect_input_error([&] { (void)read("t,a\n0,1\n" + std::string(bad) + "\n2,1\n"); }, "a.csv:3: ");
     }
     expect_input_error([] { (void)read("nan,nan\n0,1\n1,1\n"); }, "a.csv:1: ", "not a finite number");

@@ -24,15 +24,19 @@ Direction direction(std::string const& line) { return read_placed(text(line), {.
 
 // a single column without a direction of its own is what the text says; the vertical one rocks nothing.
 TEST(TellingText, AComponentInTheTextIsThatOfTheColumn) {
-    for (char const* line :
-         {"# Component: UP", "# Channel: HNZ", "# Orientation: vertical", "# comp = Z", "# Dir. U-D", "# HNZ",
-          "# station ABC, vertical", "# DIRECTION: UP-DOWN", "# Komponente: vertikal", "# azimuth: up",
-          "# \xE6\x88\x90\xE5\x88\x86: \xE4\xB8\x8A\xE4\xB8\x8B", "# up-down component"}) {
+    for (char const* line : {"# Component: UP", "# Channel: HNZ", "# Orientation: vertical", "# comp = Z", "# Dir. U-D",
+                             "# HNZ", "# station ABC, vertical", "# DIRECTION: UP-DOWN", "# Komponente: vertikal",
+                             "# azimuth: up", "# \xE6\x88\x90\xE5\x88\x86: \xE4\xB8\x8A\xE4\xB8\x8B",
+                             "# up-down component", "# gal, Z", "# cm/s2; V", "# cm/s/s, U"}) {
         EXPECT_EQ(direction(line), Direction::up) << line;
     }
     EXPECT_EQ(direction("# Component: NS"), Direction::horizontal);
     EXPECT_EQ(direction("# components NS, EW, UD of one station"), Direction::unknown);
     EXPECT_EQ(direction("# altitude Z: 300 m"), Direction::unknown);
+    EXPECT_EQ(direction("# gal, N, E, Z"), Direction::unknown);
+    EXPECT_EQ(direction("# gal, N"), Direction::unknown);
+    EXPECT_EQ(read_placed(text("# gal, Z"), {.name = "a"}).claims,
+              (std::vector<std::string>{"line 1: component z", "line 1: gal"}));
     expect_input_error([] { (void)read_placed(text("# Component: UP", "Time,NS [gal]"), {.name = "a"}); }, "a:1",
                        "contradict each other");
     RecordRequest stated{.name = "a"};
@@ -74,10 +78,20 @@ TEST(TellingText, FactorsInNamesAreRefusedAndDistancesAreNoSteps) {
 
 // a peak in its own unit is held against the numbers in theirs; one that is none of them is listed.
 TEST(TellingText, PeaksHaveUnits) {
-    for (char const* line : {"# PGA = 30 gal", "# PGA = 0.3 m/s2", "# Peak acceleration: 30 cm/s2", "# pga 30 gal"}) {
+    for (char const* line :
+         {"# PGA = 30 gal", "# PGA = 0.3 m/s2", "# Peak acceleration: 30 cm/s2", "# pga 30 gal",
+          "# peak acceleration of 0.3 m/s2", "# PGA of 30 gal", "# Peak acceleration is 0.3 m/s2 at 0.02 s",
+          "# PGA (m/s2) 0.3", "# PGA=30gal", "# max. acceleration -30 gal", "# max 30 gal", "# peak of 0.3 m/s2"}) {
         EXPECT_TRUE(read_placed(text(line), {.name = "a"}).unread.empty()) << line;
     }
-    expect_input_error([] { (void)read_placed(text("# PGA = 30 m/s2"), {.name = "a"}); }, "a:1", "a wrong unit");
+    for (char const* line : {"# PGA = 30 m/s2", "# peak acceleration of 30 m/s2", "# maximum acceleration was 30 m/s2",
+                             "# peak of 30 m/s2"}) {
+        expect_input_error([&] { (void)read_placed(text(line), {.name = "a"}); }, "a:1", "a wrong unit");
+    }
+    for (char const* line : {"# peak acceleration at 3.2 s", "# Peak acceleration, see 3"}) {
+        auto const listed = read_placed(text(line), {.name = "a"}).unread;
+        EXPECT_EQ(listed, std::vector<std::string>{fmt::format("line 1: '{}'", line)});
+    }
     auto const unmet = read_placed(text("# PGA = 0.5 g"), {.name = "a"}).unread;
     ASSERT_EQ(unmet.size(), 1U);
     EXPECT_EQ(unmet.front(), "line 1: a peak of 4.903 m/s2, the numbers have 0.3 m/s2");
@@ -85,9 +99,12 @@ TEST(TellingText, PeaksHaveUnits) {
 
 // a sensor that reads gravity is refused, whichever way it is mounted.
 TEST(TellingText, RecordsAboutOneGAreRefused) {
-    for (char const* offset : {"", "-"}) {
-        auto const values = fmt::format("time,acc [g]\n0,{0}1.1\n0.01,{0}0.9\n0.02,{0}1.05\n0.03,{0}0.95\n", offset);
-        expect_input_error([&] { (void)read_placed(values, {.name = "a"}); }, "a", "reads gravity");
+    for (double const mean : {-1.1, -0.9, 0.9, 1.0, 1.1}) {
+        std::string values = "time,NS [g],UD [g]\n";
+        for (int i = 0; i < 8; ++i) {
+            values += fmt::format("{},{},{}\n", 0.01 * i, i % 2 - 0.5, mean + 0.4 * (i % 2 - 0.5));
+        }
+        expect_input_error([&] { (void)read_placed(values, {.name = "a"}); }, "component 'UD [g]'", "reads gravity");
     }
 }
 
@@ -99,6 +116,32 @@ TEST(TellingText, NoChannelIsDropped) {
     stated.columns = "time,h1,h1,v";
     expect_input_error([&] { (void)read_placed("0,1,2,3\n0.01,-1,-2,-4\n0.02,1,2,3\n", stated); }, "a",
                        "columns 2 and 3 are both 'h1'");
+}
+
+// a rate with its unit is one however it is worded; a filter's is none.
+TEST(TellingText, RatesAndStepsAreClaims) {
+    auto const list = [](std::string const& line) {
+        return read_placed(line + ", gal\n1\n-2\n3\n-1\n", {.name = "a"}).motion.time_step_s;
+    };
+    for (char const* line : {"# @200Hz", "# acceleration @ 200 Hz", "# every 5 ms", "# a value every 0.005 s",
+                             "# 200 Hz sampling", "# fs = 200 Hz", "# sampled 200 Hz"}) {
+        EXPECT_EQ(list(line), 0.005) << line;
+        expect_input_error([&] { (void)read_placed(text(line), {.name = "a"}); }, "a:1: ", "time step 0.005 s");
+    }
+    for (char const* line : {"# low-pass @ 50 Hz", "# band-pass, corner @ 25 Hz", "# every 5th day", "# FS = 2 g"}) {
+        expect_input_error([&] { (void)list(line); }, "a:2: ", "time step missing");
+    }
+}
+
+// quotes around numbers are none of them; decimal commas in them are refused with the remedy.
+TEST(TellingText, QuotedNumbersAreRead) {
+    auto const read = [](std::string const& rows) {
+        return read_placed("time;acc [gal]\n" + rows, {.name = "a"}).motion;
+    };
+    EXPECT_EQ(read("\"0\";\"10\"\n\"0.01\";\"-20\"\n\"0.02\";\"5\"\n").horizontal_mps2[1], -0.2);
+    expect_input_error([&] { (void)read("\"0,00\";\"1,5\"\n\"0,01\";\"-2,5\"\n"); }, "a:2: ", "Write decimal points");
+    expect_input_error([&] { (void)read_placed("time,acc [gal]\n\"0,00\",\"1,5\"\n", {.name = "a"}); },
+                       "a:2: ", "Write decimal points");
 }
 
 TEST(TellingText, WordsAreFoundAsWords) {

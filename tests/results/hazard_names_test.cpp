@@ -2,6 +2,8 @@
 // say.
 #include <string>
 
+#include <fmt/format.h>
+
 #include "core/units.hpp"
 #include "results/hazard_table.hpp"
 #include "support/expect_input_error.hpp"
@@ -89,6 +91,26 @@ TEST(HazardNames, WordsThatChangeACurveAreNotes) {
         EXPECT_NE(noted.front().find("not understood: line 1"), std::string::npos) << noted.front();
     }
     EXPECT_TRUE(remarks("# mean hazard").empty());
+}
+
+// a word in the intensity's name that may change it is told: of another component, a percentile.
+TEST(HazardNames, WordsOfTheIntensityAreAccountedFor) {
+    auto const remarks = [](std::string const& name, std::string const& label) {
+        HazardAxis const axis{.label = label, .dimension = Dimension::acceleration, .unit = {}};
+        return parse_hazard(name + ", annual_exceedance\n0.1,1e-2\n1,1e-5\n", "h.csv", axis).remarks();
+    };
+    for (char const* name : {"pga_v [g]", "pga_vertical [g]", "PGA UD [g]", "pga_84 [g]"}) {
+        auto const told = remarks(name, "pga");
+        ASSERT_EQ(told.size(), 1U) << name;
+        EXPECT_EQ(told.front(), fmt::format("h.csv (not understood: line 1: '{}')", name));
+    }
+    for (char const* name : {"pga [g]", "PGA_h [g]", "pga_gal", "pga (cm/s2)"}) {
+        for (auto const& remark : remarks(name, "pga")) {
+            EXPECT_EQ(remark.find("not understood"), std::string::npos) << name;
+        }
+    }
+    EXPECT_TRUE(remarks("Sa(1.0 s) [g]", "sa(1 s)").empty());
+    EXPECT_EQ(remarks("Sa(1.0 s)_v [g]", "sa(1 s)").size(), 1U);
 }
 
 }  // namespace

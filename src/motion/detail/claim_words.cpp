@@ -66,8 +66,9 @@ namespace {
 
 constexpr Text number_letters = "0123456789.+-";
 
-/// The number that `text` begins with, "0.005", "5e-3", "1/200", cut off it; nothing if there is none above 0.
-std::optional<double> cut_number(Text& text) {
+}  // namespace
+
+std::optional<double> cut_number(std::string_view& text) {
     auto end = std::min(text.find_first_not_of(number_letters), text.size());
     if (end + 1 < text.size() && text[end] == 'e' && number_letters.find(text[end + 1]) != Text::npos) {
         end = std::min(text.find_first_not_of(number_letters, end + 1), text.size());
@@ -87,6 +88,8 @@ std::optional<double> cut_number(Text& text) {
     }
     return parts ? value / *parts : value;
 }
+
+namespace {
 
 /// The step that `text` says behind a key, with or without a unit in brackets, an equals sign or a colon: "(s): 0.005",
 /// "= 5 ms", "of 200 Hz". [s]
@@ -167,7 +170,38 @@ constexpr std::array keys{Key{"time increment"},
                           Key{"intervalo de muestreo"},
                           Key{"frecuencia de muestreo", true},
                           Key{"tasa de muestreo", true}};
-constexpr std::array rates{"sps", "samples per second", "samples/s", "samples/sec", "samples/second"};
+constexpr std::array rates{"hz sampling", "hz sample",   "sps",           "samples per second",
+                           "samples/s",   "samples/sec", "samples/second"};
+
+/// Behind these a rate or a step has its unit, "@200Hz", "every 5 ms"; a filter's has it too.
+constexpr auto marks =
+    std::to_array<Text>({"@", "every", "fs", "sampling", "sampled", "recorded at", "steps of", "step of"});
+
+std::optional<double> step_with_unit(Text line) {
+    constexpr auto others =
+        std::to_array<Text>({"filter", "pass", "corner", "cut", "band", "natural", "reson", "full"});
+    if (std::ranges::any_of(others, [&](Text word) { return line.find(word) != Text::npos; })) {
+        return std::nullopt;
+    }
+    for (auto const mark : marks) {
+        auto const at = line.find(mark);
+        bool const inside = mark != "@" && at != Text::npos && at > 0 && is_letter(line[at - 1]);
+        if (at == Text::npos || inside) {
+            continue;
+        }
+        auto rest = line.substr(at + mark.size());
+        rest = rest.substr(std::min(rest.find_first_not_of(" \t:="), rest.size()));
+        auto const value = cut_number(rest);
+        rest = trimmed(rest);
+        auto const unit = rest.substr(0, rest.find_first_of(" \t,;)]."));
+        auto const hertz = unit_spelled(unit, Dimension::frequency);
+        auto const seconds = unit_spelled(unit, Dimension::time);
+        if (value && (hertz || seconds)) {
+            return hertz ? 1 / (*value * *hertz) : *value * *seconds;
+        }
+    }
+    return std::nullopt;
+}
 
 /// Where `text` stands as words of their own.
 std::size_t find_words(Text line, Text text) {
@@ -196,7 +230,7 @@ std::optional<double> step_in(std::string line) {
             }
         }
     }
-    return std::nullopt;
+    return step_with_unit(line);
 }
 
 namespace {
@@ -259,27 +293,6 @@ std::optional<std::size_t> count_in(std::string line) {
         bool const alone = begin == Text::npos || Text(" \t,(=:").find(before[begin]) != Text::npos;
         if (auto const count = whole(digits); count && alone) {
             return count;
-        }
-    }
-    return std::nullopt;
-}
-
-std::optional<ClaimedPeak> peak_in(Text line, Dimension dimension) {
-    constexpr std::array keys_of_peaks{"pga",     "peak ground acceleration", "peak acceleration", "max. acc",
-                                       "max acc", "maximum acceleration",     "peak value"};
-    for (Text const key : keys_of_peaks) {
-        auto at = find_words(line, key);
-        if (at == Text::npos) {
-            continue;
-        }
-        auto const colon = line.find_first_of(":=", at);
-        auto behind = trimmed(line.substr(colon == Text::npos ? at + key.size() : colon + 1));
-        auto const number = behind.substr(0, behind.find_first_of(" \t,;"));
-        double value = 0;
-        if (parse_number(number, value) && value != 0) {
-            behind = trimmed(behind.substr(number.size()));
-            auto const unit = behind.substr(0, behind.find_first_of(" \t,;)]"));
-            return ClaimedPeak{std::abs(value), unit_spelled(unit, dimension)};
         }
     }
     return std::nullopt;

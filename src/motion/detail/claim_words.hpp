@@ -16,7 +16,11 @@ namespace overturn {
 /// count only where words or brackets say so; "9.81 m/s2" is a quantity and counts not at all.
 void each_unit(std::string_view line, Dimension dimension, std::function<void(double)> const& take);
 
-/// "dt = 0.005", "Time Increment (s): 0.005", "sampling rate 100 Hz", "points at 0.02 sec", "200 sps" [s]
+/// The number that `text` begins with, "0.005", "5e-3", "1/200", cut off it; nothing if there is none above 0.
+[[nodiscard]] std::optional<double> cut_number(std::string_view& text);
+
+/// "dt = 0.005", "@200Hz", "every 5 ms", "Time Increment (s): 0.005", "sampling rate 100 Hz", "points at 0.02 sec",
+/// "200 sps" [s]
 [[nodiscard]] std::optional<double> step_in(std::string line);
 
 /// "npts: 2500", "NUMBER OF DATA : 3000", "3000 samples"
@@ -26,9 +30,12 @@ struct ClaimedPeak {
     double value = 0;                 ///< without its sign
     std::optional<double> unit = {};  ///< SI value of the one behind it
 };
-/// "PGA (gal): 13.2", "peak value: 53.138", "PGA = 300 gal", "pga 0.3 g": in the unit behind it, else in that of the
-/// line, or of the numbers.
+/// "PGA (gal): 13.2", "peak value: 53.138", "PGA = 300 gal", "peak acceleration of 0.3 g", "max. 0.3 g": in the unit
+/// behind it, else in that of the line, or of the numbers.
 [[nodiscard]] std::optional<ClaimedPeak> peak_in(std::string_view line, Dimension dimension);
+
+/// Does it speak of a peak and state a figure, whether that is understood or not?
+[[nodiscard]] bool tells_peak(std::string_view line);
 
 /// Does it hold the word, or the words, as such?
 [[nodiscard]] bool holds_word(std::string_view line, std::string_view word);

@@ -48,7 +48,46 @@ std::optional<double> seconds_of_date(Text text) {
 
 }  // namespace
 
+namespace {
+
+/// Up to the quote that ends it.
+Text cut_quoted(Text& rest) {
+    auto const close = rest.find('"', 1);
+    auto const field = trimmed(rest.substr(1, close - 1));
+    rest = trimmed(rest.substr(close + 1));
+    if (!rest.empty() && separators.find(rest.front()) != Text::npos) {
+        rest = trimmed(rest.substr(1));
+    }
+    return field;
+}
+
+bool parse_decimal_comma(Text field, double& value) {
+    std::string plain(field);
+    std::ranges::replace(plain, ',', '.');
+    return parse_number(plain, value);
+}
+
+/// "0,123" in quotes
+bool has_quoted_comma(Text line) {
+    for (auto open = line.find('"'); open != Text::npos; open = line.find('"', open + 1)) {
+        auto const close = line.find('"', open + 1);
+        if (close == Text::npos) {
+            return false;
+        }
+        if (line.substr(open, close - open).find(',') != Text::npos) {
+            return true;
+        }
+        open = close;
+    }
+    return false;
+}
+
+}  // namespace
+
 Text cut_field(Text& rest) {
+    if (rest.starts_with('"') && rest.find('"', 1) != Text::npos) {
+        return cut_quoted(rest);
+    }
     auto const end = rest.find_first_of(",; \t");
     auto const field = rest.substr(0, end);
     if (end == Text::npos) {
@@ -65,6 +104,9 @@ Text cut_field(Text& rest) {
 
 bool has_decimal_commas(Text line) {
     line = trimmed(line);
+    if (has_quoted_comma(line)) {
+        return true;
+    }
     bool const comma = line.find(',') != Text::npos;
     if (comma && line.find(';') != Text::npos) {
         return true;
@@ -107,7 +149,7 @@ void read_row(Text line, TextRow& row) {
         auto const date = at == 1 ? seconds_of_date(field) : std::nullopt;
         if (date) {
             value = *date;
-        } else if (!parse_number(field, value)) {
+        } else if (!parse_number(field, value) && !(row.decimal_comma && parse_decimal_comma(field, value))) {
             row.bad = field;
             row.bad_at = at;
             row.numbers = false;

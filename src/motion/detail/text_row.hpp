@@ -8,11 +8,12 @@
 
 namespace overturn {
 
-/// The next field, cut off `rest`; nothing where a separator ends the line behind the last one.
+/// The next field, cut off `rest`, without quotes around it; nothing where a separator ends the line behind the last
+/// one.
 [[nodiscard]] std::string_view cut_field(std::string_view& rest);
 
-/// Are its commas decimal points, as in "0,01; 1,5", "0,01 1,5" or "0,01,1,05"? Those beside a semicolon are, or
-/// between digits beside blanks, where no point is; and those before a nought that more digits follow.
+/// Are its commas decimal points, as in "0,01; 1,5", "0,01 1,5" or "0,01,1,05"? Those beside a semicolon are, within
+/// quotes, or between digits beside blanks, where no point is; and those before a nought that more digits follow.
 [[nodiscard]] bool has_decimal_commas(std::string_view line);
 
 /// What to do about them, with the line's own text.
