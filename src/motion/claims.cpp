@@ -180,8 +180,29 @@ bool Claims::tells_more(std::string const& lower, bool component, bool quantity,
     bool const other = of_ == Dimension::acceleration && !quantity && tells_other_quantity(lower);
     bool const hertz = !step && tells_rate(lower);
     bool const peak = of_ == Dimension::acceleration && tells_peak(lower) && !peak_in(lower, of_);
-    return other || hertz || peak || tells_factor(lower) || tells_share(lower) || tells_statistic(lower)
+    bool const change = of_ == Dimension::acceleration && tells_change(lower);
+    return other || hertz || peak || change || tells_factor(lower) || tells_share(lower) || tells_statistic(lower)
            || tells_other_span(lower) || (!component && tells_vertical(lower));
+}
+
+// "in gal, Fs=200": is there a part between commas with a figure that nothing of it accounts for?
+bool Claims::leaves_a_part(std::string const& lower) const {
+    constexpr Text marks = ",;";
+    auto const is_digit = [&](std::size_t at) { return at < lower.size() && lower[at] >= '0' && lower[at] <= '9'; };
+    std::vector<Text> found;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i <= lower.size(); ++i) {
+        bool const mark = i == lower.size() || marks.find(lower[i]) != Text::npos;
+        if (mark && !(i > 0 && is_digit(i - 1) && is_digit(i + 1))) {
+            found.push_back(Text(lower).substr(begin, i - begin));
+            begin = i + 1;
+        }
+    }
+    return found.size() > 1 && std::ranges::any_of(found, [&](Text part) {
+               Claims alone(of_);
+               alone.take(part, 1);
+               return part.find_first_of("0123456789") != Text::npos && !alone.unread().empty();
+           });
 }
 
 std::vector<std::string> Claims::unread() const {
@@ -225,7 +246,7 @@ void Claims::take(std::string_view line, int number) {
         understood = true;
     }
     auto const said_so = fmt::format("line {}: {}", number, in_quotes(trimmed(line)));
-    if (tells_more(lower, component, other, step.has_value())) {
+    if (tells_more(lower, component, other, step.has_value()) || (understood && leaves_a_part(lower))) {
         telling_.push_back(said_so);
     } else if (!understood && !is_provenance(lower)) {
         unread_.push_back(said_so);

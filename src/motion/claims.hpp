@@ -92,6 +92,7 @@ class Claims {
     [[nodiscard]] bool take_unit(std::string const& lower, int number);
     [[nodiscard]] bool take_other_quantity(std::string_view line, std::string const& lower, int number);
     [[nodiscard]] bool take_components(std::string_view line, std::string const& lower, int number);
+    [[nodiscard]] bool leaves_a_part(std::string const& lower) const;
     [[nodiscard]] bool tells_more(std::string const& lower, bool component, bool quantity, bool step) const;
 
     Dimension of_;

@@ -102,6 +102,18 @@ std::string odd_unit_behind(Text outside) {
                : std::string();
 }
 
+/// "d", "0.01 s", "x10 ms", "-": beside "UTC" and "local" these are no seconds.
+std::string odd_unit_of_time(std::vector<std::string> const& brackets) {
+    constexpr auto others = std::to_array<Text>({"d", "day", "days", "frame", "frames", "sample", "samples", "step",
+                                                 "steps", "counts", "-", "min:s", "months", "years"});
+    auto const odd = std::ranges::find_if(brackets, [&](std::string const& text) {
+        auto const lower = lowered(text);
+        return lower.find_first_of("0123456789") != std::string::npos
+               || std::ranges::find(others, Text(lower)) != others.end();
+    });
+    return odd == brackets.end() ? std::string() : *odd;
+}
+
 }  // namespace
 
 std::string_view name_of(Quantity quantity) {
@@ -197,6 +209,9 @@ ColumnRole column_role(std::string_view name) {
     }
     if (role.quantity == Quantity::counts) {
         role.unit.reset();
+    }
+    if (role.quantity == Quantity::time) {
+        role.unknown_unit = role.unit ? std::string() : odd_unit_of_time(brackets);
     }
     if (role.quantity == Quantity::time || role.quantity == Quantity::index) {
         role.component = lowered(trimmed(outside)) == "t" && role.quantity == Quantity::time && !role.unit

@@ -42,7 +42,10 @@ constexpr std::array spellings{Spelling{"mps2", 1},
                                Spelling{"ft", 0.3048, Dimension::length},
                                Spelling{"um", 1e-6, Dimension::length},
                                Spelling{"nm", 1e-9, Dimension::length},
-                               Spelling{"us", 1e-6, Dimension::time}};
+                               Spelling{"us", 1e-6, Dimension::time},
+                               Spelling{"khz", 1e3, Dimension::frequency},
+                               Spelling{"cps", 1, Dimension::frequency},
+                               Spelling{"1/s", 1, Dimension::frequency}};
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
     for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {

@@ -12,6 +12,7 @@
 #include "core/units.hpp"
 #include "motion/claims.hpp"
 #include "motion/column_unit.hpp"
+#include "motion/detail/claimed_columns.hpp"
 #include "motion/detail/list_head.hpp"
 #include "motion/detail/motion_look.hpp"
 #include "motion/detail/printed_times.hpp"
@@ -100,7 +101,7 @@ double step_of(TextTable& table, TableColumns const& columns, Claims const& clai
                                                 "first",
                                                 *columns.time + 1));
         }
-        auto const unit = columns.roles.empty() ? std::nullopt : columns.roles[*columns.time].unit;
+        auto const unit = unit_of_times(columns, request.name);
         time_in_seconds(table, *columns.time, unit);
         auto const step = time_step_of(table, *columns.time, request);
         claims.check_times(step, request.name);
@@ -146,6 +147,8 @@ void account_for(TextTable const& table, TableColumns const& columns, Claims con
         recording.claims.push_back(fmt::format("left out: {}", fmt::join(columns.left_out, ", ")));
     }
     recording.unread = claims.unread();
+    auto const names = telling_names(columns);
+    recording.unread.insert(recording.unread.begin(), names.begin(), names.end());
     auto const other = claims.beside_names();
     if (!other.empty() && std::ranges::find(recording.unread, other) == recording.unread.end()) {
         recording.unread.insert(recording.unread.begin(), other);

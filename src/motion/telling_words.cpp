@@ -107,11 +107,14 @@ std::string without_unit(Text name) {
     return unit ? rest.erase(static_cast<std::size_t>(text.data() - name.data()), text.size()) : rest;
 }
 
+bool has_figure(Text word) { return word.find_first_of("0123456789") != Text::npos; }
+
 /// "Sa_vertical" and "SaZ" in lower case, word by word; "S_v" is one.
 std::vector<std::string> words_of_name(Text name) {
     std::vector<std::string> words;
     for (auto const part : split(name, " \t_-./:,;()[]{}=\"'|")) {
-        bool const of_letter = words.size() == 1 && (words[0] == "s" || words[0] == "ps") && part.size() == 1;
+        bool const of_letter =
+            words.size() == 1 && (words[0] == "s" || words[0] == "ps") && part.size() <= 2 && !has_figure(part);
         std::size_t begin = 0;
         for (std::size_t i = 1; i <= part.size(); ++i) {
             bool const in_rotd = lowered(part.substr(begin, i - begin)).ends_with("rot");
@@ -130,14 +133,13 @@ std::vector<std::string> words_of_name(Text name) {
     return words;
 }
 
-bool has_figure(Text word) { return word.find_first_of("0123456789") != Text::npos; }
-
 /// Of a word behind the first, or of what follows "sa" or "psv" in the first: "z", "84", "vert".
 bool changes_values(Text word) {
     constexpr auto known = std::to_array<Text>(
         {"rotd00", "rotd50", "rotd100", "gmrotd50", "gmrotd100", "gmroti50", "t0", "t1", "h1", "h2"});
-    constexpr auto statistics = std::to_array<Text>({"avg", "ave", "average", "eps", "epsilon", "upper", "lower", "max",
-                                                     "min", "plus", "minus", "envelope", "pc", "ratio", "res"});
+    constexpr auto statistics = std::to_array<Text>(
+        {"avg",      "ave", "average", "eps", "epsilon", "upper", "lower", "max",  "min",        "plus", "minus",
+         "envelope", "pc",  "ratio",   "res", "delta",   "error", "err",   "diff", "difference", "nep"});
     if (std::ranges::find(known, word) != known.end()) {
         return false;
     }
@@ -162,10 +164,16 @@ bool tells_other_spectrum(Text lower) {
 }
 
 bool tells_more_in_name(Text name) {
+    constexpr auto vertical = std::to_array<Text>({"sve", "svd", "svert"});  // of Eurocode 8
     auto const words = words_of_name(without_unit(name));
     for (std::size_t i = 0; i < words.size(); ++i) {
         Text word = words[i];
         if (i > 0 ? changes_values(word) : tells_factor(word) || tells_statistic(word) || tells_other_spectrum(word)) {
+            return true;
+        }
+        if (i == 0
+            && (std::ranges::find(vertical, word) != vertical.end()
+                || (words.size() > 1 && (word == "v" || word == "delta" || word == "z")))) {
             return true;
         }
         constexpr auto kinds = std::to_array<Text>({"psa", "psv", "sa", "sv", "sd", "se"});
@@ -207,6 +215,28 @@ bool tells_statistic(Text lower) {
 bool tells_other_span(Text lower) {
     constexpr std::array<Text, 7> parts{"month", "centur", "decade", "per day", "daily", "lifetime", "per 100"};
     return holds_any(lower, parts);
+}
+
+bool tells_change(Text lower) {
+    constexpr auto parts =
+        std::to_array<Text>({"invert", "revers", "polarity", "negative", "decimat", "differentiat", "derivative",
+                             "every second", "every other", "every third", "resultant", "tenth"});
+    constexpr auto seconds = std::to_array<Text>({"s", "sec", "secs", "second", "seconds"});
+    auto const time = lower.find("time in ");
+    auto const unit = time == Text::npos ? std::vector<Text>{} : words_of(lower.substr(time + Text("time in ").size()));
+    bool const scaled = !unit.empty() && std::ranges::find(seconds, unit.front()) == seconds.end();
+    bool const pseudo = lower.find("pseudo") != Text::npos && lower.find("spectr") == Text::npos;
+    bool const gravity = lower.find("gravity") != Text::npos && lower.find("unit") == Text::npos;
+    return scaled || pseudo || gravity || holds_any(lower, parts);
+}
+
+bool tells_other_values(Text name) {
+    constexpr auto others = std::to_array<Text>(
+        {"error", "err",  "std", "sigma", "residual", "noise", "envelope", "env", "abs", "sum",  "diff", "difference",
+         "delta", "norm", "vel", "disp",  "angular",  "pga",   "peak",     "max", "min", "mean", "avg",  "ratio"});
+    return trimmed(name).starts_with('-') || std::ranges::any_of(words_of_name(name), [&](Text word) {
+               return std::ranges::find(others, word) != others.end();
+           });
 }
 
 bool tells_rate(Text lower) {

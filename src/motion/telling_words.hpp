@@ -29,6 +29,13 @@ namespace overturn {
 /// "Sa84", "Sa_2pc", "Sa_floor", "pga_v"? Its unit is none.
 [[nodiscard]] bool tells_more_in_name(std::string_view name);
 
+/// "decimated by 2", "sign reversed", "pseudo-acceleration", "time in ms": of accelerations in a file of them
+[[nodiscard]] bool tells_change(std::string_view lower);
+
+/// Is there a word in the name of a record's column, in any case, that makes it none of a motion's own accelerations:
+/// "acc error", "acc_std", "envelope", "-acc"?
+[[nodiscard]] bool tells_other_values(std::string_view name);
+
 /// "per century", "monthly": no rate of a year
 [[nodiscard]] bool tells_other_span(std::string_view lower);
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/units.hpp"
 #include "motion/claims.hpp"
 #include "motion/telling_words.hpp"
 #include "support/expect_input_error.hpp"
@@ -46,12 +47,33 @@ TEST(TellingText, AComponentInTheTextIsThatOfTheColumn) {
 
 // factors, other quantities, rates and directions within a line that is understood are listed, before others.
 TEST(TellingText, WhatMayChangeTheNumbersIsListed) {
-    for (char const* line :
-         {"# station X, values scaled by 0.5", "# date 2011-03-11, multiply by 9.81", "# Component: NS, x 100",
-          "# acceleration x 1000", "# event X, divide by 980", "# channel 1, amplification 10", "# VEL",
-          "# Component: NS velocity, cm/s", "# Event: X; ground velocity", "# 200 Hz", "# file 200Hz",
-          "# Station X, 200 Hz", "# station of the vertical array", "# 50 % of the original",
-          "# acceleration in gal, (x1000)", "# 1 unit = 0.01 m/s2", "# gain = 10", "# accelerogram, reduced to 10 %"}) {
+    for (char const* line : {"# station X, values scaled by 0.5",
+                             "# date 2011-03-11, multiply by 9.81",
+                             "# Component: NS, x 100",
+                             "# acceleration x 1000",
+                             "# event X, divide by 980",
+                             "# channel 1, amplification 10",
+                             "# VEL",
+                             "# Component: NS velocity, cm/s",
+                             "# Event: X; ground velocity",
+                             "# 200 Hz",
+                             "# file 200Hz",
+                             "# Station X, 200 Hz",
+                             "# station of the vertical array",
+                             "# 50 % of the original",
+                             "# acceleration in gal, decimated by 2",
+                             "# acceleration in gal, sign reversed",
+                             "# gal, with gravity",
+                             "# acceleration in gal, every second sample",
+                             "# pseudo-acceleration in gal",
+                             "# gal, time in ms",
+                             "# gal, Fs=200",
+                             "# gal, rate = 200",
+                             "# acceleration in gal, rotated to 45 deg",
+                             "# acceleration in gal, (x1000)",
+                             "# 1 unit = 0.01 m/s2",
+                             "# gain = 10",
+                             "# accelerogram, reduced to 10 %"}) {
         auto const placed = read_placed("blue ink\n" + text(line), {.name = "a"});
         ASSERT_FALSE(placed.unread.empty()) << line;
         EXPECT_TRUE(placed.unread.front().starts_with(fmt::format("line 2: '{}", std::string(line).substr(0, 20))))
@@ -123,8 +145,9 @@ TEST(TellingText, RatesAndStepsAreClaims) {
     auto const list = [](std::string const& line) {
         return read_placed(line + ", gal\n1\n-2\n3\n-1\n", {.name = "a"}).motion.time_step_s;
     };
-    for (char const* line : {"# @200Hz", "# acceleration @ 200 Hz", "# every 5 ms", "# a value every 0.005 s",
-                             "# 200 Hz sampling", "# fs = 200 Hz", "# sampled 200 Hz"}) {
+    for (char const* line :
+         {"# @200Hz", "# acceleration @ 200 Hz", "# every 5 ms", "# a value every 0.005 s", "# 200 Hz sampling",
+          "# fs = 200 Hz", "# sampled 200 Hz", "# step 0.005 s", "# interval 5 ms", "# 200 pts/s"}) {
         EXPECT_EQ(list(line), 0.005) << line;
         expect_input_error([&] { (void)read_placed(text(line), {.name = "a"}); }, "a:1: ", "time step 0.005 s");
     }
@@ -142,6 +165,33 @@ TEST(TellingText, QuotedNumbersAreRead) {
     expect_input_error([&] { (void)read("\"0,00\";\"1,5\"\n\"0,01\";\"-2,5\"\n"); }, "a:2: ", "Write decimal points");
     expect_input_error([&] { (void)read_placed("time,acc [gal]\n\"0,00\",\"1,5\"\n", {.name = "a"}); },
                        "a:2: ", "Write decimal points");
+}
+
+// a factor beside a unit makes it none of the numbers'.
+TEST(TellingText, UnitsWithFactorsAreNone) {
+    for (char const* line :
+         {"# acceleration in g / 1000", "# acceleration in gal (x 0.001)", "# acceleration in 0.01 g", "# 100 x m/s2",
+          "# acceleration in tenths of g", "# acceleration, percent of g"}) {
+        expect_input_error([&] { (void)read_placed(text(line, "time,acc"), {.name = "a"}); }, "a:");
+    }
+    auto const plain = "# acceleration in units of g\ntime,acc\n0,1\n0.01,-2\n0.02,1\n";
+    EXPECT_EQ(read_placed(plain, {.name = "a"}).unit_mps2, g0);
+}
+
+// names of what is made of motions are listed; a time in another unit is none in seconds.
+TEST(TellingText, NamesOfOtherValuesAreListed) {
+    for (char const* name : {"acc error [gal]", "acc_std [gal]", "envelope [gal]", "-acc [gal]", "PGA [gal]"}) {
+        auto const listed = read_placed(text("# X", fmt::format("time,{}", name)), {.name = "a"}).unread;
+        ASSERT_FALSE(listed.empty()) << name;
+        EXPECT_EQ(listed.front(), fmt::format("line 2: '{}'", name));
+    }
+    EXPECT_TRUE(read_placed(text("# gal", "time,acc_NS"), {.name = "a"}).unread.empty());
+    for (char const* time : {"time [d]", "time (0.01 s)", "t [-]", "time (x10 ms)"}) {
+        expect_input_error([&] { (void)read_placed(text("# X", fmt::format("{},acc [gal]", time)), {.name = "a"}); },
+                           "a:2: ", "no unit of time");
+    }
+    EXPECT_EQ(read_placed(text("# gal, sampling frequency: 0.1 kHz"), {.name = "a"}).motion.time_step_s, 0.01);
+    EXPECT_EQ(read_placed(text("# X", "time (UTC),acc [gal]"), {.name = "a"}).motion.time_step_s, 0.01);
 }
 
 TEST(TellingText, WordsAreFoundAsWords) {

@@ -174,8 +174,10 @@ TEST(TargetNames, WordsThatChangeASpectrumAreAccountedFor) {
 
 // R-104: words in the ordinates' name that may change them are listed; those of a horizontal spectrum are not.
 TEST(TargetNames, WordsOfAColumnsNameAreAccountedFor) {
-    for (char const* name : {"Sa_vertical", "Sa84", "Sa_floor", "Sa_2pc", "SaZ", "Sa_V", "SAz", "Sa_UD", "Sa p84",
-                             "Sa (84%)", "FRS", "vertical_acceleration", "Sa_x100", "Sa V/H", "Sa_median"}) {
+    for (char const* name : {"Sa_vertical", "Sa84",   "Sa_floor", "Sa_2pc",     "SaZ",      "Sa_V",
+                             "SAz",         "Sa_UD",  "Sa p84",   "Sa (84%)",   "FRS",      "vertical_acceleration",
+                             "Sve",         "S_ve",   "Svert",    "V-spectrum", "delta Sa", "Sa error",
+                             "Sa_x100",     "Sa V/H", "Sa_median"}) {
         EXPECT_EQ(read(fmt::format("T,{} (m/s2)\n", name)).name(),
                   fmt::format("t.csv (not understood: line 1: '{} (m/s2)')", name));
     }
@@ -191,8 +193,49 @@ TEST(TargetNames, AbbreviationsAreHeard) {
     for (char const* line : {"# FAS", "# FAS, smoothed", "# HVSR", "# power spectral density"}) {
         expect_input_error([&] { (void)read(std::string(line) + "\nT,a\n"); }, "t.csv:1: '#", "no response spectrum");
     }
-    expect_input_error([] { (void)read("# PSV\nT,a\n"); }, "t.csv:1: a spectrum of velocity");
+    for (char const* line : {"# PSV", "# type: PSV", "# quantity: Sv", "# PSV of Kobe"}) {
+        expect_input_error([&] { (void)read(std::string(line) + "\nT,a\n"); }, "t.csv:1: a spectrum of velocity");
+    }
+    EXPECT_NO_THROW((void)read("# state: SD\nT,a\n"));
     EXPECT_EQ(read("# component: Z\nT,a\n").name(), "t.csv (not understood: line 1: '# component: Z')");
+}
+
+// R-104: what stands beside a damping in its line is accounted for word by word.
+TEST(TargetNames, ADampingHidesNothingBesideIt) {
+    for (char const* text :
+         {"# 5 % damped, mean plus one standard deviation", "# 5 % damped, 84 % NEP", "# 5 % damped, times 1.5",
+          "# 5 % damped, envelope of 3 sites", "# 5 % damped at 2/3 of MCE", "# 5 % damped, node 312",
+          "# 5 % damped, q = 1.5", "# 5 % damped, Z direction", "# 5 % damped, SRSS of two", "# DSP 5 % damped",
+          "# 5 % damped, periods in ms", "# 5 % damped, probability of exceedance 84 %"}) {
+        EXPECT_NE(read(fmt::format("{}\nT,Sa\n", text)).name().find("not understood: line 1"), std::string::npos)
+            << text;
+    }
+    for (char const* text :
+         {"# 5 % damped elastic acceleration response spectrum", "# UHS, 10 % in 50 years, damping ratio 0.05",
+          "# 5% of critical damping, return period 475 yr", "# pseudo-spectral acceleration, zeta = 0.05"}) {
+        EXPECT_EQ(read(fmt::format("{}\nT,Sa\n", text)).name(), "t.csv") << text;
+    }
+}
+
+// R-104: periods and frequencies have their units: a quotient has none, and what is not known is refused.
+TEST(TargetNames, UnitsOfTheFirstColumnAreKnown) {
+    EXPECT_TRUE(near(read("f (kHz),Sa\n").psa_mps2(0.01), 0.7, exact_formula));
+    EXPECT_TRUE(near(read("f (cps),Sa\n").psa_mps2(10), 0.7, exact_formula));
+    for (char const* name : {"frequency [rad/s]", "f (1/min)", "T/T1", "T/ms", "f/f0"}) {
+        expect_input_error([&] { (void)read(fmt::format("{},Sa\n", name)); }, "t.csv:1: ");
+    }
+}
+
+// R-104: a factor beside a unit makes it none of the ordinates'.
+TEST(TargetNames, UnitsWithFactorsAreNone) {
+    for (char const* line : {"# in g / 10", "# Sa in g (x 0.01)", "# 100 x m/s2", "# acceleration in tenths of g"}) {
+        expect_input_error(
+            [&] {
+                (void)parse_target_table(std::string(line) + "\nT,Sa\n0.1,1\n1,1\n", "t.csv", TargetKind::acceleration,
+                                         0.05);
+            },
+            "t.csv:");
+    }
 }
 
 // R-104: a unit beside the names counts; one that is not known is none, whatever is stated.

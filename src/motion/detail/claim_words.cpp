@@ -16,54 +16,6 @@ constexpr Text letters = "abcdefghijklmnopqrstuvwxyz";
 
 bool is_letter(char c) { return letters.find(c) != Text::npos; }
 
-/// The word that ends before `at`, without blanks, colons and equals signs between.
-Text word_before(Text line, std::size_t at) {
-    auto const end = line.find_last_not_of(" \t:=", at == 0 ? 0 : at - 1);
-    if (at == 0 || end == Text::npos || !is_letter(line[end])) {
-        return {};
-    }
-    auto const begin = line.find_last_not_of(letters, end);
-    return line.substr(begin == Text::npos ? 0 : begin + 1, end - (begin == Text::npos ? 0 : begin + 1) + 1);
-}
-
-/// A letter is a unit where it stands in brackets, or behind a word that says so.
-bool is_marked(Text line, std::size_t at, std::size_t length) {
-    bool const bracketed = at > 0 && (line[at - 1] == '(' || line[at - 1] == '[') && at + length < line.size()
-                           && (line[at + length] == ')' || line[at + length] == ']');
-    auto const word = word_before(line, at);
-    constexpr std::array words{"in", "of", "unit", "units", "is", "are"};
-    return bracketed || std::ranges::find(words, word) != words.end();
-}
-
-/// "9.81 m/s2", "300 gal": a quantity, which says nothing of the file's numbers.
-bool is_quantity(Text line, std::size_t at) {
-    auto const end = line.find_last_not_of(" \t", at == 0 ? 0 : at - 1);
-    auto const is_digit = [&](std::size_t i) { return line[i] >= '0' && line[i] <= '9'; };
-    return at > 0 && end != Text::npos && (is_digit(end) || (line[end] == '.' && end > 0 && is_digit(end - 1)));
-}
-
-}  // namespace
-
-void each_unit(Text line, Dimension dimension, std::function<void(double)> const& take) {
-    constexpr Text ends = " \t()[]{},;:=\"|";
-    constexpr std::size_t telling = 3;
-    for (std::size_t at = 0; at < line.size();) {
-        at = std::min(line.find_first_not_of(ends, at), line.size());
-        auto const end = std::min(line.find_first_of(ends, at), line.size());
-        auto word = line.substr(at, end - at);
-        while (word.ends_with('.')) {
-            word.remove_suffix(1);
-        }
-        auto const unit = word.empty() ? std::nullopt : unit_spelled(word, dimension);
-        if (unit && !is_quantity(line, at) && (word.size() >= telling || is_marked(line, at, word.size()))) {
-            take(*unit);
-        }
-        at = end;
-    }
-}
-
-namespace {
-
 constexpr Text number_letters = "0123456789.+-";
 
 }  // namespace
@@ -170,12 +122,13 @@ constexpr std::array keys{Key{"time increment"},
                           Key{"intervalo de muestreo"},
                           Key{"frecuencia de muestreo", true},
                           Key{"tasa de muestreo", true}};
-constexpr std::array rates{"hz sampling", "hz sample",   "sps",           "samples per second",
-                           "samples/s",   "samples/sec", "samples/second"};
+constexpr std::array rates{"hz sampling",        "hz sample",  "pts/s",       "pts/sec",
+                           "points/s",           "points/sec", "values/s",    "sps",
+                           "samples per second", "samples/s",  "samples/sec", "samples/second"};
 
 /// Behind these a rate or a step has its unit, "@200Hz", "every 5 ms"; a filter's has it too.
-constexpr auto marks =
-    std::to_array<Text>({"@", "every", "fs", "sampling", "sampled", "recorded at", "steps of", "step of"});
+constexpr auto marks = std::to_array<Text>(
+    {"@", "every", "fs", "sampling", "sampled", "recorded at", "steps of", "step of", "step", "interval"});
 
 std::optional<double> step_with_unit(Text line) {
     constexpr auto others =

@@ -4,9 +4,34 @@
 
 #include "core/units.hpp"
 #include "motion/component_name.hpp"
+#include "motion/telling_words.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn {
+
+std::optional<double> unit_of_times(TableColumns const& columns, std::string const& file) {
+    if (columns.roles.empty()) {
+        return std::nullopt;
+    }
+    auto const& role = columns.roles[*columns.time];
+    if (!role.unknown_unit.empty()) {
+        throw InputError({file, columns.names_line},
+                         fmt::format("column '{}' ('{}' is no unit of time that is known). Write s, ms or min",
+                                     role.name, role.unknown_unit));
+    }
+    return role.unit;
+}
+
+std::vector<std::string> telling_names(TableColumns const& columns) {
+    std::vector<std::string> told;
+    for (auto const& [column, role] : columns.motions) {
+        if (columns.names_line > 0 && tells_other_values(role.name)) {
+            told.push_back(fmt::format("line {}: {}", columns.names_line, in_quotes(role.name)));
+        }
+    }
+    return told;
+}
+
 void take_claimed_component(TableColumns& columns, Claims const& claims, std::string const& file) {
     if (columns.motions.size() != 1 || claims.components().size() != 1) {
         return;

@@ -1,6 +1,7 @@
 /// What the text says, or a person states, of the columns of a table.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,12 @@ namespace overturn {
 /// The one motion of a table takes the one direction that the text names. \throws InputError at the line if the
 /// column's own name says another
 void take_claimed_component(TableColumns& columns, Claims const& claims, std::string const& file);
+
+/// SI value of one unit of the times, where their name says it. \throws InputError at one that is not known
+[[nodiscard]] std::optional<double> unit_of_times(TableColumns const& columns, std::string const& file);
+
+/// "line 1: 'acc error [g]'": names of motions that say more of them than is understood.
+[[nodiscard]] std::vector<std::string> telling_names(TableColumns const& columns);
 
 /// \param words stated, one for each column \param how to state them \throws InputError if two columns are the same
 void check_each_once(std::vector<std::string> const& words, Location const& where, std::string const& how);

@@ -137,7 +137,8 @@ ClaimedUnit claimed_unit(std::string_view lower, Dimension dimension) {
     if (named && last != Text::npos) {
         auto const word = lower.substr(last + 1);
         auto const before = trimmed(lower.substr(0, last));
-        bool const factor = !before.empty() && before.back() >= '0' && before.back() <= '9';
+        bool const share = before.ends_with(" of");  // "tenths of g"
+        bool const factor = share || (!before.empty() && before.back() >= '0' && before.back() <= '9');
         take(!factor && word.find_first_of("()[]") == Text::npos && (is_compound(word) || word == "g" || word == "gn")
                  ? word
                  : Text{},

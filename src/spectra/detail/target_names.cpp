@@ -107,7 +107,14 @@ bool are_target_names(std::string_view first, std::string_view second) {
 
 std::optional<double> frequency_unit(PairTable const& table, Location const& where) {
     auto const [text, bracketed] = unit_text_in_name(table.first_name);
+    auto const name = trimmed(table.first_name);
+    if (auto const slash = name.find('/'); slash != Text::npos && name.find_first_of("([") == Text::npos) {
+        throw InputError(where, fmt::format("'{}' (a quotient, or a unit?). Name it T (s), or f (Hz)", name));
+    }
     if (table.names_line > 0 && is_frequency_name(table.first_name)) {
+        if (bracketed && !unit_spelled(text, Dimension::frequency)) {
+            throw InputError(where, fmt::format("unit '{}' of the frequencies (it is not known). Write f (Hz)", text));
+        }
         return unit_spelled(text, Dimension::frequency).value_or(1);
     }
     auto const stem = stem_of(table.first_name);

@@ -37,6 +37,9 @@ void check_kind(PairTable const& table, TargetKind kind, Location const& where);
 [[nodiscard]] std::vector<std::string> check_text(PairTable const& table, TargetKind kind, double damping,
                                                   std::string const& name);
 
+/// The number that stands at the end, "10" of "h = 10 "; nothing if none does.
+[[nodiscard]] std::optional<double> number_at_end(std::string_view text);
+
 /// "5 % damped", "h = 0.02", "damping ratio: 0.05"
 [[nodiscard]] std::optional<double> damping_in(std::string_view lower);
 

@@ -39,25 +39,15 @@ std::optional<TargetKind> kind_of_spectrum(Text lower) {
     return found;
 }
 
-std::optional<double> number_before(Text text) {
-    text = trimmed(text);
-    auto const begin = text.find_last_not_of("0123456789.");
-    double value = 0;
-    return parse_number(text.substr(begin == Text::npos ? 0 : begin + 1), value) ? std::optional(value) : std::nullopt;
-}
-
-std::optional<double> number_behind(Text text) {
-    text = text.substr(std::min(text.find_first_not_of(" \t:=of"), text.size()));
-    double value = 0;
-    return parse_number(text.substr(0, text.find_first_not_of("0123456789.")), value) ? std::optional(value)
-                                                                                      : std::nullopt;
-}
-
 /// "type: PSV", "PSV": what the only word behind a colon, or of a line, calls the ordinates; "psa" and "psv" wherever
 /// they stand.
 std::optional<TargetKind> kind_of_word(Text lower) {
-    auto const behind = trimmed(lower.substr(lower.find_last_of(":=#") + 1));
-    if (!behind.empty() && behind.find_first_of(" \t,;") == Text::npos && behind.size() > 1) {
+    auto const mark = lower.find_last_of(":=#");
+    auto const behind = trimmed(lower.substr(mark + 1));
+    auto const key = mark == Text::npos || lower[mark] == '#' ? Text{} : lower.substr(0, mark);
+    bool const of_kind = speaks_of(key, {"type", "quantity", "kind", "measure", "ordinate", "imt"});
+    if ((key.empty() || of_kind) && !behind.empty() && behind.find_first_of(" \t,;") == Text::npos
+        && behind.size() > 1) {
         return kind_named(behind);
     }
     for (auto const& [word, kind] :
@@ -125,7 +115,7 @@ bool name_tells_more(Text name, double damping, Location const& where) {
         }
     }
     auto const percent = named.find('%');  // of a column's name nothing else, but of a fractile
-    auto const before = percent == std::string::npos ? std::nullopt : number_before(Text(named).substr(0, percent));
+    auto const before = percent == std::string::npos ? std::nullopt : number_at_end(Text(named).substr(0, percent));
     constexpr double highest = 30;
     bool const share = before && *before <= highest;
     bool const damped = check_damping(share ? fmt::format("{} % damped", *before) : named, damping, where);
@@ -137,6 +127,105 @@ bool name_tells_more(Text name, double damping, Location const& where) {
     auto const end = share ? percent + 1 : rest.find_first_not_of("0123456789.", begin);
     rest.erase(begin, end == std::string::npos ? end : end - begin);
     return tells_more_in_name(rest);
+}
+
+/// Beside the damping: nothing but words of a response spectrum and "10 % in 50 years"?
+bool is_plain(Text lower, double damping) {
+    constexpr auto words = std::to_array<Text>({"response",
+                                                "spectrum",
+                                                "spectra",
+                                                "spectral",
+                                                "acceleration",
+                                                "accelerations",
+                                                "accel",
+                                                "pseudo",
+                                                "velocity",
+                                                "displacement",
+                                                "energy",
+                                                "elastic",
+                                                "absolute",
+                                                "design",
+                                                "target",
+                                                "uhs",
+                                                "uniform",
+                                                "hazard",
+                                                "horizontal",
+                                                "damping",
+                                                "damped",
+                                                "ratio",
+                                                "critical",
+                                                "viscous",
+                                                "of",
+                                                "for",
+                                                "the",
+                                                "with",
+                                                "a",
+                                                "an",
+                                                "in",
+                                                "and",
+                                                "at",
+                                                "is",
+                                                "percent",
+                                                "per",
+                                                "cent",
+                                                "pct",
+                                                "sa",
+                                                "psa",
+                                                "psv",
+                                                "sv",
+                                                "sd",
+                                                "h",
+                                                "zeta",
+                                                "xi",
+                                                "\xCE\xB6",
+                                                "\xCE\xBE",
+                                                "return",
+                                                "period",
+                                                "years",
+                                                "year",
+                                                "yr",
+                                                "yrs",
+                                                "unit",
+                                                "units",
+                                                "g",
+                                                "gal",
+                                                "cm",
+                                                "m",
+                                                "s",
+                                                "s2",
+                                                "sec",
+                                                "kine",
+                                                "sdof",
+                                                "oscillator",
+                                                "oscillators",
+                                                "rotd50",
+                                                "geometric",
+                                                "mean",
+                                                "ground",
+                                                "motion",
+                                                "factor"});
+    constexpr Text separators = " \t_-.,:;()[]{}=\"'#%!*|/^";
+    constexpr double printed = 1e-3;
+    for (std::size_t at = 0; at < lower.size();) {
+        at = std::min(lower.find_first_not_of(separators, at), lower.size());
+        bool const figure = at < lower.size() && lower[at] >= '0' && lower[at] <= '9';
+        auto const end = std::min(
+            figure ? lower.find_first_not_of("0123456789.", at) : lower.find_first_of(separators, at), lower.size());
+        auto const word = lower.substr(at, end - at);
+        at = end;
+        if (word.empty() || std::ranges::find(words, word) != words.end()) {
+            continue;
+        }
+        double value = 0;
+        bool const number = parse_number(word, value);
+        bool const own = std::abs(value - damping) <= printed || std::abs(value / 100 - damping) <= printed;
+        auto const behind = lower.substr(std::min(lower.find_first_not_of(" %-", end), lower.size()));
+        bool const of_years = behind.starts_with("in ") || behind.starts_with('y') || behind == "a";
+        if (!number || !(own || of_years)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 }  // namespace
@@ -157,57 +246,14 @@ std::vector<std::string> check_text(PairTable const& table, TargetKind kind, dou
             claims.components(), [](auto const& component) { return is_vertical(direction_of(component)); });
         bool const telling = vertical || tells_vertical(lower) || tells_other_spectrum(lower)
                              || (!damped && speaks_of(lower, {"damp", "critical"}));
-        bool const more = tells_factor(lower) || tells_statistic(lower) || tells_other_span(lower) || telling;
-        auto const said = !damped ? claims.unread() : more ? claims.telling() : std::vector<std::string>();
-        if (said.empty() && telling) {
+        bool const more = telling || tells_factor(lower) || !is_plain(lower, damping);
+        auto const said = !damped ? claims.unread() : std::vector<std::string>();
+        if (said.empty() && (damped ? more : telling)) {
             unread.push_back(told(line.text, line.number));
         }
         std::ranges::copy(said, std::back_inserter(unread));
     }
     return unread;
-}
-
-std::optional<double> damping_in(std::string_view lower) {
-    std::string plain(lower);
-    for (Text const word : {" percent", "percent", " per cent", "pct"}) {
-        for (auto at = plain.find(word); at != std::string::npos; at = plain.find(word, at)) {
-            plain.replace(at, word.size(), "%");
-        }
-    }
-    lower = plain;
-    // "5 % damped", "2 % of critical": the number right before; "10 % in 50 years, damping 5 %" is none.
-    constexpr std::size_t fillings = 16;
-    for (Text const word : {"damp", "of critical"}) {
-        auto const at = lower.find(word);
-        auto const percent = at == Text::npos ? Text::npos : lower.rfind('%', at);
-        if (percent == Text::npos || at - percent > fillings
-            || lower.substr(percent, at - percent).find_first_of(",;:0123456789") != Text::npos
-            || speaks_of(lower.substr(percent, at - percent), {" in ", "year", "yr", " and "})) {
-            continue;
-        }
-        auto const value = number_before(lower.substr(0, percent));
-        return value ? std::optional(*value / 100) : std::nullopt;
-    }
-    for (Text const key :
-         {"damping ratio", "damping factor", "damping", "zeta", "\xCE\xB6", "xi", "\xCE\xBE", "h =", "h="}) {
-        auto const at = lower.find(key);
-        if (at == Text::npos || (at > 0 && is_lower_case(lower[at - 1]))) {
-            continue;
-        }
-        auto const value = number_behind(lower.substr(at + key.size()));
-        auto const begin = std::min(lower.find_first_not_of(" \t:=of", at + key.size()), lower.size());
-        auto const end = std::min(lower.find_first_not_of("0123456789.", begin), lower.size());
-        auto const mark = lower.find_first_not_of(" \t", end);
-        bool const percent_behind = value && mark != Text::npos && lower[mark] == '%';
-        if (percent_behind && lower.substr(mark + 1).starts_with(" and ")) {
-            return std::nullopt;  // "damping 5 % and 2 %"
-        }
-        double const share = value.value_or(0) / (percent_behind ? 100 : 1);
-        if (share > 0 && share < 1) {
-            return share;
-        }
-    }
-    return std::nullopt;
 }
 
 }  // namespace overturn
