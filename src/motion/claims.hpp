@@ -42,6 +42,8 @@ class Claims {
     /// A name of a column calls them so.
     void take_named_accelerations() { accelerations_ = named_ = true; }
     [[nodiscard]] std::vector<std::string> const& components() const { return components_; }
+    /// Is a peak stated, for check_peaks?
+    [[nodiscard]] bool states_peak() const { return !peaks_.empty(); }
     [[nodiscard]] int components_line() const { return components_line_; }
 
     /// "line 10: m/s2", for each claim that is used.

@@ -183,7 +183,12 @@ std::vector<std::string> more_of_hazard(PairTable const& table, HazardAxis const
     }
     for (auto const& line : table.text) {
         auto const lower = lowered(line.text);
-        bool const another = lower.find("sa(") != std::string::npos && !axis.label.starts_with("sa");
+        Claims alone(axis.dimension);
+        alone.take(line.text, line.number);
+        bool const spectral = lower.find("sa(") != std::string::npos || lower.find("spectral") != std::string::npos;
+        auto const& other = alone.other();
+        bool const another = (spectral && !axis.label.starts_with("sa")) || alone.states_peak()
+                             || (!other.empty() && other != "a hazard curve");
         bool const told = tells_statistic(lower) || tells_other_span(lower) || tells_factor(lower)
                           || tells_vertical(lower) || lower.find('%') != std::string::npos || another;
         auto said = fmt::format("line {}: {}", line.number, in_quotes(trimmed(line.text)));

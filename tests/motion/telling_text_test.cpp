@@ -178,6 +178,12 @@ TEST(TellingText, UnitsWithFactorsAreNone) {
     EXPECT_EQ(read_placed(plain, {.name = "a"}).unit_mps2, g0);
 }
 
+// a hazard curve is no record, whatever its unit.
+TEST(TellingText, HazardCurvesAreRefused) {
+    expect_input_error([] { (void)read_placed("acc [g],annual_exceedance\n0,1\n1,0.1\n", {.name = "a"}); },
+                       "a:1: ", "a hazard curve");
+}
+
 // names of what is made of motions are listed; a time in another unit is none in seconds.
 TEST(TellingText, NamesOfOtherValuesAreListed) {
     for (char const* name : {"acc error [gal]", "acc_std [gal]", "envelope [gal]", "-acc [gal]", "PGA [gal]"}) {

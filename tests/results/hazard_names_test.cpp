@@ -93,6 +93,19 @@ TEST(HazardNames, WordsThatChangeACurveAreNotes) {
     EXPECT_TRUE(remarks("# mean hazard").empty());
 }
 
+// text that speaks of another measure than the column is told.
+TEST(HazardNames, OtherMeasuresInTheTextAreTold) {
+    auto const remarks = [](std::string const& line) {
+        return parse_hazard(line + "\npga [g], annual_exceedance\n0.1,1e-2\n1,1e-5\n", "h.csv", over_pga).remarks();
+    };
+    for (char const* line : {"# velocity", "# spectral acceleration at 1 s", "# PGA = 2.5 x", "# Sa(1 s)"}) {
+        auto const told = remarks(line);
+        ASSERT_EQ(told.size(), 1U) << line;
+        EXPECT_EQ(told.front(), fmt::format("h.csv (not understood: line 1: '{}')", line));
+    }
+    EXPECT_TRUE(remarks("# mean annual hazard curve").empty());
+}
+
 // a word in the intensity's name that may change it is told: of another component, a percentile.
 TEST(HazardNames, WordsOfTheIntensityAreAccountedFor) {
     auto const remarks = [](std::string const& name, std::string const& label) {

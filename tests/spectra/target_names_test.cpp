@@ -153,9 +153,10 @@ TEST(TargetNames, WordsThatChangeASpectrumAreAccountedFor) {
         expect_input_error([&] { (void)read(fmt::format("{}\nT,Sa\n", text)); }, "t.csv:1: damping 0.02");
     }
     for (char const* text :
-         {"# vertical spectrum", "# vertical", "# spectrum x 0.01", "# spectrum at damping two percent",
-          "# response spectrum of the vertical component", "# floor spectrum at 20 m", "# damping 5 % and 2 %",
-          "# spectrum, 84th percentile", "# 5 % damped spectrum of the vertical component"}) {
+         {"# vertical spectrum", "# vertical", "# PGA = 0.35 g", "# PGA of 0.4 g", "# spectrum x 0.01",
+          "# spectrum at damping two percent", "# response spectrum of the vertical component",
+          "# floor spectrum at 20 m", "# damping 5 % and 2 %", "# spectrum, 84th percentile",
+          "# 5 % damped spectrum of the vertical component"}) {
         EXPECT_NE(read(fmt::format("{}\nT,Sa\n", text)).name().find("not understood: line 1"), std::string::npos)
             << text;
     }

@@ -60,7 +60,7 @@ class Placing {
                 columns_.left_out.push_back(role.name.empty() ? fmt::format("column {}", i + 1) : role.name);
             } else if (is_motion(role.quantity)) {
                 columns_.motions.push_back({i, role});
-            } else if (explicit_ones && role.quantity != Quantity::time
+            } else if (explicit_ones && role.quantity != Quantity::time && role.quantity != Quantity::hazard
                        && (role.quantity != Quantity::frequency || columns_.time)) {
                 columns_.left_out.push_back(role.name);
             } else {

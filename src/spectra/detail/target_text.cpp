@@ -244,7 +244,7 @@ std::vector<std::string> check_text(PairTable const& table, TargetKind kind, dou
         bool const damped = check_damping(lower, damping, {name, line.number});
         bool const vertical = std::ranges::any_of(
             claims.components(), [](auto const& component) { return is_vertical(direction_of(component)); });
-        bool const telling = vertical || tells_vertical(lower) || tells_other_spectrum(lower)
+        bool const telling = vertical || claims.states_peak() || tells_vertical(lower) || tells_other_spectrum(lower)
                              || (!damped && speaks_of(lower, {"damp", "critical"}));
         bool const more = telling || tells_factor(lower) || !is_plain(lower, damping);
         auto const said = !damped ? claims.unread() : std::vector<std::string>();
