@@ -201,7 +201,7 @@ bool Claims::leaves_a_part(std::string const& lower) const {
     return found.size() > 1 && std::ranges::any_of(found, [&](Text part) {
                Claims alone(of_);
                alone.take(part, 1);
-               return part.find_first_of("0123456789") != Text::npos && !alone.unread().empty();
+               return holds_open_figure(part) && !alone.unread().empty();
            });
 }
 
@@ -246,7 +246,9 @@ void Claims::take(std::string_view line, int number) {
         understood = true;
     }
     auto const said_so = fmt::format("line {}: {}", number, in_quotes(trimmed(line)));
-    if (tells_more(lower, component, other, step.has_value()) || (understood && leaves_a_part(lower))) {
+    bool const of_unit = holds_word(lower, "unit") || holds_word(lower, "units");
+    bool const left = understood ? leaves_a_part(lower) : of_unit;
+    if (tells_more(lower, component, other, step.has_value()) || left) {
         telling_.push_back(said_so);
     } else if (!understood && !is_provenance(lower)) {
         unread_.push_back(said_so);

@@ -239,6 +239,29 @@ bool tells_other_values(Text name) {
            });
 }
 
+bool holds_open_figure(Text lower) {
+    constexpr auto sizes = std::to_array<Text>({"m", "mw", "ms", "ml", "mb", "magnitude"});
+    auto const words = split(lower, " \t()[]=#");
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        auto const word = words[i];
+        constexpr std::size_t digits_of_a_year = 4;
+        bool const figures = word.find_first_not_of("0123456789") == Text::npos;
+        bool const year =
+            figures && word.size() == digits_of_a_year && (word.starts_with("19") || word.starts_with("20"));
+        bool const name = !(word.front() >= '0' && word.front() <= '9') && Text("+-.").find(word.front()) == Text::npos;
+        bool const date =
+            std::ranges::count(word, '-') + std::ranges::count(word, '/') >= 2 || word.find(':') < word.size();
+        bool const size = i > 0 && std::ranges::find(sizes, words[i - 1]) != sizes.end();
+        bool const away = i + 1 < words.size() && words[i + 1] == "km";
+        bool const place = Text("new").find(word.back()) != Text::npos
+                           && word.substr(0, word.size() - 1).find_first_not_of("0123456789.") == Text::npos;
+        if (has_figure(word) && !(place || year || name || date || size || away)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 bool tells_rate(Text lower) {
     return std::ranges::any_of(words_of(lower), [](Text word) {
         bool const alone = word == "hz";

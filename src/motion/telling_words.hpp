@@ -39,6 +39,10 @@ namespace overturn {
 /// "per century", "monthly": no rate of a year
 [[nodiscard]] bool tells_other_span(std::string_view lower);
 
+/// A figure that is no year, date or time of day, no magnitude or distance in km and no part of a name: "Fs=200", but
+/// not "Kobe 1995", "M 6.9", "RSN1106"
+[[nodiscard]] bool holds_open_figure(std::string_view lower);
+
 /// "200 Hz", "200Hz"
 [[nodiscard]] bool tells_rate(std::string_view lower);
 

@@ -68,6 +68,7 @@ TEST(TellingText, WhatMayChangeTheNumbersIsListed) {
                              "# pseudo-acceleration in gal",
                              "# gal, time in ms",
                              "# gal, Fs=200",
+                             "# Station X, units 0.01 g",
                              "# gal, rate = 200",
                              "# acceleration in gal, rotated to 45 deg",
                              "# acceleration in gal, (x1000)",
@@ -79,7 +80,9 @@ TEST(TellingText, WhatMayChangeTheNumbersIsListed) {
         EXPECT_TRUE(placed.unread.front().starts_with(fmt::format("line 2: '{}", std::string(line).substr(0, 20))))
             << placed.unread.front();
     }
-    for (char const* line : {"# Station: X", "# acceleration in gal", "# dt = 0.01 s"}) {
+    for (char const* line :
+         {"# Station: X", "# acceleration in gal", "# Kobe 1995, JMA, gal", "# gal, M 6.9, 12 km",
+          "# gal, 2011-03-11 05:46", "# gal, 35.1N 139.2E", "# RSN1106, acceleration in gal", "# dt = 0.01 s"}) {
         EXPECT_TRUE(read_placed(text(line), {.name = "a"}).unread.empty()) << line;
     }
 }
