@@ -80,9 +80,15 @@ TEST(DesignJson, WhatChangesASpectrumIsPassedOn) {
               (Said{"component: vertical", "direction: V", "scale: 2", "factor: 0.5", "percentile: 84"}));
     EXPECT_EQ(said_by(R"("type": "PSV", "quantity": "velocity", "title": "Floor spectrum", "normalized": true)"),
               (Said{"type: PSV", "quantity: velocity", "title: Floor spectrum", "normalized: true"}));
-    EXPECT_EQ(said_by(R"("component": "horizontal", "scale": 1, "type": "Feature", "title": "Site A", "siteFactor": 1.2,
+    EXPECT_EQ(said_by(R"("notes": ["84th percentile", "x"], "x_axis": "frequency", "ordinatesAre": "ln", "log": true,
+"uncertainty": "plus one sigma", "location": "floor 3", "scaled": true)"),
+              (Said{"notes: [\"84th percentile\",\"x\"]", "x_axis: frequency", "ordinatesAre: ln", "log: true",
+                    "uncertainty: plus one sigma", "location: floor 3", "scaled: true"}));
+    EXPECT_EQ(
+        said_by(
+            R"("component": "horizontal", "url": "https://x.org/floor", "method": "fast Fourier", "scale": 1, "type": "Feature", "title": "Site A", "siteFactor": 1.2,
 "pgadPercentileFactor": 1.8, "pgadFloor": 0.6, "normalized": false, "siteClass": "C", "depth": 10)"),
-              Said{});
+        Said{});
     EXPECT_EQ(table_of(R"({"h": {"periods": [1, 2], "ordinates": [2, 1], "component": "H1"},
 "vertical": {"periods": [1, 2], "ordinates": [1, 1], "scale": 2}})",
                        "h")

@@ -58,6 +58,9 @@ constexpr auto of_factors =
     std::to_array<Text>({"scale", "scaling", "factor", "multiplier", "gain", "sf", "time", "period", "amplification"});
 constexpr auto of_statistics =
     std::to_array<Text>({"percentile", "fractile", "quantile", "sigma", "epsilon", "statistic", "stat", "level"});
+constexpr auto scales = std::to_array<Text>({"log", "log10", "ln", "logarithm", "logarithms", "logarithmic", "scaled"});
+constexpr auto of_papers =
+    std::to_array<Text>({"url", "href", "link", "date", "version", "status", "reference", "document", "license"});
 constexpr auto of_quantities =
     std::to_array<Text>({"type", "quantity", "kind", "measure", "imt", "ordinate", "ordinates", "label", "ylabel",
                          "title", "name", "description", "comment", "comments", "note", "notes", "id", "spectrum"});
@@ -151,6 +154,14 @@ std::string of_damping(Words const& words, std::string const& key, Json const& v
                  : fmt::format("{} (damping): '{}'", key, text);
 }
 
+/// Does a value change a spectrum, whatever its key is called: "84th percentile", "floor 3", "frequency", "ln"?
+bool tells_anywhere(Text text) {
+    auto const words = words_of_key(text);
+    return tells_vertical(words) || tells_statistic(words) || (tells_other_spectrum(words) && !tells_no_response(words))
+           || tells_factor(lowered(text)) || words.find("freq") != std::string::npos
+           || has_one_of(split(words), scales);
+}
+
 /// Does a value say what the ordinates are, or which of several they are?
 bool tells(Text text, TargetKind kind) {
     Claims claims(dimension_of(kind));
@@ -193,7 +204,9 @@ JsonClaim json_claim(std::span<std::string const> keys, nlohmann::ordered_json c
     auto const own = split(words_of_key(key));
     auto const text = fmt::format("{}: {}", key, said(value));
     if (value.is_boolean()) {
-        return {value.get<bool>() && key.find("ormali") != std::string::npos ? text : std::string(), {}};
+        bool const change =
+            has_one_of(own, scales) || tells_factor(words_of_key(key)) || tells_of_spectrum(words_of_key(key));
+        return {value.get<bool>() && change ? text : std::string(), {}};
     }
     if (value.is_null()) {
         return {};
@@ -214,8 +227,13 @@ JsonClaim json_claim(std::span<std::string const> keys, nlohmann::ordered_json c
                            || said(value) == "linear" || said(value) == "mean";
         return {plain ? std::string() : text, {}};
     }
-    bool const of_quantity = value.is_string() && are_all(own, of_quantities) && tells(said(value), kind);
-    return {of_quantity ? text : std::string(), {}};
+    bool const of_quantity = are_all(own, of_quantities);
+    bool const listed = value.is_array() && !value.empty() && std::ranges::all_of(value, &Json::is_string);
+    auto const one = [&](Json const& each) {
+        return of_quantity ? tells(said(each), kind) : tells_anywhere(said(each));
+    };
+    bool const told = listed ? std::ranges::any_of(value, one) : value.is_string() && one(value);
+    return {told && !has_one_of(own, of_papers) ? text : std::string(), {}};
 }
 
 }  // namespace overturn
