@@ -51,7 +51,7 @@ TEST_F(ListKeys, FitsATerminalAndNamesUnitRangeDefaultAndMeaning) {
 
 // beside every key of [accuracy] stands its default, as it is, and a measured error of it.
 TEST_F(ListKeys, OfAccuracyAreDocumentedWithTheErrorOfTheirDefaults) {
-    std::ifstream file(OVERTURN_CAMPAIGNS "/README.md");
+    std::ifstream file(OVERTURN_CAMPAIGNS "/guide/checking.md");
     std::string const page{std::istreambuf_iterator<char>(file), {}};
     auto const tables = json::parse(told({"accuracy", "--json"}));
     ASSERT_EQ(tables.size(), 1U);

@@ -29,9 +29,12 @@ class Columns(unittest.TestCase):
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             results = overturn.open(path)
+        tables = {}
         with h5py.File(path) as file:
             for group, name, data in stored_columns(file):
-                column = results.table(group)[name]
+                if group not in tables:
+                    tables[group] = results.table(group)
+                column = tables[group][name]
                 stored = data[()]
                 np.testing.assert_array_equal(column.values, np.char.decode(stored, "utf-8") if stored.dtype.kind == "S" else stored)
                 self.assertEqual(column.units, data.attrs["units"].decode())
