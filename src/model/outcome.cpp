@@ -52,7 +52,8 @@ template <> Fields const& fields_of<Outcome>() {
             "largest speed at which the far edge of the base lands, 2 b |omega| before an impact; 0: no impact"),
         field<&O::friction_demand>(
             "friction_demand", "1",
-            "friction coefficient that prevents slip, max |F| / N; the static coefficient once the body has slipped"),
+            "friction coefficient that prevents slip, max |F| / N; the static coefficient once the body has slipped; "
+            "infinite where a body that does not slip loses contact"),
         field<&O::min_contact_force_ratio>("min_contact_force_ratio", "1", "min N / (m g)"),
         field<&O::contact_lost_s>("contact_lost_time", "s",
                                   "when the base first left the ground, where a rigid one has no answer; NaN: never"),

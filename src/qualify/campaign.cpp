@@ -81,7 +81,7 @@ values = {from = "300 gal", to = "1500 gal", count = 7}
 
 // SHA-256 of the digests of all stored rows, by kind of machine: the same on every x86-64 CPU.
 std::string known_rows(std::string const& kind) {
-    return kind == "x86-64" ? "6955b75c10adef531cc5839feba8a8bf3cbff0dfafa444286078845105762c28" : "";
+    return kind == "x86-64" ? "c0479f77be0abf8401a25691731bc6795302ac88034ca30f38e50f6b446a4c1b" : "";
 }
 
 CampaignInput campaign() {

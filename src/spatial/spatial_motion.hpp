@@ -41,11 +41,11 @@ struct SpatialQuantities {
 template <> [[nodiscard]] Fields const& fields_of<SpatialQuantities>();
 
 /// Rotation is the tilt: the angle between the body's axis and the vertical. Friction demand and work are not known to
-/// this model: NaN. impacts: reversals of the tilt faster than g / (w_v b), about one axis the passages of theta
-/// through zero. contact_lost_s: the first flight. peak_slip_m: longest way from its start of the base,
-/// which stands where it leans over its nearest edge.
-/// Energy and response velocity, sqrt(2 g lift): of the height of the centre of gravity above the body's lowest point,
-/// less h; in the rocking plane that is the planar definition up to its peak, and over a corner it may exceed V_Ereq.
+/// this model: NaN. impacts: reversals of the tilt faster than g / (w_v b) and within half a period of the vertical
+/// mode, about one axis the passages of theta through zero. contact_lost_s: the first flight. peak_slip_m: longest way
+/// from its start of the base, which stands where it leans over its nearest edge. Energy and response velocity, sqrt(2
+/// g lift): of the height of the centre of gravity above the body's lowest point, less h; in the rocking plane that is
+/// the planar definition up to its peak, and over a corner it may exceed V_Ereq.
 struct SpatialOutcome : Outcome {
     SpatialQuantities own;
     std::array<double, 2> residual_m{};        ///< of the base's centre

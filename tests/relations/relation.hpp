@@ -248,13 +248,14 @@ inline std::vector<Relation> relations() {
                  return std::array<std::size_t, 3>{at[0], at[1] == 1 ? 0U : 1U, at[2]};
              }},
         // After the motion a rigid body is followed until energy decides that it cannot fall or lean further: counts
-        // and what happens later than that depend on where the motion is said to end. On points it is followed until it
+        // depend on where the motion is said to end. On points it is followed until it
         // rests, which is looked at every few samples from the end on: what is left of slip by then differs.
         {.name = "4 s of zeros behind",
          .holds = [](Family const& family) { return !family.points; },
          .change = quiet_behind,
          .told = {"verdict", "peak_rotation", "peak_rotation_ratio", "time_of_peak", "first_uplift", "overturn_time",
-                  "peak_energy_ratio", "peak_impact_velocity", "peak_slip", "v_resp", "v_wes"}},
+                  "peak_energy_ratio", "peak_impact_velocity", "friction_demand", "min_contact_force_ratio",
+                  "peak_slip", "v_resp", "v_wes"}},
         {.name = "4 s of zeros behind",
          .holds = [](Family const& family) { return family.points; },
          .change = quiet_behind,

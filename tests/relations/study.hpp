@@ -142,8 +142,8 @@ inline double number_at(std::span<std::byte const> row, Field const& field) {
     return field.type == FieldType::real ? real_at(row, field) : static_cast<double>(integer_at(row, field));
 }
 
-inline Rows run(Study const& study) {
-    auto const spec = campaign_from(study.text(), study.files());
+inline Rows run_text(std::string const& text, std::map<std::string, std::string> const& files) {
+    auto const spec = campaign_from(text, files);
     auto const trials = rows_of(spec).trials;
     Ladder const ladder(spec.effects, spec.accuracy);
     Rows all;
@@ -171,5 +171,7 @@ inline Rows run(Study const& study) {
     }
     return all;
 }
+
+inline Rows run(Study const& study) { return run_text(study.text(), study.files()); }
 
 }  // namespace overturn::testing

@@ -63,6 +63,31 @@ TEST(Landing, FromBalanceInSpace) {
     }
 }
 
+// a body that rocks back from a corner and lands a little aside of upright has landed, as fast as one that does
+// not, whatever the step: its tilt passes by zero, not through it.
+TEST(Landing, AsideOfUprightCountsWhateverTheStep) {
+    auto const calm = constant(0, 301);
+    auto const block = standing(body_a(), square_base(), firm_grip);
+    double const tilt = 0.3 * body_a().alpha_rad();
+    auto const landed = [&](double aside, double step) {
+        ContactAccuracy accuracy = unheld;
+        accuracy.step_ratio = step;
+        double const azimuth = pi / 4 + aside;
+        return shaken(block, {calm, calm, 0.002}, accuracy, nullptr,
+                      SpatialStart{.rise_m = block.reach_m * std::sin(tilt),
+                                   .rotation_rad = {-tilt * std::sin(azimuth), tilt * std::cos(azimuth), 0}});
+    };
+    for (double const aside : {0.0, 0.005, 0.01}) {
+        auto const fine = landed(aside, 0.03);
+        EXPECT_EQ(fine.impacts, 1) << aside;
+        for (auto const& [step, error] : {std::pair{0.3, 0.1}, {0.1, 0.01}}) {
+            auto const out = landed(aside, step);
+            EXPECT_EQ(out.impacts, 1) << aside << " " << step;
+            EXPECT_NEAR(out.peak_impact_velocity_mps / fine.peak_impact_velocity_mps, 1, error) << aside << " " << step;
+        }
+    }
+}
+
 TEST(Landing, FromBalanceInThePlane) {
     auto const calm = constant(0, 1001);
     for (auto const& body : {body_a(), body_b()}) {

@@ -92,8 +92,10 @@ OVERTURN_LANES_INLINE void ContactStepper<V, Stride, Points>::log(Motion const& 
     put(ContactField::most_energy, max(fma(0.5 * spread, spread, lean), get(ContactField::most_energy)));
     V const side = get(ContactField::side);
     if (M const passes = rotation * side < zero; any(passes)) {
-        M const impacts = passes & (abs(at.spin) > get(ContactField::impact_spin));
-        put(ContactField::most_spin, max(choose(impacts, abs(at.spin), zero), get(ContactField::most_spin)));
+        // Where the angle was zero, under the acceleration of now.
+        V const spin = sqrt(max(fma(-2.0 * (at.sine / at.cosine), pull.spin, at.spin * at.spin), zero));
+        M const impacts = passes & (spin > get(ContactField::impact_spin));
+        put(ContactField::most_spin, max(choose(impacts, spin, zero), get(ContactField::most_spin)));
         put(ContactField::impacts, get(ContactField::impacts) + choose(impacts, V(1), zero));
         put(ContactField::side, choose(passes, -side, side));
     }

@@ -14,8 +14,6 @@ namespace overturn::rocking {
 /// Makes of the state, which stands at the event, what it is after it.
 using Reset = void (*)(RockingRun& run);
 
-inline void overturn_now(RockingRun& run) { run.log.overturn(run.sample.now(), run.state.omega); }
-
 /// Where a step ends: at a guard's zero, with the reset that belongs to it, or before any. [s] from its start.
 struct Ending {
     double at;

@@ -163,21 +163,37 @@ void apply_impact(RockingRun& run) {
     }
 }
 
+namespace {
+
+ContactForces<double> stuck_forces(RockingRun const& run, double s, double c, double omega) {
+    auto const& corner = run.corner();
+    double const side = run.state.side;
+    double const a = side * run.sample.horizontal(run.sample.tau_s);
+    double const gv = run.sample.vertical(run.sample.tau_s);
+    double const spin = corner.r * omega * omega;
+    double const grip = corner.inertia_ratio * pull(gv, a, s, c);
+    // As contact_forces_in_motion, but for the sum's order, which results' last bits keep.
+    return run.to_ground(contact_forces_in_motion(s, c, spin, a, gv, grip).friction, gv - s * grip - c * spin, side);
+}
+
+}  // namespace
+
+ContactForces<double> landing_forces(RockingRun const& run, double omega) {
+    return stuck_forces(run, run.corner().sine_alpha, run.corner().cosine_alpha, omega);
+}
+
 void land_and_apply_impact(RockingRun& run) {
     if (run.setup.nonlinear()) {
-        auto const& corner = run.corner();
-        double const side = run.state.side;
-        double const a = side * run.sample.horizontal(run.sample.tau_s);
-        double const gv = run.sample.vertical(run.sample.tau_s);
-        double const s = corner.sine_alpha;
-        double const c = corner.cosine_alpha;
-        double const spin = corner.r * run.state.omega * run.state.omega;
-        double const grip = corner.inertia_ratio * pull(gv, a, s, c);
-        // As contact_forces_in_motion, but for the sum's order, which results' last bits keep.
-        run.log.watch_forces(
-            run.to_ground(contact_forces_in_motion(s, c, spin, a, gv, grip).friction, gv - s * grip - c * spin, side));
+        run.log.watch_forces(landing_forces(run, run.state.omega));
     }
     apply_impact(run);
+}
+
+void overturn_now(RockingRun& run) {
+    if (run.setup.nonlinear() && run.state.mode == Mode::rock) {  // psi = alpha - pi/2
+        run.log.watch_forces(stuck_forces(run, -run.corner().cosine_alpha, run.corner().sine_alpha, run.state.omega));
+    }
+    run.log.overturn(run.sample.now(), run.state.omega);
 }
 
 }  // namespace overturn::rocking

@@ -1,6 +1,7 @@
 #include "rocking/detail/resets.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace overturn::rocking {
 
@@ -48,6 +49,9 @@ void lose_contact_at_rest(RockingRun& run) {
 
 void lose_contact(RockingRun& run) {
     auto const& state = run.state;
+    if (state.mode == Mode::rock) {  // without slip, whatever N is, F is not zero: F / N has no bound
+        run.log.raise_demand(std::numeric_limits<double>::infinity());
+    }
     if (!(state.phi >= run.corner().alpha_rad && state.omega > 0)) {
         lose_contact_at_rest(run);
         return;

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "model/run_out.hpp"
+#include "rocking/detail/impact.hpp"
 #include "rocking/detail/lane_run.hpp"
 #include "rocking/detail/rest.hpp"
 #include "rocking/detail/slip.hpp"
@@ -107,6 +108,27 @@ bool decided(RockingRun const& run) {
     return later <= run.log.outcome().peak_reach_rad * (1 + slack);
 }
 
+// What is still to come of a block that energy has decided: it lands, and then more slowly. So the next landing has the
+// fastest impact, the least contact force and the most friction.
+// \return false where it would slip or leave the ground then, so that it has to be followed
+bool take_last_landing(RockingRun& run) {
+    auto const& setup = run.setup;
+    double const spin = run.corner().p_radps * std::sqrt(2 * std::max(0.0, run.energy()));
+    auto& out = run.log.outcome();
+    if (setup.nonlinear()) {
+        auto const forces = landing_forces(run, spin);
+        bool const holds = std::abs(forces.friction) <= setup.hold_friction * forces.normal
+                           && run.corner().impact_demand <= setup.block.friction_static;
+        if (!(forces.normal > 0) || (setup.limited() && !holds)) {
+            return false;
+        }
+        run.log.watch_forces(forces);
+        run.log.raise_demand(run.corner().impact_demand);
+    }
+    out.impact_spin_radps = std::max(out.impact_spin_radps, spin);
+    return true;
+}
+
 // No shaking any more: step on only until energy decides, and until no later peak can be higher. A block that has
 // slipped may slip on: it is followed until it rests.
 void run_out(RockingRun& run, double end_s) {
@@ -122,10 +144,7 @@ void run_out(RockingRun& run, double end_s) {
     run.log.raise_energy(run.energy());
     for (std::int64_t i = 0; !run.log.done() && run.state.mode != Mode::rest; ++i) {
         sample.calm(end_s + static_cast<double>(i) * length, length);
-        if (!run.state.slipped && decided(run)) {
-            // It still lands, with all of this energy: later impacts are slower.
-            double const spin = run.corner().p_radps * std::sqrt(2 * std::max(0.0, run.energy()));
-            run.log.outcome().impact_spin_radps = std::max(run.log.outcome().impact_spin_radps, spin);
+        if (!run.state.slipped && decided(run) && take_last_landing(run)) {
             break;
         }
         double const after_s = sample.now() - end_s;

@@ -7,6 +7,9 @@
 #define OVERTURN_SPATIAL_STEP
 #endif
 
+#include <limits>
+#include <numbers>
+
 #include "spatial/detail/point_force-inl.hpp"
 #include "spatial/detail/rim_force-inl.hpp"
 
@@ -43,9 +46,9 @@ template <class Force> class SpatialStepper : private Force {
                                                             Triple<V> const& turn, Pull const& by, V time);
     void log(Motion const& at, Pull const& pull, Depths const& depths);
     OVERTURN_LANES_INLINE void log_height(Motion const& at, Depths const& depths, V time);
-    OVERTURN_LANES_INLINE void log_place(Motion const& at);
+    OVERTURN_LANES_INLINE void log_place(Motion const& at, Pull const& pull);
     OVERTURN_LANES_INLINE void log_reach(Motion const& at, Triple<V> const& axis);
-    OVERTURN_LANES_INLINE void log_reversal(Motion const& at, Triple<V> const& axis);
+    OVERTURN_LANES_INLINE void log_reversal(Motion const& at, Pull const& pull, Triple<V> const& axis);
     M next_sample(Motion const& at, Pull const& pull, V index, M ended);
     OVERTURN_LANES_INLINE M advanced(Motion const& at, Pull const& pull);
 };
@@ -111,7 +114,7 @@ template <class Force> void SpatialStepper<Force>::log(Motion const& at, Pull co
         put(State::loss_time, choose(lost, time, get(State::loss_time)));
     }
     log_height(at, depths, time);
-    log_place(at);
+    log_place(at, pull);
     put(State::steps, get(State::steps) + 1.0);
 }
 
@@ -137,7 +140,7 @@ OVERTURN_LANES_INLINE void SpatialStepper<Force>::log_height(Motion const& at, D
 
 // Where the base is, how far it has travelled, how the body has turned about its axis, and which way it leans. The
 // place is that of the edge that it leans over: leaning moves the base's centre, not that edge.
-template <class Force> OVERTURN_LANES_INLINE void SpatialStepper<Force>::log_place(Motion const& at) {
+template <class Force> OVERTURN_LANES_INLINE void SpatialStepper<Force>::log_place(Motion const& at, Pull const& pull) {
     auto const axis = axes_of(at.turn).third;
     V const lifted = get(State::edge) * sqrt(axis.x * axis.x + axis.y * axis.y) / (1.0 + abs(axis.z));
     V const x = base_at_start().x.at - lifted * axis.x;
@@ -153,7 +156,7 @@ template <class Force> OVERTURN_LANES_INLINE void SpatialStepper<Force>::log_pla
     V const z = choose(at.turn.w < zero, -at.turn.z, at.turn.z);
     V const yaw = fma(z / (abs(at.turn.w) + abs(at.turn.z)), 0.5, get(State::turns));
     put(State::most_yaw, max(abs(yaw), get(State::most_yaw)));
-    log_reversal(at, axis);
+    log_reversal(at, pull, axis);
 }
 
 // How far the circle round the base reaches along x and y, and how far the top has gone in plan.
@@ -173,21 +176,38 @@ OVERTURN_LANES_INLINE void SpatialStepper<Force>::log_reach(Motion const& at, Tr
 }
 
 // Counts an impact where the lean turns to the other side (about one axis: where the angle passes zero) faster than
-// impact_spin. Leans that the springs give at rest do not count.
+// impact_spin. The side is that of the last lean beyond what the springs give at rest and beyond what it covers in half
+// a period of the vertical mode, in which an impact is over: a body that lands a little aside of upright has landed,
+// one that rolls along its edge has not, whatever the step.
 template <class Force>
-OVERTURN_LANES_INLINE void SpatialStepper<Force>::log_reversal(Motion const& at, Triple<V> const& axis) {
+OVERTURN_LANES_INLINE void SpatialStepper<Force>::log_reversal(Motion const& at, Pull const& pull,
+                                                               Triple<V> const& axis) {
     V const zero = 0;
-    M const passes = fma(axis.x, get(State::lean_x), axis.y * get(State::lean_y)) < zero;
+    V const lean = fma(axis.x, get(State::lean_x), axis.y * get(State::lean_y));
+    M const passes = lean < zero;
     V const least = get(State::least_lean);
-    M const leans = (axis.x * axis.x + axis.y * axis.y > least * least) | passes;
+    V const tilt = axis.x * axis.x + axis.y * axis.y;
+    V const fast = at.spin.x * at.spin.x + at.spin.y * at.spin.y;
+    constexpr double half_period = std::numbers::pi;  // over w_v
+    M const far = tilt * get(State::stiffness) > half_period * half_period * fast;
+    M const leans = (far & (tilt > least * least)) | passes;
     if (!any(leans)) {
         return;
     }
-    V const slow = get(State::impact_spin);
-    V const fast = at.spin.x * at.spin.x + at.spin.y * at.spin.y;
-    M const impacts = passes & (fast > slow * slow);
-    put(State::most_spin, max(choose(impacts, fast, zero), get(State::most_spin)));
-    put(State::impacts, get(State::impacts) + choose(impacts, V(1), zero));
+    if (any(passes)) {
+        // Since it turned, by how fast it leans on, under the acceleration of now.
+        auto const axes = axes_of(at.turn);
+        V const rate_x = fma(at.spin.y, axes.first.x, -(at.spin.x * axes.second.x));
+        V const rate_y = fma(at.spin.y, axes.first.y, -(at.spin.x * axes.second.y));
+        V const rate = fma(rate_x, get(State::lean_x), rate_y * get(State::lean_y));
+        V const since = min(lean / min(rate, V(-std::numeric_limits<double>::min())), get(State::step));
+        V const power = fma(at.spin.x, pull.spin.x, at.spin.y * pull.spin.y);
+        V const then = max(fma(-2.0 * since, power, fast), zero);
+        V const slow = get(State::impact_spin);
+        M const impacts = passes & (then > slow * slow);
+        put(State::most_spin, max(choose(impacts, then, zero), get(State::most_spin)));
+        put(State::impacts, get(State::impacts) + choose(impacts, V(1), zero));
+    }
     put(State::lean_x, choose(leans, axis.x, get(State::lean_x)));
     put(State::lean_y, choose(leans, axis.y, get(State::lean_y)));
 }
