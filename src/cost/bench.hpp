@@ -31,7 +31,10 @@ struct Run {
     std::vector<double> values;  ///< where something else was measured: see bench.cpp
 };
 
-/// Trials of a campaign on waves that are at hand, together as run_block has them.
+/// All trials of a campaign on waves that are at hand, together as run_block has them.
+[[nodiscard]] TrialRows all_trials(CampaignSpec const& spec, Plan const& plan, std::span<PreparedWave const> waves);
+
+/// The same, timed.
 [[nodiscard]] Run run_trials(CampaignSpec const& spec, Plan const& plan, std::span<PreparedWave const> waves);
 
 /// values: the measure per wave and body [m/s]. \param acts ou_v_e or v_wes

@@ -12,6 +12,7 @@
 #include "cost/pareto.hpp"
 #include "cost/rare_cost.hpp"
 #include "cost/sampling.hpp"
+#include "cost/step_error.hpp"
 
 namespace overturn::cost {
 
@@ -43,6 +44,7 @@ struct Study {
     double reference_seconds = 0;  ///< CPU per trial of the reference
     Comparison defaults;           ///< the campaign as it stands against the reference
     Comparison rounding;           ///< a second reference against the first: what nothing can resolve
+    StepError step_error;          ///< of every quantity of limits
     std::vector<KnobResult> knobs;
     Sampling sampling;
     std::optional<RareCost> rare;  ///< where the campaign asks for rare events

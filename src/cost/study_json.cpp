@@ -19,6 +19,19 @@ Json spread_json(Spread const& spread) {
             {"worst", number(spread.worst)}};
 }
 
+Json step_error_json(StepError const& error) {
+    Json quantities = Json::array();
+    for (auto const& quantity : error.quantities) {
+        quantities.push_back({{"name", quantity.name},
+                              {"step", spread_json(quantity.step)},
+                              {"rounding", spread_json(quantity.rounding)}});
+    }
+    return {{"trials", error.trials},
+            {"step_flips", error.step_flips},
+            {"rounding_flips", error.rounding_flips},
+            {"quantities", quantities}};
+}
+
 Json row_json(Measured const& row, bool here) {
     return {{"label", row.setting.label},
             {"settings", row.setting.settings},
@@ -92,6 +105,7 @@ Json study_json(Study const& study) {
                 {"trials", study.rounding.trials},
                 {"flips", study.rounding.flips},
                 {"ks_distance", number(study.rounding.ks)}}},
+              {"step_error", step_error_json(study.step_error)},
               {"knobs", Json::array()},
               {"sampling", study.is_grid ? Json(nullptr) : waves_json(study)}};
     for (auto const& result : study.knobs) {

@@ -37,6 +37,21 @@ void append_knob(std::string& text, KnobResult const& result) {
     text += result.advice + "\n";
 }
 
+void append_step_error(std::string& text, StepError const& error) {
+    text += fmt::format(
+        "\nquantities: half the step, and motions a last bit smaller\n"
+        "error: relative, of trials that end alike\n"
+        "  {:<26} {:>7} {:>8} {:>8} {:>8} {:>8}\n",
+        "", "trials", "median", "95 %", "bit", "95 %");
+    for (auto const& quantity : error.quantities) {
+        text += fmt::format("  {:<26} {:>7} {:>8} {:>8} {:>8} {:>8}\n", quantity.name, quantity.step.count,
+                            error_text(quantity.step.median), error_text(quantity.step.p95),
+                            error_text(quantity.rounding.median), error_text(quantity.rounding.p95));
+    }
+    text += fmt::format("Of 1000 trials half the step changes {:.3g} verdicts, a last bit {:.3g}.\n",
+                        error.step_flips_per_thousand(), error.rounding_flips_per_thousand());
+}
+
 void append_sampling(std::string& text, Study const& study) {
     text += fmt::format(
         "\nwaves: how many\n"
@@ -75,6 +90,7 @@ std::string study_table(Study const& study) {
         error_text(rounding.peak.median), error_text(rounding.peak.p95), error_text(rounding.peak.worst),
         rounding.flips, rounding.trials);
     text += "> where the campaign stands   * on the Pareto front: nothing is both faster and more accurate\n";
+    append_step_error(text, study.step_error);
     for (auto const& result : study.knobs) {
         append_knob(text, result);
     }

@@ -110,6 +110,7 @@ void Runner::run_references() {
     auto const own = run_trials(spec_, plan_, waves_.waves).rows;
     study_.trials = static_cast<std::int64_t>(own.size());
     study_.defaults = compare(own, *of_defaults);
+    study_.step_error = study_step_error(input_, spec_, plan_, waves_.waves);
 }
 
 Run Runner::run_setting(Knob const& knob, Setting const& setting, CampaignSpec const& variant, Depth depth) const {

@@ -5,6 +5,7 @@
 #define HWY_TARGET_INCLUDE "spatial/detail/spatial_kernel.cpp"
 #include <hwy/foreach_target.h>
 // foreach_target comes first: it includes this file once per instruction set
+#include "spatial/detail/spatial_log-inl.hpp"
 #include "spatial/detail/spatial_step-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
