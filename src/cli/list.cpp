@@ -42,6 +42,7 @@ struct ListOptions {
     std::string what;
     std::vector<std::string> named;  // tables of keys, or files of columns
     bool json = false, schema = false, markdown = false;
+    Unverified unverified;
 };
 
 // The tables that stand at `path` and within, or all.
@@ -87,8 +88,9 @@ int list_columns(ListOptions const& options) {
              "--json and --schema (columns are told as text or --markdown). Leave them out");
     std::vector<ListedGroup> groups;
     for (auto const& path : options.named) {
-        // Of meanings alone: nothing is lost where a file was edited.
-        add_groups(store::ResultsReader(path, store::Trust::unverified), groups);
+        store::ResultsReader const file(path, options.unverified.trust());
+        (void)options.unverified.warn_if_edited(file, path);
+        add_groups(file, groups);
     }
     fmt::print("{}", options.markdown ? columns_markdown(groups) : columns_text(groups));
     return done;
@@ -98,11 +100,12 @@ int list(ListOptions const& options) {
     validate(
         options.what.empty() || options.what == "assumptions" || options.what == "keys" || options.what == "columns",
         "list '{}' (unknown). Say assumptions, keys, columns FILE.h5, or nothing: everything else", options.what);
-    if (options.what == "keys") {
-        return list_keys(options);
-    }
     if (options.what == "columns") {
         return list_columns(options);
+    }
+    validate(!options.unverified.wished, "--unverified (of columns of files alone). Leave it out");
+    if (options.what == "keys") {
+        return list_keys(options);
     }
     validate(options.named.empty(), "'{}' (one argument too many). See overturn list --help",
              options.named.empty() ? "" : options.named.front());
@@ -161,6 +164,7 @@ void add_list(CommandLine& line) {
     verb.takes("--json", options->json, "keys or assumptions as JSON");
     verb.takes("--schema", options->schema, "keys as a JSON schema, for editors of TOML");
     verb.takes("--markdown", options->markdown, "keys or columns as a page");
+    options->unverified.offered_by(verb);
     verb.does([options] { return list(*options); });
 }
 

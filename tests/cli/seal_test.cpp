@@ -77,6 +77,11 @@ TEST_F(SealedFile, EveryReaderLooks) {
     EXPECT_FALSE(folder.has("page.html"));
     expect_refused({"replay", "c.h5", "--trial", "3"}, why);
     expect_refused({"merge", "c.h5"}, why);
+    expect_refused({"list", "columns", "c.h5"}, why);
+    auto const listed = overturn(folder, {"list", "columns", "c.h5", "--unverified"});
+    EXPECT_EQ(listed.code, 0) << listed.err;
+    EXPECT_NE(listed.err.find("c.h5: NOT as it was written"), std::string::npos) << listed.err;
+    EXPECT_EQ(overturn(folder, {"list", "keys", "--unverified"}).code, 2);
     expect_refused({"run", "c.toml", "--resume"}, why);
     EXPECT_EQ(overturn(folder, {"status", "c.h5", "--unverified"}).code, 0);
     EXPECT_EQ(overturn(folder, {"fit", "c.h5", "--unverified", "--json"}).code, 0);
@@ -129,7 +134,9 @@ TEST_F(SealedFile, FlippedBitsAreNoticed) {
         auto changed = sound;
         changed[bit / 8] = static_cast<char>(changed[bit / 8] ^ (1 << bit % 8));
         folder.write("c.h5", changed);
-        expect_refused({i % 2 == 0 ? "status" : "fit", "c.h5"}, "c.h5: ");
+        std::vector<std::vector<std::string>> const readers{
+            {"status", "c.h5"}, {"fit", "c.h5"}, {"list", "columns", "c.h5"}};
+        expect_refused(readers[static_cast<std::size_t>(i) % readers.size()], "c.h5: ");
     }
 }
 
