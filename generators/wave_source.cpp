@@ -53,7 +53,7 @@ std::span<config::Entry<WaveSourceKind> const> wave_sources() {
         config::Entry<WaveSourceKind>{
             "harmonic", "sinusoids, one wave for each frequency of a sweep", {&make_harmonic, &harmonic_table}},
         config::Entry<WaveSourceKind>{
-            "pulse", "single pulses: one-sine, half-sine, ricker, rectangle", {&make_pulse, &pulse_table}},
+            "pulse", "single pulses of a stated shape and period", {&make_pulse, &pulse_table}},
         config::Entry<WaveSourceKind>{"records", "measured waves from files", {&make_records, &records_table}},
     };
     return entries;
