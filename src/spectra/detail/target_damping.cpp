@@ -40,11 +40,11 @@ std::optional<double> damping_in(std::string_view lower) {
     }
     lower = plain;
     // "5 % damped", "2 % of critical": the number right before; "10 % in 50 years, damping 5 %" is none.
-    constexpr std::size_t fillings = 16;
+    constexpr std::size_t farthest = 16;
     for (Text const word : {"damp", "of critical"}) {
         auto const at = lower.find(word);
         auto const percent = at == Text::npos ? Text::npos : lower.rfind('%', at);
-        if (percent == Text::npos || at - percent > fillings
+        if (percent == Text::npos || at - percent > farthest
             || lower.substr(percent, at - percent).find_first_of(",;:0123456789") != Text::npos
             || has_any(lower.substr(percent, at - percent), {" in ", "year", "yr", " and "})) {
             continue;
