@@ -32,10 +32,11 @@ void add_parts(std::vector<std::string>& notes, BodyFrequency const& f, HazardCu
                         b.below_most, hazard_text(hazard, f.lowest)));
     }
     if (b.weaker_most > much * f.interval.upper) {
-        notes.push_back(fmt::format(
-            "the upper end counts motions below {}, where the hazard curve begins, by its first slope: {:.3g} by the "
-            "fitted curve. State the hazard curve from lower on",
-            hazard_text(hazard, hazard.first()), b.weaker_most));
+        notes.push_back(
+            fmt::format("the upper end counts motions below {}, where the hazard curve begins, by its steepest slope "
+                        "there: {:.3g} by the "
+                        "fitted curve. State the hazard curve from lower on",
+                        hazard_text(hazard, hazard.first()), b.weaker_most));
     }
 }
 
@@ -83,7 +84,7 @@ void add_seen(std::vector<std::string>& notes, BodyFrequency const& f, HazardCur
     if (!f.mean && f.seen_below_curve > much * f.seen.upper) {
         notes.push_back(fmt::format(
             "{:.2g} of the upper end is motions below {}, where the hazard curve begins, by its "
-            "first slope{}. State the hazard curve from lower on",
+            "steepest slope there{}. State the hazard curve from lower on",
             f.seen_below_curve, hazard_text(hazard, hazard.first()), f.nothing_below > 0 ? "" : " up to one a year"));
     } else if (!f.mean && f.nothing_below < hazard.first()) {
         notes.push_back(fmt::format("motions below {}, where the hazard curve begins, are not counted",

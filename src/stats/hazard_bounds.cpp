@@ -16,6 +16,21 @@ double slope_between(HazardPoint const& a, HazardPoint const& b) {
     return std::log(a.annual_exceedance / b.annual_exceedance) / std::log(b.intensity / a.intensity);
 }
 
+// A slope that the hazard of motions weaker than the first point does not exceed. Hazard curves grow steeper with
+// intensity, so the steepest piece that begins within a factor of 2 bounds it, also where the first one is flat or
+// short. A curve that ends within that factor tells none: then motions twice as strong are taken as ten times as
+// seldom.
+double weak_slope(HazardCurve const& hazard) {
+    constexpr double near = 2;
+    auto const& points = hazard.points();
+    double const far = near * points[0].intensity;
+    double k = points.back().intensity < far ? 1 / std::log10(near) : 0;
+    for (std::size_t i = 1; i < points.size() && points[i - 1].intensity < far; ++i) {
+        k = std::max(k, slope_between(points[i - 1], points[i]));
+    }
+    return k;
+}
+
 // Of a power law of slope k through a point: the normal integral that is left by parts, over all weaker motions or all
 // stronger ones (Cornell 1996 for both together). May be infinite.
 enum class Side { weaker, stronger };
@@ -30,11 +45,10 @@ double moved(HazardPoint const& at, double k, LognormalFragility const& fragilit
            * (side == Side::weaker ? gsl_cdf_ugaussian_P(z) : gsl_cdf_ugaussian_Q(z));
 }
 
-// Motions weaker than the first point and above `from`, the hazard continued at its first slope.
-double weaker(HazardCurve const& hazard, LognormalFragility const& fragility, double from) {
+// Motions weaker than the first point and above `from`, the hazard continued at slope k.
+double weaker(HazardCurve const& hazard, LognormalFragility const& fragility, double from, double k) {
     auto const& [median, beta] = fragility;
     auto const& first = hazard.points()[0];
-    double const k = slope_between(first, hazard.points()[1]);
     if (!std::isfinite(median) || !(first.intensity > from) || k == 0) {
         return 0;
     }
@@ -81,13 +95,13 @@ FrequencyBounds frequency_bounds(HazardCurve const& hazard, LognormalFragility c
     double const start = std::max(hazard.first(), std::min(tried.nothing_below, bottom));
     bounds.below_most =
         fragility.probability(bottom) * (hazard.annual_exceedance(start) - hazard.annual_exceedance(bottom));
-    bounds.weaker_most = weaker(hazard, fragility, tried.nothing_below);
+    bounds.weaker_most = weaker(hazard, fragility, tried.nothing_below, weak_slope(hazard));
     return bounds;
 }
 
 HazardCurve from_lower_on(HazardCurve const& hazard, TriedRange const& tried, bool always) {
     auto const& first = hazard.points()[0];
-    double const k = slope_between(first, hazard.points()[1]);
+    double const k = weak_slope(hazard);
     constexpr double weak = 1e-3;
     double from = tried.nothing_below;
     if (from == 0 && (always || tried.lowest < first.intensity)) {
@@ -103,7 +117,9 @@ HazardCurve from_lower_on(HazardCurve const& hazard, TriedRange const& tried, bo
 }
 
 double continued_frequency(HazardCurve const& hazard, LognormalFragility const& fragility) {
-    return weaker(hazard, fragility, 0) + annual_frequency(hazard, fragility).annual + stronger(hazard, fragility);
+    double const first_slope = slope_between(hazard.points()[0], hazard.points()[1]);
+    return weaker(hazard, fragility, 0, first_slope) + annual_frequency(hazard, fragility).annual
+           + stronger(hazard, fragility);
 }
 
 std::optional<WidePiece> widest_piece(HazardCurve const& hazard, LognormalFragility const& fragility) {

@@ -22,8 +22,8 @@ struct FrequencyBounds {
     double top = 0;  ///< the intensity from which on `above` counts
     /// Below the lowest level, on the hazard curve: never, or as often as at the lowest level.
     double below_most = 0;
-    /// Weaker than the hazard curve's first point: by the curve, with the hazard continued at its first slope. Hazard
-    /// curves flatten towards weak motions, so that there are fewer.
+    /// Weaker than the hazard curve's first point: by the curve, with the hazard continued at its steepest slope there.
+    /// Hazard curves flatten towards weak motions, so that there are fewer.
     double weaker_most = 0;
 
     [[nodiscard]] double least() const { return within + above_least; }
@@ -34,9 +34,9 @@ struct FrequencyBounds {
 [[nodiscard]] FrequencyBounds frequency_bounds(HazardCurve const& hazard, LognormalFragility const& fragility,
                                                TriedRange const& tried);
 
-/// The hazard curve continued at its first slope towards weaker motions: down to `nothing_below` where that is known,
-/// else, where it begins above `lowest` or `always`, down to the motion that is exceeded once a year, or to `lowest` if
-/// that is weaker. As it is where there is nothing to add.
+/// The hazard curve continued at its steepest slope there towards weaker motions: down to `nothing_below` where that is
+/// known, else, where it begins above `lowest` or `always`, down to the motion that is exceeded once a year, or to
+/// `lowest` if that is weaker. As it is where there is nothing to add.
 [[nodiscard]] HazardCurve from_lower_on(HazardCurve const& hazard, TriedRange const& tried, bool always = false);
 
 /// The integral with the hazard curve continued beyond both ends at the slopes it has there: an estimate [1/a].

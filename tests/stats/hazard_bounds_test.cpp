@@ -100,8 +100,8 @@ TEST(FrequencyBounds, AStraightLineThatDecidesIsNumbered) {
     EXPECT_FALSE(widest_piece(fine, fragility).has_value());
 }
 
-// Towards weaker motions a hazard curve goes on at its first slope: down to where nothing moves, or, where it begins
-// amid the levels, down to one motion a year, or to the lowest level.
+// Towards weaker motions a hazard curve goes on at its steepest slope within a factor of 2: down to where nothing
+// moves, or, where it begins amid the levels, down to one motion a year, or to the lowest level.
 TEST(FrequencyBounds, AHazardThatBeginsAmidTheLevelsGoesOn) {
     EXPECT_EQ(from_lower_on(of_two, {1, 3, 0}).points().size(), 2U);  // it begins below the levels
     auto const yearly = from_lower_on(of_two, {0.4, 3, 0});
@@ -116,6 +116,29 @@ TEST(FrequencyBounds, AHazardThatBeginsAmidTheLevelsGoesOn) {
     EXPECT_EQ(from_lower_on(of_two, {0.4, 3, 0.6}).points().size(), 2U);
     HazardCurve const flat({{0.1, 8e-3}, {0.5, 8e-3}, {4, 8e-3 / 512}});
     EXPECT_NEAR(from_lower_on(flat, {0.05, 1, 0}).points().front().annual_exceedance, 8e-3, 1e-15);
+}
+
+// A first piece that is flat, short or too gentle does not make what begins amid the levels rarer than the whole
+// curve.
+TEST(FrequencyBounds, AFlatOrShortStartBoundsTheWholeCurve) {
+    std::vector<HazardPoint> const from_600{{6, 1e-4}, {10, 2e-5}, {20, 1.3e-6}};
+    auto with = [&](std::vector<HazardPoint> first) {
+        first.insert(first.end(), from_600.begin() + 1, from_600.end());
+        return HazardCurve(std::move(first));
+    };
+    HazardCurve const whole = with({{1, 2e-2}, {3, 8e-4}, {6, 1e-4}});
+    TriedRange const tried{2, 13, 0};
+    for (double const median : {6.0, 9.0, 12.0}) {
+        LognormalFragility const fragility{median, 0.4};
+        double const truth = frequency_bounds(whole, fragility, tried).within;
+        for (auto const& start :
+             {std::vector<HazardPoint>{{6, 1e-4}, {6.005, 1e-4}}, {{6, 1e-4}, {6.2, 0.99e-4}}, {{6, 1e-4}}}) {
+            EXPECT_GT(frequency_bounds(with(start), fragility, tried).most(), truth) << median;
+        }
+        HazardCurve const two({{6, 1e-4}, {6.001, 0.9999e-4}});
+        EXPECT_GT(frequency_bounds(two, fragility, tried).most(), truth) << median;
+        EXPECT_GT(from_lower_on(two, tried).points().front().annual_exceedance, whole.annual_exceedance(2));
+    }
 }
 
 }  // namespace
