@@ -105,6 +105,14 @@ double highest_of_basis(CampaignSpec const& spec) {
     return basis == levels.end() ? nothing : levels.back().value / basis->value;
 }
 
+double level_part_s(CampaignSpec const& spec) {
+    double const rise = stated_number(spec, "waves.envelope.rise");
+    return stated_number(spec, "waves.envelope.level_end") - (std::isnan(rise) ? 0 : rise);
+}
+
+std::string level_part_said(CampaignSpec const& /*spec*/, double seconds) {
+    return fmt::format("waves.envelope is level for {:.3g} s", seconds);
+}
 std::string target_said(CampaignSpec const& spec, double share) {
     return fmt::format("waves.vertical.target is {}, {:.3g} times the horizontal one",
                        word_of(spec, "waves.vertical.target.spectrum"), share);
@@ -132,6 +140,8 @@ constexpr std::array campaign_ranges{
                "Name the horizontal spectrum"},
     OfCampaign{&longest_of_compared, 0, 1 + close, &longest_said, "the target ends before it: nothing there is matched",
                "Leave it out"},
+    OfCampaign{&level_part_s, 0.5, 600, &level_part_said, "strong shaking lasts 5 s to minutes",
+               "Check rise, level_end and their units"},
     OfCampaign{&highest_of_basis, 0, 15, &highest_said, "usual: up to 3, in studies 10", "Check the units of both"}};
 
 }  // namespace

@@ -119,6 +119,11 @@ TEST(Plausible, KeysOutsideOfWhatIsUsualGetALine) {
                 "waves.transverse.correlation 0.9");
     expect_told(of_campaign(testing::quick_waves, "values=[3]\n", "[statistics]\ntarget_half_width=0.45\n"),
                 "statistics.target_half_width 0.45");
+    expect_told(
+        of_campaign("[waves]\nsource='spectrum-compatible'\ncount=1\nduration='30 s'\nmatch='none'\n[waves.target]\n"
+                    "spectrum='mlit-ch1'\n[waves.envelope]\nshape='jennings'\nrise='0.04 s'\n"
+                    "level_end='0.16 s'\nend='0.28 s'\n"),
+        "waves.envelope is level for 0.12 s (strong shaking lasts 5 s to minutes)");
     for (auto const& line : of_campaign(testing::quick_waves + "[waves.vertical]\nratio=0.667\n", "values=[3]\n",
                                         "[statistics]\nconfidence=0.9\n[measures]\nslid_from='2 mm'\n")) {
         EXPECT_EQ(line.find("Check it"), std::string::npos) << line;
