@@ -93,9 +93,32 @@ void print_so_far(CampaignSpec const& spec, Plan const& plan, store::ShardFolder
     fmt::print("{}{}", missed_clauses_text(missed), failed.text());
 }
 
+// A file of before stays until what extends it takes its place.
+int status_of_extension(std::string const& path) {
+    store::ShardFolder const unnamed(path, "");
+    auto const record = unnamed.exists() ? unnamed.begun_with() : std::string();
+    if (record.empty()) {
+        return done;
+    }
+    auto const larger = CampaignInput::deserialise(record);
+    if (larger.serialise() == input_of(store::ResultsReader(path, store::Trust::unverified)).serialise()) {
+        return done;
+    }
+    Plan const plan(parse_campaign(larger));
+    store::ShardFolder const shards(path, larger.block_key());
+    auto const committed = sound_blocks(shards, plan, {0, plan.blocks()});
+    fmt::print("an extension to {} waves is not complete: {} blocks are done beside what this file holds{}\n",
+               plan.count(), committed.size(),
+               store::Claim::held(shards.folder())
+                   ? "; a run is under way"
+                   : fmt::format(". Go on with: {}", resume_command(larger, path, "--extend")));
+    return resumable;
+}
+
 int status(std::string const& path, Unverified const& unverified) {
     if (std::filesystem::exists(path)) {
-        return status_of_file(path, unverified);
+        int const whole = status_of_file(path, unverified);
+        return whole == done ? status_of_extension(path) : whole;
     }
     store::ShardFolder const unnamed(path, "");
     require_begun(unnamed, path);

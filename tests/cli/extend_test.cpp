@@ -105,11 +105,17 @@ TEST_F(Extend, AKillLosesNothing) {
     running.signal(SIGKILL);
     EXPECT_EQ(running.wait().code, 128 + SIGKILL);
     EXPECT_TRUE(folder.read("c.h5") == before);
+    auto const status = overturn(folder, {"status", "c.h5"});
+    EXPECT_EQ(status.code, 3);
+    EXPECT_TRUE(status.out.starts_with("c.h5: complete, ")) << status.out;
+    EXPECT_NE(status.out.find("\nan extension to 120 waves is not complete: "), std::string::npos) << status.out;
+    EXPECT_NE(status.out.find("-o c.h5 --extend"), std::string::npos) << status.out;
     auto const early = overturn(folder, {"run", "c.toml", "--extend", "--max-walltime", "0.05 s"});
     EXPECT_EQ(early.code, 3);
     EXPECT_NE(early.err.find("-o c.h5 --extend"), std::string::npos) << early.err;
     auto const ended = extend(3);
     ASSERT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(overturn(folder, {"status", "c.h5"}).code, 0);
     expect_as_at_once();
 }
 
