@@ -1,8 +1,5 @@
 #include "campaign/campaign_input.hpp"
 
-#include <fstream>
-#include <iterator>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -10,6 +7,7 @@
 #include "campaign/detail/unsound.hpp"
 #include "campaign/withdrawn_keys.hpp"
 #include "config/stated_values.hpp"
+#include "core/regular_file.hpp"
 #include "store/sha256.hpp"
 
 namespace overturn {
@@ -150,11 +148,10 @@ std::vector<std::string> CampaignInput::differences_of_rows(CampaignInput const&
 }
 
 CampaignInput load_campaign(std::filesystem::path const& path, std::span<std::string const> settings) {
-    std::ifstream file(path, std::ios::binary);
-    validate(static_cast<bool>(file) && !std::filesystem::is_directory(path),
-             "{}: cannot be read (no such file, or no right to). Check the name", path.string());
-    CampaignInput input{
-        path.string(), std::string(std::istreambuf_iterator<char>(file), {}), {settings.begin(), settings.end()}, {}};
+    CampaignInput input{path.string(),
+                        read_regular_file(path, path.string() + ": cannot be read"),
+                        {settings.begin(), settings.end()},
+                        {}};
     validate(!input.text.starts_with("\x89HDF"),
              "{}: a results file (a campaign is a TOML file). Name the campaign, or ask fit, report, status or replay",
              path.string());

@@ -59,7 +59,8 @@ void check_restitution(std::string const& text) {
 
 void check_target(std::string const& text) {
     auto const published = config::names_of(named_targets());
-    validate(std::ranges::find(published, text) != published.end() || std::filesystem::is_regular_file(text),
+    std::error_code error;
+    validate(std::ranges::find(published, text) != published.end() || std::filesystem::exists(text, error),
              "'{}' (neither published, nor a file). {}", text, config::suggestion(text, published));
     validate(text != "rg-1.60-vertical", "'{}' (of the vertical component). State rg-1.60, which brings it along",
              text);

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 
 #include "core/error.hpp"
+#include "core/regular_file.hpp"
 
 namespace overturn {
 
@@ -15,14 +15,9 @@ std::string const& InputFiles::read(std::string const& name) {
     validate(!from_memory_, "file '{}' (not among the stored ones). Give the campaign's folder instead", name);
     auto const path = folder_ / name;
     std::error_code error;
-    validate(name.empty() || !std::filesystem::is_directory(path, error), "file '{}' (a folder). Name one file in it",
-             name);
-    validate(!name.empty() && std::filesystem::is_regular_file(path, error),
-             "file '{}' (no such file in '{}'). Check the name", name, folder_.string());
-    std::ifstream stream(path, std::ios::binary);
-    std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-    validate(stream.good() || stream.eof(), "file '{}' (cannot be read). Check its permissions", path.string());
-    validate(!stream.bad(), "file '{}' (reading it failed). Check the disk", path.string());
+    validate(!name.empty() && std::filesystem::exists(path, error), "file '{}' (no such file in '{}'). Check the name",
+             name, folder_.string());
+    auto bytes = read_regular_file(path, "file '" + name + "'");
     return contents_.emplace(name, std::move(bytes)).first->second;
 }
 

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "core/error.hpp"
+#include "core/regular_file.hpp"
 #include "store/detail/apart.hpp"
 #include "store/detail/objects.hpp"
 #include "store/detail/opened_file.hpp"
@@ -62,9 +63,9 @@ ResultsReader::ResultsReader(std::filesystem::path const& path, Trust trust, std
              "overturn run --resume",
              path.string(), parts, path.string());
     validate(std::filesystem::exists(path), "{}: no such file (nothing to read). Check the name", path.string());
-    validate(std::filesystem::is_regular_file(path),
-             "{}: not an HDF5 file (nor any file: a folder or a pipe). Give a results file of overturn run",
-             path.string());
+    auto const no_file = what_is_no_file(path);
+    validate(no_file.empty(), "{}: not an HDF5 file (nor any file: {}). Give a results file of overturn run",
+             path.string(), no_file);
     require_readable(path);
     if (auto const seal = trust == Trust::sealed ? seal_of(path) : Seal::intact; seal != Seal::intact) {
         refuse(seal, format);
