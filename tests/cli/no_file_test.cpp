@@ -7,6 +7,7 @@
 #include <sys/un.h>
 
 #include "cli/campaign_files.hpp"
+#include "cli/python.hpp"
 #include "support/command.hpp"
 
 namespace overturn::testing {
@@ -143,6 +144,18 @@ TEST_F(NoFile, AsResults) {
             {"report", "c.h5", "-o", "page.html", "--outcomes", "THING"}},
            no_files);
     EXPECT_FALSE(folder.has("page.html"));
+}
+
+// R-1009.
+TEST_F(NoFile, AsResultsInPython) {
+    if (!has_python(folder, "h5py")) {
+        GTEST_SKIP() << "no h5py to read with (install python3-h5py)";
+    }
+    for (std::string const name : {"/dev/zero", "/dev/null", "pipe", "socket", "folder"}) {
+        auto const opened = open_in_python(folder, name);
+        EXPECT_EQ(opened.code, 2) << name << opened.err;
+        EXPECT_NE(opened.out.find(name + ": no results file (nor any file: "), std::string::npos) << opened.out;
+    }
 }
 
 }  // namespace

@@ -18,4 +18,12 @@ namespace overturn::testing {
                    {OVERTURN_PYTHON, "-c", "import h5py\nwith h5py.File('" + file + "', 'r+') as f: " + statement});
 }
 
+/// What the package says of a file that it refuses, and then 2; 0 where it opens it.
+[[nodiscard]] inline Ended open_in_python(Folder const& folder, std::string const& file) {
+    return execute(
+        folder, {"timeout", "60", OVERTURN_PYTHON, "-B", "-c",
+                 "import sys\nsys.path.insert(0, '" OVERTURN_PACKAGE "')\nimport overturn\ntry: overturn.open('" + file
+                     + "')\nexcept overturn.Error as error: print(error); sys.exit(2)"});
+}
+
 }  // namespace overturn::testing

@@ -25,6 +25,16 @@ class SealedFile : public ::testing::Test {
         EXPECT_NE(told.err.find(why), std::string::npos) << arguments[0] << why << told.err;
     }
 
+    /// As a person does who knows how a file is sealed.
+    void seal_anew() const {
+        folder.write(
+            "seal.py",
+            "import hashlib\nbody = open('c.h5', 'rb').read().split(b'\\noverturn-seal sha256 ')[0]\n"
+            "line = f'\\noverturn-seal sha256 {hashlib.sha256(body).hexdigest()} of {len(body):020} bytes\\n'\n"
+            "open('c.h5', 'wb').write(body + line.encode())\n");
+        ASSERT_EQ(execute(folder, {OVERTURN_PYTHON, "seal.py"}).code, 0);
+    }
+
     Folder folder;
     std::string sound;
 };
@@ -96,11 +106,7 @@ TEST_F(SealedFile, ASealMadeAnewDoesNotHide) {
         GTEST_SKIP() << "no h5py to write with (install python3-h5py)";
     }
     ASSERT_EQ(edit_results(folder, "c.h5", "f['trials/v_wes'][...] = f['trials/v_wes'][...] * 1.1").code, 0);
-    folder.write("seal.py",
-                 "import hashlib\nbody = open('c.h5', 'rb').read().split(b'\\noverturn-seal sha256 ')[0]\n"
-                 "line = f'\\noverturn-seal sha256 {hashlib.sha256(body).hexdigest()} of {len(body):020} bytes\\n'\n"
-                 "open('c.h5', 'wb').write(body + line.encode())\n");
-    ASSERT_EQ(execute(folder, {OVERTURN_PYTHON, "seal.py"}).code, 0);
+    seal_anew();
     for (std::string const verb : {"status", "fit"}) {
         expect_refused({verb, "c.h5"}, "/trials/v_wes changed");
     }
@@ -115,6 +121,52 @@ TEST_F(SealedFile, ASealMadeAnewDoesNotHide) {
     EXPECT_EQ(fine.err, "");
     EXPECT_NE(fine.out.find("\"unverified\": false"), std::string::npos);
     EXPECT_TRUE(overturn(folder, {"status", "c.h5", "--unverified"}).out.starts_with("c.h5: complete, "));
+}
+
+// Each value is one that the program wrote, but not there; or lies where the file does not prove it.
+constexpr Edit exchanges[] = {
+    {"t = f['trials']; t.move('v_resp', 'x'); t.move('peak_rotation', 'v_resp'); t.move('x', 'peak_rotation')",
+     "/trials/peak_rotation changed, /trials/v_resp changed"},
+    {"a, b = f['trials/v_resp'], f['trials/v_wes']; v = a[...]; a[...] = b[...]; b[...] = v",
+     "/trials/v_resp changed, /trials/v_wes changed"},
+    {"s = f['stripes']; s.move('type-a', 'x'); s.move('type-b', 'type-a'); s.move('x', 'type-b')", "/stripes/type-a"},
+    {"del f['trials/v_wes']; f['trials/v_wes'] = f['trials/v_resp']", "/trials/v_wes changed"},
+    {"del f['trials/v_wes']; f['trials/v_wes'] = h5py.SoftLink('/trials/v_resp')",
+     "/trials/v_wes is a link to elsewhere"},
+    {"del f['trials/v_wes']; f['trials/v_wes'] = h5py.ExternalLink('other.h5', '/trials/v_wes')",
+     "/trials/v_wes is a link to elsewhere"},
+    {"del f['stripes/type-b']; f['stripes/type-b'] = f['stripes/type-a']", "is reached by two names"},
+    {"del f['stripes/type-b']; f['stripes/type-b'] = h5py.SoftLink('/stripes/type-a')",
+     "/stripes/type-b is a link to elsewhere"},
+};
+
+TEST_F(SealedFile, ExchangedColumnsAndLinksAreRefused) {
+    if (!has_python(folder, "h5py")) {
+        GTEST_SKIP() << "no h5py to write with (install python3-h5py)";
+    }
+    folder.write("other.h5", sound);
+    for (auto const& [statement, named] : exchanges) {
+        for (bool const with_seal : {false, true}) {
+            folder.write("c.h5", sound);
+            ASSERT_EQ(edit_results(folder, "c.h5", statement).code, 0) << statement;
+            if (with_seal) {
+                seal_anew();
+            }
+            SCOPED_TRACE(std::string(statement) + (with_seal ? ", sealed anew" : ""));
+            expect_refused({"fit", "c.h5"}, named);
+            expect_refused({"report", "c.h5", "-o", "page.html"}, named);
+            expect_refused({"verify", "c.h5"}, named);
+            expect_refused({"status", "c.h5"}, named);
+            expect_refused({"export", "c.h5", "-o", "tables"}, named);
+            expect_refused({"list", "columns", "c.h5"}, named);
+            auto const opened = open_in_python(folder, "c.h5");
+            EXPECT_EQ(opened.code, 2) << opened.err;
+            EXPECT_TRUE(opened.out.starts_with("c.h5: ")) << opened.out;
+            EXPECT_TRUE(!with_seal || opened.out.find(named) != std::string::npos) << opened.out;
+        }
+    }
+    EXPECT_FALSE(folder.has("page.html"));
+    EXPECT_FALSE(folder.has("tables"));
 }
 
 TEST_F(SealedFile, ItsPageSaysThatItWasEdited) {

@@ -1,10 +1,12 @@
 """A results file, column by column: the one reader of it, for users, figures and pages alike."""
 
 import hashlib
+import os
 import re
 import warnings
 from collections.abc import Mapping
 
+from .digests import faults_of, objects_of
 from .errors import Error, require
 
 require("numpy", "h5py", what="results files are read with it")
@@ -160,12 +162,25 @@ class Results:
             if not unverified:
                 check_seal(path)
             self.file = h5py.File(path, "r")
+            self._check_objects(unverified)
         except FileNotFoundError:
             raise Error(f"{name_of(path)}: not there. Is the run complete? overturn status says so") from None
         except OSError as error:
             raise Error(f"{name_of(path)}: cannot be read ({error}). Is it a results file?") from None
         self.about = {key: plain(value) for key, value in self.file.attrs.items()}
         self._check_format()
+
+    def _check_objects(self, unverified):
+        try:
+            objects = objects_of(self.file)
+            faults = "" if unverified else faults_of(self.file, objects)
+        except Error as error:
+            self.file.close()
+            raise Error(f"{name_of(self.path)}: {error}") from None
+        if faults:
+            self.file.close()
+            raise Error(f"{name_of(self.path)}: not as it was written ({faults}). Restore it or run the campaign again; "
+                        "overturn.open(..., unverified=True) reads it as it is")
 
     def _check_format(self):
         version = self.about.get("format_version", 0)
@@ -252,6 +267,9 @@ def name_of(path):
 
 def check_seal(path):
     """Raises Error unless every byte is as the program wrote it."""
+    if os.path.exists(path) and not os.path.isfile(path):
+        raise Error(f"{name_of(path)}: no results file (nor any file: a folder, pipe or device). Name one that "
+                    "`overturn run` wrote")
     with open(path, "rb") as file:
         size = file.seek(0, 2)
         file.seek(max(0, size - SEAL_BYTES))
