@@ -211,6 +211,21 @@ TEST_F(InABrowser, ReportOfAGridIsSound) {
     EXPECT_EQ(faults_of_report(), "");
 }
 
+// R-1106: names and titles are text, whatever they hold; a script among them would speak on the console.
+TEST_F(InABrowser, WordsOfTheCampaignAreNoScript) {
+    std::string const script =
+        "</title></pre></svg><script>console.error(1)</script><img src=x onerror=console.error(2)>";
+    auto campaign = quick_campaign();
+    auto const put = [&](std::string const& from, std::string const& to) {
+        ASSERT_NE(campaign.find(from), std::string::npos) << from;
+        campaign.replace(campaign.find(from), from.size(), to);
+    };
+    put("title='quick'", "title='" + script + "\u202E\"&amp;" + std::string(10'000, 'w') + "'");
+    put("name='block'", "name='" + script.substr(script.find("<img")) + "'");
+    run(campaign, {"--set", "waves.count=8"});
+    EXPECT_EQ(faults_of_report(), "");
+}
+
 TEST_F(InABrowser, CostPageIsSound) {
     folder.write("target.csv", target_csv);
     folder.write("c.toml", small_campaign("shared", 4));

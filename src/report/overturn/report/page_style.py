@@ -4,7 +4,7 @@ CSS = """
 :root { color-scheme: light; }
 body { font: 15px/1.5 system-ui, "DejaVu Sans", sans-serif; color: #1a1a1a; background: #fff; margin: 0 auto;
        max-width: 62rem; padding: 1.5rem 1.5rem 4rem; }
-h1 { font-size: 1.6rem; line-height: 1.25; margin: 0 0 .6rem; }
+h1 { overflow-wrap: anywhere; font-size: 1.6rem; line-height: 1.25; margin: 0 0 .6rem; }
 h2 { font-size: 1.2rem; margin: 0 0 .6rem; } h3 { font-size: 1rem; margin: 1.2rem 0 .3rem; }
 p { margin: .3rem 0; } ul { margin: .1rem 0 .6rem; padding-left: 1.2rem; }
 .answer { border-left: 4px solid #d55e00; background: #fdf3ec; padding: .6rem 1rem; margin: 0 0 .8rem; font-size: 1.05rem; }
