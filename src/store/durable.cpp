@@ -14,11 +14,8 @@
 #include "core/error.hpp"
 
 namespace overturn::store {
-namespace {
 
-constexpr ::mode_t open_mode = 0666;  // less what the umask takes
-
-char const* advice_on(int reason) {
+char const* advice_on_disk(int reason) {
     switch (reason) {
         case ENOSPC:
         case EDQUOT:
@@ -37,10 +34,14 @@ char const* advice_on(int reason) {
     }
 }
 
+namespace {
+
+constexpr ::mode_t open_mode = 0666;  // less what the umask takes
+
 [[noreturn]] void fail(char const* what, std::filesystem::path const& path) {
     int const reason = errno;
     throw SystemError(
-        fmt::format("cannot {} {} ({}). {}", what, path.string(), std::strerror(reason), advice_on(reason)));
+        fmt::format("cannot {} {} ({}). {}", what, path.string(), std::strerror(reason), advice_on_disk(reason)));
 }
 
 class Descriptor {

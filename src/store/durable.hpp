@@ -7,6 +7,9 @@
 
 namespace overturn::store {
 
+/// What to do about a disk that gave an error while results were written. \param reason errno
+[[nodiscard]] char const* advice_on_disk(int reason);
+
 /// Forces a written file to disk. \throws SystemError
 void make_durable(std::filesystem::path const& path);
 

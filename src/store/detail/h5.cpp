@@ -1,10 +1,13 @@
 #include "store/detail/h5.hpp"
 
 #include <algorithm>
+#include <cstdlib>
+#include <cstring>
 
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "store/durable.hpp"
 
 namespace overturn::store {
 namespace {
@@ -14,6 +17,25 @@ herr_t innermost(unsigned depth, H5E_error2_t const* error, void* reason) {
         *static_cast<std::string*>(reason) = error->desc;
     }
     return 0;
+}
+
+// HDF5 tells a system's error among addresses and offsets ("..., filename = 'out.h5', ..., errno = 5, ..."): of these
+// what a person can act on. Empty where no system call failed.
+std::string error_of_system(std::string const& what, std::string const& reason) {
+    constexpr std::string_view number_mark = "errno = ";
+    constexpr std::string_view name_mark = "filename = '";
+    auto const at = reason.find(number_mark);
+    int const number = at == std::string::npos ? 0 : std::atoi(reason.c_str() + at + number_mark.size());
+    if (number <= 0) {
+        return {};
+    }
+    auto const name = reason.find(name_mark);
+    auto const end = name == std::string::npos ? name : reason.find("', ", name);
+    auto const place = end == std::string::npos
+                           ? std::string()
+                           : " in " + reason.substr(name + name_mark.size(), end - name - name_mark.size());
+    return fmt::format("HDF5: cannot {}{} ({}). {}", what, place, std::strerror(number),
+                       reason.starts_with("file read failed") ? "Check the disk and retry" : advice_on_disk(number));
 }
 
 Datatype fixed_text(std::size_t length) {
@@ -41,7 +63,8 @@ template <class Result> Result checked(Result result, std::string const& what) {
         std::string reason = "no reason given";
         H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, &innermost, &reason);
         std::replace(reason.begin(), reason.end(), '\n', ' ');  // a message is one line
-        throw SystemError(fmt::format("HDF5: cannot {} ({})", what, reason));
+        auto const told = error_of_system(what, reason);
+        throw SystemError(told.empty() ? fmt::format("HDF5: cannot {} ({})", what, reason) : told);
     }
     return result;
 }
