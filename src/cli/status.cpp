@@ -107,11 +107,14 @@ int status_of_extension(std::string const& path) {
     Plan const plan(parse_campaign(larger));
     store::ShardFolder const shards(path, larger.block_key());
     auto const committed = sound_blocks(shards, plan, {0, plan.blocks()});
-    fmt::print("an extension to {} waves is not complete: {} blocks are done beside what this file holds{}\n",
-               plan.count(), committed.size(),
-               store::Claim::held(shards.folder())
-                   ? "; a run is under way"
-                   : fmt::format(". Go on with: {}", resume_command(larger, path, "--extend")));
+    bool const under_way = store::Claim::held(shards.folder());
+    if (committed.empty() && !under_way) {  // begun and refused, or killed before its first block
+        return done;
+    }
+    fmt::print(
+        "an extension to {} waves is not complete: {} blocks are done beside what this file holds{}\n", plan.count(),
+        committed.size(),
+        under_way ? "; a run is under way" : fmt::format(". Go on with: {}", resume_command(larger, path, "--extend")));
     return resumable;
 }
 

@@ -57,24 +57,6 @@ TEST_F(Guard, ALogThatCannotBeWrittenHarmsNothing) {
     EXPECT_TRUE(folder.read("c.h5") == folder.read("full.h5"));
 }
 
-// R-1102: The campaign is a pipe that nobody has written to yet: the run is at reading it.
-TEST_F(Guard, ASignalBeforeTheCampaignIsReadLeavesResumably) {
-    ASSERT_EQ(::mkfifo((folder / "pipe.toml").c_str(), 0600), 0);
-    Running running(folder, {OVERTURN_PROGRAM, "run", "pipe.toml"});
-    int pipe = -1;
-    ASSERT_TRUE(
-        comes_true([&] { return (pipe = ::open((folder / "pipe.toml").c_str(), O_WRONLY | O_NONBLOCK)) >= 0; }));
-    running.signal(SIGUSR1);
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    auto const text = small_campaign();
-    ASSERT_EQ(::write(pipe, text.data(), text.size()), static_cast<ssize_t>(text.size()));
-    ::close(pipe);
-
-    auto const ended = running.wait();
-    EXPECT_EQ(ended.code, 3) << ended.err;
-    EXPECT_NE(ended.err.find("0 of 12 blocks"), std::string::npos) << ended.err;
-}
-
 TEST_F(Guard, ADamagedRecordGivesNoBlockAway) {
     half();
     auto damaged = record();
