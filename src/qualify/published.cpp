@@ -109,15 +109,29 @@ Check velocity_step() {
                     found.overturning() * at_once_s, expected, 2e-5, "the step takes 1e-5 s here");
 }
 
+/// The largest of one quantity, either way, before a time.
+class PeakUntil : public RockingObserver {
+  public:
+    PeakUntil(double RockingInstant::*quantity, double until_s) : quantity_(quantity), until_s_(until_s) {}
+    void at(RockingInstant const& instant) override {
+        peak = instant.time_s > until_s_ ? peak : std::max(peak, std::abs(instant.*quantity_));
+    }
+    double peak = 0;
+
+  private:
+    double RockingInstant::*quantity_;
+    double until_s_;
+};
+
 Check shenton() {
     RockingBlock block{.alpha_rad = std::atan(0.5), .p_radps = 2, .restitution = 0.5};
     std::vector<double> const pulse(11, block.gravity_mps2);
+    constexpr double dt = 1e-3;
     auto const slips = [&](double friction) {
         block.friction_static = block.friction_kinetic = friction;
-        return simulate_rocking(block, {.horizontal_mps2 = pulse, .time_step_s = 1e-3}, {}, {}, nullptr,
-                                Slip::simulated)
-                   .peak_slip_m
-               > 0;
+        PeakUntil seen(&RockingInstant::slip_m, dt * static_cast<double>(pulse.size() - 1));
+        (void)simulate_rocking(block, {.horizontal_mps2 = pulse, .time_step_s = dt}, {}, {}, &seen, Slip::simulated);
+        return seen.peak > 0;
     };
     double low = 0.5;
     double high = 0.7;
@@ -128,7 +142,8 @@ Check shenton() {
     }
     return relative("L-11", "friction from which a block of h/b = 2 rocks without slip under 1 g",
                     "Shenton (1996), 14/23", "1", high, 14.0 / 23, 1e-6,
-                    "his equation; slip is looked for over 10 ms, the initiation is at once");
+                    "his equation; slip is looked for over the 10 ms of the pulse, the initiation is at once; it may "
+                    "slip where it lands");
 }
 
 class SlipSeen : public RockingObserver {
@@ -178,18 +193,6 @@ Checks harmonic_slip() {
     return all;
 }
 
-class PeakUntil : public RockingObserver {
-  public:
-    explicit PeakUntil(double until_s) : until_s_(until_s) {}
-    void at(RockingInstant const& instant) override {
-        peak = instant.time_s > until_s_ ? peak : std::max(peak, std::abs(instant.rotation_rad));
-    }
-    double peak = 0;
-
-  private:
-    double until_s_;
-};
-
 struct Orbit {
     char const* number;
     double sigma, k, restitution, middle, largest;
@@ -213,7 +216,7 @@ Check steady_rocking(Orbit const& o) {
         wave[i] = o.k * block.gravity_mps2 * block.alpha_rad
                   * std::sin(2 * pi * static_cast<double>(i) / per_cycle + std::atan2(sine, cosine));
     }
-    PeakUntil seen(dt * static_cast<double>(wave.size() - 1));
+    PeakUntil seen(&RockingInstant::rotation_rad, dt * static_cast<double>(wave.size() - 1));
     (void)simulate_rocking(
         block, {.horizontal_mps2 = wave, .time_step_s = dt}, {.restoring = Restoring::linear},
         {.rotation_rad = o.middle * block.alpha_rad, .velocity_radps = rate * block.alpha_rad * block.p_radps}, &seen);
