@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <functional>
+#include <iterator>
 
 #include <fmt/ranges.h>
 
@@ -33,16 +35,24 @@ void integer(ResultsWriter& file, std::string const& group, Field const& spec, s
     file.array(group, spec, values);
 }
 
-void write_labels(ResultsWriter& file, std::string const& group, KnobResult const& result) {
-    Field column{"setting", "1", "position of the knob", FieldType::category, 0, {}};
+/// The names of a group's rows, as an enumeration. \param column without its categories
+void write_names(ResultsWriter& file, std::string const& group, Field column, std::vector<std::string> const& names) {
     std::vector<std::int64_t> numbers;
-    for (auto const& row : result.rows) {
+    for (auto const& name : names) {
+        column.categories.push_back({static_cast<std::int64_t>(numbers.size()), name});
         numbers.push_back(static_cast<std::int64_t>(numbers.size()));
-        column.categories.push_back({static_cast<std::int64_t>(column.categories.size()), row.setting.label});
-        file.attribute(group, "set " + row.setting.label, fmt::format("{}", fmt::join(row.setting.settings, "\n")));
     }
     auto const table = file.table({group, sizeof(std::int64_t), {column}}, static_cast<std::int64_t>(numbers.size()));
     file.append(table, std::as_bytes(std::span(numbers)));
+}
+
+void write_labels(ResultsWriter& file, std::string const& group, KnobResult const& result) {
+    std::vector<std::string> labels;
+    for (auto const& row : result.rows) {
+        labels.push_back(row.setting.label);
+        file.attribute(group, "set " + row.setting.label, fmt::format("{}", fmt::join(row.setting.settings, "\n")));
+    }
+    write_names(file, group, {"setting", "1", "position of the knob", FieldType::category, 0, {}}, labels);
 }
 
 void write_knob(ResultsWriter& file, KnobResult const& result) {
@@ -101,6 +111,30 @@ void write_waves(ResultsWriter& file, Study const& study) {
     file.attribute("cost", "sampling", study.balance.sampling);
 }
 
+void write_step_error(ResultsWriter& file, StepError const& error) {
+    std::string const group = "cost/step_error";
+    file.attribute(group, "trials", error.trials);
+    file.attribute(group, "step_flips", error.step_flips);
+    file.attribute(group, "rounding_flips", error.rounding_flips);
+    auto const& rows = error.quantities;
+    if (rows.empty()) {
+        return;
+    }
+    std::vector<std::string> names;
+    std::ranges::transform(rows, std::back_inserter(names), [](auto const& row) { return row.name; });
+    write_names(file, group, {"quantity", "1", "what a limit state may be set to", FieldType::category, 0, {}}, names);
+    integer(file, group, {"compared", "1", "trials that end alike and have the quantity"}, rows,
+            [](QuantityError const& row) { return row.step.count; });
+    real(file, group, {"step_median", "1", "median of the relative difference that half the step makes"}, rows,
+         [](QuantityError const& row) { return row.step.median; });
+    real(file, group, {"step_p95", "1", "95 % quantile of it"}, rows,
+         [](QuantityError const& row) { return row.step.p95; });
+    real(file, group, {"rounding_median", "1", "median of the relative difference that a last bit of the motion makes"},
+         rows, [](QuantityError const& row) { return row.rounding.median; });
+    real(file, group, {"rounding_p95", "1", "95 % quantile of it"}, rows,
+         [](QuantityError const& row) { return row.rounding.p95; });
+}
+
 void write_rare(ResultsWriter& file, RareCost const& rare) {
     std::string const group = "cost/rare";
     auto const& points = rare.points;
@@ -137,6 +171,7 @@ void write_study(std::filesystem::path const& path, CampaignInput const& input, 
     for (auto const& result : study.knobs) {
         write_knob(file, result);
     }
+    write_step_error(file, study.step_error);
     write_waves(file, study);
     if (study.rare) {
         write_rare(file, *study.rare);

@@ -69,6 +69,29 @@ std::string section_of(Json const& knob) {
                          text("error"), knob.at("units").get<std::int64_t>(), text("timed"));
 }
 
+std::string step_section(Json const& error) {
+    std::string section =
+        "<section id=\"step-error\" style=\"grid-template-columns: minmax(0, 1fr)\"><header><h2>What the step does to "
+        "each quantity</h2></header>\n"
+        "<div class=\"scroll\"><table><thead><tr><th>quantity</th><th>trials</th><th>half the step, median</th>"
+        "<th>95 %</th><th>last bit, median</th><th>95 %</th></tr></thead><tbody>\n";
+    for (auto const& row : error.at("quantities")) {
+        auto const& step = row.at("step");
+        auto const& rounding = row.at("rounding");
+        section += fmt::format(
+            "<tr class=\"plain\"><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+            escaped(row.at("name").get<std::string>()), step.at("count").get<std::int64_t>(), number(step.at("median")),
+            number(step.at("p95")), number(rounding.at("median")), number(rounding.at("p95")));
+    }
+    return section
+           + fmt::format(
+               "</tbody></table><p class=\"quiet\">Relative differences in trials that end alike: at half "
+               "the campaign's steps, and under motions that are a last bit smaller (this is chaos, not "
+               "error). Of {} trials, half the step changes {} verdicts, a last bit {}.</p></div></section>\n",
+               error.at("trials").get<std::int64_t>(), error.at("step_flips").get<std::int64_t>(),
+               error.at("rounding_flips").get<std::int64_t>());
+}
+
 std::string waves_section(Json const& sampling) {
     std::string section = "<section id=\"waves\"><header><h2>Number of waves</h2></header>\n";
     section += figure_of("waves", sampling);
@@ -153,6 +176,7 @@ std::string cost_page(Json const& study) {
         study.at("trials").get<std::int64_t>(), study.at("campaign_trials").get<std::int64_t>(),
         study.at("waves").get<std::int64_t>(), time_text(study.at("reference_cpu_s").get<double>()),
         number(study.at("rounding").at("error").at("p95")), study.at("rounding").at("flips").get<std::int64_t>());
+    page += step_section(study.at("step_error"));
     for (auto const& knob : study.at("knobs")) {
         page += section_of(knob);
     }

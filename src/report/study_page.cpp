@@ -11,6 +11,7 @@ namespace overturn::report {
 char const* const study_style = R"css(
 :root { color-scheme: light; }
 body { font: 15px/1.5 system-ui, "DejaVu Sans", sans-serif; color: #1a1a1a; background: #fff; margin: 0 auto;
+       overflow-wrap: anywhere;
        max-width: 76rem; padding: 1.5rem 1.5rem 4rem; }
 h1 { font-size: 1.5rem; margin: 0 0 .2rem; } h2 { font-size: 1.1rem; margin: 0; }
 p { margin: .3rem 0; } .quiet { color: #666; font-size: .88rem; }

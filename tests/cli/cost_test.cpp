@@ -82,6 +82,8 @@ TEST_F(Cost, PageNeedsNoNetwork) {
     EXPECT_EQ(figures, 8U);  // six knobs, the number of waves, the balance
     EXPECT_NE(page.find("&lt;b&gt;A &amp; B&lt;/b&gt;"), std::string::npos);
     EXPECT_EQ(page.find("<b>A"), std::string::npos);
+    auto const steps = page.substr(page.find("<section id=\"step-error\""));
+    EXPECT_LT(steps.find("<td>peak_rotation</td>"), steps.find("</section>"));
     for (char const* loads : {"src=", "<link", "@import", "url(http", "<?xml"}) {
         EXPECT_EQ(page.find(loads), std::string::npos) << loads;
     }

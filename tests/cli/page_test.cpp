@@ -2,6 +2,7 @@
 // is sound in a browser: nothing loaded, nothing on the console, nothing cut on a phone, on a desk or in print.
 #include <cstdlib>
 #include <filesystem>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -191,6 +192,10 @@ class InABrowser : public Page {
                             "python3-h5py)";
         }
     }
+    /// For pages that may have nothing to draw.
+    static std::string but_for_figures(std::string const& found) {
+        return std::regex_replace(found, std::regex("at [0-9]+ px: no figure\n"), "");
+    }
     std::string faults_of_report() {
         auto const ended = overturn(folder, {"report", "c.h5", "-o", "c.html"});
         EXPECT_EQ(ended.code, 0) << ended.err;
@@ -222,8 +227,20 @@ TEST_F(InABrowser, WordsOfTheCampaignAreNoScript) {
     };
     put("title='quick'", "title='" + script + "\u202E\"&amp;" + std::string(10'000, 'w') + "'");
     put("name='block'", "name='" + script.substr(script.find("<img")) + "'");
+    put("friction=0.5", "friction={value=0.5, basis='assumed', source='" + script + "', range=[0.4, 0.6]}");
     run(campaign, {"--set", "waves.count=8"});
     EXPECT_EQ(faults_of_report(), "");
+    for (auto const& study : {std::vector<std::string>{"--waves", "1"}, {"--sensitivity"}}) {
+        auto const ended =
+            overturn(folder, joined({"cost", "c.toml", "--set", "waves.count=16", "--html", "p.html"}, study));
+        ASSERT_EQ(ended.code, 0) << ended.err;
+        EXPECT_EQ(but_for_figures(faults("p.html")), "") << study.front();
+    }
+    // a folder may be named as it likes too
+    std::filesystem::create_directory(folder / "<img src=x onerror=console.error(3)>\n<b>");
+    ASSERT_EQ(overturn(folder, {"qualify", "<img src=x onerror=console.error(3)>\n<b>", "--html", "q.html"}).code, 0);
+    EXPECT_EQ(but_for_figures(faults("q.html")), "");
+    EXPECT_EQ(folder.read("q.html").find("<img"), std::string::npos);
 }
 
 TEST_F(InABrowser, CostPageIsSound) {

@@ -191,6 +191,16 @@ TEST_F(StudyOfThree, FileHoldsWhatWasFound) {
             EXPECT_EQ(file.integers(group + "setting")[i], static_cast<std::int64_t>(i));
         }
     }
+    auto const& quantities = study().step_error.quantities;
+    auto const medians = file.reals("cost/step_error/step_median");
+    auto const rounded = file.reals("cost/step_error/rounding_p95");
+    ASSERT_GE(quantities.size(), 5U);
+    ASSERT_EQ(medians.size(), quantities.size());
+    for (std::size_t i = 0; i < medians.size(); ++i) {
+        EXPECT_EQ(medians[i], quantities[i].step.median);
+        EXPECT_EQ(rounded[i], quantities[i].rounding.p95);
+        EXPECT_EQ(file.integers("cost/step_error/compared")[i], quantities[i].step.count);
+    }
     EXPECT_EQ(file.integers("cost/waves/waves"), (std::vector<std::int64_t>{1, 3}));
     EXPECT_EQ(file.text_attribute("cost", "sentence"), study().sentence);
 }
