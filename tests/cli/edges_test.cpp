@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "cli/campaign_files.hpp"
 #include "cli/python.hpp"
@@ -65,6 +66,35 @@ TEST_F(Edges, APipeIsNoResultsFile) {
     for (std::string const verb : {"status", "fit"}) {
         expect_refused(overturn(folder, {verb, "pipe"}), "pipe: not an HDF5 file");
     }
+}
+
+// Parts and files of another user, who does not share them.
+TEST_F(Edges, WhatBelongsToOthersIsOneLineAndStays) {
+    std::string const other = ::geteuid() == 0
+                                  ? "exec setpriv --reuid=65534 --regid=65534 --clear-groups " OVERTURN_PROGRAM " "
+                                  : "exec " OVERTURN_PROGRAM " ";
+    for (auto const* open_to_all : {"", "theirs.h5.parts", "closed.h5.parts"}) {
+        fs::create_directories(folder / open_to_all);
+        fs::permissions(folder / open_to_all, fs::perms::all);
+    }
+    if (shell(other + "list").code != 0) {
+        GTEST_SKIP() << "no other user may run the program where it lies";
+    }
+    folder.write("theirs.h5.parts/lock", "");
+    fs::permissions(folder / "theirs.h5.parts/lock", fs::perms::owner_read);
+    fs::permissions(folder / "closed.h5.parts", ::geteuid() == 0 ? fs::perms::owner_all : fs::perms::none);
+    for (std::string const name : {"theirs", "closed"}) {
+        for (auto const* resume : {"", " --resume"}) {
+            auto const run = shell(other + "run c.toml -o " + name + ".h5" + resume);
+            EXPECT_EQ(run.code, 1) << name << run.err;
+            EXPECT_TRUE(is_one_error_line(run.err)) << run.err;
+            EXPECT_NE(run.err.find(name + ".h5.parts/lock (Permission denied)"), std::string::npos) << run.err;
+        }
+    }
+    expect_refused(shell(other + "status closed.h5"), "Permission denied");
+    fs::permissions(folder / "closed.h5.parts", fs::perms::owner_all);
+    EXPECT_TRUE(folder.has("theirs.h5.parts/lock"));
+    EXPECT_FALSE(folder.has("theirs.h5"));
 }
 
 TEST_F(Edges, PathsNeedNotBeText) {
