@@ -5,8 +5,8 @@
 
 #include "config/registry.hpp"
 #include "core/error.hpp"
+#include "core/regular_file.hpp"
 #include "core/withheld.hpp"
-#include "store/durable.hpp"
 #include "store/sha256.hpp"
 
 namespace overturn {
@@ -65,7 +65,7 @@ void fetch_withheld(CampaignInput& input, std::filesystem::path const& results) 
             "{}: input {} (its campaign keeps hashes of records alone, and the record is not beside the file). Put "
             "it there",
             results.string(), name);
-        auto found = store::read_file(place);
+        auto found = read_regular_file(place, fmt::format("{}: input {}", results.string(), name));
         validate(stands_for(found) == content,
                  "{}: input {} ({} is another file than the one it was made from: its SHA-256 differs). Put that one "
                  "there",

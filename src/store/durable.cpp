@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "core/error.hpp"
+#include "core/regular_file.hpp"
 
 namespace overturn::store {
 
@@ -175,6 +176,9 @@ void append(std::filesystem::path const& path, std::span<std::byte const> conten
 }
 
 std::string read_file(std::filesystem::path const& path) {
+    if (auto const what = what_is_no_file(path); !what.empty()) {  // a pipe would be waited for
+        throw SystemError(fmt::format("cannot read {} ({}, no file). Move it away", path.string(), what));
+    }
     Descriptor const file(path, O_RDONLY);
     return file.read();
 }

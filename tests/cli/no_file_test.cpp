@@ -146,6 +146,23 @@ TEST_F(NoFile, AsResults) {
     EXPECT_FALSE(folder.has("page.html"));
 }
 
+TEST_F(NoFile, AmongPartsOfARun) {
+    folder.write("c.toml", small_campaign("shared", 16));
+    for (auto const& [name, said] : {std::pair<std::string, std::string>{"campaign.record", "damaged record"},
+                                     {"0000000000.block", "0000000000.block (a pipe, no file)"}}) {
+        ASSERT_EQ(overturn(folder, {"run", "c.toml", "--part", "1/2"}).code, 0);
+        auto const part = folder / ("c.h5.parts/" + name);
+        ASSERT_TRUE(std::filesystem::remove(part)) << name;
+        ASSERT_EQ(::mkfifo(part.c_str(), 0600), 0);
+
+        auto const resumed = execute(folder, {"timeout", "60", OVERTURN_PROGRAM, "run", "c.toml", "--resume"});
+        EXPECT_EQ(resumed.code, 0) << "what cannot be read is made again: " << resumed.err;
+        EXPECT_NE(resumed.err.find(said), std::string::npos) << resumed.err;
+        EXPECT_EQ(overturn(folder, {"verify", "c.h5"}).code, 0);
+        std::filesystem::remove(folder / "c.h5");
+    }
+}
+
 // R-1009.
 TEST_F(NoFile, AsResultsInPython) {
     if (!has_python(folder, "h5py")) {
