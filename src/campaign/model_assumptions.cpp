@@ -34,6 +34,8 @@ template <class Holds> Bears of_bodies(CampaignSpec const& spec, Holds const& ho
 // May it be simulated at all?
 bool allows(CampaignSpec const& spec, Effect effect) { return has(spec.effects.wanted(), effect); }
 
+bool allows_a_bed(CampaignSpec const& spec) { return allows(spec, Effect::contact) || allows(spec, Effect::spatial); }
+
 Bears always(CampaignSpec const& /*spec*/) { return Bears::yes; }
 
 Bears where_no_second_component(CampaignSpec const& spec) {
@@ -45,22 +47,21 @@ Bears where_no_second_component(CampaignSpec const& spec) {
 Bears where_no_vertical_component(CampaignSpec const& spec) {
     bool const up = states(spec, "waves.vertical") || has_records(spec);
     bool const shaken = std::ranges::any_of(spec.bodies, [](BodySpec const& body) { return body.axes > 2; });
-    return up && shaken ? Bears::no : Bears::yes;
+    return up && shaken && allows(spec, Effect::vertical) ? Bears::no : Bears::yes;
 }
 
-Bears where_rigid(CampaignSpec const& spec) {
-    return allows(spec, Effect::contact) ? Bears::where_not_called_for : Bears::yes;
-}
+Bears where_rigid(CampaignSpec const& spec) { return allows_a_bed(spec) ? Bears::where_not_called_for : Bears::yes; }
 
 Bears on_corners(CampaignSpec const& spec) {
-    return of_bodies(spec, [](BodySpec const& body) { return body.footing.base.corner_share == 1; });
+    return of_bodies(spec,
+                     [&](BodySpec const& body) { return body.footing.base.corner_share == 1 || !allows_a_bed(spec); });
 }
 
 Bears where_pads_are_elastic(CampaignSpec const& spec) {
-    return of_bodies(spec, [](BodySpec const& body) { return !body.footing.pad.strength_pa; });
+    return of_bodies(spec, [&](BodySpec const& body) { return !body.footing.pad.strength_pa || !allows_a_bed(spec); });
 }
 
-Bears on_springs(CampaignSpec const& spec) { return allows(spec, Effect::contact) ? Bears::yes : Bears::no; }
+Bears on_springs(CampaignSpec const& spec) { return allows_a_bed(spec) ? Bears::yes : Bears::no; }
 
 Bears where_no_site(CampaignSpec const& spec) { return spec.site.has_gaps() ? Bears::no : Bears::yes; }
 

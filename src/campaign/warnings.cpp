@@ -144,13 +144,33 @@ std::string warning_of_alike_waves(CampaignSpec const& spec) {
                    alike);
 }
 
-std::string warning_of_no_slip(BodySpec const& body, EffectRequest const& effects) {
-    bool const stuck = body.friction && effects.mode == EffectMode::forced && !has(effects.include, Effect::sliding);
-    return stuck ? fmt::format(
-               "{} states friction, and its effects ({}) leave sliding out: it does not slip. Add "
-               "sliding if it may",
-               body.name, names_of_effects(effects.include))
-                 : std::string();
+std::vector<std::string> warnings_of_stated_effects(BodySpec const& body, GroundMotion const& motion,
+                                                    EffectRequest const& effects) {
+    struct Stated {
+        EffectMask held_by;  // any of these effects
+        char const* missing;
+        bool holds;
+        char const* what;
+        char const* then;
+    };
+    auto const on_bed = mask_of(Effect::contact) | mask_of(Effect::spatial);
+    std::array const all{
+        Stated{mask_of(Effect::sliding), "sliding", body.friction.has_value(), "its friction is stated",
+               "it does not slip"},
+        Stated{on_bed, "contact", body.footing.stated, "its base or pad is stated", "it turns about two rigid corners"},
+        Stated{mask_of(Effect::spatial), "spatial", body.axes > 1 && !motion.transverse_mps2.empty(),
+               "the wave has a second component", "it moves in one plane"},
+        Stated{mask_of(Effect::vertical), "vertical", body.axes > 2 && !motion.vertical_mps2.empty(),
+               "the wave has a vertical component", "the ground does not move vertically"}};
+    Lines lines;
+    for (auto const& stated : all) {
+        if (stated.holds && (effects.wanted() & stated.held_by) == 0) {
+            lines.push_back(fmt::format("{}: {} ({}, but effects ({}) leave {} out). Add {} if it should count",
+                                        body.name, stated.then, stated.what, text_of(effects), stated.missing,
+                                        stated.missing));
+        }
+    }
+    return lines;
 }
 
 std::vector<std::string> warnings_of_effects(CampaignSpec const& spec, PreparedWave const& wave, Ladder const& ladder) {
@@ -166,7 +186,7 @@ std::vector<std::string> warnings_of_effects(CampaignSpec const& spec, PreparedW
                             "left-out). State effects.include, or another body, to choose what is simulated",
                             body.name, names_of_effects(lost)));
         }
-        if (auto line = warning_of_no_slip(body, spec.effects); !line.empty()) {
+        for (auto& line : warnings_of_stated_effects(body, wave.motion, spec.effects)) {
             lines.push_back(std::move(line));
         }
     }

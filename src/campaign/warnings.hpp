@@ -16,13 +16,14 @@ namespace overturn {
 /// Waves that share what was drawn, and what that does to intervals; empty where none do.
 [[nodiscard]] std::string warning_of_alike_waves(CampaignSpec const& spec);
 
-/// Effects that the bodies call for under this wave at the highest level and that no model holds together, and friction
-/// that forced effects ignore.
+/// Effects that the bodies call for under this wave at the highest level and that no model holds together, and what
+/// stated effects leave out.
 [[nodiscard]] std::vector<std::string> warnings_of_effects(CampaignSpec const& spec, PreparedWave const& wave,
                                                            Ladder const& ladder);
 
-/// A body whose friction is stated does not slip under these effects; empty where it may.
-[[nodiscard]] std::string warning_of_no_slip(BodySpec const& body, EffectRequest const& effects);
+/// What a body or its motion states and stated effects leave out: friction, base and pad, further components.
+[[nodiscard]] std::vector<std::string> warnings_of_stated_effects(BodySpec const& body, GroundMotion const& motion,
+                                                                  EffectRequest const& effects);
 
 /// Of one body: sizes, mass and inertia that hardly belong together.
 [[nodiscard]] std::vector<std::string> warnings_of(BodySpec const& body);

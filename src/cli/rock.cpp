@@ -168,9 +168,7 @@ int rock(RockOptions const& options) {
              "{}: effects {} (no model can simulate {} of this body{}). Leave it out, or state what it needs",
              options.body, options.effects, names_of_effects(unable),
              has(unable, Effect::sliding) ? ": it states no friction" : "");
-    if (auto const line = warning_of_no_slip(spec, request); !line.empty()) {
-        note_warnings({line});
-    }
+    note_warnings(warnings_of_stated_effects(spec, motion, request));
     std::vector<std::byte> own(ladder.own_bytes());
     SceneTrial const trial{scene, motion, options.scale};
     if (auto const lost = ladder.left_out(trial); lost != 0) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "campaign/model_assumptions.hpp"
 #include "campaign/trial.hpp"
 #include "campaign/warnings.hpp"
 #include "support/campaigns.hpp"
@@ -72,6 +73,40 @@ TEST(EffectsTold, FrictionThatForcedEffectsIgnoreIsTold) {
     EXPECT_FALSE(told(warnings("friction=0.5\n", "[effects]\ninclude=['contact', 'sliding']\n"), stuck));
     EXPECT_FALSE(told(warnings("friction=0.5\n", ""), stuck));
     EXPECT_FALSE(told(warnings("", "[effects]\ninclude=['contact']\n"), stuck)) << "it states none";
+    EXPECT_TRUE(told(warnings("friction=0.5\n", "[effects]\nmode='none'\n"), stuck));
+}
+
+TEST(EffectsTold, BasesAndComponentsThatStatedEffectsLeaveOutAreTold) {
+    auto const bears = [](CampaignSpec const& spec, std::string_view name) {
+        auto const all = model_assumptions();
+        return std::ranges::find(all, name, &ModelAssumption::name)->bears(spec);
+    };
+    auto const told_of = [&](std::string const& included, std::string const& part) {
+        auto const spec = campaign_from(campaign_with("friction=0.5\nbase={bedding='flat'}\npad={strength='3 MPa'}\n",
+                                                      "[effects]\n" + included + "\n"));
+        bool const on_bed = !told(warnings_of(spec), "it turns about two rigid corners (its base or pad is stated");
+        EXPECT_EQ(bears(spec, "corner-contact") == Bears::yes, !on_bed) << included;
+        EXPECT_EQ(bears(spec, "elastic-pad") == Bears::yes, !on_bed) << included;
+        return told(warnings_of(spec), part);
+    };
+    EXPECT_TRUE(told_of("include=['sliding']", "but effects (sliding) leave contact out"));
+    EXPECT_TRUE(told_of("mode='none'", "effects (none) leave contact out"));
+    EXPECT_FALSE(told_of("include=['contact', 'sliding']", "leave contact out"));
+    EXPECT_FALSE(told_of("include=['spatial']", "leave contact out")) << "motion in space is on a bed";
+    EXPECT_FALSE(told_of("mode='auto'", "out). Add"));
+
+    auto const spec = campaign_from(campaign_with("", ""));
+    auto body = spec.bodies.front();
+    std::vector<double> const wave(100, 0.1);
+    GroundMotion const motion{
+        .time_step_s = 0.01, .horizontal_mps2 = wave, .transverse_mps2 = wave, .vertical_mps2 = wave};
+    body.axes = 3;
+    auto const lines = warnings_of_stated_effects(body, motion, parse_effects("none"));
+    EXPECT_TRUE(told(lines, "it moves in one plane (the wave has a second component"));
+    EXPECT_TRUE(told(lines, "does not move vertically (the wave has a vertical component, but effects (none)"));
+    EXPECT_TRUE(warnings_of_stated_effects(body, motion, parse_effects("vertical,spatial")).empty());
+    body.axes = 1;
+    EXPECT_TRUE(warnings_of_stated_effects(body, motion, parse_effects("none")).empty()) << "shaken along one axis";
 }
 
 TEST(EffectsTold, ForcedEffectsThatABodyCannotHaveAreRefusedWithTheirPlace) {
