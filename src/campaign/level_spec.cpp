@@ -126,7 +126,7 @@ std::int64_t Level::key() const {
     return std::llround(value * millionths);
 }
 
-std::string LevelSpec::measure_name() const { return std::string(measure->level); }
+std::string LevelSpec::measure_name() const { return std::string(measure->period ? measure->level : measure->name); }
 
 Dimension LevelSpec::dimension() const { return measure->dimension; }
 

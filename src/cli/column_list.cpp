@@ -31,7 +31,8 @@ std::string unit_of(store::ColumnMeaning const& column) {
 
 }  // namespace
 
-void add_groups(store::ResultsReader const& file, std::vector<ListedGroup>& groups) {
+void add_groups(store::ResultsReader const& file, std::vector<std::string> const& unknown,
+                std::vector<ListedGroup>& groups) {
     auto const bodies = file.members("bodies");
     auto const limits = file.members("limits");
     for (auto const& column : file.columns()) {
@@ -43,6 +44,9 @@ void add_groups(store::ResultsReader const& file, std::vector<ListedGroup>& grou
         }
         auto own = column;
         own.path = column.path.substr(slash + 1);
+        if (std::ranges::find(unknown, column.path) != unknown.end()) {
+            own.description = "(unknown to this program) " + own.description;
+        }
         if (std::ranges::find(group->columns, own.path, &store::ColumnMeaning::path) == group->columns.end()) {
             group->columns.push_back(std::move(own));
         }

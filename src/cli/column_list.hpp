@@ -16,7 +16,9 @@ struct ListedGroup {
 };
 
 /// Adds those of a file to what is listed, in the order of names.
-void add_groups(store::ResultsReader const& file, std::vector<ListedGroup>& groups);
+/// \param unknown paths of columns that this program does not know: their meaning says so
+void add_groups(store::ResultsReader const& file, std::vector<std::string> const& unknown,
+                std::vector<ListedGroup>& groups);
 
 /// For people at a terminal.
 [[nodiscard]] std::string columns_text(std::vector<ListedGroup> const& groups);

@@ -20,7 +20,9 @@
 #include "motion/record.hpp"
 #include "response/effects.hpp"
 #include "response/registry.hpp"
+#include "results/recount.hpp"
 #include "results/schema.hpp"
+#include "results/stored_names.hpp"
 #include "spectra/named_targets.hpp"
 
 namespace overturn::cli {
@@ -82,6 +84,15 @@ int list_keys(ListOptions const& options) {
     return done;
 }
 
+// Of a campaign that this program cannot read it knows no columns, so none can be called unknown.
+std::vector<std::string> unknown_in(store::ResultsReader const& file) {
+    try {
+        return unknown_columns(file, parse_campaign(input_of(file)));
+    } catch (InputError const&) {
+        return {};
+    }
+}
+
 int list_columns(ListOptions const& options) {
     validate(!options.named.empty(), "list columns (of which file?). Name a results file");
     validate(!options.json && !options.schema,
@@ -90,7 +101,7 @@ int list_columns(ListOptions const& options) {
     for (auto const& path : options.named) {
         store::ResultsReader const file(path, options.unverified.trust());
         (void)options.unverified.warn_if_edited(file, path);
-        add_groups(file, groups);
+        add_groups(file, unknown_in(file), groups);
     }
     fmt::print("{}", options.markdown ? columns_markdown(groups) : columns_text(groups));
     return done;

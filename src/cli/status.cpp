@@ -36,10 +36,13 @@ int status_of_file(std::string const& path, Unverified const& unverified) {
                done_waves < planned ? fmt::format("; precise enough after {} of {} waves", done_waves, planned)
                                     : std::string());
     fmt::print("{}", missed_clauses_text(counted.missed_clauses()));
-    auto const reasons = file.named("trials/failure", field_named(fields_of<TrialRow>(), "failure").categories);
+    auto const reasons =
+        file.has("trials/failure")
+            ? file.named("trials/failure", field_named(fields_of<TrialRow>(), "failure").categories)
+            : std::vector<std::int64_t>(verdicts.size(), static_cast<std::int64_t>(FailureReason::none));
     FailedTrials failed(spec);
     auto const ids = file.integers("waves/id");
-    bool const judged = spec.measures.wave_quality;
+    bool const judged = spec.measures.wave_quality && file.has("waves/acceptance_failures");
     auto const clauses = judged ? file.integers("waves/acceptance_failures") : std::vector<std::int64_t>(ids.size());
     for (std::size_t i = 0; i < ids.size(); ++i) {
         WaveRow row;

@@ -18,8 +18,10 @@ bool Unverified::warn_if_edited(store::ResultsReader const& file, std::string co
 
 bool Unverified::warn_if_changed(store::ResultsReader const& file, std::string const& path) const {
     bool const changed = warn_if_edited(file, path);
-    if (auto const unknown = unknown_verdicts(file); !unknown.empty()) {
-        print_note("overturn: {}: {} (another program wrote the file)\n", path, unknown);
+    for (auto const& unknown : {unknown_verdicts(file), unknown_models(file)}) {
+        if (!unknown.empty()) {
+            print_note("overturn: {}: {} (another program wrote the file)\n", path, unknown);
+        }
     }
     return changed;
 }

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "campaign/withheld_inputs.hpp"
 #include "cli/collective.hpp"
@@ -10,6 +10,7 @@
 #include "cli/verbs.hpp"
 #include "core/print_note.hpp"
 #include "results/recount.hpp"
+#include "results/stored_names.hpp"
 #include "runner/root_broadcast.hpp"
 
 namespace overturn::cli {
@@ -39,6 +40,14 @@ int print_outcome(VerifyOptions const& options, Verified const& found) {
     return other_failure;
 }
 
+// Columns that nothing is known of are in the file and in no comparison.
+void note_unknown(VerifyOptions const& options, store::ResultsReader const& file, CampaignSpec const& spec) {
+    if (auto const columns = unknown_columns(file, spec); !columns.empty()) {
+        print_note("overturn: {}: not compared, for this program does not know them: {}\n", options.file,
+                   fmt::join(columns, ", "));
+    }
+}
+
 int verify(VerifyOptions const& options, parallel::Communicator const& comm) {
     // One rank holds the file against its seal for all.
     (void)broadcast_from_root(comm, [&] {
@@ -50,7 +59,10 @@ int verify(VerifyOptions const& options, parallel::Communicator const& comm) {
     fetch_withheld(input, options.file);
     auto const spec = parse_campaign(input);
     auto const found = verify_rows(file, spec, options.wish, comm);
-    return std::stoi(broadcast_from_root(comm, [&] { return fmt::format("{}", print_outcome(options, found)); }));
+    return std::stoi(broadcast_from_root(comm, [&] {
+        note_unknown(options, file, spec);
+        return fmt::format("{}", print_outcome(options, found));
+    }));
 }
 
 }  // namespace

@@ -18,7 +18,10 @@ namespace overturn {
 namespace {
 
 void require(bool sound, std::string const& what) {
-    validate(sound, "results file: {} (it is damaged, or not of this program). Run the campaign again", what);
+    validate(sound,
+             "results file: {} (it was edited or damaged, or another program wrote it). Restore it, or run the "
+             "campaign again",
+             what);
 }
 
 }  // namespace

@@ -53,6 +53,48 @@ std::string unknown_verdicts(store::ResultsReader const& file) {
     return text;
 }
 
+std::string unknown_models(store::ResultsReader const& file) {
+    constexpr char const* column = "trials/rung";
+    std::string text;
+    for (auto const& stored : file.categories(column)) {
+        if (std::ranges::find(rungs(), stored.name, &Category::name) != rungs().end()) {
+            continue;
+        }
+        auto const numbers = file.integers(column);
+        if (auto const trials = std::ranges::count(numbers, stored.value); trials > 0) {
+            text += fmt::format("{}model '{}' is not known to this program: its {} trial{} count under no model",
+                                text.empty() ? "" : "; ", stored.name, trials, trials == 1 ? "" : "s");
+        }
+    }
+    return text;
+}
+
+std::vector<std::string> unknown_columns(store::ResultsReader const& file, CampaignSpec const& spec) {
+    std::vector<store::TableSpec> known{trial_table(spec), wave_table(spec)};
+    for (std::size_t body = 0; body < spec.bodies.size(); ++body) {
+        known.push_back(measure_table(spec, body));
+    }
+    std::vector<std::string> unknown;
+    for (auto const& column : file.columns()) {
+        auto const slash = column.path.rfind('/');
+        auto const group = column.path.substr(0, std::min(slash, column.path.size()));
+        auto const table = std::ranges::find(known, group, &store::TableSpec::group);
+        if (slash == std::string::npos || table == known.end()) {
+            continue;
+        }
+        auto const name = column.path.substr(slash + 1);
+        bool const axis = name == table->axis || column.path == table->axis;
+        if (!axis && std::ranges::find(table->columns, name, &Field::name) == table->columns.end()) {
+            unknown.push_back(column.path);
+        }
+    }
+    return unknown;
+}
+
+std::vector<double> reals_or_unknown(store::ResultsReader const& file, std::string const& column, std::size_t rows) {
+    return file.has(column) ? file.reals(column) : std::vector<double>(rows, never);
+}
+
 std::vector<Verdict> stored_verdicts(store::ResultsReader const& file) {
     auto const numbers = file.named(verdict_column, verdicts_in(file));
     std::vector<Verdict> verdicts;

@@ -19,6 +19,17 @@ namespace overturn {
 /// "verdict 'crushed' is not known to this program: its trials count as rocked"; empty where all are known.
 [[nodiscard]] std::string unknown_verdicts(store::ResultsReader const& file);
 
+/// "model 'tether' is not known to this program: its 3 trials count under no model"; empty where all are known.
+[[nodiscard]] std::string unknown_models(store::ResultsReader const& file);
+
+/// Columns of /trials, /waves and /waves/<body> that this program does not know, by path: they are kept, and nothing
+/// is made of them.
+[[nodiscard]] std::vector<std::string> unknown_columns(store::ResultsReader const& file, CampaignSpec const& spec);
+
+/// A column of numbers; NaN for each of so many rows where the file does not have it.
+[[nodiscard]] std::vector<double> reals_or_unknown(store::ResultsReader const& file, std::string const& column,
+                                                   std::size_t rows);
+
 /// How each trial ended, in the order of /trials.
 [[nodiscard]] std::vector<Verdict> stored_verdicts(store::ResultsReader const& file);
 

@@ -130,8 +130,8 @@ std::vector<TellingTrial> telling_trials(CampaignSpec const& spec, Plan const& p
 
 std::vector<TellingTrial> telling_trials(CampaignSpec const& spec, store::ResultsReader const& file) {
     auto const verdicts = stored_verdicts(file);
-    auto const rotations = file.reals("trials/peak_rotation_ratio");
-    auto const slips = file.reals("trials/peak_slip");
+    auto const rotations = reals_or_unknown(file, "trials/peak_rotation_ratio", verdicts.size());
+    auto const slips = reals_or_unknown(file, "trials/peak_slip", verdicts.size());
     return telling_trials(spec, plan_in(file, spec), {verdicts, rotations, slips});
 }
 

@@ -13,7 +13,17 @@
 namespace overturn::store {
 namespace {
 
+bool exists(File const& file, std::string const& path) {
+    for (std::size_t slash = path.find('/', 1); slash != std::string::npos; slash = path.find('/', slash + 1)) {
+        if (H5Lexists(file.id(), path.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) {
+            return false;
+        }
+    }
+    return H5Lexists(file.id(), path.c_str(), H5P_DEFAULT) > 0;
+}
+
 Dataset open_dataset(File const& file, std::string const& name) {
+    validate(exists(file, name), "results file: has no {} {}", name, advice);
     return Dataset(checked(H5Dopen2(file.id(), name.c_str(), H5P_DEFAULT), "open " + name));
 }
 
@@ -86,14 +96,7 @@ std::int64_t ResultsReader::integer(std::string const& name) const {
     return read_integer_attribute(opened_->file.id(), name);
 }
 
-bool ResultsReader::has(std::string const& dataset) const {
-    for (std::size_t slash = dataset.find('/'); slash != std::string::npos; slash = dataset.find('/', slash + 1)) {
-        if (H5Lexists(opened_->file.id(), dataset.substr(0, slash).c_str(), H5P_DEFAULT) <= 0) {
-            return false;
-        }
-    }
-    return H5Lexists(opened_->file.id(), dataset.c_str(), H5P_DEFAULT) > 0;
-}
+bool ResultsReader::has(std::string const& dataset) const { return exists(opened_->file, dataset); }
 
 std::vector<std::string> ResultsReader::members(std::string const& group) const {
     std::vector<std::string> names;

@@ -199,13 +199,41 @@ TEST_F(Format, AProgramWithMoreIsRead) {
         EXPECT_EQ(stripes[l].at("contact_lost"), 0);
     }
     auto const columns = overturn(folder, {"list", "columns", "more.h5"});
-    EXPECT_NE(columns.out.find("loudness"), std::string::npos) << "what is not known here is kept";
+    auto const loudness = columns.out.substr(columns.out.find("loudness"));
+    EXPECT_EQ(loudness.find("(unknown to this program) "), loudness.find('(')) << "what is not known here is kept";
+    EXPECT_NE(fit.err.find("model 'crush' is not known to this program: its "), std::string::npos) << fit.err;
     EXPECT_EQ(overturn(folder, {"report", "more.h5", "-o", "more.html"}).code, 0);
     // Where the models of both ran a trial it is the same to the bit.
     EXPECT_EQ(overturn(folder, {"replay", "more.h5", "--trial", "0"}).code, 0);
     auto const verified = overturn(folder, {"verify", "more.h5"});
     EXPECT_EQ(verified.code, 1);
+    EXPECT_NE(verified.err.find("not compared, for this program does not know them: waves/loudness"), std::string::npos)
+        << verified.err;
     EXPECT_NE(verified.out.find("0 waves differ"), std::string::npos) << verified.out;
+}
+
+// R-1003: what a file does not have is unknown; only what tells trials apart and how they ended has to be there.
+TEST_F(Format, AFileWithFewerColumnsIsRead) {
+    if (!has_python(folder, "h5py")) {
+        GTEST_SKIP() << "no h5py to write with (install python3-h5py)";
+    }
+    run(small_campaign("shared", 4), "c.h5");
+    edit(
+        "[f.__delitem__(column) for column in ['trials/peak_slip', 'trials/peak_rotation_ratio', 'trials/failure', "
+        "'waves/acceptance_failures', 'waves/pgv'] if column in f]");
+    for (auto const& verb : {std::vector<std::string>{"fit"}, {"fit", "--json"}, {"status"}, {"list", "columns"}}) {
+        auto const read = overturn(folder, joined(verb, {"c.h5", "--unverified"}));
+        EXPECT_TRUE(read.code == 0 || read.code == 4) << verb.back() << read.err;
+    }
+    edit("del f['waves/id']");
+    for (auto const* verb : {"fit", "status", "verify"}) {
+        auto const read = overturn(folder, {verb, "c.h5", "--unverified"});
+        EXPECT_EQ(read.code, 2) << read.err;
+        EXPECT_NE(
+            read.err.find("results file: has no waves/id (it was edited or damaged, or another program wrote it)"),
+            std::string::npos)
+            << read.err;
+    }
 }
 
 TEST_F(Format, WhoseCurvesAreToldIsSaid) {

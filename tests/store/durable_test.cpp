@@ -84,7 +84,7 @@ TEST(Durable, ProbeLeavesNothingBehind) {
 TEST(Durable, FolderIsNoFile) {
     TemporaryFolder const folder;
 
-    expect_system_error([&] { (void)read_file(folder.path()); }, folder.path().string(), "directory");
+    expect_system_error([&] { (void)read_file(folder.path()); }, folder.path().string(), "a folder, no file");
 }
 
 }  // namespace

@@ -215,7 +215,7 @@ TEST_F(Results, ListTheirMembers) {
     EXPECT_TRUE(reader.members("no/such/group").empty());
     EXPECT_TRUE(reader.has("waves/type-a/verdict"));
     EXPECT_FALSE(reader.has("waves/type-b/verdict"));
-    expect_system_error([&] { (void)reader.reals("trials/nothing"); }, "trials/nothing");
+    expect_input_error([&] { (void)reader.reals("has no trials/nothing"); }, "trials/nothing");
     expect_system_error([&] { (void)reader.real_at("trials/amplitude", row_count); }, "trials/amplitude");
 }
 
@@ -391,7 +391,8 @@ TEST_F(Results, AbsentColumnsAreUnknown) {
     }
     EXPECT_EQ(rows[0].verdict, some_rows(row_count)[7].verdict);
     later.columns[0] = later.columns[0].always();
-    expect_input_error([&] { reader.rows(later, row_count, 0, bytes); }, "has no trials/epsilon_7s", "of this program");
+    expect_input_error([&] { reader.rows(later, row_count, 0, bytes); }, "has no trials/epsilon_7s",
+                       "another program wrote it");
 }
 
 // R-1003: Names are what counts: a program that numbers them otherwise, or knows fewer, reads what is meant.

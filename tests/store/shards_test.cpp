@@ -151,7 +151,7 @@ TEST_F(Shards, ForeignNamesAreLeftAlone) {
 TEST_F(Shards, FolderInPlaceOfABlockIsNamed) {
     std::filesystem::create_directory(file("0000000005.block"));
 
-    EXPECT_EQ(sound("0000000005.block", "directory"), (Blocks{0, 1, 2, 3}));
+    EXPECT_EQ(sound("0000000005.block", "a folder, no file"), (Blocks{0, 1, 2, 3}));
 }
 
 TEST_F(Shards, UnfinishedWriteIsIgnored) {

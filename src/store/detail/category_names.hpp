@@ -12,7 +12,8 @@
 namespace overturn::store {
 
 /// What to do about a file that holds what it cannot.
-inline constexpr auto advice = "(it is damaged, or not of this program). Run the campaign again";
+inline constexpr auto advice =
+    "(it was edited or damaged, or another program wrote it). Restore it, or run the campaign again";
 
 /// Reads `count` rows from `first` on.
 void read_some(Dataset const& dataset, std::string const& name, hid_t memory_type, std::int64_t first,

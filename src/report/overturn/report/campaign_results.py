@@ -57,7 +57,7 @@ class CampaignResults:
 
     @property
     def measure(self):
-        return self.about["level_measure"]
+        return self.about["level_measure"].replace("-", "_")  # until 1.0 as the key states it: vector-pga
 
     def in_units(self, amplitude):
         """Amplitudes as people in the field read them, and the unit's name."""
