@@ -77,6 +77,16 @@ std::vector<std::string> fragility_measure_names() {
     return names;
 }
 
+std::vector<std::pair<Measure, double>> measures_of(GroundMotion const& motion) {
+    std::vector<std::pair<Measure, double>> values;
+    for (auto const& measure : intensity_measures) {
+        if (measure.of_motion) {
+            values.emplace_back(&measure, (*measure.of_motion)(motion, 1));
+        }
+    }
+    return values;
+}
+
 double unscaled(Measure measure, WaveRow const& wave, MeasureRow const& of_body) {
     OVERTURN_EXPECT(is_linear(measure));
     return measure->of_wave ? (*measure->of_wave)(wave, of_body)

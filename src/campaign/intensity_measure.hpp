@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/units.hpp"
@@ -288,6 +289,8 @@ inline constexpr auto trial_measures =
 /// Of a trial [SI]. \pre the measure is not linear in the scale
 [[nodiscard]] double of_trial(Measure measure, TrialRow const& trial);
 
+/// Those that are functions of a motion alone, in the order of the registry [SI].
+[[nodiscard]] std::vector<std::pair<Measure, double>> measures_of(GroundMotion const& motion);
 /// Fills the columns that measures have in /waves.
 void measure_motion(GroundMotion const& motion, WaveRow& row);
 /// Fills those of a trial that the campaign asks for.

@@ -11,6 +11,14 @@
 namespace overturn {
 namespace {
 
+// A quantity of the bodies that were tested, from its lowest to its highest value [SI].
+struct ValidatedRange {
+    char const* quantity;
+    double lowest, highest;
+    char const* unit;  // "" for pure numbers
+    char const* basis;
+};
+
 constexpr std::array tested{
     ValidatedRange{"alpha", 0.08, 0.14, "", "fitted to the outcomes of other motions"},
     ValidatedRange{"p", 4.0, 5.4, "rad/s", "of a centre assumed 0.25 to 0.45 m high; mass measured"},
@@ -32,8 +40,6 @@ void add_outside(std::vector<std::string>& list, std::size_t place, double least
 }
 
 }  // namespace
-
-std::span<ValidatedRange const> validated_ranges() { return tested; }
 
 std::vector<std::string> outside_validated_range(CampaignSpec const& spec) {
     TextsOf texts;

@@ -9,18 +9,8 @@
 
 namespace overturn {
 
-/// A quantity of the bodies that were tested, from its lowest to its highest value [SI].
-struct ValidatedRange {
-    char const* quantity;
-    double lowest, highest;
-    char const* unit;  ///< "" for pure numbers
-    char const* basis;
-};
-
-/// 245 tests of two granite blocks on a shaking table (doi 10.26443/seismica.v3i1.692; tests/validation/experiments):
-/// one component, no base that was measured to be flat, friction unknown.
-[[nodiscard]] std::span<ValidatedRange const> validated_ranges();
-
+/// Which bodies lie outside of 245 tests of two granite blocks on a shaking table (doi 10.26443/seismica.v3i1.692;
+/// tests/validation/experiments): one component, no base that was measured to be flat, friction unknown.
 /// "type-a, type-b: alpha 0.577 (tested: 0.08 to 0.14), ...": bodies that leave the range in the same way together.
 /// Empty: all are inside.
 [[nodiscard]] std::vector<std::string> outside_validated_range(CampaignSpec const& spec);

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "campaign/intensity_measure.hpp"
 #include "core/units.hpp"
 #include "motion/claims.hpp"
 #include "motion/column_role.hpp"
@@ -12,10 +13,22 @@
 
 namespace overturn::cli {
 
-std::string NamedColumn::measure() const {
-    auto const plain = lowered(bare);
-    return plain == "pga" || plain == "pgv" || plain == "sa" ? name : std::string();
+namespace {
+
+/// The measure of waves that a name states: "PGA", "Sa", "vector PGA", "sa-average"; nothing if it is none.
+IntensityMeasure const* measure_called(std::string_view bare) {
+    auto plain = lowered(bare);
+    std::ranges::replace_if(
+        plain, [](char c) { return c == ' ' || c == '-'; }, '_');
+    auto const found = std::ranges::find_if(intensity_measures, [&](IntensityMeasure const& entry) {
+        return entry.dimension != Dimension::none && (entry.name == plain || entry.level == plain);
+    });
+    return found == intensity_measures.end() ? nullptr : found;
 }
+
+}  // namespace
+
+std::string NamedColumn::measure() const { return measure_called(bare) != nullptr ? name : std::string(); }
 
 bool NamedColumn::is_intensity() const {
     constexpr auto names = std::to_array<std::string_view>(
@@ -24,7 +37,7 @@ bool NamedColumn::is_intensity() const {
          "pgv",       "sa",       "psa",        "sat1",       "sacollapse",       "collapsesa"});
     auto plain = lowered(bare);
     std::erase_if(plain, [](char c) { return std::string_view(" _-.").find(c) != std::string_view::npos; });
-    return std::ranges::find(names, plain) != names.end();
+    return std::ranges::find(names, plain) != names.end() || measure_called(bare) != nullptr;
 }
 
 NamedColumn named_column(std::string_view cell) {
@@ -79,10 +92,8 @@ Dimension dimension_of(NamedColumn const& column) {
             return dimension;
         }
     }
-    auto const measure = column.measure();
-    return measure.empty() || !column.unit.empty() ? Dimension::none
-           : measure == "pgv"                      ? Dimension::velocity
-                                                   : Dimension::acceleration;
+    auto const* const measure = measure_called(column.bare);
+    return measure == nullptr || !column.unit.empty() ? Dimension::none : measure->dimension;
 }
 
 }  // namespace

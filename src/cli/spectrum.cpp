@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "campaign/intensity_measure.hpp"
 #include "campaign/rocking_band.hpp"
 #include "campaign/warnings.hpp"
 #include "cli/figures.hpp"
@@ -90,6 +91,10 @@ void print_record_json(PlacedRecord const& record, Measures const& m, double dam
                                 {"psv_mps", m.response.psv_mps},
                                 {"v_e_mps", m.v_e_mps},
                                 {"v_e0_mps", m.v_e0_mps}};
+    for (auto const& [measure, value] : measures_of(record.motion)) {
+        json[std::string(measure->name)] = value;
+        json["units"][std::string(measure->name)] = measure->units();
+    }
     if (energy) {
         json["energy"] = {{"T0_s", energy->band.t0_s},
                           {"T1_s", energy->band.t1_s},
@@ -118,6 +123,9 @@ void print_record_text(PlacedRecord const& record, Measures const& m, double dam
     fmt::print("PGA {:.6g} m/s2 = {:.2f} gal, PGV {:.5g} {}, PGD {:.5g} m, Arias {:.5g} m/s\n", m.intensity.pga_mps2,
                100 * m.intensity.pga_mps2, unit.of(m.intensity.pgv_mps), symbol, m.intensity.pgd_m,
                m.intensity.arias_mps);
+    for (auto const& [measure, value] : measures_of(record.motion)) {
+        fmt::print("{} {:.5g} {}\n", measure->title, value, measure->units());
+    }
     fmt::print("{}{}\n", m.drift.text(),
                m.drift.excessive() ? ": its baseline drifts, correct it with --baseline" : "");
     if (energy) {

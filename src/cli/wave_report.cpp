@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "campaign/intensity_measure.hpp"
 #include "campaign/rocking_band.hpp"
 #include "campaign/warnings.hpp"
 #include "cli/json_values.hpp"
@@ -104,6 +105,9 @@ std::string wave_json(CampaignSpec const& spec, GeneratedWave const& wave, WaveC
         if (!values->empty()) {
             json[name] = peak_of(*values);
         }
+    }
+    for (auto const& [measure, value] : measures_of(wave.motion)) {
+        json[std::string(measure->name)] = value;  // [SI]
     }
     if (!wave.ratios.empty()) {
         json["match"] = match_json(wave.match);

@@ -17,7 +17,6 @@ class StoredRows {
     /// \param file and `spec` outlive it
     StoredRows(store::ResultsReader const& file, CampaignSpec const& spec);
 
-    [[nodiscard]] std::int64_t trial_count() const { return trials_; }
     [[nodiscard]] std::int64_t wave_count() const { return waves_; }
 
     [[nodiscard]] TrialRows trials(std::int64_t first, std::int64_t count) const;

@@ -46,6 +46,11 @@ TEST_F(Capacities, OfThePublishedExample) {
 TEST_F(Capacities, AColumnOfVerdictsSaysTheSame) {
     folder.write("c.csv", "record;collapsed;pga [g]\nA;1;0.7\nB;1;0.9\nC;0;1.3\nD;1;1.1\n");
     auto const by_column = overturn(folder, {"fit", "--capacities", "c.csv", "--json"});
+    for (auto const* measure :
+         {"cav [m/s]", "standardised_cav [m/s]", "sa-average [g]", "vector-pga [g]", "pgd [cm]"}) {
+        folder.write("c.csv", std::string(measure) + "\n0.7\n0.9\n>1.3\n1.1\n");
+        EXPECT_EQ(overturn(folder, {"fit", "--capacities", "c.csv"}).code, 0) << measure << " is one of the registry";
+    }
     folder.write("c.csv", "pga [g]\n0.7\n0.9\n>1.3\n1.1\n");
     auto const by_sign = overturn(folder, {"fit", "--capacities", "c.csv", "--json"});
     EXPECT_EQ(by_column.code, 0) << by_column.err;

@@ -107,7 +107,8 @@ TEST_F(Verbs, SpectrumJson) {
         json::parse(done({"spectrum", "--wave", "sine.csv", "--unit", "g", "--body", "body.toml", "--json"}).out);
     auto const without = json::parse(done({"spectrum", "--wave", "sine.csv", "--unit", "g", "--json"}).out);
 
-    expect_keys(spectrum, {"pga", "pgv", "pgd", "period_s", "sa_mps2", "psv_mps", "v_e_mps", "energy"});
+    expect_keys(spectrum, {"pga", "pgv", "pgd", "cav", "standardised_cav", "period_s", "sa_mps2", "psv_mps", "v_e_mps",
+                           "energy"});
     expect_keys(spectrum["energy"], {"T0_s", "T1_s", "ou_v_e_mps", "v_wes_max_mps", "v_wes_time_s", "v_ereq_mps"});
     EXPECT_EQ(spectrum["period_s"].size(), spectrum["sa_mps2"].size());
     EXPECT_NEAR(spectrum["pga"].get<double>(), 0.5 * 9.80665, 1e-6);
@@ -115,6 +116,8 @@ TEST_F(Verbs, SpectrumJson) {
     double const radius = std::hypot(0.45, 1.045);
     EXPECT_NEAR(spectrum["energy"]["v_ereq_mps"].get<double>(), std::sqrt(2 * 9.80665 * (radius - 1.045)), 1e-9);
     EXPECT_FALSE(without.contains("energy"));
+    EXPECT_EQ(spectrum["units"]["cav"], "m/s");
+    EXPECT_GT(spectrum["cav"].get<double>(), spectrum["pgv"].get<double>()) << "of a wave that swings";
 }
 
 // A wave that is written and read back is the same wave to the last bit.
