@@ -4,6 +4,8 @@
 #include <array>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "campaign/intensity_measure.hpp"
 #include "core/units.hpp"
 #include "motion/claims.hpp"
@@ -113,6 +115,11 @@ IntensityText intensity_text(CellRows const& rows, std::string const& file, std:
     claims.check_unit_of(column, file);
     auto const own = dimension == Dimension::none ? std::nullopt : unit_spelled(named.unit, dimension);
     auto const unit = claims.unit_beside(own, {}, {file, rows.header_line()});
+    if (named.unit.empty() && !unit && !claims.doubt().empty()) {
+        throw InputError(
+            {file, rows.header_line()},
+            fmt::format("unit of '{}' missing ({}). Write for example '{} [g]'", column, claims.doubt(), column));
+    }
     return {named.unit.empty() && unit ? name_of_unit(*unit, dimension) : std::string(named.unit), claims.unread()};
 }
 

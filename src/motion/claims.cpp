@@ -10,6 +10,7 @@
 #include "motion/column_unit.hpp"
 #include "motion/detail/claim_words.hpp"
 #include "motion/detail/claimed_unit.hpp"
+#include "motion/detail/plain_words.hpp"
 #include "motion/detail/quantity_words.hpp"
 #include "motion/detail/record_readers.hpp"
 #include "motion/telling_words.hpp"
@@ -41,31 +42,6 @@ bool is_provenance(Text lower) {
 
 bool says_nothing(Text line) { return line.find_first_not_of(" \t-=*#%;!/|:+.,_") == Text::npos; }
 
-std::vector<std::string> words_of(Text text) {
-    std::vector<std::string> words;
-    for (std::size_t at = 0; at < text.size();) {
-        at = std::min(text.find_first_not_of(" \t,;/", at), text.size());
-        auto const end = std::min(text.find_first_of(" \t,;/", at), text.size());
-        if (end > at) {
-            words.emplace_back(text.substr(at, end - at));
-        }
-        at = end;
-    }
-    return words;
-}
-
-/// The component names behind "comp", one each or one in two words ("N10E", "360 deg"); empty if any is none.
-std::vector<std::string> components_behind(Text text) {
-    text = trimmed(text.substr(std::min(text.find_first_not_of(" \t:=."), text.size())));
-    auto const known = [](std::string const& name) { return component_named(name).direction != Direction::unknown; };
-    auto words = words_of(text);
-    constexpr std::size_t most = 3;
-    if (!words.empty() && words.size() <= most && std::ranges::all_of(words, known)) {
-        return words;
-    }
-    return !text.empty() && known(std::string(text)) ? std::vector{std::string(text)} : std::vector<std::string>{};
-}
-
 }  // namespace
 
 void Claims::Claim::take(double stated, int number) {
@@ -83,25 +59,35 @@ bool Claims::take_unit(std::string const& lower, int number) {
         return false;
     }
     bool const one = is_of_one_value(lower);
+    auto clauses = unit_clauses(lower, of_);
+    clauses.plain = clauses.plain || (number == title_ && is_title_of_unit(lower, of_));
     bool found = false;
     std::optional<double> of_peak;
-    each_unit(lower, of_, [&](double unit) {
+    auto const take_one = [&](double unit) {
         found = true;
-        one ? (void)(of_peak = unit) : unit_.take(unit, number);
-    });
+        if (one) {
+            of_peak = unit;
+        } else if (clauses.plain) {
+            unit_.take(unit, number);
+        } else if (doubt_.empty()) {
+            doubt_ = fmt::format("line {} names {} among other words", number, clauses.name);
+        }
+    };
+    each_unit(lower, of_, take_one);
     if (auto const peak = peak_in(lower, of_)) {
         peaks_.push_back({peak->value, peak->unit ? peak->unit : of_peak, number});
         return true;
     }
-    if (!found && !one && !is_provenance(lower)) {
+    if (!found && !one && (!is_provenance(lower) || !clauses.plain)) {
         auto const claimed = claimed_unit(lower, of_);
-        claimed.si ? unit_.take(*claimed.si, number) : void();
+        claimed.si ? take_one(*claimed.si) : void();
         if (!claimed.si && !claimed.unknown.empty() && unknown_unit_.empty()) {
             unknown_unit_ = claimed.unknown;
             unknown_unit_line_ = number;
         }
         found = claimed.si || !claimed.unknown.empty();
     }
+    doubted_ = found && !one && !clauses.plain;
     return found && !one;
 }
 
@@ -150,29 +136,6 @@ bool Claims::take_other_quantity(Text line, std::string const& lower, int number
         other_said_ = fmt::format("line {}: {}", number, in_quotes(trimmed(line)));
     }
     return true;
-}
-
-bool Claims::take_components(std::string_view line, std::string const& lower, int number) {
-    for (Text const key : {"components", "component", "comp", "direction", "dir", "channel", "orientation"}) {
-        auto const at = lower.find(key);
-        if (at == std::string::npos || !holds_word(lower, key)) {
-            continue;
-        }
-        auto const found = components_behind(line.substr(at + key.size()));
-        if (!found.empty() && components_.empty()) {
-            components_ = found;
-            components_line_ = number;
-        }
-        if (!found.empty()) {
-            return true;
-        }
-    }
-    auto const vertical = vertical_alone_in(lower);
-    if (!vertical.empty() && components_.empty()) {
-        components_ = {vertical};
-        components_line_ = number;
-    }
-    return !vertical.empty();
 }
 
 // Is there a word that may change what the numbers are, and that nothing of the line accounts for?
@@ -248,7 +211,7 @@ void Claims::take(std::string_view line, int number) {
     auto const said_so = fmt::format("line {}: {}", number, in_quotes(trimmed(line)));
     bool const of_unit = holds_word(lower, "unit") || holds_word(lower, "units");
     bool const left = understood ? leaves_a_part(lower) : of_unit;
-    if (tells_more(lower, component, other, step.has_value()) || left) {
+    if (tells_more(lower, component, other, step.has_value()) || left || std::exchange(doubted_, false)) {
         telling_.push_back(said_so);
     } else if (!understood && !is_provenance(lower)) {
         unread_.push_back(said_so);

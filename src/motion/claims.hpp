@@ -32,6 +32,8 @@ class Claims {
     /// SI value of one unit of the numbers.
     [[nodiscard]] std::optional<double> unit() const { return unit_.value; }
     [[nodiscard]] int unit_line() const { return unit_.line; }
+    /// "line 3 names gal among other words": why a unit is none of the numbers; empty if no line names one so.
+    [[nodiscard]] std::string const& doubt() const { return doubt_; }
     /// [s]
     [[nodiscard]] std::optional<double> time_step_s() const { return step_.value; }
     [[nodiscard]] int time_step_line() const { return step_.line; }
@@ -39,6 +41,8 @@ class Claims {
     [[nodiscard]] std::string const& other() const { return other_; }
     /// Are the numbers called accelerations anywhere?
     [[nodiscard]] bool accelerations() const { return accelerations_; }
+    /// The line is a title that ends in the unit, as other programs write above a count and a step.
+    void expect_title(int number) { title_ = number; }
     /// A name of a column calls them so.
     void take_named_accelerations() { accelerations_ = named_ = true; }
     [[nodiscard]] std::vector<std::string> const& components() const { return components_; }
@@ -68,6 +72,9 @@ class Claims {
     void check_unit_of(std::string_view column, std::string const& file) const;
     /// For numbers whose names state no unit. \throws InputError if the text states one that is not known: "g/10"
     void check_unit_is_known(std::string const& file) const;
+    /// For numbers whose component neither a name nor the user states. \throws InputError if a line holds a word of the
+    /// vertical and none of a horizontal component, and no line states the component
+    void check_no_vertical(std::string const& file, std::string_view advice) const;
     /// \throws InputError if times that rise by `step_s` contradict what is claimed
     void check_times(double step_s, std::string const& file) const;
     /// \throws InputError unless one of these counts of values is the one that is claimed, if any is
@@ -100,6 +107,11 @@ class Claims {
     Dimension of_;
     Claim unit_, step_, count_;
     std::vector<Peak> peaks_;
+    int vertical_line_ = 0;  ///< that may say so of the numbers; 0: none
+    std::string vertical_said_;
+    int title_ = 0;  ///< its line; 0: none
+    std::string doubt_;
+    bool doubted_ = false;  ///< is a unit of the line at hand among other words?
     std::string unknown_unit_;
     int unknown_unit_line_ = 0;
     int other_line_ = 0;  ///< that calls the numbers velocities, displacements or counts; 0: none

@@ -67,6 +67,12 @@ void Claims::check_unit_is_known(std::string const& file) const {
     }
 }
 
+void Claims::check_no_vertical(std::string const& file, std::string_view advice) const {
+    if (vertical_line_ > 0 && components_.size() != 1) {
+        throw InputError({file, vertical_line_}, fmt::format("{}. {}", vertical_said_, advice));
+    }
+}
+
 void Claims::check_times(double step_s, std::string const& file) const {
     if (step_.value && !same_as_printed(step_s, *step_.value)) {
         throw InputError({file, step_.line},

@@ -30,6 +30,9 @@ enum class Reading { by_content, components, list };
 Claims claims_of(TextTable const& table, TableColumns const& columns) {
     Claims claims;
     bool const pair = !pair_above(table).empty();
+    if (pair && table.head.size() > 1 && !is_comment(table.head.front().text)) {
+        claims.expect_title(table.head.front().number);
+    }
     claims.take(std::span(table.head).first(table.head.size() - (pair ? 1 : 0)), columns.names_line);
     claims.take(table.notes, columns.names_line);
     if (std::ranges::find(columns.roles, Quantity::acceleration, &ColumnRole::quantity) != columns.roles.end()) {
@@ -78,7 +81,8 @@ double unit_of(TextTable const& table, TableColumns const& columns, Claims const
     }
     auto const unit = claims.unit_beside(named, request.unit_mps2, names, request.unit_conflict);
     if (!unit) {
-        refuse_without_unit({request.name, table.line[0]}, "neither names nor text say it", request);
+        refuse_without_unit({request.name, table.line[0]},
+                            claims.doubt().empty() ? "neither names nor text say it" : claims.doubt(), request);
     }
     return *unit;
 }
@@ -185,6 +189,7 @@ Recording list_of(TextTable& table, TableColumns columns, RecordRequest const& r
     ColumnRole role{claims.components().size() == 1 ? claims.components().front() : std::string()};
     role.component = component_named(role.name);
     columns.motions = {{0, role}};
+    take_claimed_component(columns, claims, request.name, how_to_state(request, 1));
     Recording recording;
     recording.unit_mps2 = unit_of(table, columns, claims, request);
     recording.time_step_s = step_of(table, columns, claims, request);

@@ -16,6 +16,7 @@
 #include "motion/pair_table.hpp"
 #include "motion/telling_words.hpp"
 #include "motion/text_lines.hpp"
+#include "results/detail/hazard_years.hpp"
 #include "results/detail/unusual_hazard.hpp"
 
 namespace overturn {
@@ -75,86 +76,6 @@ void check_frequency(PairTable const& table, Location const& where) {
     }
 }
 
-// The number that ends before `at`; nothing if none does.
-std::optional<double> number_before(std::string_view text, std::size_t at) {
-    auto const end = text.find_last_not_of(" \t-", at == 0 ? 0 : at - 1);
-    if (at == 0 || end == std::string_view::npos) {
-        return std::nullopt;
-    }
-    auto const begin = text.find_last_not_of("0123456789.", end);
-    auto const digits = text.substr(begin == std::string_view::npos ? 0 : begin + 1, end - begin);
-    double value = 0;
-    return parse_number(digits, value) ? std::optional(value) : std::nullopt;
-}
-
-// "50 years", "in 50 yr": the number of years; nothing where none is named.
-std::optional<double> named_years(std::string_view text) {
-    for (std::string_view const word : {"year", "yr"}) {
-        for (auto at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
-            if (auto const years = number_before(text, at)) {
-                return years;
-            }
-        }
-    }
-    return std::nullopt;
-}
-
-std::optional<double> first_number(std::string_view text) {
-    auto const first = std::min(text.find_first_of("0123456789"), text.size());
-    auto const end = std::min(text.find_first_not_of("0123456789.e+", first), text.size());
-    double number = 0;
-    return parse_number(text.substr(first, end - first), number) ? std::optional(number) : std::nullopt;
-}
-
-// "investigation_time = 50", "exposure time 50 a", "10 % probability of exceedance in 50 years", "PoE in 50 yr": the
-// years; 0 where it speaks of a probability or of an investigation time without them; nothing of all else.
-std::optional<double> years_in(std::string const& text) {
-    auto const has = [&](std::string_view words) { return text.find(words) != std::string::npos; };
-    bool const investigation = has("investigation");
-    bool const probability = has("probab") || has("poe");
-    constexpr std::array<std::string_view, 6> spans{"investigation", "exposure",    "life",
-                                                    "reference p",   "time window", "time span"};
-    auto const* const span = std::ranges::find_if(spans, has);
-    if (span == spans.end() && !probability && !has("exceed")) {
-        return std::nullopt;
-    }
-    if (auto const years = named_years(text)) {
-        return years;
-    }
-    if (span != spans.end()) {
-        auto const years = first_number(std::string_view(text).substr(text.find(*span)));
-        return years || !investigation ? years : std::optional(0.0);
-    }
-    bool const annual = has("annual") || has("per year");
-    return probability && !annual ? std::optional(0.0) : std::nullopt;
-}
-
-// A line that speaks of more years than one: the numbers may be probabilities. \return remarks on those that only name
-// some
-std::vector<std::string> check_years(PairTable const& table, std::string const& name) {
-    std::vector<std::string> remarks;
-    for (auto const& line : table.text) {
-        auto const text = lowered(line.text);
-        auto const years = years_in(text);
-        auto const named = named_years(text);
-        if (!years && named && *named != 1) {
-            remarks.push_back(
-                fmt::format("line {} names {:g} years: exceedances of one year are read. Check that they "
-                            "are",
-                            line.number, *named));
-        }
-        if (!years || *years == 1) {
-            continue;
-        }
-        auto const time = *years > 0 ? fmt::format("{:g}", *years) : std::string("t");
-        throw InputError({name, line.number},
-                         fmt::format("{} (are these probabilities in {} years?). If so, convert them by -ln(1 - p) / "
-                                     "{}; if they are exceedances in a year, remove this line",
-                                     in_quotes(line.text), time, time));
-    }
-    return remarks;
-}
-
 // What the lines of text say of the intensity. Years are judged above.
 Claims claims_of(PairTable const& table, Dimension dimension, std::string const& name) {
     Claims claims(dimension);
@@ -164,7 +85,7 @@ Claims claims_of(PairTable const& table, Dimension dimension, std::string const&
                                || lower.find("hazard") != std::string::npos;
         Claims alone(dimension);
         alone.take(line.text, line.number);
-        if (!of_hazard || alone.unit()) {
+        if (!of_hazard || alone.unit() || !alone.doubt().empty()) {
             claims.take(line.text, line.number);
         }
     }
@@ -210,9 +131,10 @@ IntensityUnit unit_of(PairTable const& table, HazardAxis const& axis, Claims con
     auto const named = unit_of_values(column, axis.dimension);
     auto const unit = claims.unit_beside(named, {}, where);
     if (!unit) {
-        throw InputError(where, fmt::format("'{}' states no unit of {} (one of {}). Write for example '{} [{}]'",
-                                            table.first_name, name_of(axis.dimension), accepted_units(axis.dimension),
-                                            label, si_symbol(axis.dimension)));
+        throw InputError(
+            where, fmt::format("'{}' states no unit of {} ({}one of {}). Write for example '{} [{}]'", table.first_name,
+                               name_of(axis.dimension), claims.doubt().empty() ? "" : claims.doubt() + "; must be ",
+                               accepted_units(axis.dimension), label, si_symbol(axis.dimension)));
     }
     return {named ? std::string(unit_text_in_name(column).text) : name_of_unit(*unit, axis.dimension), *unit};
 }

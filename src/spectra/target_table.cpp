@@ -119,10 +119,11 @@ TargetSpectrum target_of_table(PairTable const& table, std::string const& name, 
     if (!named && !silence_is_si) {
         claims.check_unit_is_known(name);
     }
-    unit = !unit && silence_is_si ? std::optional(1.0) : unit;
+    unit = !unit && silence_is_si && claims.doubt().empty() ? std::optional(1.0) : unit;
     if (!unit) {
         throw InputError({name, table.line.front()},
-                         fmt::format("unit of the ordinates missing (neither names nor text say it). State {}",
+                         fmt::format("unit of the ordinates missing ({}). State {}",
+                                     claims.doubt().empty() ? "neither names nor text say it" : claims.doubt(),
                                      units_to_state(kind)));
     }
     check_rows(table, hertz.has_value(), logarithms, kind, name);

@@ -82,5 +82,13 @@ TEST_F(TrialsColumn, TheDesignBasisHasAUnitWhereTheTableHas) {
               json::parse(in_gal.out)["fragility"][0]["quotes"].size());
 }
 
+// a unit among other words of the text is none of the intensities.
+TEST_F(TrialsColumn, AUnitAmongOtherWordsIsAskedFor) {
+    for (char const* line : {"# not in gal", "# g: 9.81 (m/s2)", "# to get gal multiply by 981"}) {
+        refuse(fmt::format("{}\npga,trials,overturned\n300,40,2\n600,40,20\n900,40,38\n", line), "among other words");
+    }
+    EXPECT_EQ(fit("# intensities in gal\npga,trials,overturned\n300,40,2\n600,40,20\n900,40,38\n").code, 0);
+}
+
 }  // namespace
 }  // namespace overturn::testing

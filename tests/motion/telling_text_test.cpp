@@ -59,7 +59,6 @@ TEST(TellingText, WhatMayChangeTheNumbersIsListed) {
                              "# 200 Hz",
                              "# file 200Hz",
                              "# Station X, 200 Hz",
-                             "# station of the vertical array",
                              "# 50 % of the original",
                              "# acceleration in gal, decimated by 2",
                              "# acceleration in gal, sign reversed",

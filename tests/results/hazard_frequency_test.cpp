@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "output/frequency_text.hpp"
@@ -359,6 +360,15 @@ TEST_F(Frequency, WhatRestsOnNoDataIsSaid) {
     // Its ends are told in the unit that the curve states, whatever the levels do.
     auto const in_g = parse_hazard("pga [g], annual_exceedance\n0.05, 1e-2\n5, 1e-8\n", "h.csv", spec.levels);
     EXPECT_NE(said(in_g).find("from 0.05 g (0.01 1/a) to 5 g (1e-08 1/a)"), std::string::npos) << said(in_g);
+}
+
+// a unit among other words is none of the intensities.
+TEST(HazardUnits, AmongOtherWordsAreAskedFor) {
+    auto const levels = levels_by("pga");
+    for (char const* line : {"# not in gal", "# noise (gal)", "# g=981 (cm/s2)", "# annual rates, converted to gal"}) {
+        auto const text = fmt::format("{}\npga,annual_exceedance\n100,1e-2\n1000,1e-5\n", line);
+        testing::expect_input_error([&] { (void)parse_hazard(text, "h", levels); }, "among other words");
+    }
 }
 
 }  // namespace

@@ -253,5 +253,24 @@ TEST(TargetSpectrum, CampaignStatesItInThreeWays) {
     expect_input_error([&] { (void)read("spectrum='mlit-ch1'\ndamping=0.1"); }, "c.toml:1:", "0.05 only");
 }
 
+// a unit among other words is none of the ordinates, also where none is expected to be stated.
+TEST(TargetText, AUnitAmongOtherWordsIsAskedFor) {
+    for (char const* line :
+         {"# not in gal", "# range in gal", "# units: g (x 9.81 = m/s2)", "# Sa = column x 981 (gal)"}) {
+        for (bool const silence_is_si : {false, true}) {
+            testing::expect_input_error(
+                [&] {
+                    (void)parse_target_table(fmt::format("{}\nT,Sa\n0.1,3\n1,7\n", line), "t", TargetKind::acceleration,
+                                             0.05, {}, silence_is_si);
+                },
+                "among other words");
+        }
+    }
+    EXPECT_EQ(parse_target_table("# spectral acceleration in gal, 5 % damping\nT,Sa\n0.1,300\n1,700\n", "t",
+                                 TargetKind::acceleration, 0.05)
+                  .psa_mps2(0.1),
+              3);
+}
+
 }  // namespace
 }  // namespace overturn

@@ -4,6 +4,7 @@
 
 #include "core/units.hpp"
 #include "motion/component_name.hpp"
+#include "motion/detail/motion_look.hpp"
 #include "motion/telling_words.hpp"
 #include "motion/text_lines.hpp"
 
@@ -32,7 +33,11 @@ std::vector<std::string> telling_names(TableColumns const& columns) {
     return told;
 }
 
-void take_claimed_component(TableColumns& columns, Claims const& claims, std::string const& file) {
+void take_claimed_component(TableColumns& columns, Claims const& claims, std::string const& file,
+                            std::string_view advice) {
+    if (columns.motions.size() == 1 && columns.motions.front().role.component.direction == Direction::unknown) {
+        claims.check_no_vertical(file, advice);
+    }
     if (columns.motions.size() != 1 || claims.components().size() != 1) {
         return;
     }
@@ -46,6 +51,16 @@ void take_claimed_component(TableColumns& columns, Claims const& claims, std::st
                          fmt::format("component '{}', column '{}' is {} (they contradict each other). Mend one of them",
                                      claims.components().front(), role.name,
                                      is_vertical(role.component.direction) ? "vertical" : "horizontal"));
+    }
+}
+
+void check_seconds(std::vector<double> const& values, Claims const& claims, Location const& where,
+                   std::string const& how) {
+    constexpr std::size_t telling = 20;
+    if (values.size() >= telling && values[0] >= 0 && values[0] <= 1 && counts_rows(values) && !claims.time_step_s()) {
+        throw InputError(where, fmt::format("{}, {}, {}, ... in column 1 (a count of rows, or times in s?). Name the "
+                                            "columns, or: {}",
+                                            values[0], values[1], values[2], how));
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/error.hpp"
@@ -12,14 +13,20 @@
 namespace overturn {
 
 /// The one motion of a table takes the one direction that the text names. \throws InputError at the line if the
-/// column's own name says another
-void take_claimed_component(TableColumns& columns, Claims const& claims, std::string const& file);
+/// column's own name says another, or if it says none and another line holds a word of the vertical \param advice how
+/// to state the columns
+void take_claimed_component(TableColumns& columns, Claims const& claims, std::string const& file,
+                            std::string_view advice);
 
 /// SI value of one unit of the times, where their name says it. \throws InputError at one that is not known
 [[nodiscard]] std::optional<double> unit_of_times(TableColumns const& columns, std::string const& file);
 
 /// "line 1: 'acc error [g]'": names of motions that say more of them than is understood.
 [[nodiscard]] std::vector<std::string> telling_names(TableColumns const& columns);
+
+/// \throws InputError at 1, 2, 3, ... without a step that is claimed: rows are counted so, too
+void check_seconds(std::vector<double> const& values, Claims const& claims, Location const& where,
+                   std::string const& how);
 
 /// \param words stated, one for each column \param how to state them \throws InputError if two columns are the same
 void check_each_once(std::vector<std::string> const& words, Location const& where, std::string const& how);

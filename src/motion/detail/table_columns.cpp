@@ -41,7 +41,7 @@ class Placing {
             take_stated(i, lowered(trimmed(words[i])));
         }
         check_each_once(words, where_, how_to_state(request_, table_.columns()));
-        take_claimed_component(columns_, claims_, request_.name);
+        take_claimed_component(columns_, claims_, request_.name, how_to_state(request_, table_.columns()));
     }
 
     void as_named() {
@@ -67,7 +67,7 @@ class Placing {
                 refuse(i);
             }
         }
-        take_claimed_component(columns_, claims_, request_.name);
+        take_claimed_component(columns_, claims_, request_.name, how_to_state(request_, table_.columns()));
         check_letters();
         check_told();
     }
@@ -82,7 +82,7 @@ class Placing {
         bool const rises = std::ranges::is_sorted(first) && first.front() < first.back();
         std::size_t const begin = table_.columns() > 1 && rises && !components_ && !all_named ? 1 : 0;
         if (begin == 1) {
-            check_seconds(first);
+            check_seconds(first, claims_, where_, how_to_state(request_, table_.columns()));
             columns_.time = 0;
         }
         auto const motions = table_.columns() - begin;
@@ -93,6 +93,7 @@ class Placing {
             role.component = claimed ? component_named(named[i]) : ComponentName{};
             columns_.motions.push_back({begin + i, role});
         }
+        take_claimed_component(columns_, claims_, request_.name, how_to_state(request_, table_.columns()));
         check_told();
     }
 
@@ -202,18 +203,6 @@ class Placing {
             throw InputError(where_, fmt::format("column '{}' (a count of rows by its name, but it does not count "
                                                  "them). {}",
                                                  columns_.roles[i].name, how_to_state(request_, table_.columns())));
-        }
-    }
-
-    /// \throws InputError at 1, 2, 3, ...: rows are counted so, too
-    void check_seconds(std::vector<double> const& values) const {
-        constexpr std::size_t telling = 20;
-        if (values.size() >= telling && values[0] >= 0 && values[0] <= 1 && counts_rows(values)
-            && !claims_.time_step_s()) {
-            throw InputError(where_,
-                             fmt::format("{}, {}, {}, ... in column 1 (a count of rows, or times in s?). Name "
-                                         "the columns, or: {}",
-                                         values[0], values[1], values[2], how_to_state(request_, table_.columns())));
         }
     }
 

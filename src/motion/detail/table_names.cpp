@@ -99,8 +99,8 @@ void forget_numbered(std::vector<ColumnRole>& roles) {
 
 std::string how_to_state(RecordRequest const& request, std::size_t count) {
     constexpr std::array words{"time", "h1", "h2", "v"};
-    std::string example;
-    for (std::size_t i = 0; i < count; ++i) {
+    std::string example = count == 1 ? "h1" : "";
+    for (std::size_t i = 0; count > 1 && i < count; ++i) {
         example +=
             fmt::format("{}{}", i == 0 ? "" : ",", i < words.size() ? (count == 3 && i == 2 ? "v" : words.at(i)) : "-");
     }

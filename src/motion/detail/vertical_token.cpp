@@ -1,0 +1,72 @@
+#include "motion/detail/vertical_token.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "motion/component_name.hpp"
+
+namespace overturn {
+namespace {
+
+using Text = std::string_view;
+
+std::vector<Text> tokens_of_line(Text lower) {
+    std::vector<Text> tokens;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i <= lower.size(); ++i) {
+        auto const c = i < lower.size() ? static_cast<unsigned char>(lower[i]) : static_cast<unsigned char>(' ');
+        bool const within = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c >= 0x80;
+        if (!within) {
+            if (i > begin) {
+                tokens.push_back(lower.substr(begin, i - begin));
+            }
+            begin = i + 1;
+        }
+    }
+    return tokens;
+}
+
+/// HNZ, and what ends in it: "abchnz".
+bool ends_in_vertical_channel(Text token) {
+    constexpr std::size_t letters = 3;
+    return token.size() >= letters && token.ends_with('z') && Text("lngh").find(token[token.size() - 2]) != Text::npos
+           && Text("hbeslmcd").find(token[token.size() - letters]) != Text::npos;
+}
+
+bool is_vertical_token(Text token) {
+    constexpr auto known = std::to_array<Text>({"z", "v", "ud", "du", "up", "updown", "down", "upward", "upwards",
+                                                "downward", "downwards", "vert", "vertical", "vertically", "dwn"});
+    return std::ranges::find(known, token) != known.end() || token.starts_with("vertic")
+           || (token.size() > 1 && is_vertical(direction_of(token))) || ends_in_vertical_channel(token);
+}
+
+/// A letter says a horizontal one only beside a letter of the vertical.
+bool is_horizontal_token(Text token, bool letters) {
+    return !(token.front() >= '0' && token.front() <= '9') && (letters || token.size() > 1)
+           && direction_of(token) == Direction::horizontal;
+}
+
+bool is_height(Text token) {
+    constexpr auto heights =
+        std::to_array<Text>({"altitude", "elevation", "depth", "height", "elev", "alt", "intensity"});
+    return std::ranges::find(heights, token) != heights.end();
+}
+
+}  // namespace
+
+std::string vertical_token_in(std::string_view lower) {
+    auto const tokens = tokens_of_line(lower);
+    Text found;
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        bool const height = tokens[i].size() == 1 && i > 0 && is_height(tokens[i - 1]);
+        if (is_vertical_token(tokens[i]) && !height && found.size() < tokens[i].size()) {
+            found = tokens[i];
+        }
+    }
+    bool const beside =
+        std::ranges::any_of(tokens, [&](Text token) { return is_horizontal_token(token, found.size() == 1); });
+    return beside ? std::string() : std::string(found);
+}
+
+}  // namespace overturn
