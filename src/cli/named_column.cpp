@@ -11,6 +11,7 @@
 #include "motion/claims.hpp"
 #include "motion/column_role.hpp"
 #include "motion/column_unit.hpp"
+#include "motion/operators_in_name.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn::cli {
@@ -101,6 +102,12 @@ Dimension dimension_of(NamedColumn const& column) {
 }  // namespace
 
 IntensityText intensity_text(CellRows const& rows, std::string const& file, std::string_view column) {
+    if (tells_operation_in_name(column)) {
+        throw InputError({file, rows.header_line()},
+                         fmt::format("'{}' (an operation in its name: are its numbers that, or still to be changed by "
+                                     "it?). Give the intensities as such, under a plain name",
+                                     column));
+    }
     auto const named = named_column(column);
     auto dimension = dimension_of(named);
     auto const heard = [&](Dimension of) {

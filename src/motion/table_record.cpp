@@ -9,7 +9,6 @@
 
 #include <fmt/ranges.h>
 
-#include "core/units.hpp"
 #include "motion/claims.hpp"
 #include "motion/column_unit.hpp"
 #include "motion/detail/claimed_columns.hpp"
@@ -18,6 +17,7 @@
 #include "motion/detail/printed_times.hpp"
 #include "motion/detail/record_readers.hpp"
 #include "motion/detail/table_columns.hpp"
+#include "motion/operators_in_name.hpp"
 #include "motion/telling_words.hpp"
 #include "motion/text_lines.hpp"
 #include "motion/text_table.hpp"
@@ -65,7 +65,7 @@ double unit_of(TextTable const& table, TableColumns const& columns, Claims const
                                                 "m/s2, gal or g, or leave the brackets out and state the unit",
                                                 role.name, role.unknown_unit));
         }
-        if (!columns.stated && tells_factor(lowered(role.name))) {
+        if (!columns.stated && (tells_factor(lowered(role.name)) || tells_operation_in_name(role.name))) {
             throw InputError(names, fmt::format("column '{}' (a factor in its name: are its numbers that, or to be "
                                                 "multiplied by it?). Give accelerations as such, or state the columns",
                                                 role.name));

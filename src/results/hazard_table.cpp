@@ -13,6 +13,7 @@
 #include "motion/column_role.hpp"
 #include "motion/column_unit.hpp"
 #include "motion/openquake.hpp"
+#include "motion/operators_in_name.hpp"
 #include "motion/pair_table.hpp"
 #include "motion/telling_words.hpp"
 #include "motion/text_lines.hpp"
@@ -223,6 +224,11 @@ HazardCurve parse_hazard(std::string_view content, std::string const& name, Haza
         throw InputError(Location{name, 1}, fmt::format("no line of names (what is exceeded, in which unit?). Begin "
                                                         "with '{} [{}], annual_exceedance'",
                                                         label, unit));
+    }
+    if (tells_operation_in_name(table.first_name)) {
+        throw InputError(where, fmt::format("'{}' (an operation in its name: are its numbers that, or still to be "
+                                            "changed by it?). Give the intensities as such, under a plain name",
+                                            table.first_name));
     }
     check_measure(table, axis, where);
     check_frequency(table, where);

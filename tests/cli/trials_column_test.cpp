@@ -90,5 +90,12 @@ TEST_F(TrialsColumn, AUnitAmongOtherWordsIsAskedFor) {
     EXPECT_EQ(fit("# intensities in gal\npga,trials,overturned\n300,40,2\n600,40,20\n900,40,38\n").code, 0);
 }
 
+// an operation in the name of the intensities is refused.
+TEST_F(TrialsColumn, OperationsInNamesAreRefused) {
+    for (char const* name : {"pga [gal]/2", "pga [gal] x 0.5"}) {
+        refuse(fmt::format("{},trials,overturned\n300,40,2\n600,40,20\n900,40,38\n", name), "an operation in its name");
+    }
+}
+
 }  // namespace
 }  // namespace overturn::testing

@@ -371,5 +371,13 @@ TEST(HazardUnits, AmongOtherWordsAreAskedFor) {
     }
 }
 
+// an operation in the name of the intensities is refused.
+TEST(HazardUnits, OperationsInNamesAreRefused) {
+    for (char const* name : {"pga [g]/2", "pga [g] x 0.5", "pga/2 [g]"}) {
+        auto const text = fmt::format("{},annual_exceedance\n0.1,1e-2\n1,1e-5\n", name);
+        expect_input_error([&] { (void)parse_hazard(text, "h", levels_by("pga")); }, "h:1: ");
+    }
+}
+
 }  // namespace
 }  // namespace overturn

@@ -272,5 +272,16 @@ TEST(TargetText, AUnitAmongOtherWordsIsAskedFor) {
               3);
 }
 
+// an operation in the name of the ordinates is refused.
+TEST(TargetText, OperationsInNamesAreRefused) {
+    for (char const* name : {"Sa(g)/1.5", "Sa [g] x 0.5", "Sa/R [g]", "S/ag [g]", "Sa*1.5 [g]", "SRSS Sa [g]"}) {
+        testing::expect_input_error(
+            [&] {
+                (void)parse_target_table(fmt::format("T,{}\n0.1,3\n1,7\n", name), "t", TargetKind::acceleration, 0.05);
+            },
+            "t:1: ");
+    }
+}
+
 }  // namespace
 }  // namespace overturn

@@ -8,6 +8,7 @@
 #include "core/units.hpp"
 #include "motion/column_role.hpp"
 #include "motion/column_unit.hpp"
+#include "motion/operators_in_name.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn {
@@ -150,6 +151,11 @@ void check_kind(PairTable const& table, TargetKind kind, Location const& where) 
     if (is_something_else(table.second_name)) {
         throw InputError(where, fmt::format("'{}' (no ordinate of a response spectrum). Give Sa, Sv or Sd, or name the "
                                             "column so",
+                                            table.second_name));
+    }
+    if (tells_operation_in_name(ordinate_name(table.second_name)) && !names_energy(lowered(table.second_name))) {
+        throw InputError(where, fmt::format("'{}' (an operation in its name: are its numbers that, or still to be "
+                                            "changed by it?). Give the ordinates as such, under a plain name",
                                             table.second_name));
     }
     auto const named = kind_named(ordinate_name(table.second_name));

@@ -1,0 +1,83 @@
+#include "motion/operators_in_name.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "core/units.hpp"
+#include "motion/column_unit.hpp"
+#include "motion/component_name.hpp"
+#include "motion/text_lines.hpp"
+
+namespace overturn {
+namespace {
+
+using Text = std::string_view;
+
+bool is_unit_of_any(Text text) {
+    constexpr std::array dimensions{Dimension::acceleration, Dimension::velocity, Dimension::length, Dimension::time,
+                                    Dimension::frequency};
+    return std::ranges::any_of(dimensions, [&](Dimension each) { return unit_spelled(text, each).has_value(); });
+}
+
+/// Without what stands in brackets;a line end in place of a unit.
+std::string without_brackets(Text lower) {
+    std::string rest;
+    while (!lower.empty()) {
+        auto const open = lower.find_first_of("([");
+        rest += lower.substr(0, open);
+        if (open == Text::npos) {
+            break;
+        }
+        auto const close = std::min(lower.find_first_of(")]", open), lower.size());
+        rest += is_unit_of_any(trimmed(lower.substr(open + 1, close - open - 1))) ? '\n' : ' ';
+        lower.remove_prefix(std::min(close + 1, lower.size()));
+    }
+    return rest;
+}
+
+/// Is there a sign of reckoning in it that is not a unit's or a direction's? A spectrum's "V/H" is told elsewhere.
+bool has_operator(Text text) {
+    for (std::size_t at = 0; at < text.size();) {
+        constexpr Text separators = " \t_,;:\n";
+        at = std::min(text.find_first_not_of(separators, at), text.size());
+        auto const end = std::min(text.find_first_of(separators, at), text.size());
+        auto const token = text.substr(at, end - at);
+        at = end;
+        bool const sign = token.find_first_of("/*^|+<>") != Text::npos || token.find("\xC3\x97") != Text::npos
+                          || token.find("\xC2\xB7") != Text::npos;
+        if (sign && token != "v/h" && !is_unit_of_any(token)
+            && component_named(token).direction == Direction::unknown) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool holds_made_word(Text text) {
+    constexpr auto made = std::to_array<Text>({"half", "resultant", "srss", "rel", "res", "beta"});
+    constexpr Text separators = " \t_-./,;:\n";
+    for (std::size_t at = 0; at < text.size();) {
+        at = std::min(text.find_first_not_of(separators, at), text.size());
+        auto const end = std::min(text.find_first_of(separators, at), text.size());
+        if (std::ranges::find(made, text.substr(at, end - at)) != made.end()) {
+            return true;
+        }
+        at = end;
+    }
+    return false;
+}
+
+}  // namespace
+
+bool tells_operation_in_name(std::string_view name) {
+    auto const plain = without_brackets(lowered(trimmed(name)));
+    auto const unit = plain.find('\n');
+    auto const behind = unit == std::string::npos ? Text{} : trimmed(Text(plain).substr(unit + 1));
+    bool const times = behind == "x" || behind.starts_with("x ");
+    bool const reckoned = !behind.empty() && component_named(behind).direction == Direction::unknown
+                          && (times || behind.find_first_of("0123456789-%") != Text::npos);
+    return reckoned || has_operator(plain) || holds_made_word(plain);
+}
+
+}  // namespace overturn
