@@ -202,6 +202,11 @@ std::vector<std::string> warnings_of(GroundMotion const& motion) {
             fmt::format("time step of {:g} s (nothing above {:.3g} Hz is in it). Check the step and its unit",
                         motion.time_step_s, 0.5 / motion.time_step_s));
     }
+    constexpr double shortest_s = 5e-5;  // of seconds that were divided by 1000, which have 2e-5 s and less
+    if (motion.time_step_s < shortest_s) {
+        lines.push_back(fmt::format("time step of {:g} s (no instrument records so). Check the step and its unit",
+                                    motion.time_step_s));
+    }
     if (motion.samples() < fewest) {
         lines.push_back(fmt::format("{} samples only, {:g} s (hardly an earthquake). Check what was read",
                                     motion.samples(), motion.duration_s()));

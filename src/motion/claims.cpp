@@ -13,6 +13,7 @@
 #include "motion/detail/plain_words.hpp"
 #include "motion/detail/quantity_words.hpp"
 #include "motion/detail/record_readers.hpp"
+#include "motion/detail/time_words.hpp"
 #include "motion/telling_words.hpp"
 #include "motion/text_lines.hpp"
 
@@ -38,6 +39,11 @@ bool is_provenance(Text lower) {
                                "recorder",  "site",   "location",  "origin",     "network",  "place",     "source",
                                "reference", "author", "processed", "generated",  "version",  "sensor",    "name"};
     return std::ranges::any_of(words, [&](Text word) { return holds(lower, word); });
+}
+
+std::string without(std::string text, Text part) {
+    auto const at = text.find(part);
+    return at == std::string::npos ? text : text.erase(at, part.size());
 }
 
 bool says_nothing(Text line) { return line.find_first_not_of(" \t-=*#%;!/|:+.,_") == Text::npos; }
@@ -75,7 +81,8 @@ bool Claims::take_unit(std::string const& lower, int number) {
     };
     each_unit(lower, of_, take_one);
     if (auto const peak = peak_in(lower, of_)) {
-        peaks_.push_back({peak->value, peak->unit ? peak->unit : of_peak, number});
+        peaks_.push_back(
+            {peak->value, peak->unit ? peak->unit : of_peak, number, peak->digit, peak->rough, peak->other});
         return true;
     }
     if (!found && !one && (!is_provenance(lower) || !clauses.plain)) {
@@ -191,6 +198,11 @@ void Claims::take(std::string_view line, int number) {
     bool const other = take_other_quantity(line, lower, number);
     bool const component = take_components(line, lower, number);
     understood = understood || other || component;
+    auto const times = of_ == Dimension::acceleration ? unit_of_times_in(lower) : std::nullopt;
+    if (times) {
+        time_unit_.take(*times, number);
+        understood = true;
+    }
     auto const step = step_in(lower);
     if (step) {
         step_.take(*step, number);
@@ -211,7 +223,8 @@ void Claims::take(std::string_view line, int number) {
     auto const said_so = fmt::format("line {}: {}", number, in_quotes(trimmed(line)));
     bool const of_unit = holds_word(lower, "unit") || holds_word(lower, "units");
     bool const left = understood ? leaves_a_part(lower) : of_unit;
-    if (tells_more(lower, component, other, step.has_value()) || left || std::exchange(doubted_, false)) {
+    if (tells_more(times ? without(lower, "time in ") : lower, component, other, step.has_value()) || left
+        || std::exchange(doubted_, false)) {
         telling_.push_back(said_so);
     } else if (!understood && !is_provenance(lower)) {
         unread_.push_back(said_so);
@@ -228,6 +241,9 @@ std::vector<std::string> Claims::used() const {
     }
     if (step_.value) {
         lines.push_back(fmt::format("line {}: {:.6g} s", step_.line, *step_.value));
+    }
+    if (time_unit_.value && *time_unit_.value != 1) {
+        lines.push_back(fmt::format("line {}: times in {}", time_unit_.line, name_of_time_unit(*time_unit_.value)));
     }
     if (count_.value) {
         lines.push_back(fmt::format("line {}: {:.0f} samples", count_.line, *count_.value));

@@ -37,6 +37,9 @@ class Claims {
     /// [s]
     [[nodiscard]] std::optional<double> time_step_s() const { return step_.value; }
     [[nodiscard]] int time_step_line() const { return step_.line; }
+    /// SI value of one unit of the times.
+    [[nodiscard]] std::optional<double> time_unit_s() const { return time_unit_.value; }
+    [[nodiscard]] int time_unit_line() const { return time_unit_.line; }
     /// What else the numbers are called, "velocities"; empty if nothing.
     [[nodiscard]] std::string const& other() const { return other_; }
     /// Are the numbers called accelerations anywhere?
@@ -79,10 +82,11 @@ class Claims {
     void check_times(double step_s, std::string const& file) const;
     /// \throws InputError unless one of these counts of values is the one that is claimed, if any is
     void check_count(std::span<std::size_t const> counts, std::string const& file) const;
-    /// \throws InputError if a peak is claimed that the peaks meet only in another unit: 100 or 981 times as much
-    /// \return the lines whose peak is none of these in any unit
+    /// \param whole are these the peaks of all columns of the file? \throws InputError if a peak is claimed that the
+    /// peaks meet only in another unit, 100 or 981 times as much; or, of the whole file, not at all
+    /// \return the lines whose peak is none of these, where that may be another's
     [[nodiscard]] std::vector<std::string> check_peaks(std::span<double const> peaks_mps2, double unit_mps2,
-                                                       std::string const& file) const;
+                                                       std::string const& file, bool whole) const;
 
   private:
     struct Claim {
@@ -95,6 +99,9 @@ class Claims {
         double value = 0;
         std::optional<double> unit;
         int line = 0;
+        double digit = 0;
+        bool rough = false, other = false;
+        [[nodiscard]] bool is_met_by(double found, double unit_of_numbers) const;
     };
     /// What a quantity is called that is not the numbers' own; empty if it is, or is none.
     [[nodiscard]] std::string_view other_than_own(Quantity quantity) const;
@@ -105,7 +112,7 @@ class Claims {
     [[nodiscard]] bool tells_more(std::string const& lower, bool component, bool quantity, bool step) const;
 
     Dimension of_;
-    Claim unit_, step_, count_;
+    Claim unit_, step_, count_, time_unit_;
     std::vector<Peak> peaks_;
     int vertical_line_ = 0;  ///< that may say so of the numbers; 0: none
     std::string vertical_said_;

@@ -10,6 +10,7 @@
 #include "motion/column_unit.hpp"
 #include "motion/detail/claimed_unit.hpp"
 #include "motion/detail/quantity_words.hpp"
+#include "motion/detail/time_words.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn {
@@ -209,6 +210,17 @@ ColumnRole column_role(std::string_view name) {
     }
     if (role.quantity == Quantity::counts) {
         role.unit.reset();
+    }
+    if (words == Quantity::frequency && role.quantity == Quantity::time) {  // "Period (s)"
+        role.quantity = Quantity::frequency;
+        role.unit.reset();
+    }
+    if (brackets.empty() && (role.quantity == Quantity::time || role.quantity == Quantity::unknown)) {
+        auto const seconds = unit_in_time_name(outside);
+        constexpr double longest = 1;  // "min" may be the least, "h" horizontal
+        bool const taken = seconds && *seconds <= longest;
+        role.unit = taken && !role.unit ? seconds : role.unit;
+        role.quantity = taken ? Quantity::time : role.quantity;
     }
     if (role.quantity == Quantity::time) {
         role.unknown_unit = role.unit ? std::string() : odd_unit_of_time(brackets);

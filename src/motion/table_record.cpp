@@ -105,7 +105,7 @@ double step_of(TextTable& table, TableColumns const& columns, Claims const& clai
                                                 "first",
                                                 *columns.time + 1));
         }
-        auto const unit = unit_of_times(columns, request.name);
+        auto const unit = unit_of_times(columns, claims, request.name);
         time_in_seconds(table, *columns.time, unit);
         auto const step = time_step_of(table, *columns.time, request);
         claims.check_times(step, request.name);
@@ -160,12 +160,14 @@ void account_for(TextTable const& table, TableColumns const& columns, Claims con
 }
 
 // Behind account_for.
-void check_peaks(Recording& recording, Claims const& claims, std::string const& file) {
+void check_peaks(Recording& recording, TableColumns const& columns, Claims const& claims, std::string const& file) {
     std::vector<double> peaks;
+    bool const whole = !columns.stated || columns.left_out.empty();
     for (auto const& component : recording.components) {
         peaks.push_back(peak_of(component.acceleration_mps2));
     }
-    std::ranges::move(claims.check_peaks(peaks, recording.unit_mps2, file), std::back_inserter(recording.unread));
+    std::ranges::move(claims.check_peaks(peaks, recording.unit_mps2, file, whole),
+                      std::back_inserter(recording.unread));
 }
 
 bool has_times_first(TextTable const& table) {
@@ -200,7 +202,7 @@ Recording list_of(TextTable& table, TableColumns columns, RecordRequest const& r
     }
     recording.components.push_back({role.name, role.component.direction, std::move(values)});
     account_for(table, columns, claims, recording);
-    check_peaks(recording, claims, request.name);
+    check_peaks(recording, columns, claims, request.name);
     return recording;
 }
 
@@ -221,7 +223,7 @@ Recording columns_of(TextTable& table, TableColumns columns, RecordRequest const
         recording.components.push_back({role.name, role.component.direction, std::move(table.column[column])});
     }
     account_for(table, columns, claims, recording);
-    check_peaks(recording, claims, request.name);
+    check_peaks(recording, columns, claims, request.name);
     return recording;
 }
 
@@ -246,11 +248,10 @@ Recording read_table(std::string_view content, RecordRequest const& request, Rea
     }
     check_whole_rows(table, request.name);
     if (!named && many && reading == Reading::by_content) {
-        throw InputError(
-            {request.name, table.line[0]},
-            fmt::format("{} columns without names, the first a time column (which is which cannot be told). "
-                        "Name them, or state the columns",
-                        table.columns()));
+        throw InputError({request.name, table.line[0]},
+                         fmt::format("{} columns without names, the first a time column (which is which cannot be "
+                                     "told). Name them, or state the columns",
+                                     table.columns()));
     }
     return columns_of(table, std::move(columns), request);
 }

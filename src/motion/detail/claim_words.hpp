@@ -29,6 +29,9 @@ void each_unit(std::string_view line, Dimension dimension, std::function<void(do
 struct ClaimedPeak {
     double value = 0;                 ///< without its sign
     std::optional<double> unit = {};  ///< SI value of the one behind it
+    double digit = 0;                 ///< of the value's last one
+    bool rough = false;               ///< "about", raw, or of a resultant: near the numbers' own
+    bool other = false;               ///< of a spectrum, a sensor's range, a target: not the numbers' own
 };
 /// "PGA (gal): 13.2", "peak value: 53.138", "PGA = 300 gal", "peak acceleration of 0.3 g", "max. 0.3 g": in the unit
 /// behind it, else in that of the line, or of the numbers.

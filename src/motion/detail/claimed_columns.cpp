@@ -5,14 +5,15 @@
 #include "core/units.hpp"
 #include "motion/component_name.hpp"
 #include "motion/detail/motion_look.hpp"
+#include "motion/detail/time_words.hpp"
 #include "motion/telling_words.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn {
 
-std::optional<double> unit_of_times(TableColumns const& columns, std::string const& file) {
+std::optional<double> unit_of_times(TableColumns const& columns, Claims const& claims, std::string const& file) {
     if (columns.roles.empty()) {
-        return std::nullopt;
+        return claims.time_unit_s();
     }
     auto const& role = columns.roles[*columns.time];
     if (!role.unknown_unit.empty()) {
@@ -20,7 +21,18 @@ std::optional<double> unit_of_times(TableColumns const& columns, std::string con
                          fmt::format("column '{}' ('{}' is no unit of time that is known). Write s, ms or min",
                                      role.name, role.unknown_unit));
     }
-    return role.unit;
+    if (!columns.stated && tells_factor_of_time(role.name)) {
+        throw InputError({file, columns.names_line},
+                         fmt::format("column '{}' (a factor in the name of the times: are its numbers seconds, or to "
+                                     "be multiplied by it?). Name it time, or state the columns",
+                                     role.name));
+    }
+    if (role.unit && claims.time_unit_s() && *role.unit != *claims.time_unit_s()) {
+        throw InputError({file, claims.time_unit_line()},
+                         fmt::format("times in {}, column '{}' (they contradict each other). Mend one of them",
+                                     name_of_time_unit(*claims.time_unit_s()), role.name));
+    }
+    return role.unit ? role.unit : claims.time_unit_s();
 }
 
 std::vector<std::string> telling_names(TableColumns const& columns) {
@@ -57,7 +69,8 @@ void take_claimed_component(TableColumns& columns, Claims const& claims, std::st
 void check_seconds(std::vector<double> const& values, Claims const& claims, Location const& where,
                    std::string const& how) {
     constexpr std::size_t telling = 20;
-    if (values.size() >= telling && values[0] >= 0 && values[0] <= 1 && counts_rows(values) && !claims.time_step_s()) {
+    if (values.size() >= telling && values[0] >= 0 && values[0] <= 1 && counts_rows(values) && !claims.time_step_s()
+        && !claims.time_unit_s()) {
         throw InputError(where, fmt::format("{}, {}, {}, ... in column 1 (a count of rows, or times in s?). Name the "
                                             "columns, or: {}",
                                             values[0], values[1], values[2], how));

@@ -18,8 +18,10 @@ namespace overturn {
 void take_claimed_component(TableColumns& columns, Claims const& claims, std::string const& file,
                             std::string_view advice);
 
-/// SI value of one unit of the times, where their name says it. \throws InputError at one that is not known
-[[nodiscard]] std::optional<double> unit_of_times(TableColumns const& columns, std::string const& file);
+/// SI value of one unit of the times, where their name or the text says it. \throws InputError at one that is not
+/// known, at a factor in the name, or if name and text contradict each other
+[[nodiscard]] std::optional<double> unit_of_times(TableColumns const& columns, Claims const& claims,
+                                                  std::string const& file);
 
 /// "line 1: 'acc error [g]'": names of motions that say more of them than is understood.
 [[nodiscard]] std::vector<std::string> telling_names(TableColumns const& columns);

@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <span>
 
 #include "motion/column_unit.hpp"
+#include "motion/component_name.hpp"
 #include "motion/detail/claim_words.hpp"
 #include "motion/text_lines.hpp"
 
@@ -38,16 +41,30 @@ constexpr auto keys_of_peaks = std::to_array<PeakKey>({{"peak ground acceleratio
                                                        {"max", true},
                                                        {"amax", true}});
 
+/// "(n-s) 13.2", "ns 13.2": from the value on; one component each, of which the first is read.
+Text behind_component(Text text) {
+    bool const bracket = text.starts_with('(') || text.starts_with('[');
+    auto const end = bracket ? text.find_first_of(")]") : text.find_first_of(" \t:=");
+    if (end == Text::npos) {
+        return text;
+    }
+    auto const name = trimmed(text.substr(bracket ? 1 : 0, end - (bracket ? 1 : 0)));
+    bool const letters = name.find_first_not_of("0123456789.+-") != Text::npos;
+    return letters && direction_of(name) != Direction::unknown ? trimmed(text.substr(end + 1)) : text;
+}
+
 /// Behind the key's colon, or the blanks, brackets and words between it and a figure.
 Text at_figure(Text behind) {
     auto const colon = behind.find_first_of(":=");
     if (colon != Text::npos) {
-        return trimmed(behind.substr(colon + 1));
+        return behind_component(trimmed(behind.substr(colon + 1)));
     }
     behind = trimmed(behind.substr(behind.starts_with('.') ? 1 : 0));
+    behind = trimmed(behind.substr(behind.starts_with("values") ? Text("values").size() : 0));
     if (behind.starts_with('(') || behind.starts_with('[')) {
         behind = trimmed(behind.substr(std::min(behind.find_first_of(")]"), behind.size() - 1) + 1));
     }
+    behind = behind_component(behind);
     for (Text const filling : {"of", "is", "was", "equals", "about", "approx.", "~"}) {
         behind = trimmed(behind.substr(behind.starts_with(filling) ? filling.size() : 0));
     }
@@ -65,6 +82,36 @@ Text unit_behind(Text text) {
     return unit;
 }
 
+/// Of the last digit in "13.20", "1.5e-2", ".028".
+double digit_of(Text number) {
+    auto const exponent_at = std::min(number.find('e'), number.size());
+    auto const mantissa = number.substr(0, exponent_at);
+    auto const point = mantissa.find('.');
+    double exponent = 0;
+    (void)parse_number(number.substr(std::min(exponent_at + 1, number.size())), exponent);
+    auto const decimals = point == Text::npos ? 0.0 : static_cast<double>(mantissa.size() - point - 1);
+    constexpr double most = 300;
+    return std::pow(10.0, std::clamp(exponent - decimals, -most, most));
+}
+
+bool holds_any(Text line, std::span<Text const> words) {
+    return std::ranges::any_of(words, [&](Text word) { return line.find(word) != Text::npos; });
+}
+
+bool is_rough(Text line) {
+    constexpr auto words = std::to_array<Text>({"raw", "uncorr", "original", "unfiltered", "before", "resultant",
+                                                "vector", "about", "approx", "~", "circa", "nearly", "3d"});
+    return holds_any(line, words);
+}
+
+bool is_of_others(Text line) {
+    constexpr auto words = std::to_array<Text>({"spectr", "response", "scale",     "range",    "trigger",  "threshold",
+                                                "sensor", "sensitiv", "target",    "design",   "capacity", "clip",
+                                                "full",   "event",    "network",   "rotd",     "geomean",  "psa",
+                                                "noise",  "pre-",     "predicted", "expected", "median",   "other"});
+    return holds_any(line, words);
+}
+
 bool is_of_another(Text unit) {
     return unit_spelled(unit, Dimension::time) || unit_spelled(unit, Dimension::length)
            || unit_spelled(unit, Dimension::velocity) || unit_spelled(unit, Dimension::frequency);
@@ -79,11 +126,13 @@ std::optional<ClaimedPeak> peak_in(std::string_view line, Dimension dimension) {
         }
         auto behind = at_figure(line.substr(line.find(key.text) + key.text.size()));
         behind = behind.substr(behind.starts_with('-') || behind.starts_with('+') ? 1 : 0);
+        auto const printed = behind;
         auto const value = cut_number(behind);
         auto const text = unit_behind(behind);
         auto const unit = unit_spelled(text, dimension);
         if (value && (unit || (!key.with_unit && !is_of_another(text)))) {
-            return ClaimedPeak{*value, unit};
+            auto const number = printed.substr(0, printed.size() - behind.size());
+            return ClaimedPeak{*value, unit, digit_of(number), is_rough(line), is_of_others(line)};
         }
     }
     return std::nullopt;

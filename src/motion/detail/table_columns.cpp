@@ -185,12 +185,13 @@ class Placing {
         find_unnamed_time();
     }
 
-    /// "x,y" of a digitiser: the first column rises as times do, and nothing else is one.
+    /// "x,y" of a digitiser, and the first column by place: it rises as times do, and nothing else is one.
     void find_unnamed_time() {
         auto const& first = columns_.roles[0];
         bool const may_be = first.quantity == Quantity::unknown && first.component.direction == Direction::unknown;
-        bool const digitised = table_.columns() == 2 && first.component.axis == "x";
-        if (!columns_.time && table_.columns() > 1 && (may_be || digitised) && rises_evenly(table_.column[0])) {
+        bool const digitised = table_.columns() == 2 && lowered(first.name) == "x";
+        if (!columns_.time && table_.columns() > 1 && ((may_be && request_.by_place) || digitised)
+            && rises_evenly(table_.column[0])) {
             columns_.time = 0;
             if (digitised) {
                 columns_.roles[1].component = {};
