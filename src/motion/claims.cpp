@@ -133,6 +133,11 @@ bool Claims::take_other_quantity(Text line, std::string const& lower, int number
     if (found.empty()) {
         return false;
     }
+    bool const beside = (holds(lower, "accel") || holds_word(lower, "acc")) && said != Quantity::spectrum;
+    if (plainly_other_.empty() && !beside && said != Quantity::other && is_of_known_words(lower)) {
+        plainly_other_ = found;
+        plainly_other_line_ = number;
+    }
     // "acceleration, velocity in cm/s" speaks of several; "unit: cm/s" of the numbers.
     bool const of_several = by_word || holds(lower, "veloc") || holds(lower, "displ");
     if (other_line_ == 0 || (other_of_several_ && !of_several)) {

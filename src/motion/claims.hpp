@@ -46,8 +46,11 @@ class Claims {
     [[nodiscard]] bool accelerations() const { return accelerations_; }
     /// The line is a title that ends in the unit, as other programs write above a count and a step.
     void expect_title(int number) { title_ = number; }
-    /// A name of a column calls them so.
-    void take_named_accelerations() { accelerations_ = named_ = true; }
+    /// A name of a column calls them so. \param alone is no other column one of a motion, or of a spectrum?
+    void take_named_accelerations(bool alone) {
+        accelerations_ = named_ = true;
+        alone_ = alone;
+    }
     [[nodiscard]] std::vector<std::string> const& components() const { return components_; }
     /// Is a peak stated, for check_peaks?
     [[nodiscard]] bool states_peak() const { return !peaks_.empty(); }
@@ -126,8 +129,10 @@ class Claims {
     bool other_of_several_ = false;  ///< in a line that names such a quantity, perhaps beside accelerations
     bool other_unit_ = false;        ///< as that line's unit says, and it is not on where or when
     std::string other_said_;
+    std::string plainly_other_;  ///< as a line of known words alone calls the numbers, without "accelerations"
+    int plainly_other_line_ = 0;
     bool spectrum_ = false;  ///< of accelerations, which their unit tells nothing of
-    bool named_ = false;
+    bool named_ = false, alone_ = false;
     bool accelerations_ = false;
     std::vector<std::string> components_;
     int components_line_ = 0;

@@ -33,6 +33,12 @@ std::optional<double> Claims::unit_beside(std::optional<double> named, std::opti
 }
 
 void Claims::check(RecordRequest const& request) const {
+    if (!plainly_other_.empty() && named_ && alone_) {
+        throw InputError({request.name, plainly_other_line_},
+                         fmt::format("{}, says the text, where names say accelerations (they contradict each "
+                                     "other). Take the accelerations of the same record, or mend the text",
+                                     plainly_other_));
+    }
     bool const beside_accelerations = named_ || (accelerations_ && other_of_several_);
     bool const other = other_line_ > 0 && !beside_accelerations && (!unit_.value || spectrum_);
     if (unit_.value && !other) {

@@ -27,20 +27,6 @@ namespace {
 
 enum class Reading { by_content, components, list };
 
-Claims claims_of(TextTable const& table, TableColumns const& columns) {
-    Claims claims;
-    bool const pair = !pair_above(table).empty();
-    if (pair && table.head.size() > 1 && !is_comment(table.head.front().text)) {
-        claims.expect_title(table.head.front().number);
-    }
-    claims.take(std::span(table.head).first(table.head.size() - (pair ? 1 : 0)), columns.names_line);
-    claims.take(table.notes, columns.names_line);
-    if (std::ranges::find(columns.roles, Quantity::acceleration, &ColumnRole::quantity) != columns.roles.end()) {
-        claims.take_named_accelerations();
-    }
-    return claims;
-}
-
 /// "acc_g" may be in g; "a_g" is the ground's. \throws InputError if another unit is stated
 void check_suffix_g(TableColumns const& columns, RecordRequest const& request, Location const& names) {
     for (auto const& [column, role] : columns.motions) {

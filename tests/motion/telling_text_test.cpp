@@ -53,8 +53,6 @@ TEST(TellingText, WhatMayChangeTheNumbersIsListed) {
                              "# acceleration x 1000",
                              "# event X, divide by 980",
                              "# channel 1, amplification 10",
-                             "# VEL",
-                             "# Component: NS velocity, cm/s",
                              "# Event: X; ground velocity",
                              "# 200 Hz",
                              "# file 200Hz",
@@ -83,6 +81,24 @@ TEST(TellingText, WhatMayChangeTheNumbersIsListed) {
           "# gal, 2011-03-11 05:46", "# gal, 35.1N 139.2E", "# RSN1106, acceleration in gal", "# dt = 0.01 s"}) {
         EXPECT_TRUE(read_placed(text(line), {.name = "a"}).unread.empty()) << line;
     }
+}
+
+// a line of known words alone that calls accelerations something else.
+TEST(TellingText, AnotherQuantityContradictsTheName) {
+    for (char const* line :
+         {"# absolute acceleration response spectrum", "# 5% damped spectrum", "# values below are velocities in cm/s",
+          "# VEL", "# Component: NS velocity, cm/s", "# displacement [cm]", "# ground velocity"}) {
+        expect_input_error([&] { (void)read_placed(text(line), {.name = "a"}); },
+                           "a:1: ", "says the text, where names say accelerations");
+        expect_input_error([&] { (void)read_placed(text("# station X") + line + "\n", {.name = "a"}); },
+                           "a:7: ", "says the text, where names say accelerations");
+    }
+    for (char const* line : {"# acceleration, velocity and displacement in cgs units", "# velocity sensor, station ABC",
+                             "# matched to a design spectrum", "# shear wave velocity 300 m/s"}) {
+        EXPECT_NO_THROW((void)read_placed(text(line), {.name = "a"})) << line;
+    }
+    EXPECT_NO_THROW(
+        (void)read_placed("# velocity in cm/s\ntime,acc [gal],vel\n0,1,2\n1,-2,3\n2,3,-4\n", {.name = "a"}));
 }
 
 // a unit of velocities below which a column is called an acceleration.

@@ -1,15 +1,38 @@
 #include "motion/detail/claimed_columns.hpp"
 
+#include <algorithm>
+#include <array>
+#include <span>
+
 #include <fmt/format.h>
 
 #include "core/units.hpp"
 #include "motion/component_name.hpp"
+#include "motion/detail/list_head.hpp"
 #include "motion/detail/motion_look.hpp"
 #include "motion/detail/time_words.hpp"
 #include "motion/telling_words.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn {
+
+Claims claims_of(TextTable const& table, TableColumns const& columns) {
+    Claims claims;
+    bool const pair = !pair_above(table).empty();
+    if (pair && table.head.size() > 1 && !is_comment(table.head.front().text)) {
+        claims.expect_title(table.head.front().number);
+    }
+    claims.take(std::span(table.head).first(table.head.size() - (pair ? 1 : 0)), columns.names_line);
+    claims.take(table.notes, columns.names_line);
+    auto const is = [](Quantity quantity) { return [=](ColumnRole const& role) { return role.quantity == quantity; }; };
+    if (std::ranges::any_of(columns.roles, is(Quantity::acceleration))) {
+        constexpr std::array others{Quantity::velocity, Quantity::displacement, Quantity::counts, Quantity::spectrum,
+                                    Quantity::other};
+        claims.take_named_accelerations(std::ranges::none_of(
+            others, [&](Quantity other) { return std::ranges::any_of(columns.roles, is(other)); }));
+    }
+    return claims;
+}
 
 std::optional<double> unit_of_times(TableColumns const& columns, Claims const& claims, std::string const& file) {
     if (columns.roles.empty()) {

@@ -12,6 +12,9 @@
 
 namespace overturn {
 
+/// All that the text of the table says, and whether its names say accelerations.
+[[nodiscard]] Claims claims_of(TextTable const& table, TableColumns const& columns);
+
 /// The one motion of a table takes the one direction that the text names. \throws InputError at the line if the
 /// column's own name says another, or if it says none and another line holds a word of the vertical \param advice how
 /// to state the columns
