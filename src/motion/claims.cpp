@@ -46,6 +46,22 @@ std::string without(std::string text, Text part) {
     return at == std::string::npos ? text : text.erase(at, part.size());
 }
 
+/// Between commas and semicolons that no figures surround.
+std::vector<Text> parts_of(Text line) {
+    constexpr Text marks = ",;";
+    auto const is_digit = [&](std::size_t at) { return at < line.size() && line[at] >= '0' && line[at] <= '9'; };
+    std::vector<Text> found;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i <= line.size(); ++i) {
+        bool const mark = i == line.size() || marks.find(line[i]) != Text::npos;
+        if (mark && !(i > 0 && is_digit(i - 1) && is_digit(i + 1))) {
+            found.push_back(line.substr(begin, i - begin));
+            begin = i + 1;
+        }
+    }
+    return found;
+}
+
 bool says_nothing(Text line) { return line.find_first_not_of(" \t-=*#%;!/|:+.,_") == Text::npos; }
 
 }  // namespace
@@ -94,7 +110,11 @@ bool Claims::take_unit(std::string const& lower, int number) {
         }
         found = claimed.si || !claimed.unknown.empty();
     }
-    doubted_ = found && !one && !clauses.plain;
+    bool const aside = !found && !one && clauses.any;  // "Source: PEER, g"
+    if (aside && doubt_.empty()) {
+        doubt_ = fmt::format("line {} names {} among other words", number, clauses.name);
+    }
+    doubted_ = aside || (found && !one && !clauses.plain);
     return found && !one;
 }
 
@@ -144,10 +164,20 @@ bool Claims::take_other_quantity(Text line, std::string const& lower, int number
         other_line_ = number;
         other_ = found;
         other_of_several_ = of_several;
-        other_unit_ = !counts && !of_several && !is_provenance(lower);
+        other_unit_ = !counts && !of_several && (!is_provenance(lower) || a_part_has_other_unit(line));
         other_said_ = fmt::format("line {}: {}", number, in_quotes(trimmed(line)));
     }
     return true;
+}
+
+// "station ABC, units: m/s"
+bool Claims::a_part_has_other_unit(Text line) const {
+    auto const parts = parts_of(line);
+    return parts.size() > 1 && std::ranges::any_of(parts, [&](Text part) {
+               Claims alone(of_);
+               auto const lower = lowered(part);
+               return !is_provenance(lower) && alone.take_other_quantity(part, lower, 1) && alone.other_unit_;
+           });
 }
 
 // Is there a word that may change what the numbers are, and that nothing of the line accounts for?
@@ -162,17 +192,7 @@ bool Claims::tells_more(std::string const& lower, bool component, bool quantity,
 
 // "in gal, Fs=200": is there a part between commas with a figure that nothing of it accounts for?
 bool Claims::leaves_a_part(std::string const& lower) const {
-    constexpr Text marks = ",;";
-    auto const is_digit = [&](std::size_t at) { return at < lower.size() && lower[at] >= '0' && lower[at] <= '9'; };
-    std::vector<Text> found;
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i <= lower.size(); ++i) {
-        bool const mark = i == lower.size() || marks.find(lower[i]) != Text::npos;
-        if (mark && !(i > 0 && is_digit(i - 1) && is_digit(i + 1))) {
-            found.push_back(Text(lower).substr(begin, i - begin));
-            begin = i + 1;
-        }
-    }
+    auto const found = parts_of(lower);
     return found.size() > 1 && std::ranges::any_of(found, [&](Text part) {
                Claims alone(of_);
                alone.take(part, 1);

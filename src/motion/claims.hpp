@@ -111,6 +111,7 @@ class Claims {
     [[nodiscard]] bool take_unit(std::string const& lower, int number);
     [[nodiscard]] bool take_other_quantity(std::string_view line, std::string const& lower, int number);
     [[nodiscard]] bool take_components(std::string_view line, std::string const& lower, int number);
+    [[nodiscard]] bool a_part_has_other_unit(std::string_view line) const;
     [[nodiscard]] bool leaves_a_part(std::string const& lower) const;
     [[nodiscard]] bool tells_more(std::string const& lower, bool component, bool quantity, bool step) const;
 

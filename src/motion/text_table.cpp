@@ -25,6 +25,23 @@ bool is_trailer(Text line) {
     return (marked && lower.find("end") != std::string::npos) || lower.starts_with("end of ");
 }
 
+/// Nothing but that it is the end: "*** End Data ***", "end of file". "end of file, all in g" says more.
+bool says_end_alone(Text line) {
+    auto const lower = lowered(line);
+    constexpr auto ends =
+        std::to_array<Text>({"end", "of", "data", "file", "record", "records", "the", "eof", "table"});
+    constexpr Text separators = " \t*-/&=_.:<>[]()";
+    for (std::size_t at = 0; at < lower.size();) {
+        at = std::min(lower.find_first_not_of(separators, at), lower.size());
+        auto const end = std::min(lower.find_first_of(separators, at), lower.size());
+        if (end > at && std::ranges::find(ends, Text(lower).substr(at, end - at)) == ends.end()) {
+            return false;
+        }
+        at = end;
+    }
+    return true;
+}
+
 /// 8.117 has three decimals and four figures, 1.667E-02 five and four.
 void note_digits(Text text, TextTable::Digits& digits) {
     auto const exponent_at = std::min(text.find_first_of("eEdD"), text.size());
@@ -60,6 +77,9 @@ class Reader {
             }
             if (is_trailer(*line)) {
                 ended_ = true;
+                if (!says_end_alone(*line)) {
+                    take_text(*line);
+                }
                 continue;
             }
             read_row(*line, row);

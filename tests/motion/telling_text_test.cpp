@@ -101,6 +101,26 @@ TEST(TellingText, AnotherQuantityContradictsTheName) {
         (void)read_placed("# velocity in cm/s\ntime,acc [gal],vel\n0,1,2\n1,-2,3\n2,3,-4\n", {.name = "a"}));
 }
 
+// a line below the numbers counts as one above does, and one on where or whence as another.
+TEST(TellingText, EveryLineCounts) {
+    auto const below = [](std::string const& line, std::string const& names = "Time,acc [gal]") {
+        return read_placed(text("# station X", names) + line + "\n", {.name = "a"});
+    };
+    for (char const* line : {"end of file, all in g", "--- end, units: g"}) {
+        expect_input_error([&] { (void)below(line); }, "a:7: ", "unit g, line 2 says gal");
+        expect_input_error([&] { (void)below(line, "Time,acc"); }, "a: ", "peak of 30 g");
+    }
+    for (char const* line : {"end of file", "*** End Data ***", "/& END OF DATA", "--- end ---"}) {
+        EXPECT_TRUE(below(line).unread.empty()) << line;
+    }
+    expect_input_error([&] { (void)below("*** End Data *** (in g)", "Time,acc"); }, "a:3: ", "line 7 names g");
+    expect_input_error([&] { (void)below("End of data, 9 samples"); }, "a:7: ", "9 samples claimed, 4 found");
+    expect_input_error([] { (void)read_placed(text("# station ABC, units: m/s"), {.name = "a"}); },
+                       "a:1: velocities, says the text");
+    auto const aside = read_placed(text("# Source: PEER, g"), {.name = "a"});
+    EXPECT_EQ(aside.unread, std::vector<std::string>{"line 1: '# Source: PEER, g'"});
+}
+
 // a unit of velocities below which a column is called an acceleration.
 TEST(TellingText, AnotherUnitContradictsTheName) {
     expect_input_error([] { (void)read_placed(text("# units: m/s", "time,acc"), {.name = "a", .unit_mps2 = 1}); },
