@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "core/units.hpp"
@@ -193,6 +194,25 @@ ComponentName in_tokens(Text name) {
     return agreed.found();
 }
 
+/// Of the line, either way [deg]: of "n", "e", "090", "n10e".
+std::optional<double> azimuth_along(ComponentName const& component) {
+    constexpr double east = 90;
+    Text axis = component.axis;
+    if (component.direction != horizontal || axis.empty()) {
+        return std::nullopt;
+    }
+    if (axis == "n" || axis == "e") {
+        return axis == "n" ? 0 : east;
+    }
+    bool const bearing = axis.front() == 'n' || axis.front() == 's';
+    double degrees = 0;
+    bool const number = axis == "1" || axis == "2";  // of h1 and h2
+    bool const read = bearing ? parse_number(trimmed(axis.substr(1, axis.size() - 2)), degrees)
+                              : !number && parse_number(axis, degrees);
+    bool const turned = bearing && (axis.front() == 's') != (axis.back() == 'w');
+    return read ? std::optional(turned ? -degrees : degrees) : std::nullopt;
+}
+
 }  // namespace
 
 ComponentName component_named(std::string_view name) {
@@ -226,6 +246,17 @@ ComponentName component_in(std::string_view name) {
         agreed.take(in_tokens(outside));
     }
     return agreed.found();
+}
+
+std::optional<double> degrees_between(ComponentName const& one, ComponentName const& other) {
+    auto const first = azimuth_along(one);
+    auto const second = azimuth_along(other);
+    if (!first || !second) {
+        return std::nullopt;
+    }
+    constexpr double half_circle = 180;
+    double const apart = std::fmod(std::abs(*first - *second), half_circle);
+    return std::min(apart, half_circle - apart);
 }
 
 Direction direction_of(std::string_view name) { return component_named(name).direction; }

@@ -2,6 +2,7 @@
 /// several languages.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -29,5 +30,9 @@ struct ComponentName {
 
 /// The direction of component_named.
 [[nodiscard]] Direction direction_of(std::string_view name);
+
+/// Between the lines along which two horizontal components point, 0 to 90 [deg]: 10 of "000" and "N10E", 0 of "000" and
+/// "180"; nothing where the compass tells nothing of one of them.
+[[nodiscard]] std::optional<double> degrees_between(ComponentName const& one, ComponentName const& other);
 
 }  // namespace overturn

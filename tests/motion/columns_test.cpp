@@ -181,6 +181,16 @@ TEST(Columns, NamesOfAnyOrderAreObeyed) {
     EXPECT_EQ(up_first.vertical_mps2, (std::vector{1 * gal, 2 * gal, 3 * gal}));
     expect_input_error([] { (void)read("t,d,v,a\n0,1,2,3\n1,1,2,3\n"); }, "a.csv:1: ", "'v'");
     expect_input_error([] { (void)read("t,NS,N\n0,1,2\n1,1,2\n"); }, "'NS' and 'N' (two of one direction)");
+    for (char const* names :
+         {"000,180", "000,010", "N10E,N20E", "350,010", "NS,000", "N30E,N10W", "EW,N80E", "N05E,S10W"}) {
+        auto const text = std::string("time,") + names + "\n0,1,2\n1,1,2\n";
+        expect_input_error([&] { (void)read(text, {.name = "a", .unit_mps2 = 1}); }, "two of one direction", "columns");
+        EXPECT_NO_THROW((void)read(text, {.name = "a", .unit_mps2 = 1, .columns = "time,h1,h2"})) << names;
+    }
+    for (char const* names : {"000,090", "045,135", "N10E,S80E", "N10E,N80W", "NS,090", "230,320", "h1,h2", "N,E",
+                              "S20W,N70W", "000,060"}) {
+        EXPECT_NO_THROW((void)read(std::string("time,") + names + "\n0,1,2\n1,1,2\n", {.unit_mps2 = 1})) << names;
+    }
 }
 
 TEST(Columns, ColumnsRecordedDownwardsAreTurned) {

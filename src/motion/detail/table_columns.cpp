@@ -255,14 +255,22 @@ class Placing {
                                              how_to_state(request_, table_.columns())));
             }
             for (auto const& other : columns_.motions) {
-                if (other.column < column && role.component.direction == Direction::horizontal
-                    && other.role.component.direction == Direction::horizontal
-                    && other.role.component.axis == role.component.axis) {
-                    throw InputError(where_,
-                                     fmt::format("columns '{}' and '{}' (two of one direction). {}", other.role.name,
-                                                 role.name, how_to_state(request_, table_.columns())));
-                }
+                check_apart(other, {column, role});
             }
+        }
+    }
+
+    void check_apart(PlacedColumn const& one, PlacedColumn const& other) const {
+        constexpr double least_deg = 45;
+        auto const& first = one.role.component;
+        auto const& second = other.role.component;
+        bool const both = first.direction == Direction::horizontal && second.direction == Direction::horizontal;
+        auto const apart = degrees_between(first, second);
+        if (one.column < other.column && both && (first.axis == second.axis || apart.value_or(least_deg) < least_deg)) {
+            throw InputError(
+                where_, fmt::format("columns '{}' and '{}' (two of one direction{}). {}", one.role.name,
+                                    other.role.name, apart && *apart > 0 ? fmt::format(", {:g} deg apart", *apart) : "",
+                                    how_to_state(request_, table_.columns())));
         }
     }
 
