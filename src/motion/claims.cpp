@@ -97,8 +97,8 @@ bool Claims::take_unit(std::string const& lower, int number) {
     };
     each_unit(lower, of_, take_one);
     if (auto const peak = peak_in(lower, of_)) {
-        peaks_.push_back(
-            {peak->value, peak->unit ? peak->unit : of_peak, number, peak->digit, peak->rough, peak->other});
+        peaks_.push_back({peak->value, peak->unit ? peak->unit : of_peak, number, peak->digit, peak->beside,
+                          peak->rough, peak->other});
         return true;
     }
     if (!found && !one && (!is_provenance(lower) || !clauses.plain)) {

@@ -103,6 +103,7 @@ class Claims {
         std::optional<double> unit;
         int line = 0;
         double digit = 0;
+        std::vector<double> beside;  ///< of other components
         bool rough = false, other = false;
         [[nodiscard]] bool is_met_by(double found, double unit_of_numbers) const;
     };

@@ -107,11 +107,14 @@ bool Claims::Peak::is_met_by(double found, double unit_of_numbers) const {
     constexpr double rounded = 0.5, rounding = 1e-9;
     constexpr double nearly = 2;
     double const si = unit.value_or(unit_of_numbers);
-    double const claimed = value * si;
-    double const allowed =
-        std::max({printed * claimed, std::min(digit * si, most * claimed), rounded * digit * si * (1 + rounding)});
-    bool const near = rough && found <= nearly * claimed && claimed <= nearly * found;
-    return near || std::abs(found - claimed) <= allowed;
+    auto const meets = [&](double stated) {
+        double const claimed = stated * si;
+        double const allowed =
+            std::max({printed * claimed, std::min(digit * si, most * claimed), rounded * digit * si * (1 + rounding)});
+        bool const near = rough && found <= nearly * claimed && claimed <= nearly * found;
+        return near || std::abs(found - claimed) <= allowed;
+    };
+    return meets(value) || std::ranges::any_of(beside, meets);
 }
 
 std::vector<std::string> Claims::check_peaks(std::span<double const> peaks_mps2, double unit_mps2,

@@ -20,11 +20,12 @@ std::string over(std::string const& name, std::string const& line = "# station X
 
 TEST(TimeWords, MillisecondsOfANameAreRead) {
     for (char const* name : {"ms", "msec", "millis", "milliseconds", "t/ms", "time_ms", "time-ms", "time.ms",
-                             "Time (ms)", "t [msec]", "time millis", "Time / ms"}) {
+                             "Time (ms)", "tms", "t [msec]", "time millis", "Time / ms"}) {
         EXPECT_NEAR(testing::read_record(over(name), {.name = "a"}).time_step_s, 0.01, 1e-15) << name;
     }
-    for (char const* name : {"t", "time", "T", "s", "sec", "t/s", "Time (s)", "relative time (s)", "x", "Zeit",
-                             "elapsed time", "Seconds from start", "Time UTC", "time axis"}) {
+    for (char const* name :
+         {"t", "time", "T", "s", "sec", "t/s", "tsec", "Time (s)", "Time [s] (relative)", "relative time (s)", "x",
+          "Zeit", "elapsed time", "Seconds from start", "Time UTC", "time axis"}) {
         EXPECT_EQ(testing::read_record(over(name), {.name = "a"}).time_step_s, 10) << name;
     }
 }
@@ -45,7 +46,8 @@ TEST(TimeWords, MillisecondsOfTheTextAreRead) {
 }
 
 TEST(TimeWords, AFactorInTheNameIsRefused) {
-    for (char const* name : {"t*10", "time/10 (s)", "scaled time", "time x100", "time^2", "t+t0"}) {
+    for (char const* name : {"t*10", "time/10 (s)", "scaled time", "time x100", "time^2", "t+t0", "time (s) x 10",
+                             "t [s]/10", "Time (s) * 10"}) {
         expect_input_error([&] { (void)testing::read_record(over(name), {.name = "a"}); }, "a:2: ", "tate ", "columns");
     }
     EXPECT_EQ(testing::read_record(over("t*10"), {.name = "a", .columns = "time,h1"}).time_step_s, 10);

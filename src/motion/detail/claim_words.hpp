@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/units.hpp"
 
@@ -30,6 +31,7 @@ struct ClaimedPeak {
     double value = 0;                 ///< without its sign
     std::optional<double> unit = {};  ///< SI value of the one behind it
     double digit = 0;                 ///< of the value's last one
+    std::vector<double> beside = {};  ///< of other components, "(N-S) 13.2 (E-W) 12.1"
     bool rough = false;               ///< "about", raw, or of a resultant: near the numbers' own
     bool other = false;               ///< of a spectrum, a sensor's range, a target: not the numbers' own
 };

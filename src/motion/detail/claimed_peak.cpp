@@ -94,21 +94,39 @@ double digit_of(Text number) {
     return std::pow(10.0, std::clamp(exponent - decimals, -most, most));
 }
 
+/// "(e-w) 12.163827 (u-d) 9.177727": what further components have.
+std::vector<double> values_beside(Text text) {
+    std::vector<double> found;
+    for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
+        text.remove_prefix(std::min(text.find_first_not_of(" ,;/"), text.size()));
+        auto rest = behind_component(text);
+        bool const named = rest.size() < text.size();
+        rest.remove_prefix(rest.starts_with('-') || rest.starts_with('+') ? 1 : 0);
+        auto const value = cut_number(rest);
+        auto const word = text.substr(0, text.find_first_of(" ,;/"));
+        if (named && value) {
+            found.push_back(*value);
+        }
+        text = named && value ? rest : text.substr(word.size());
+    }
+    return found;
+}
+
 bool holds_any(Text line, std::span<Text const> words) {
     return std::ranges::any_of(words, [&](Text word) { return line.find(word) != Text::npos; });
 }
 
 bool is_rough(Text line) {
-    constexpr auto words = std::to_array<Text>({"raw", "uncorr", "original", "unfiltered", "before", "resultant",
-                                                "vector", "about", "approx", "~", "circa", "nearly", "3d"});
+    constexpr auto words = std::to_array<Text>(
+        {"raw", "uncorr", "unfiltered", "resultant", "vector", "about", "approx", "~", "circa", "nearly", "3d"});
     return holds_any(line, words);
 }
 
 bool is_of_others(Text line) {
-    constexpr auto words = std::to_array<Text>({"spectr", "response", "scale",     "range",    "trigger",  "threshold",
-                                                "sensor", "sensitiv", "target",    "design",   "capacity", "clip",
-                                                "full",   "event",    "network",   "rotd",     "geomean",  "psa",
-                                                "noise",  "pre-",     "predicted", "expected", "median",   "other"});
+    constexpr auto words = std::to_array<Text>(
+        {"spectr", "response", "scale",    "range", "trigger", "threshold", "sensor",   "sensitiv", "target",
+         "design", "capacity", "clip",     "full",  "event",   "network",   "rotd",     "geomean",  "psa",
+         "noise",  "before",   "original", "scal",  "pre-",    "predicted", "expected", "median",   "other"});
     return holds_any(line, words);
 }
 
@@ -132,7 +150,8 @@ std::optional<ClaimedPeak> peak_in(std::string_view line, Dimension dimension) {
         auto const unit = unit_spelled(text, dimension);
         if (value && (unit || (!key.with_unit && !is_of_another(text)))) {
             auto const number = printed.substr(0, printed.size() - behind.size());
-            return ClaimedPeak{*value, unit, digit_of(number), is_rough(line), is_of_others(line)};
+            return ClaimedPeak{
+                *value, unit, digit_of(number), values_beside(behind), is_rough(line), is_of_others(line)};
         }
     }
     return std::nullopt;

@@ -45,6 +45,18 @@ bool is_filling(Text word) {
     return std::ranges::find(fillings, word) != fillings.end();
 }
 
+/// "time (s) x 10" is "time   x 10".
+std::string without_brackets(Text text) {
+    std::string rest;
+    int depth = 0;
+    for (char const c : text) {
+        depth += Text("([{").find(c) != Text::npos ? 1 : 0;
+        rest += depth > 0 ? ' ' : c;
+        depth -= depth > 0 && Text(")]}").find(c) != Text::npos ? 1 : 0;
+    }
+    return rest;
+}
+
 /// "10", "0.01", "x10": but for a word with a number at its end, a date or a time of day.
 bool is_open_figure(Text token) {
     bool const word = !is_digit(token.front()) && token.front() != '.'
@@ -61,11 +73,13 @@ std::optional<double> unit_in_time_name(std::string_view name) {
     if (parts.empty() || parts.size() > 2 || (parts.size() == 2 && !is_time_word(parts[0]))) {
         return std::nullopt;
     }
-    return unit_spelled(parts.back(), Dimension::time);
+    constexpr auto written_together = std::to_array<Text>({"tsec", "tms", "tmsec"});
+    bool const together = parts.size() == 1 && std::ranges::find(written_together, parts[0]) != written_together.end();
+    return unit_spelled(parts.back().substr(together ? 1 : 0), Dimension::time);
 }
 
 bool tells_factor_of_time(std::string_view name) {
-    auto lower = lowered(trimmed(name.substr(0, name.find_first_of("([{"))));
+    auto lower = without_brackets(lowered(trimmed(name)));
     if (auto const at = lower.find("relative"); at != std::string::npos) {
         lower.erase(at, Text("relative").size());
     }
