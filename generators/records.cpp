@@ -18,6 +18,7 @@
 #include "motion/intensity.hpp"
 #include "motion/resample.hpp"
 #include "motion/station.hpp"
+#include "motion/usual_time_step.hpp"
 
 namespace overturn {
 namespace {
@@ -139,21 +140,21 @@ Record read_motion(config::Table const& table, std::string_view key, std::string
             placed.says += fmt::format(" ({} of its lines of text not understood: overturn spectrum lists them)",
                                        placed.unread.size());
         }
+        if (auto const odd = unusual_time_step(placed.motion.time_step_s); !odd.empty()) {
+            placed.says += fmt::format(", check its unit: {}", odd);
+        }
+        auto const record_of = [&](GroundMotion motion, std::string says) {
+            return Record{std::move(motion), std::move(says), placed.direction, 0, {}, {}, {}};
+        };
         auto const step = request.record.time_step_s;
         if (!step || same_step(*step, placed.motion.time_step_s)) {
-            return Record{std::move(placed.motion), std::move(placed.says), placed.direction, 0, {}, {}, {}};
+            return record_of(std::move(placed.motion), std::move(placed.says));
         }
         auto resampled = resample(placed.motion, *step, request.coarsening);
         if (resampled.changed) {
             resampled.says += sa_change_text(placed.motion, resampled.motion);
         }
-        return Record{std::move(resampled.motion),
-                      fmt::format("{}, {}", placed.says, resampled.says),
-                      placed.direction,
-                      0,
-                      {},
-                      {},
-                      {}};
+        return record_of(std::move(resampled.motion), fmt::format("{}, {}", placed.says, resampled.says));
     });
 }
 

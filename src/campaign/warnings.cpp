@@ -14,6 +14,7 @@
 #include "campaign/rocking_band.hpp"
 #include "campaign/trial.hpp"
 #include "core/units.hpp"
+#include "motion/usual_time_step.hpp"
 
 namespace overturn {
 namespace {
@@ -195,17 +196,9 @@ std::vector<std::string> warnings_of_effects(CampaignSpec const& spec, PreparedW
 
 std::vector<std::string> warnings_of(GroundMotion const& motion) {
     Lines lines;
-    constexpr double longest_s = 0.1;
     constexpr std::size_t fewest = 50;
-    if (motion.time_step_s > longest_s) {
-        lines.push_back(
-            fmt::format("time step of {:g} s (nothing above {:.3g} Hz is in it). Check the step and its unit",
-                        motion.time_step_s, 0.5 / motion.time_step_s));
-    }
-    constexpr double shortest_s = 5e-5;  // of seconds that were divided by 1000, which have 2e-5 s and less
-    if (motion.time_step_s < shortest_s) {
-        lines.push_back(fmt::format("time step of {:g} s (no instrument records so). Check the step and its unit",
-                                    motion.time_step_s));
+    if (auto const step = unusual_time_step(motion.time_step_s); !step.empty()) {
+        lines.push_back(step + ". Check the step and its unit");
     }
     if (motion.samples() < fewest) {
         lines.push_back(fmt::format("{} samples only, {:g} s (hardly an earthquake). Check what was read",

@@ -197,6 +197,20 @@ TEST(Records, VerticalRecordIsNoHorizontalShaking) {
               "0, vertical U");
 }
 
+// a step that no record has is said where it is read, also of one that is resampled.
+TEST(Records, AnUnusualStepIsSaid) {
+    std::map<std::string, std::string> const slow{{"s.csv", "time,acc (gal)\n0,1\n10,-2\n20,3\n30,-1\n"},
+                                                  {"m.csv", "time (ms),acc (gal)\n0,1\n10,-2\n20,3\n30,-1\n"}};
+    auto const label = [&](std::string const& file) {
+        return source_of("source='records'\nfiles=['" + file + "']\ntime_step='0.01 s'\n", slow)->make(1, 0).label;
+    };
+    EXPECT_TRUE(
+        label("s.csv").starts_with("s.csv, check its unit: time step of 10 s (nothing above 0.05 Hz is in it), "
+                                   "10 s read at 0.01 s"))
+        << label("s.csv");
+    EXPECT_EQ(label("m.csv"), "m.csv");
+}
+
 // another time step than the record's resamples it, and says so.
 TEST(Records, AreResampledToAStatedStep) {
     auto const finer = source_of("source='records'\nfiles=['a.csv']\nunit='gal'\ntime_step='0.005 s'\n", files);

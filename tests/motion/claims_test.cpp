@@ -191,7 +191,8 @@ TEST(Claims, CountsAndPeaksAreChecked) {
          {"npts: 4", "NUMBER OF DATA : 4", "4 samples, 100 sps", "No. of points = 4", "PGA (gal): 300",
           "Peak value: 300.0", "PGA = 0.31 g", "PGA 299 gal", "raw PGA = 250 gal", "peak response: 500 gal",
           "PGA (gal) : (N-S) 300.0 (E-W) 10", "PGA (gal) : (N-S) 10 (E-W) 300.0 (U-D) 20",
-          "PGA: NS 10 gal, EW -300 gal", "PGA 0.83 g before scaling", "PGA about 0.25 g", "100 samples per second"}) {
+          "PGA: NS 10 gal, EW -300 gal", "PGA 0.83 g before scaling", "Sustained maximum acceleration (SMA): 0.1 g",
+          "peak-to-peak: 302 gal", "PGA about 0.25 g", "100 samples per second"}) {
         EXPECT_NO_THROW((void)testing::read_record(text(line), {.name = "a"})) << line;
     }
     for (char const* line : {"npts: 5", "NUMBER OF DATA : 3", "40 samples, 100 sps"}) {

@@ -25,7 +25,7 @@ TEST(TimeWords, MillisecondsOfANameAreRead) {
     }
     for (char const* name :
          {"t", "time", "T", "s", "sec", "t/s", "tsec", "Time (s)", "Time [s] (relative)", "relative time (s)", "x",
-          "Zeit", "elapsed time", "Seconds from start", "Time UTC", "time axis"}) {
+          "Zeit", "elapsed time", "Seconds from start", "Time UTC", "UTC", "time axis"}) {
         EXPECT_EQ(testing::read_record(over(name), {.name = "a"}).time_step_s, 10) << name;
     }
 }
@@ -37,7 +37,7 @@ TEST(TimeWords, MillisecondsOfTheTextAreRead) {
         EXPECT_NEAR(placed.motion.time_step_s, 0.01, 1e-15) << line;
         EXPECT_TRUE(placed.unread.empty()) << line;
     }
-    for (char const* line : {"# trigger time: 12 ms", "# station X", "# start time 14:46:18", "# time in s",
+    for (char const* line : {"# trigger time: 12 ms", "# station X", "# start time 14:46:18", "# time in s", "# t h v",
                              "# arrival time in ms at station X"}) {
         EXPECT_EQ(testing::read_record(over("t", line), {.name = "a"}).time_step_s, 10) << line;
     }

@@ -124,9 +124,10 @@ bool is_rough(Text line) {
 
 bool is_of_others(Text line) {
     constexpr auto words = std::to_array<Text>(
-        {"spectr", "response", "scale",    "range", "trigger", "threshold", "sensor",   "sensitiv", "target",
-         "design", "capacity", "clip",     "full",  "event",   "network",   "rotd",     "geomean",  "psa",
-         "noise",  "before",   "original", "scal",  "pre-",    "predicted", "expected", "median",   "other"});
+        {"spectr",  "response", "scale",    "range",     "trigger",   "threshold", "sensor",  "sensitiv",
+         "target",  "design",   "capacity", "clip",      "full",      "event",     "network", "rotd",
+         "geomean", "psa",      "noise",    "sustained", "effective", "estimat",   "to-peak", "rank",
+         "before",  "original", "scal",     "pre-",      "predicted", "expected",  "median",  "other"});
     return holds_any(line, words);
 }
 

@@ -107,7 +107,7 @@ inline constexpr auto tokens_of_names = std::to_array<QuantityWord>({
     {"omega", Quantity::other},    {"flag", Quantity::other},   {"date", Quantity::other},
     {"year", Quantity::other},     {"depth", Quantity::other},  {"magnitude", Quantity::other},
     {"distance", Quantity::other}, {"snr", Quantity::other},    {"power", Quantity::other},
-    {"seconds", Quantity::time},
+    {"seconds", Quantity::time},   {"utc", Quantity::time},     {"clock", Quantity::time},
 });
 // The whole name, without its unit.
 inline constexpr auto wholes = std::to_array<QuantityWord>({{"", Quantity::index},

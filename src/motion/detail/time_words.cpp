@@ -95,7 +95,9 @@ std::optional<double> unit_of_times_in(std::string_view lower) {
         bool times = false;
         bool known = true;
         for (auto const word : parted_at(clause, " \t:=()[]{}\"#!*/.")) {
-            auto const si = is_time_word(word) || is_filling(word) ? std::nullopt : unit_spelled(word, Dimension::time);
+            bool const letter = word == "h";  // horizontal
+            auto const si =
+                is_time_word(word) || is_filling(word) || letter ? std::nullopt : unit_spelled(word, Dimension::time);
             known = known && (is_time_word(word) || is_filling(word) || (si && (!unit || *unit == *si)));
             times = times || is_time_word(word);
             unit = si ? si : unit;
