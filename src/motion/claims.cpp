@@ -184,7 +184,8 @@ bool Claims::a_part_has_other_unit(Text line) const {
 bool Claims::tells_more(std::string const& lower, bool component, bool quantity, bool step) const {
     bool const other = of_ == Dimension::acceleration && !quantity && tells_other_quantity(lower);
     bool const hertz = !step && tells_rate(lower);
-    bool const peak = of_ == Dimension::acceleration && tells_peak(lower) && !peak_in(lower, of_);
+    bool const peak =
+        of_ == Dimension::acceleration && (tells_peak(lower) || states_value(lower, of_)) && !peak_in(lower, of_);
     bool const change = of_ == Dimension::acceleration && tells_change(lower);
     return other || hertz || peak || change || tells_factor(lower) || tells_share(lower) || tells_statistic(lower)
            || tells_other_span(lower) || (!component && tells_vertical(lower));

@@ -105,8 +105,9 @@ std::string odd_unit_behind(Text outside) {
 
 /// "d", "0.01 s", "x10 ms", "-": beside "UTC" and "local" these are no seconds.
 std::string odd_unit_of_time(std::vector<std::string> const& brackets) {
-    constexpr auto others = std::to_array<Text>({"d", "day", "days", "frame", "frames", "sample", "samples", "step",
-                                                 "steps", "counts", "-", "min:s", "months", "years"});
+    constexpr auto others = std::to_array<Text>(
+        {"d",      "day",   "days", "frame", "frames", "sample", "samples", "step", "steps", "counts", "-",     "min:s",
+         "months", "years", "cs",   "ds",    "ns",     "ticks",  "points",  "pts",  "hours", "hrs",    "index", "no"});
     auto const odd = std::ranges::find_if(brackets, [&](std::string const& text) {
         auto const lower = lowered(text);
         return lower.find_first_of("0123456789") != std::string::npos

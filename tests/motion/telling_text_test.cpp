@@ -69,6 +69,7 @@ TEST(TellingText, WhatMayChangeTheNumbersIsListed) {
                              "# acceleration in gal, rotated to 45 deg",
                              "# acceleration in gal, (x1000)",
                              "# 1 unit = 0.01 m/s2",
+                             "# zero-period acceleration 0.5g",
                              "# gain = 10",
                              "# accelerogram, reduced to 10 %"}) {
         auto const placed = read_placed("blue ink\n" + text(line), {.name = "a"});

@@ -42,6 +42,9 @@ struct ClaimedPeak {
 /// Does it speak of a peak and state a figure, whether that is understood or not?
 [[nodiscard]] bool tells_peak(std::string_view line);
 
+/// "0.5 g", "500gal": a figure with a unit of the dimension behind it?
+[[nodiscard]] bool states_value(std::string_view line, Dimension dimension);
+
 /// Does it hold the word, or the words, as such?
 [[nodiscard]] bool holds_word(std::string_view line, std::string_view word);
 

@@ -34,12 +34,14 @@ constexpr auto keys_of_peaks = std::to_array<PeakKey>({{"peak ground acceleratio
                                                        {"max. acc"},
                                                        {"max acc"},
                                                        {"pga"},
+                                                       {"pha"},
                                                        {"peak value"},
                                                        {"maximum value", true},
                                                        {"peak", true},
                                                        {"maximum", true},
                                                        {"max", true},
-                                                       {"amax", true}});
+                                                       {"amax", true},
+                                                       {"largest", true}});
 
 /// "(n-s) 13.2", "ns 13.2": from the value on; one component each, of which the first is read.
 Text behind_component(Text text) {
@@ -53,22 +55,40 @@ Text behind_component(Text text) {
     return letters && direction_of(name) != Direction::unknown ? trimmed(text.substr(end + 1)) : text;
 }
 
+/// Is it the key's own colon: do neither figures outside of brackets nor commas stand before it?
+bool is_own(Text before) {
+    auto const bracket = before.find_first_of("([");
+    auto const close = bracket == Text::npos ? bracket : before.find_first_of(")]", bracket);
+    constexpr Text others = "0123456789,;";
+    return before.substr(0, bracket).find_first_of(others) == Text::npos
+           && (close == Text::npos || before.substr(close).find_first_of(others) == Text::npos);
+}
+
+/// Without words that name the peak further: "horizontal acceleration of 0.5 g".
+Text without_fillings(Text text) {
+    constexpr auto fillings = std::to_array<Text>(
+        {"of",    "is",         "was",       "equals", "about",    "approx.",      "approx", "~",
+         "circa", "horizontal", "absolute",  "ground", "recorded", "acceleration", "accel.", "accel",
+         "acc.",  "acc",        "amplitude", "value",  "values",   "the",          "motion"});
+    for (bool again = true; again;) {
+        auto const word = text.substr(0, text.find_first_of(" \t"));
+        again = std::ranges::find(fillings, word) != fillings.end() || (word.size() > 1 && word.starts_with('~'));
+        text = again ? trimmed(text.substr(word.starts_with('~') ? 1 : word.size())) : text;
+    }
+    return text;
+}
+
 /// Behind the key's colon, or the blanks, brackets and words between it and a figure.
 Text at_figure(Text behind) {
     auto const colon = behind.find_first_of(":=");
-    if (colon != Text::npos) {
-        return behind_component(trimmed(behind.substr(colon + 1)));
+    if (colon != Text::npos && is_own(behind.substr(0, colon))) {
+        return without_fillings(behind_component(trimmed(behind.substr(colon + 1))));
     }
-    behind = trimmed(behind.substr(behind.starts_with('.') ? 1 : 0));
-    behind = trimmed(behind.substr(behind.starts_with("values") ? Text("values").size() : 0));
+    behind = without_fillings(trimmed(behind.substr(behind.starts_with('.') ? 1 : 0)));
     if (behind.starts_with('(') || behind.starts_with('[')) {
         behind = trimmed(behind.substr(std::min(behind.find_first_of(")]"), behind.size() - 1) + 1));
     }
-    behind = behind_component(behind);
-    for (Text const filling : {"of", "is", "was", "equals", "about", "approx.", "~"}) {
-        behind = trimmed(behind.substr(behind.starts_with(filling) ? filling.size() : 0));
-    }
-    return behind;
+    return without_fillings(behind_component(behind));
 }
 
 /// What stands behind a value, without the brackets around it.
@@ -156,6 +176,20 @@ std::optional<ClaimedPeak> peak_in(std::string_view line, Dimension dimension) {
         }
     }
     return std::nullopt;
+}
+
+bool states_value(std::string_view line, Dimension dimension) {
+    for (std::size_t at = 0; at < line.size();) {
+        bool const begins =
+            line[at] >= '0' && line[at] <= '9' && (at == 0 || Text(" \t(=:~").find(line[at - 1]) != Text::npos);
+        auto rest = line.substr(at);
+        auto const value = begins ? cut_number(rest) : std::nullopt;
+        if (value && unit_spelled(unit_behind(rest), dimension)) {
+            return true;
+        }
+        at += 1;
+    }
+    return false;
 }
 
 bool tells_peak(std::string_view line) {
