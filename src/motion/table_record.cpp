@@ -146,13 +146,14 @@ void account_for(TextTable const& table, TableColumns const& columns, Claims con
 }
 
 // Behind account_for.
-void check_peaks(Recording& recording, TableColumns const& columns, Claims const& claims, std::string const& file) {
+void check_peaks(Recording& recording, TableColumns const& columns, Claims const& claims,
+                 RecordRequest const& request) {
     std::vector<double> peaks;
-    bool const whole = !columns.stated || columns.left_out.empty();
+    bool const whole = !request.by_place && (!columns.stated || columns.left_out.empty());
     for (auto const& component : recording.components) {
         peaks.push_back(peak_of(component.acceleration_mps2));
     }
-    std::ranges::move(claims.check_peaks(peaks, recording.unit_mps2, file, whole),
+    std::ranges::move(claims.check_peaks(peaks, recording.unit_mps2, request.name, whole),
                       std::back_inserter(recording.unread));
 }
 
@@ -188,7 +189,7 @@ Recording list_of(TextTable& table, TableColumns columns, RecordRequest const& r
     }
     recording.components.push_back({role.name, role.component.direction, std::move(values)});
     account_for(table, columns, claims, recording);
-    check_peaks(recording, columns, claims, request.name);
+    check_peaks(recording, columns, claims, request);
     return recording;
 }
 
@@ -209,7 +210,7 @@ Recording columns_of(TextTable& table, TableColumns columns, RecordRequest const
         recording.components.push_back({role.name, role.component.direction, std::move(table.column[column])});
     }
     account_for(table, columns, claims, recording);
-    check_peaks(recording, columns, claims, request.name);
+    check_peaks(recording, columns, claims, request);
     return recording;
 }
 

@@ -53,6 +53,8 @@ TEST(Claims, CountsAndPeaksAreChecked) {
         expect_input_error([&] { (void)testing::read_record(text(line), {.name = "a"}); },
                            "a:1: ", "they contradict each other");
     }
+    // Campaigns of before read them so.
+    EXPECT_NO_THROW((void)testing::read_record(text("PGA = 250 gal"), {.name = "a", .by_place = true}));
     // Of a column that is left out the peak may be.
     EXPECT_NO_THROW((void)testing::read_record("# PGA = 5 gal\n0,1,2\n0.01,-3,5\n0.02,2,-1\n",
                                                {.name = "a", .unit_mps2 = gal, .columns = "time,h1,-"}));

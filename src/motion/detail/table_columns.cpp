@@ -265,12 +265,11 @@ class Placing {
         auto const& first = one.role.component;
         auto const& second = other.role.component;
         bool const both = first.direction == Direction::horizontal && second.direction == Direction::horizontal;
-        auto const apart = degrees_between(first, second);
-        if (one.column < other.column && both && (first.axis == second.axis || apart.value_or(least_deg) < least_deg)) {
-            throw InputError(
-                where_, fmt::format("columns '{}' and '{}' (two of one direction{}). {}", one.role.name,
-                                    other.role.name, apart && *apart > 0 ? fmt::format(", {:g} deg apart", *apart) : "",
-                                    how_to_state(request_, table_.columns())));
+        double const apart = degrees_between(first, second).value_or(least_deg);
+        bool const alike = first.axis == second.axis || (apart < least_deg && !request_.by_place);
+        if (one.column < other.column && both && alike) {
+            throw InputError(where_, fmt::format("columns '{}' and '{}' (two of one direction). {}", one.role.name,
+                                                 other.role.name, how_to_state(request_, table_.columns())));
         }
     }
 
