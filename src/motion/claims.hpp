@@ -63,8 +63,9 @@ class Claims {
     [[nodiscard]] std::vector<std::string> unread() const;
     /// The latter alone.
     [[nodiscard]] std::vector<std::string> const& telling() const { return telling_; }
-    /// The line that calls numbers something else which their names call accelerations; empty: none.
-    [[nodiscard]] std::string beside_names() const { return named_ ? other_said_ : std::string(); }
+    /// The line that calls numbers something else which their names, or the unit of another line, say are
+    /// accelerations; empty: none.
+    [[nodiscard]] std::string beside_names() const { return named_ || unit_.value ? other_said_ : std::string(); }
 
     /// The unit of numbers whose names say `named` and whose user says `stated`; nothing if neither these nor the text
     /// say one. \param names where these stand \param advice where the stated unit contradicts the file

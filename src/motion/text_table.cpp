@@ -16,15 +16,6 @@ using Text = std::string_view;
 
 constexpr std::size_t columns_at_most = 64;
 
-/// "*** End Data ***", "End of data", "/&"
-bool is_trailer(Text line) {
-    line = trimmed(line);
-    bool const marked =
-        line.starts_with('*') || line.starts_with('-') || line.starts_with('/') || line.starts_with('&');
-    auto const lower = lowered(line);
-    return (marked && lower.find("end") != std::string::npos) || lower.starts_with("end of ");
-}
-
 /// Nothing but that it is the end: "*** End Data ***", "end of file". "end of file, all in g" says more.
 bool says_end_alone(Text line) {
     auto const lower = lowered(line);
@@ -40,6 +31,16 @@ bool says_end_alone(Text line) {
         at = end;
     }
     return true;
+}
+
+/// "*** End Data ***", "End of data", "END", "/&"
+bool is_trailer(Text line) {
+    line = trimmed(line);
+    bool const marked =
+        line.starts_with('*') || line.starts_with('-') || line.starts_with('/') || line.starts_with('&');
+    auto const lower = lowered(line);
+    return (marked && lower.find("end") != std::string::npos) || lower.starts_with("end of ")
+           || ((lower.starts_with("end") || lower == "eof") && says_end_alone(line));
 }
 
 /// 8.117 has three decimals and four figures, 1.667E-02 five and four.
@@ -75,7 +76,7 @@ class Reader {
                 take_text(*line);
                 continue;
             }
-            if (is_trailer(*line)) {
+            if (!table_.line.empty() && is_trailer(*line)) {
                 ended_ = true;
                 if (!says_end_alone(*line)) {
                     take_text(*line);

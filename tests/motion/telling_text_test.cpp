@@ -118,6 +118,13 @@ TEST(TellingText, EveryLineCounts) {
     expect_input_error([&] { (void)below("End of data, 9 samples"); }, "a:7: ", "9 samples claimed, 4 found");
     expect_input_error([] { (void)read_placed(text("# station ABC, units: m/s"), {.name = "a"}); },
                        "a:1: velocities, says the text");
+    auto const list =
+        read_placed("Kobe NS (gal)\n4 0.01\n1\n-2\n3\n-1\nend of file, velocities in cm/s\n", {.name = "a"});
+    EXPECT_EQ(list.unread, std::vector<std::string>{"line 7: 'end of file, velocities in cm/...'"});
+    for (char const* line : {"END", "end", "EOF"}) {
+        EXPECT_TRUE(below(line).unread.empty()) << line;
+    }
+    EXPECT_TRUE(read_placed(text("--- end of header ---"), {.name = "a"}).motion.samples() == 4);
     auto const aside = read_placed(text("# Source: PEER, g"), {.name = "a"});
     EXPECT_EQ(aside.unread, std::vector<std::string>{"line 1: '# Source: PEER, g'"});
 }
