@@ -123,9 +123,11 @@ void print_record_text(PlacedRecord const& record, Measures const& m, double dam
     fmt::print("PGA {:.6g} m/s2 = {:.2f} gal, PGV {:.5g} {}, PGD {:.5g} m, Arias {:.5g} m/s\n", m.intensity.pga_mps2,
                100 * m.intensity.pga_mps2, unit.of(m.intensity.pgv_mps), symbol, m.intensity.pgd_m,
                m.intensity.arias_mps);
+    std::string further;
     for (auto const& [measure, value] : measures_of(record.motion)) {
-        fmt::print("{} {:.5g} {}\n", measure->title, value, measure->units());
+        further += fmt::format("{}{} {:.5g} {}", further.empty() ? "" : ", ", measure->title, value, measure->units());
     }
+    fmt::print("{}\n", further);
     fmt::print("{}{}\n", m.drift.text(),
                m.drift.excessive() ? ": its baseline drifts, correct it with --baseline" : "");
     if (energy) {

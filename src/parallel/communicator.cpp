@@ -59,6 +59,8 @@ void broadcast_bytes(void* bytes, int count, MPI_Datatype type) {
 Environment::Environment() {
     // Open MPI 4.1's first choice for one-sided calls cannot make a window over TCP ("invalid window"); its others can.
     ::setenv("OMPI_MCA_osc", "^rdma", 0);
+    // UCX's handler of a crash frees memory: where the heap is what crashed, it waits for ever.
+    ::setenv("UCX_HANDLE_ERRORS", "none", 0);
 #if __has_include(<execinfo.h>)
     // On SIGABRT Open MPI prints where it came from. The first backtrace of a process loads a library, and that
     // allocates: within an abort of malloc's own it waits for ever for what the abort holds. So the first is here.

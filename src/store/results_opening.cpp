@@ -67,6 +67,7 @@ ResultsReader::ResultsReader(std::filesystem::path const& path, Trust trust, std
     validate(no_file.empty(), "{}: not an HDF5 file (nor any file: {}). Give a results file of overturn run",
              path.string(), no_file);
     require_readable(path);
+    require_memory_for_hdf5();
     if (auto const seal = trust == Trust::sealed ? seal_of(path) : Seal::intact; seal != Seal::intact) {
         refuse(seal, format);
     }

@@ -12,6 +12,7 @@
 namespace overturn::store {
 
 ResultsWriter::Growing::Growing(std::string const& path) {
+    require_memory_for_hdf5();
     // Ours alone by the run's claim: HDF5's own lock would fail where a file system has none.
     PropertyList const access(checked(H5Pcreate(H5P_FILE_ACCESS), "make file properties"));
     checked(H5Pset_file_locking(access.id(), false, true), "leave locks out");

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <new>
 
 #include <fmt/format.h>
+#include <sys/mman.h>
 
 #include "core/error.hpp"
 #include "store/durable.hpp"
@@ -70,6 +72,15 @@ template <class Result> Result checked(Result result, std::string const& what) {
 }
 template hid_t checked(hid_t, std::string const&);
 template herr_t checked(herr_t, std::string const&);
+
+void require_memory_for_hdf5() {
+    constexpr std::size_t enough = std::size_t{32} << 20;  // a file takes a tenth of it
+    void* const room = ::mmap(nullptr, enough, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (room == MAP_FAILED) {  // NOLINT(performance-no-int-to-ptr): as POSIX defines it
+        throw std::bad_alloc();
+    }
+    ::munmap(room, enough);
+}
 
 Quiet::Quiet() {
     [[maybe_unused]] static herr_t const once = H5dont_atexit();

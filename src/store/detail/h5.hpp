@@ -46,6 +46,11 @@ using PropertyList = Handle<H5Pclose>;
 /// The result of an HDF5 call, or SystemError saying what was tried and HDF5's own innermost reason.
 template <class Result> Result checked(Result result, std::string const& what);
 
+/// Is there memory enough for HDF5 to work in? It frees twice where it gets none (1.10, amid the copy of a property
+/// list and others), and what a heap does after that is anyone's guess: it aborts, or waits for ever.
+/// \throws std::bad_alloc
+void require_memory_for_hdf5();
+
 /// Silences HDF5's own error printing for as long as it lives; `checked` reports instead. The first one also keeps HDF5
 /// from cleaning up at exit, where it crashes over a file that could not be written.
 class Quiet {
