@@ -41,42 +41,6 @@ void check_measure(PairTable const& table, HazardAxis const& axis, Location cons
     }
 }
 
-// A frequency in a year by any of its usual names, with its unit in brackets or none.
-bool is_annual_frequency(std::string_view name) {
-    constexpr std::array<std::string_view, 12> names{"annual exceedance",
-                                                     "annual rate",
-                                                     "annual frequency",
-                                                     "annual exceedance frequency",
-                                                     "annual exceedance rate",
-                                                     "annual frequency of exceedance",
-                                                     "annual rate of exceedance",
-                                                     "mean annual frequency of exceedance",
-                                                     "mean annual rate of exceedance",
-                                                     "mafe",
-                                                     "mare",
-                                                     "afe"};
-    constexpr std::array<std::string_view, 9> units{"",    "1/a",   "1/yr",     "1/year", "/a",
-                                                    "/yr", "/year", "per year", "a-1"};
-    auto lower = lowered(name);
-    std::ranges::replace(lower, '_', ' ');
-    auto const open = lower.find_first_of("[(");
-    auto const close = lower.find_first_of("])", std::min(open, lower.size()));
-    auto const unit =
-        open == std::string::npos ? std::string_view() : std::string_view(lower).substr(open + 1, close - open - 1);
-    bool const ended = open == std::string::npos || (close != std::string::npos && close + 1 == lower.size());
-    return ended && std::ranges::find(names, trimmed(std::string_view(lower).substr(0, open))) != names.end()
-           && std::ranges::find(units, trimmed(unit)) != units.end();
-}
-
-void check_frequency(PairTable const& table, Location const& where) {
-    if (!is_annual_frequency(table.second_name)) {
-        throw InputError(
-            where, fmt::format("'{}' (must be annual_exceedance [1/a]: exceedances in a year; of a return period its "
-                               "inverse, of a probability in t years -ln(1 - p) / t). Convert it",
-                               table.second_name));
-    }
-}
-
 // What the lines of text say of the intensity. Years are judged above.
 Claims claims_of(PairTable const& table, Dimension dimension, std::string const& name) {
     Claims claims(dimension);
@@ -111,8 +75,8 @@ std::vector<std::string> more_of_hazard(PairTable const& table, HazardAxis const
         auto const& other = alone.other();
         bool const another = (spectral && !axis.label.starts_with("sa")) || alone.states_peak()
                              || (!other.empty() && other != "a hazard curve");
-        bool const told = tells_statistic(lower) || tells_other_span(lower) || tells_factor(lower)
-                          || tells_vertical(lower) || lower.find('%') != std::string::npos || another;
+        bool const told =
+            tells_statistic(lower) || tells_vertical(lower) || lower.find('%') != std::string::npos || another;
         auto said = fmt::format("line {}: {}", line.number, in_quotes(trimmed(line.text)));
         if (told && std::ranges::find(lines, said) == lines.end()) {
             lines.insert(lines.begin(), std::move(said));
@@ -231,7 +195,7 @@ HazardCurve parse_hazard(std::string_view content, std::string const& name, Haza
                                             table.first_name));
     }
     check_measure(table, axis, where);
-    check_frequency(table, where);
+    check_annual(table, where);
     check_rows(table, name, check_row);  // behind the names: rows of another column break its rules
     auto remarks = check_years(table, name);
     auto const claims = claims_of(table, axis.dimension, name);

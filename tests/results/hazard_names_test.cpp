@@ -83,14 +83,29 @@ TEST(HazardNames, WordsThatChangeACurveAreNotes) {
     auto const remarks = [](std::string const& comment) {
         return parse_hazard(comment + "\npga [g], annual_exceedance\n0.1,1e-2\n1,1e-5\n", "h.csv", over_pga).remarks();
     };
-    for (char const* text : {"# median hazard", "# hazard, 16 % fractile", "# monthly hazard",
-                             "# seismic hazard: rate per century", "# hazard x 1000", "# hazard for Sa(1 s)",
+    for (char const* text : {"# median hazard", "# hazard, 16 % fractile", "# hazard for Sa(1 s)",
                              "# hazard of the vertical component", "# Hazard: best estimate minus one sigma"}) {
         auto const noted = remarks(text);
         ASSERT_EQ(noted.size(), 1U) << text;
         EXPECT_NE(noted.front().find("not understood: line 1"), std::string::npos) << noted.front();
     }
     EXPECT_TRUE(remarks("# mean hazard").empty());
+}
+
+// rates that still have a factor or another span to them are not read as they stand.
+TEST(HazardNames, OtherRatesInTheTextAreRefused) {
+    for (std::string const line :
+         {"# monthly hazard", "# hazard: rate per century", "# hazard x 1000", "# in 10^-4 per year",
+          "# rates in 1e-4/yr", "# multiply by 100", "# rates per 1000 years", "# per 50 years"}) {
+        testing::expect_input_error(
+            [&] {
+                (void)parse_hazard("pga [g], annual_exceedance\n" + line + "\n0.1,1e-2\n1,1e-5\n", "h.csv", over_pga);
+            },
+            "h.csv:2: '" + line + "' (speaks of a factor or of another span than a year, and annual_exceedance is read",
+            "take the line away");
+    }
+    EXPECT_NO_THROW((void)parse_hazard("# catalogue of 50 years\npga [g], annual_exceedance\n0.1,1e-2\n1,1e-5\n",
+                                       "h.csv", over_pga));
 }
 
 // text that speaks of another measure than the column is told.
