@@ -23,7 +23,7 @@ IntensityMeasure const* measure_called(std::string_view bare) {
     auto plain = lowered(bare);
     std::ranges::replace_if(
         plain, [](char c) { return c == ' ' || c == '-'; }, '_');
-    auto const found = std::ranges::find_if(intensity_measures, [&](IntensityMeasure const& entry) {
+    auto const* const found = std::ranges::find_if(intensity_measures, [&](IntensityMeasure const& entry) {
         return !plain.empty() && entry.dimension != Dimension::none && (entry.name == plain || entry.level == plain);
     });
     return found == intensity_measures.end() ? nullptr : found;
