@@ -26,6 +26,7 @@ struct QualifyOptions {
     std::optional<std::string> page;
     bool published = false;
     bool json = false;
+    std::string date;
 };
 
 // A folder of this run's own on the file system in question, for all ranks, gone with it.
@@ -92,7 +93,8 @@ int qualify_here(QualifyOptions const& options, parallel::Communicator const& co
             .libraries = library_versions(),
             .mpi = parallel::Communicator::library(),
             .folder = fs::absolute(options.folder).lexically_normal().string(),
-            .ranks = comm.size()};
+            .ranks = comm.size(),
+            .date = options.date};
         return fmt::format("{}", print_outcome(options, shown));
     }));
 }
@@ -106,6 +108,7 @@ void add_qualify(CommandLine& line) {
     verb.takes("--published", options->published, "hold it against results that others printed instead");
     verb.takes("--html", options->page, "write a page that needs no network");
     verb.takes("--json", options->json, "for scripts");
+    verb.takes("--date", options->date, "that the record shall bear, as you write it; default: none");
     verb.does([options] { return on_all_ranks([&](auto const& comm) { return qualify_here(*options, comm); }); });
 }
 

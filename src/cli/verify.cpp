@@ -1,17 +1,25 @@
 #include "runner/verify.hpp"
 
 #include <memory>
+#include <optional>
+#include <span>
 
 #include <fmt/ranges.h>
 
+#include "campaign/version.hpp"
 #include "campaign/withheld_inputs.hpp"
 #include "cli/collective.hpp"
 #include "cli/other_bits.hpp"
 #include "cli/verbs.hpp"
 #include "core/print_note.hpp"
+#include "output/json.hpp"
+#include "output/record_page.hpp"
+#include "report/cost_page.hpp"
 #include "results/recount.hpp"
 #include "results/stored_names.hpp"
 #include "runner/root_broadcast.hpp"
+#include "store/durable.hpp"
+#include "store/seal.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -20,6 +28,9 @@ struct VerifyOptions {
     std::string file;
     VerifyWish wish;
     Unverified unverified;
+    bool json = false;
+    std::optional<std::string> page;
+    std::string date;
 };
 
 std::string counted(Verified const& found) {
@@ -27,15 +38,82 @@ std::string counted(Verified const& found) {
                        found.rare > 0 ? fmt::format(", {} rows of rare events", found.rare) : "");
 }
 
-int print_outcome(VerifyOptions const& options, Verified const& found) {
-    if (found.all_equal()) {
+std::string differing(Verified const& found) {
+    return fmt::format("{} trials, {} waves{} differ; first {}", found.differing_trials, found.differing_waves,
+                       found.rare > 0 ? fmt::format(", {} rows of rare events", found.differing_rare) : "",
+                       found.first);
+}
+
+// What is filed of it.
+output::Json json_of(VerifyOptions const& options, store::ResultsReader const& file, Verified const& found, int ranks) {
+    auto const& sample = options.wish.sample;
+    return {{"passed", found.all_equal()},
+            {"file", options.file},
+            {"sha256", store::sealed_digest(options.file)},
+            {"made_by", maker_of(file)},
+            {"program", program_identity()},
+            {"machine", machine()},
+            {"ranks", ranks},
+            {"date", options.date},
+            {"sample", sample ? output::Json(*sample) : output::Json(nullptr)},
+            {"seed", sample ? output::Json(options.wish.seed) : output::Json(nullptr)},
+            {"trials", found.trials},
+            {"waves", found.waves},
+            {"rare", found.rare},
+            {"differing_trials", found.differing_trials},
+            {"differing_waves", found.differing_waves},
+            {"differing_rare", found.differing_rare},
+            {"first", found.first}};
+}
+
+std::string page_of(output::Json const& json) {
+    auto const text = [&](char const* key) { return json.at(key).get<std::string>(); };
+    auto const number = [&](char const* key) { return json.at(key).get<std::int64_t>(); };
+    bool const passed = json.at("passed").get<bool>();
+    output::RecordPage page{
+        .title = passed ? "Verification: all rows are bit-equal" : "Verification: rows DIFFER",
+        .facts = {{"file", text("file")},
+                  {"SHA-256", text("sha256")},
+                  {"made by", text("made_by")},
+                  {"recomputed by", "overturn " + text("program")},
+                  {"machine", text("machine")},
+                  {"ranks", fmt::format("{}", number("ranks"))},
+                  {"rows", json.at("sample").is_null()
+                               ? "all"
+                               : fmt::format("{} drawn at random, seed {}", number("sample"), number("seed"))}},
+        .head = {"", "rows of", "recomputed", "differ"},
+        .rows = {}};
+    if (!text("date").empty()) {
+        page.facts.insert(page.facts.begin(), {"date", text("date")});
+    }
+    if (!passed) {
+        page.facts.emplace_back("first that differs", text("first"));
+    }
+    for (auto const* of : {"trials", "waves", "rare"}) {
+        auto const differ = number((std::string("differing_") + of).c_str());
+        page.rows.push_back(
+            {{differ == 0 ? "PASS" : "FAIL", of, fmt::format("{}", number(of)), fmt::format("{}", differ)},
+             differ == 0});
+    }
+    return output::html_of(page);
+}
+
+int print_outcome(VerifyOptions const& options, store::ResultsReader const& file, Verified const& found, int ranks) {
+    auto const json = json_of(options, file, found, ranks);
+    if (options.page) {
+        auto const page = page_of(json);
+        store::write_durably(*options.page, std::as_bytes(std::span(page)));
+    }
+    if (options.json) {
+        fmt::print("{}\n", json.dump(2));
+    } else if (found.all_equal()) {
         fmt::print("{}: {} recomputed, all bit-equal to the stored rows\n", options.file, counted(found));
+    } else {
+        fmt::print("{}: {} recomputed, NOT all bit-equal: {}\n", options.file, counted(found), differing(found));
+    }
+    if (found.all_equal()) {
         return done;
     }
-    fmt::print("{}: {} recomputed, NOT all bit-equal: {} trials, {} waves{} differ; first {}\n", options.file,
-               counted(found), found.differing_trials, found.differing_waves,
-               found.rare > 0 ? fmt::format(", {} rows of rare events", found.differing_rare) : "", found.first);
-    store::ResultsReader const file(options.file, options.unverified.trust());
     print_note("overturn: {}: not what this program computes {}\n", options.file, why_bits_differ(file));
     return other_failure;
 }
@@ -49,8 +127,12 @@ void note_unknown(VerifyOptions const& options, store::ResultsReader const& file
 }
 
 int verify(VerifyOptions const& options, parallel::Communicator const& comm) {
-    // One rank holds the file against its seal for all.
+    // One rank holds the file against its seal for all, and sees that the record can be written before hours are spent.
     (void)broadcast_from_root(comm, [&] {
+        if (options.page) {
+            report::check_page_name(*options.page);
+            store::require_writable(*options.page);
+        }
         store::ResultsReader const file(options.file, options.unverified.trust());
         return std::string();
     });
@@ -61,7 +143,8 @@ int verify(VerifyOptions const& options, parallel::Communicator const& comm) {
     auto const found = verify_rows(file, spec, options.wish, comm);
     return std::stoi(broadcast_from_root(comm, [&] {
         note_unknown(options, file, spec);
-        return fmt::format("{}", print_outcome(options, found));
+        store::ResultsReader const judged(options.file, options.unverified.trust());
+        return fmt::format("{}", print_outcome(options, judged, found, comm.size()));
     }));
 }
 
@@ -74,6 +157,9 @@ void add_verify(CommandLine& line) {
     verb.takes("--sample", options->wish.sample, "so many rows drawn at random; default: all");
     verb.takes("--seed", options->wish.seed, "of that drawing; another one draws other rows");
     options->unverified.offered_by(verb);
+    verb.takes("--json", options->json, "for scripts, and to be filed");
+    verb.takes("--html", options->page, "write a page that needs no network");
+    verb.takes("--date", options->date, "that the record shall bear, as you write it; default: none");
     verb.does([options] { return on_all_ranks([&](auto const& comm) { return verify(*options, comm); }); });
 }
 

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "output/record_page.hpp"
+
 namespace overturn::qualify {
 namespace {
 
@@ -33,21 +35,17 @@ std::string verdict(Qualification const& shown) {
 }
 
 std::vector<std::pair<std::string, std::string>> circumstances(Qualification const& shown) {
-    return {
+    std::vector<std::pair<std::string, std::string>> facts{
         {"program", "overturn " + shown.program},
         {"machine", shown.machine},
         {"compiler", shown.compiler},
         {"libraries", shown.libraries},
         {"MPI", fmt::format("{}, {}", shown.mpi, shown.ranks == 1 ? "1 rank" : fmt::format("{} ranks", shown.ranks))},
         {"files in", shown.folder}};
-}
-
-std::string escaped(std::string const& text) {
-    std::string safe;
-    for (char const c : text) {
-        safe += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
+    if (!shown.date.empty()) {
+        facts.insert(facts.begin(), {"date", shown.date});
     }
-    return safe;
+    return facts;
 }
 
 }  // namespace
@@ -82,39 +80,21 @@ nlohmann::ordered_json json_of(Qualification const& shown) {
     }
     return {{"passed", shown.passed()},   {"program", shown.program},     {"machine", shown.machine},
             {"compiler", shown.compiler}, {"libraries", shown.libraries}, {"mpi", shown.mpi},
-            {"ranks", shown.ranks},       {"folder", shown.folder},       {"checks", std::move(checks)}};
+            {"ranks", shown.ranks},       {"folder", shown.folder},       {"date", shown.date},
+            {"checks", std::move(checks)}};
 }
 
 std::string page_of(Qualification const& shown) {
-    std::string rows;
+    output::RecordPage page{.title = "Qualification: " + verdict(shown),
+                            .facts = circumstances(shown),
+                            .head = {"", "number", "what it shows", "source", "found"},
+                            .rows = {}};
     for (auto const& check : shown.checks) {
-        fmt::format_to(std::back_inserter(rows),
-                       "<tr class=\"{}\"><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                       check.passed() ? "pass" : "fail", word(check.passed()), check.number, escaped(check.shows),
-                       escaped(check.source), escaped(with_remark(found_text(check), check)));
+        page.rows.push_back(
+            {{word(check.passed()), check.number, check.shows, check.source, with_remark(found_text(check), check)},
+             check.passed()});
     }
-    std::string facts;
-    for (auto const& [name, value] : circumstances(shown)) {
-        fmt::format_to(std::back_inserter(facts), "<dt>{}</dt><dd>{}</dd>\n", name, escaped(value));
-    }
-    return fmt::format(R"(<!DOCTYPE html>
-<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
-<title>overturn: qualification</title>
-<style>
-body {{ font: 15px/1.5 sans-serif; color: #222; max-width: 70rem; margin: 2rem auto; padding: 0 1rem; }}
-div {{ overflow-x: auto; }} table {{ border-collapse: collapse; }}
-th, td {{ text-align: left; vertical-align: top; padding: .25rem .75rem .25rem 0; border-bottom: 1px solid #ddd; }}
-.pass td:first-child {{ color: #17633a; }} .fail td {{ color: #a02020; font-weight: bold; }}
-dt {{ color: #666; }} dd {{ margin: 0 0 .4rem; }}
-</style></head><body>
-<h1>Qualification: {}</h1>
-<dl>
-{}</dl>
-<div><table><thead><tr><th></th><th>number</th><th>what it shows</th><th>source</th><th>found</th></tr></thead><tbody>
-{}</tbody></table></div>
-</body></html>
-)",
-                       verdict(shown), facts, rows);
+    return output::html_of(page);
 }
 
 }  // namespace overturn::qualify

@@ -14,6 +14,7 @@ struct Qualification {
     Checks checks;
     std::string program, machine, compiler, libraries, mpi, folder;
     int ranks = 1;
+    std::string date = {};  ///< as the user states it; empty: none is told
 
     [[nodiscard]] bool passed() const;
 };

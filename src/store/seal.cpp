@@ -78,4 +78,19 @@ Seal seal_of(std::filesystem::path const& path) {
                                                                                               : Seal::missing;
 }
 
+std::string sealed_digest(std::filesystem::path const& path) {
+    auto const size = std::filesystem::file_size(path);
+    if (size < line_length()) {
+        return {};
+    }
+    std::ifstream file(path, std::ios::binary);
+    file.seekg(static_cast<std::streamoff>(size - line_length()));
+    std::string line(line_length(), '\0');
+    if (!file.read(line.data(), static_cast<std::streamsize>(line.size()))) {
+        fail(path);
+    }
+    constexpr std::size_t digits = 64;
+    return line.starts_with(mark) ? line.substr(mark.size(), digits) : std::string();
+}
+
 }  // namespace overturn::store

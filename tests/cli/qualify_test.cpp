@@ -39,7 +39,7 @@ TEST(Qualify, PassesOnAnyRanks) {
 
 TEST(Qualify, WritesAPageThatNamesEveryCheck) {
     Folder const folder;
-    auto const ended = overturn(folder, {"qualify", "--html", "page.html"});
+    auto const ended = overturn(folder, {"qualify", "--html", "page.html", "--date", "1 May 2026"});
     ASSERT_EQ(ended.code, 0) << ended.out << ended.err;
     std::istringstream lines(ended.out);
     auto const page = folder.read("page.html");
@@ -53,6 +53,7 @@ TEST(Qualify, WritesAPageThatNamesEveryCheck) {
     EXPECT_GE(checks, 30);
     EXPECT_NE(ended.out.find(std::to_string(checks) + " checks pass"), std::string::npos) << ended.out;
     EXPECT_EQ(page.find("http"), std::string::npos);
+    EXPECT_NE(page.find("<dt>date</dt><dd>1 May 2026</dd>"), std::string::npos);
 }
 
 // As a library of another version might: its own check names it, and the campaign that draws by it; all others pass.

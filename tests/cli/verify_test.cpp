@@ -1,5 +1,7 @@
 // Requirement R-1005: verify recomputes any rows of a file, on any ranks, and says which differ; a difference is never
 // blamed on another version that is the very one running.
+#include <nlohmann/json.hpp>
+
 #include "cli/campaign_files.hpp"
 #include "cli/python.hpp"
 #include "support/command.hpp"
@@ -32,6 +34,40 @@ TEST_F(Verify, EveryRowIsBitEqualOnAnyRanks) {
         EXPECT_EQ(ended.out, equal) << ranks;
     }
     EXPECT_EQ(overturn(folder, {"verify", "c.h5"}).out, equal);
+}
+
+// R-1005: what was verified is a record that can be filed: JSON and a page, the same on any ranks but for their number.
+TEST_F(Verify, LeavesARecord) {
+    make(small_campaign("shared", 4));
+    auto const bytes = folder.read("c.h5");
+    auto const seal = bytes.substr(bytes.rfind("sha256 ") + 7, 64);
+    std::vector<std::string> const asked{"verify", "c.h5", "--json", "--html", "v.html", "--date", "<1 May>"};
+    auto alone = nlohmann::json::parse(overturn(folder, asked).out);
+    EXPECT_EQ(alone["passed"], true);
+    EXPECT_EQ(alone["sha256"], seal);
+    EXPECT_EQ(alone["date"], "<1 May>");
+    EXPECT_EQ(alone["trials"], 24);
+    EXPECT_EQ(alone["differing_trials"], 0);
+    EXPECT_EQ(alone["made_by"].get<std::string>().rfind("overturn ", 0), 0U);
+    auto const page = folder.read("v.html");
+    EXPECT_NE(page.find("all rows are bit-equal"), std::string::npos);
+    EXPECT_NE(page.find(seal), std::string::npos);
+    EXPECT_NE(page.find("<dd>&lt;1 May&gt;</dd>"), std::string::npos);
+    auto together = nlohmann::json::parse(execute(folder, mpirun(2, asked)).out);
+    EXPECT_EQ(together["ranks"], 2);
+    together["ranks"] = alone["ranks"];
+    EXPECT_EQ(together, alone);
+
+    edit("f['trials/v_wes'][3] *= 1.5");
+    auto const edited = overturn(folder, {"verify", "c.h5", "--json", "--html", "v.html", "--unverified"});
+    EXPECT_EQ(edited.code, 1);
+    auto const record = nlohmann::json::parse(edited.out);
+    EXPECT_EQ(record["passed"], false);
+    EXPECT_EQ(record["differing_trials"], 1);
+    EXPECT_NE(record["first"].get<std::string>().find("trial 3 "), std::string::npos);
+    EXPECT_NE(folder.read("v.html").find("rows DIFFER"), std::string::npos);
+    EXPECT_EQ(overturn(folder, {"verify", "c.h5", "--html", "v.pdf"}).code, 2);
+    EXPECT_EQ(overturn(folder, {"verify", "c.h5", "--html", "no/v.html"}).code, 2);
 }
 
 TEST_F(Verify, ASampleIsAsLargeAsAskedFor) {
