@@ -4,13 +4,13 @@
 #include <span>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include "cli/verbs.hpp"
 #include "core/print_note.hpp"
 #include "cost/sensitivity.hpp"
 #include "cost/study_output.hpp"
+#include "output/json.hpp"
 #include "report/cost_page.hpp"
 #include "report/sensitivity_page.hpp"
 #include "runner/progress.hpp"
@@ -76,9 +76,10 @@ int sensitivity(CostOptions const& options) {
     Remaining remaining;
     auto const found = cost::study_sensitivity(input, options.waves.value_or(0),
                                                [&](double done, double left_s) { remaining(done, left_s); });
-    fmt::print("{}", options.json ? cost::sensitivity_json(found).dump(2) + "\n" : cost::sensitivity_table(found));
+    auto const json = output::json_of(cost::sensitivity_tables(found));
+    fmt::print("{}", options.json ? json.dump(2) + "\n" : cost::sensitivity_text(found));
     if (!options.page.empty()) {
-        write_page(options.page, report::sensitivity_page(cost::sensitivity_json(found)));
+        write_page(options.page, report::sensitivity_page(json));
     }
     return done;
 }
@@ -92,13 +93,14 @@ int study(CostOptions const& options) {
     Remaining remaining;
     auto const found = cost::run_study(input, {.waves = options.waves.value_or(0)},
                                        [&](double done, double left_s) { remaining(done, left_s); });
-    fmt::print("{}", options.json ? cost::study_json(found).dump(2) + "\n" : cost::study_table(found));
+    auto const json = output::json_of(cost::study_tables(found));
+    fmt::print("{}", options.json ? json.dump(2) + "\n" : cost::study_text(found));
     if (options.output) {
         cost::write_study(*options.output, input, found);
         print_note("study: {}\n", *options.output);
     }
     if (!options.page.empty()) {
-        write_page(options.page, report::cost_page(cost::study_json(found)));
+        write_page(options.page, report::cost_page(json));
     }
     return done;
 }

@@ -22,7 +22,7 @@ RarePoint point_of(rare::Estimate const& estimate, std::string effort, double se
             .effort = std::move(effort),
             .seconds = seconds,
             .waves = estimate.runs,
-            .cov = estimate.probability ? estimate.cov : 0,
+            .cov = estimate.probability && estimate.cov > 0 ? estimate.cov : not_known,
             .foretold = false,
             .reason = estimate.reason};
 }

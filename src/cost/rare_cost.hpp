@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "campaign/campaign_spec.hpp"
+#include "cost/comparison.hpp"
 #include "rare/estimate.hpp"
 
 namespace overturn::cost {
@@ -17,7 +18,7 @@ struct RarePoint {
     std::string effort;      ///< "8 x 2000 a level"
     double seconds = 0;      ///< CPU, all of it
     std::int64_t waves = 0;  ///< made
-    double cov = 0;          ///< standard error over probability; 0: not trusted or not resolved
+    double cov = not_known;  ///< standard error over probability; not known: not trusted or not resolved
     bool foretold = false;   ///< crude: by the binomial law, from what one wave takes
     std::string reason;      ///< why there is no scatter; empty where there is
 };

@@ -8,10 +8,9 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "campaign/campaign_spec.hpp"
 #include "cost/study.hpp"
+#include "output/table.hpp"
 #include "stats/proportion.hpp"
 
 namespace overturn::cost {
@@ -94,8 +93,10 @@ inline constexpr std::int64_t usual_waves = 200;
 [[nodiscard]] CampaignInput with_value(CampaignInput const& input, config::InputValue const& value,
                                        std::string const& written);
 
-/// "median of type-b by overturning, ..." as tables, one a body and limit state.
-[[nodiscard]] std::string sensitivity_table(Sensitivity const& study);
-[[nodiscard]] nlohmann::ordered_json sensitivity_json(Sensitivity const& study);
+/// "median of type-b by overturning, ..." for the terminal, one list a body and limit state.
+[[nodiscard]] std::string sensitivity_text(Sensitivity const& study);
+/// The study in one row, bodies and limit states as they stand, what each end of each input changes (two rows an
+/// input, low and high), and what was not moved. They lie in no file.
+[[nodiscard]] std::vector<output::Table> sensitivity_tables(Sensitivity const& study);
 
 }  // namespace overturn::cost

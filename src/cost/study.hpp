@@ -25,6 +25,7 @@ struct Measured {
     std::int64_t trials = 0, flips = 0, overturning_flips = 0;
     double probability_error = not_known;
     double ks = not_known;
+    bool here = false;  ///< where the campaign stands
     bool on_front = false;
 };
 

@@ -1,26 +1,27 @@
-/// A study for people (table), for scripts (JSON) and for plots (HDF5).
+/// A study for people (text), and for scripts and plots (tables: JSON and HDF5).
 #pragma once
 
 #include <filesystem>
 #include <string>
-
-#include <nlohmann/json_fwd.hpp>
+#include <vector>
 
 #include "cost/study.hpp"
+#include "output/table.hpp"
 
 namespace overturn::cost {
 
-/// Tables of all knobs, the number of waves, and the sentence.
-[[nodiscard]] std::string study_table(Study const& study);
+/// All knobs, the number of waves, and the sentence, for the terminal.
+[[nodiscard]] std::string study_text(Study const& study);
 
-/// Everything; what is not known is null.
-[[nodiscard]] nlohmann::ordered_json study_json(Study const& study);
+/// Everything: the study in one row, rounding, knobs and the settings of each, what steps do, the number of waves (no
+/// row of a grid), and rare events where the campaign asks for them.
+[[nodiscard]] std::vector<output::Table> study_tables(Study const& study);
 
-/// Columns of every knob under /cost/<knob>, of the number of waves under /cost/waves. Times make no two of these files
-/// the same: it is a format of its own. \throws SystemError if it cannot be written
+/// Writes the tables. Times make no two of these files the same: it is a format of its own. \throws SystemError if it
+/// cannot be written
 void write_study(std::filesystem::path const& path, CampaignInput const& input, Study const& study);
 
 inline constexpr char const* format_name = "overturn-cost";
-inline constexpr std::int64_t format_version = 1;
+inline constexpr std::int64_t format_version = 2;
 
 }  // namespace overturn::cost

@@ -18,18 +18,8 @@
 namespace overturn {
 namespace {
 
-void write_provenance(store::ResultsWriter& file, CampaignInput const& input, CampaignSpec const& spec) {
-    file.attribute("format", store::format_name);
-    file.attribute("format_version", store::format_version);
-    file.attribute("program_version", program_version());
-    file.attribute("git_revision", git_revision());
-    file.attribute("sources_sha256", sources_sha256());
-    file.attribute("library_versions", library_versions());
-    file.attribute("title", spec.title);
-    file.attribute("campaign", input.text);
-    file.attribute("campaign_name", std::filesystem::path(input.name).filename().string());
-    file.attribute("settings", fmt::format("{}", fmt::join(input.settings, "\n")));
-    file.attribute("input_sha256", input.sha256());
+void write_campaign(store::ResultsWriter& file, CampaignInput const& input, CampaignSpec const& spec) {
+    write_provenance(file, store::format_name, store::format_version, input, spec.title);
     file.attribute("seed", static_cast<std::int64_t>(spec.seed));
     file.attribute("level_measure", spec.levels.measure_name());
     file.attribute("level_units", spec.levels.units());
@@ -57,12 +47,27 @@ void number_bodies(store::ResultsWriter& file, CampaignSpec const& spec) {
 
 }  // namespace
 
+void write_provenance(store::ResultsWriter& file, std::string const& format, std::int64_t version,
+                      CampaignInput const& input, std::string const& title) {
+    file.attribute("format", format);
+    file.attribute("format_version", version);
+    file.attribute("program_version", program_version());
+    file.attribute("git_revision", git_revision());
+    file.attribute("sources_sha256", sources_sha256());
+    file.attribute("library_versions", library_versions());
+    file.attribute("title", title);
+    file.attribute("campaign", input.text);
+    file.attribute("campaign_name", std::filesystem::path(input.name).filename().string());
+    file.attribute("settings", fmt::format("{}", fmt::join(input.settings, "\n")));
+    file.attribute("input_sha256", input.sha256());
+}
+
 std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, CampaignInput const& input,
                                         CampaignSpec const& spec, Plan const& drawn, Plan const& chosen,
                                         std::function<std::vector<std::byte>(std::int64_t)> const& block,
                                         Statistics& statistics, std::span<RareBody const> rare) {
     store::ResultsWriter file(path);
-    write_provenance(file, input, spec);
+    write_campaign(file, input, spec);
     auto const waves = file.table(wave_table(spec), chosen.waves());
     std::vector<std::size_t> measures;
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {

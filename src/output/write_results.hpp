@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "campaign/campaign_input.hpp"
@@ -14,8 +15,13 @@
 #include "results/analysis.hpp"
 #include "results/rare_rows.hpp"
 #include "results/statistics.hpp"
+#include "store/results_file.hpp"
 
 namespace overturn {
+
+/// What made a file of that format, and of which campaign, as attributes of its root.
+void write_provenance(store::ResultsWriter& file, std::string const& format, std::int64_t version,
+                      CampaignInput const& input, std::string const& title);
 
 /// Writes the finished file from the blocks of `drawn`, given in order by `block`: of their waves those that are
 /// `chosen`, and beside them those that a rule refused on the way. \return what the trials say, as stored

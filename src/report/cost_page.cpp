@@ -1,7 +1,5 @@
 #include "report/cost_page.hpp"
 
-#include <cmath>
-
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
@@ -12,11 +10,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string number(Json const& value, char const* unknown = "&ndash;") {
-    return value.is_null() ? unknown : fmt::format("{:.1e}", value.get<double>());
-}
+constexpr char const* short_form = "{:.1e}";
 
-std::string time_text(double seconds) {
+std::string time_at(Json const& row, char const* key) {
+    auto const seconds = row.at(key).get<double>();
     constexpr double milli = 1e-3;
     constexpr double micro = 1e-6;
     return seconds >= 1       ? fmt::format("{:.3g} s", seconds)
@@ -29,116 +26,86 @@ std::string figure_of(char const* kind, Json const& data) {
 }
 
 std::string row_of(Json const& row) {
-    auto const text = [&](char const* key) { return escaped(row.at(key).get<std::string>()); };
-    std::string title;
-    for (auto const& setting : row.at("settings")) {
-        title += (title.empty() ? "--set " : " --set ") + escaped(setting.get<std::string>());
+    auto const trials = count_at(row, "trials");
+    auto const kind = row.at("here").get<bool>() ? "here" : row.at("on_front").get<bool>() ? "front" : "plain";
+    return table_row({text_at(row, "setting"), time_at(row, "cpu_s"), number_at(row, "error_median", short_form),
+                      number_at(row, "error_p95", short_form), number_at(row, "error_worst", short_form),
+                      trials == 0 ? "&ndash;" : fmt::format("{} of {}", count_at(row, "flips"), trials),
+                      number_at(row, "probability_error", "{:+.4f}"), number_at(row, "ks_distance", "{:.4f}")},
+                     kind, text_at(row, "arguments"));
+}
+
+std::string section_of(Json const& knob, Json const& all_settings) {
+    Json data = knob;
+    auto& settings = data["settings"] = Json::array();
+    std::string rows;
+    for (auto const& row : all_settings) {
+        if (row.at("knob") == knob.at("knob")) {
+            settings.push_back(row);
+            rows += row_of(row);
+        }
     }
-    bool const here = row.at("here").get<bool>();
-    auto const& error = row.at("error");
-    auto const trials = row.at("trials").get<std::int64_t>();
-    auto const& probability = row.at("probability_error");
-    auto const& ks = row.at("ks_distance");
+    auto const timed = text_at(knob, "timed");
+    return fmt::format("<section id=\"{}\"><header><h2>{}</h2><p>{}</p></header>\n", text_at(knob, "knob"),
+                       text_at(knob, "title"), text_at(knob, "advice"))
+           + figure_of("knob", data)
+           + last_table({"setting", "CPU a " + timed, "median", "95 %", "worst", "flips", "P error", "KS"}, rows,
+                        fmt::format("Error: {}. {} {}s behind every row.", text_at(knob, "error"),
+                                    count_at(knob, "samples"), timed));
+}
+
+std::string step_section(Json const& study, Json const& quantities) {
+    std::string rows;
+    for (auto const& row : quantities) {
+        rows += table_row({text_at(row, "quantity"), fmt::format("{}", count_at(row, "step_count")),
+                           number_at(row, "step_median", short_form), number_at(row, "step_p95", short_form),
+                           number_at(row, "last_bit_median", short_form), number_at(row, "last_bit_p95", short_form)});
+    }
+    return "<section id=\"step-error\" style=\"grid-template-columns: minmax(0, 1fr)\"><header><h2>What the step does "
+           "to each quantity</h2></header>\n"
+           + last_table(
+               {"quantity", "trials", "half the step, median", "95 %", "last bit, median", "95 %"}, rows,
+               fmt::format(
+                   "Relative differences in trials that end alike: at half the campaign's steps, and under "
+                   "motions that are a last bit smaller (this is chaos, not error). Of {} trials, half the step "
+                   "changes {} verdicts, a last bit {}.",
+                   count_at(study, "step_trials"), count_at(study, "step_flips"), count_at(study, "last_bit_flips")));
+}
+
+std::string waves_section(Json const& study, Json const& parts) {
+    std::string rows;
+    for (auto const& row : parts) {
+        rows += table_row({fmt::format("{}", count_at(row, "waves")), time_at(row, "cpu_s"),
+                           number_at(row, "width", "{:.4f}"), number_at(row, "root_n_width", "{:.4f}")});
+    }
+    rows += table_row({fmt::format("{}", count_at(study, "campaign_waves")), time_at(study, "campaign_cpu_s"),
+                       fmt::format("{:.4f}", 2 * study.at("campaign_half_width").get<double>()), "&ndash;"},
+                      "here");
+    return "<section id=\"waves\"><header><h2>Number of waves</h2></header>\n"
+           + figure_of("waves", {{"study", study}, {"waves", parts}})
+           + last_table({"waves", "CPU", "width", "1/&radic;n"}, rows,
+                        fmt::format("Width of the {:g} % Clopper-Pearson interval of P(overturn), mean of {} stripes; "
+                                    "the campaign's own row is foretold from the sample.",
+                                    100 * study.at("confidence").get<double>(), count_at(study, "stripes")));
+}
+
+std::string rare_section(Json const& points) {
+    std::string rows;
+    for (auto const& row : points) {
+        rows += table_row({text_at(row, "method"), text_at(row, "effort"), time_at(row, "cpu_s"),
+                           fmt::format("{}", count_at(row, "waves")), number_at(row, "cov", "{:.3f}"),
+                           text_at(row, "reason")});
+    }
+    auto const& rare = points.at(0);
     return fmt::format(
-        "<tr class=\"{}\" title=\"{}\"><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
-        "<td>{}</td></tr>\n",
-        here                             ? "here"
-        : row.at("on_front").get<bool>() ? "front"
-                                         : "plain",
-        title, text("label"), time_text(row.at("cpu_s").get<double>()), number(error.at("median")),
-        number(error.at("p95")), number(error.at("worst")),
-        trials == 0 ? "&ndash;" : fmt::format("{} of {}", row.at("flips").get<std::int64_t>(), trials),
-        probability.is_null() ? "&ndash;" : fmt::format("{:+.4f}", probability.get<double>()),
-        ks.is_null() ? "&ndash;" : fmt::format("{:.4f}", ks.get<double>()));
-}
-
-std::string section_of(Json const& knob) {
-    auto const text = [&](char const* key) { return escaped(knob.at(key).get<std::string>()); };
-    auto section = fmt::format("<section id=\"{}\"><header><h2>{}</h2><p>{}</p></header>\n", text("name"),
-                               text("title"), text("advice"));
-    section += figure_of("knob", knob);
-    section += fmt::format(
-        "<div class=\"scroll\"><table><thead><tr><th>setting</th><th>CPU a {}</th><th>median</th>"
-        "<th>95 %</th><th>worst</th><th>flips</th><th>P error</th><th>KS</th></tr></thead><tbody>\n",
-        text("timed"));
-    for (auto const& row : knob.at("settings")) {
-        section += row_of(row);
-    }
-    return section
-           + fmt::format("</tbody></table><p class=\"quiet\">Error: {}. {} {}s behind every row.</p></div></section>\n",
-                         text("error"), knob.at("units").get<std::int64_t>(), text("timed"));
-}
-
-std::string step_section(Json const& error) {
-    std::string section =
-        "<section id=\"step-error\" style=\"grid-template-columns: minmax(0, 1fr)\"><header><h2>What the step does to "
-        "each quantity</h2></header>\n"
-        "<div class=\"scroll\"><table><thead><tr><th>quantity</th><th>trials</th><th>half the step, median</th>"
-        "<th>95 %</th><th>last bit, median</th><th>95 %</th></tr></thead><tbody>\n";
-    for (auto const& row : error.at("quantities")) {
-        auto const& step = row.at("step");
-        auto const& rounding = row.at("rounding");
-        section += fmt::format(
-            "<tr class=\"plain\"><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-            escaped(row.at("name").get<std::string>()), step.at("count").get<std::int64_t>(), number(step.at("median")),
-            number(step.at("p95")), number(rounding.at("median")), number(rounding.at("p95")));
-    }
-    return section
-           + fmt::format(
-               "</tbody></table><p class=\"quiet\">Relative differences in trials that end alike: at half "
-               "the campaign's steps, and under motions that are a last bit smaller (this is chaos, not "
-               "error). Of {} trials, half the step changes {} verdicts, a last bit {}.</p></div></section>\n",
-               error.at("trials").get<std::int64_t>(), error.at("step_flips").get<std::int64_t>(),
-               error.at("rounding_flips").get<std::int64_t>());
-}
-
-std::string waves_section(Json const& sampling) {
-    std::string section = "<section id=\"waves\"><header><h2>Number of waves</h2></header>\n";
-    section += figure_of("waves", sampling);
-    section +=
-        "<div class=\"scroll\"><table><thead><tr><th>waves</th><th>CPU</th><th>width</th><th>1/&radic;n</th></tr>"
-        "</thead><tbody>\n";
-    for (auto const& point : sampling.at("subsets")) {
-        section += fmt::format("<tr class=\"plain\"><td>{}</td><td>{}</td><td>{:.4f}</td><td>{:.4f}</td></tr>\n",
-                               point.at("waves").get<std::int64_t>(), time_text(point.at("cpu_s").get<double>()),
-                               point.at("width").get<double>(), point.at("root_n_width").get<double>());
-    }
-    section += fmt::format("<tr class=\"here\"><td>{}</td><td>{}</td><td>{:.4f}</td><td>&ndash;</td></tr>\n",
-                           sampling.at("campaign_waves").get<std::int64_t>(),
-                           time_text(sampling.at("campaign_cpu_s").get<double>()),
-                           2 * sampling.at("campaign_half_width").get<double>());
-    return section
-           + fmt::format(
-               "</tbody></table><p class=\"quiet\">Width of the {:g} % Clopper-Pearson interval of "
-               "P(overturn), mean of {} stripes; the campaign's own row is foretold from the sample."
-               "</p></div></section>\n",
-               100 * sampling.at("confidence").get<double>(), sampling.at("stripes").get<std::int64_t>());
-}
-
-std::string rare_section(Json const& rare) {
-    auto section = fmt::format(
-        "<section id=\"rare\"><header><h2>Rare events</h2><p>Scatter of P(overturn) of {} at factor "
-        "{:g}{}.</p></header>"
-        "\n",
-        escaped(rare.at("body").get<std::string>()), rare.at("amplitude").get<double>(),
-        rare.at("probability").is_null() ? "" : fmt::format(", P = {:.2e}", rare.at("probability").get<double>()));
-    section += figure_of("rare", rare);
-    section +=
-        "<div "
-        "class=\"scroll\"><table><thead><tr><th>method</th><th>effort</th><th>CPU</th><th>waves</th><th>c.o.v.</th>"
-        "<th></th></tr></thead><tbody>\n";
-    for (auto const& point : rare.at("points")) {
-        auto const& reason = point.at("reason");
-        section +=
-            fmt::format("<tr class=\"plain\"><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                        point.at("method").get<std::string>(), escaped(point.at("effort").get<std::string>()),
-                        time_text(point.at("cpu_s").get<double>()), point.at("waves").get<std::int64_t>(),
-                        point.at("cov").is_null() ? "&ndash;" : fmt::format("{:.3f}", point.at("cov").get<double>()),
-                        reason.is_null() ? "" : escaped(reason.get<std::string>()));
-    }
-    return section
-           + "</tbody></table><p class=\"quiet\">Crude Monte Carlo is foretold by the binomial law from what one wave "
-             "takes; the others were run.</p></div></section>\n";
+               "<section id=\"rare\"><header><h2>Rare events</h2><p>Scatter of P(overturn) of {} at factor "
+               "{}{}.</p></header>\n",
+               text_at(rare, "body"), number_at(rare, "amplitude", "{:g}"),
+               rare.at("probability").is_null() ? "" : number_at(rare, "probability", ", P = {:.2e}"))
+           + figure_of("rare", points)
+           + last_table({"method", "effort", "CPU", "waves", "c.o.v.", ""}, rows,
+                        "Crude Monte Carlo is foretold by the binomial law from what one wave takes; the others were "
+                        "run.");
 }
 
 }  // namespace
@@ -148,17 +115,13 @@ void check_page_name(std::filesystem::path const& output) {
              output.string());
 }
 
-std::string cost_page(Json const& study) {
-    auto const title = escaped(study.at("title").get<std::string>());
-    auto const& balance = study.at("balance");
-    auto page = fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>What accuracy costs: "
-        "{0}</title>\n"
-        "<style>{1}</style></head><body>\n<h1>What accuracy costs</h1>\n<p>{0}</p>\n<p class=\"answer\">{2}</p>\n",
-        title, study_style, escaped(balance.at("sentence").get<std::string>()));
-    bool const sampled = !study.at("sampling").is_null();
-    page += sampled ? "<div style=\"max-width:44rem\">" + figure_of("balance", balance) + "</div>\n" : "";
+std::string cost_page(Json const& tables) {
+    auto const& study = tables.at("study").at(0);
+    auto const& rounding = tables.at("rounding").at(0);
+    auto page =
+        study_head("What accuracy costs", study) + "<p class=\"answer\">" + text_at(study, "sentence") + "</p>\n";
+    bool const sampled = !tables.at("waves").empty();
+    page += sampled ? "<div style=\"max-width:44rem\">" + figure_of("balance", study) + "</div>\n" : "";
     page += fmt::format(
         "<p class=\"quiet\">{} trials of {} on {} waves, spread over the campaign. Every setting ran the same waves "
         "and was "
@@ -173,15 +136,14 @@ std::string cost_page(Json const& study) {
         "so "
         "histories are not, and the Kolmogorov-Smirnov distance KS compares the distributions of peak rotation (one "
         "trial moved by rounding makes it one over the number of trials). Point at a row to see the setting.</p>\n",
-        study.at("trials").get<std::int64_t>(), study.at("campaign_trials").get<std::int64_t>(),
-        study.at("waves").get<std::int64_t>(), time_text(study.at("reference_cpu_s").get<double>()),
-        number(study.at("rounding").at("error").at("p95")), study.at("rounding").at("flips").get<std::int64_t>());
-    page += step_section(study.at("step_error"));
-    for (auto const& knob : study.at("knobs")) {
-        page += section_of(knob);
+        count_at(study, "trials"), count_at(study, "campaign_trials"), count_at(study, "waves"),
+        time_at(study, "reference_cpu_s"), number_at(rounding, "error_p95", short_form), count_at(rounding, "flips"));
+    page += step_section(study, tables.at("step_error"));
+    for (auto const& knob : tables.at("knobs")) {
+        page += section_of(knob, tables.at("settings"));
     }
-    page += sampled ? waves_section(study.at("sampling")) : "";
-    page += study.contains("rare") ? rare_section(study.at("rare")) : "";
+    page += sampled ? waves_section(study, tables.at("waves")) : "";
+    page += tables.contains("rare") ? rare_section(tables.at("rare")) : "";
     return page + "</body></html>\n";
 }
 

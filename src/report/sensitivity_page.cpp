@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -25,99 +25,86 @@ std::string keys_of(SensitivityJson const& row) {
     return keys;
 }
 
-std::string median_cell(SensitivityJson const& end) {
-    if (end.at("median_ratio").is_null()) {
+std::string median_cell(SensitivityJson const& row) {
+    if (row.at("median_ratio").is_null()) {
         return "&ndash;";
     }
-    auto const percent = [](SensitivityJson const& ratio) {
-        return ratio.is_null() ? std::string("open") : fmt::format("{:+.1f}", 100 * (ratio.get<double>() - 1));
+    auto const percent = [&](char const* key) {
+        return row.at(key).is_null() ? std::string("open")
+                                     : fmt::format("{:+.1f}", 100 * (row.at(key).get<double>() - 1));
     };
-    auto const& ends = end.at("median_ratio_interval");
-    return fmt::format("{} % ({} to {}){}", percent(end.at("median_ratio")), percent(ends.at(0)), percent(ends.at(1)),
-                       end.at("resolved").get<bool>() ? "" : ", not resolved");
+    return fmt::format("{} % ({} to {}){}", percent("median_ratio"), percent("median_ratio_lower"),
+                       percent("median_ratio_upper"), row.at("resolved").get<bool>() ? "" : ", not resolved");
 }
 
-std::string end_cells(SensitivityJson const& row, char const* side, bool has_design) {
-    auto const& end = row.at(side);
-    auto cells = fmt::format("<tr class=\"plain\"><td>{}</td><td>{}</td><td>{}</td>", keys_of(row),
-                             escaped(row.at("value").get<std::string>()), escaped(end.at("value").get<std::string>()));
-    if (!end.contains("median_ratio")) {
-        return cells
-               + fmt::format("<td colspan=\"{}\" style=\"white-space:normal\">refused: {}</td></tr>\n",
-                             has_design ? 3 : 2, escaped(end.at("refused").get<std::string>()));
+std::string moved_row(SensitivityJson const& row, bool has_design) {
+    std::vector<std::string> cells{keys_of(row), text_at(row, "value"), text_at(row, "moved_to")};
+    if (!row.at("refused").is_null()) {
+        auto const cell =
+            fmt::format("</td><td colspan=\"{}\" style=\"white-space:normal\">refused: ", has_design ? 3 : 2);
+        cells.back() += cell + text_at(row, "refused");
+        return table_row(cells);
     }
-    cells += fmt::format("<td>{}</td><td>+{} &minus;{} of {}</td>", median_cell(end),
-                         end.at("newly_passed").get<std::int64_t>(), end.at("no_longer_passed").get<std::int64_t>(),
-                         end.at("compared").get<std::int64_t>());
+    cells.push_back(median_cell(row));
+    cells.push_back(fmt::format("+{} &minus;{} of {}", count_at(row, "newly_passed"), count_at(row, "no_longer_passed"),
+                                count_at(row, "compared")));
     if (has_design) {
-        auto const& design = end.at("design_basis");
-        cells += fmt::format(
-            "<td>{} (+{} &minus;{})</td>",
-            design.at("probability").is_null() ? std::string("&ndash;")
-                                               : fmt::format("{:.3g}", design.at("probability").get<double>()),
-            design.at("newly_passed").get<std::int64_t>(), design.at("no_longer_passed").get<std::int64_t>());
+        cells.push_back(fmt::format("{} (+{} &minus;{})", number_at(row, "design_basis_probability", "{:.3g}"),
+                                    count_at(row, "design_basis_newly_passed"),
+                                    count_at(row, "design_basis_no_longer_passed")));
     }
-    return cells + "</tr>\n";
+    return table_row(cells);
 }
 
 // Enough of it to be drawn.
-bool moves_median(SensitivityJson const& end) {
+bool moves_median(SensitivityJson const& row) {
     constexpr double least = 5e-4;
-    return end.contains("median_ratio") && !end.at("median_ratio").is_null()
-           && std::abs(end.at("median_ratio").get<double>() - 1) >= least;
+    return !row.at("median_ratio").is_null() && std::abs(row.at("median_ratio").get<double>() - 1) >= least;
 }
 
-std::string section_of_body(SensitivityJson const& study, SensitivityJson const& unmoved, std::size_t number) {
+std::string section_of_body(SensitivityJson const& tables, SensitivityJson const& unmoved, std::size_t number) {
+    auto const& study = tables.at("study").at(0);
+    bool const has_design = !study.at("design_basis").is_null();
     auto rows = SensitivityJson::array();
-    for (auto const& row : study.at("rows")) {
+    std::string cells;
+    for (auto const& row : tables.at("rows")) {
         if (row.at("body") == unmoved.at("body") && row.at("limit") == unmoved.at("limit")) {
             rows.push_back(row);
+            cells += moved_row(row, has_design);
         }
     }
     if (rows.empty()) {
         return "";
     }
-    bool const has_design = !study.at("design_basis").is_null();
-    auto const body = escaped(unmoved.at("body").get<std::string>());
-    auto section = fmt::format("<section id=\"sensitivity-{}\"><header><h2>{}, {}</h2></header>\n", number, body,
-                               escaped(unmoved.at("limit").get<std::string>()));
-    bool const moved = std::ranges::any_of(
-        rows, [](SensitivityJson const& row) { return moves_median(row.at("low")) || moves_median(row.at("high")); });
-    if (moved) {
+    auto section = fmt::format("<section id=\"sensitivity-{}\"><header><h2>{}, {}</h2></header>\n", number,
+                               text_at(unmoved, "body"), text_at(unmoved, "limit"));
+    if (std::ranges::any_of(rows, moves_median)) {
         section += study_figure("sensitivity_figure.py", {{"rows", rows}, {"unmoved", unmoved}, {"study", study}});
     }
-    section += fmt::format(
-        "<div class=\"scroll\"><table><thead><tr><th>input</th><th>is</th><th>moved to</th><th>median"
-        "</th><th>verdicts</th>{}</tr></thead><tbody>\n",
-        has_design ? "<th>P at the design basis</th>" : "");
-    for (auto const& row : rows) {
-        section += end_cells(row, "low", has_design) + end_cells(row, "high", has_design);
+    std::vector<std::string> headings{"input", "is", "moved to", "median", "verdicts"};
+    if (has_design) {
+        headings.emplace_back("P at the design basis");
     }
-    return section + "</tbody></table></div></section>\n";
+    return section + last_table(headings, cells);
 }
 
 }  // namespace
 
-std::string sensitivity_page(SensitivityJson const& study) {
-    auto const title = escaped(study.at("title").get<std::string>());
-    auto page = fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>What assumed numbers decide: "
-        "{0}</title>\n<style>{1}section {{ grid-template-columns: minmax(0, 1fr); }} figure {{ max-width: 44rem; "
-        "}}</style></head><body>\n<h1>What assumed numbers decide</h1>\n<p>{0}</p>\n"
+std::string sensitivity_page(SensitivityJson const& tables) {
+    auto const& study = tables.at("study").at(0);
+    auto page = study_head("What assumed numbers decide", study,
+                           "section { grid-template-columns: minmax(0, 1fr); } figure { max-width: 44rem; }");
+    page += fmt::format(
         "<p class=\"quiet\">Each number that is said to be assumed is moved alone, to both ends of its range or by a "
-        "tenth, under the same {2} waves of {3}. Intervals ({4:g} %) are of the change itself, from resampled waves "
-        "that "
+        "tenth, under the same {} waves of {}. Intervals ({:g} %) are of the change itself, from resampled waves that "
         "both share; verdicts: newly passed and no longer passed, of those that both decide.</p>\n",
-        title, study_style, study.at("waves").get<std::int64_t>(), study.at("campaign_waves").get<std::int64_t>(),
-        100 * study.at("confidence").get<double>());
-    for (std::size_t i = 0; i < study.at("unmoved").size(); ++i) {
-        page += section_of_body(study, study.at("unmoved").at(i), i);
+        count_at(study, "waves"), count_at(study, "campaign_waves"), 100 * study.at("confidence").get<double>());
+    for (std::size_t i = 0; i < tables.at("unmoved").size(); ++i) {
+        page += section_of_body(tables, tables.at("unmoved").at(i), i);
     }
-    for (auto const& input : study.at("not_moved")) {
-        page += fmt::format("<p class=\"quiet\">Not moved: {} = {} ({}).</p>\n",
-                            escaped(input.at("key").get<std::string>()), escaped(input.at("value").get<std::string>()),
-                            escaped(input.at("why").get<std::string>()));
+    for (auto const& input : tables.at("not_moved")) {
+        page += fmt::format("<p class=\"quiet\">Not moved: {} = {} ({}).</p>\n", text_at(input, "key"),
+                            text_at(input, "value"), text_at(input, "why"));
     }
     return page + "</body></html>\n";
 }

@@ -8,6 +8,6 @@
 namespace overturn::report {
 
 /// The page of a study, given as `overturn cost --sensitivity --json` prints it. \throws as draw_figure
-[[nodiscard]] std::string sensitivity_page(nlohmann::ordered_json const& study);
+[[nodiscard]] std::string sensitivity_page(nlohmann::ordered_json const& tables);
 
 }  // namespace overturn::report

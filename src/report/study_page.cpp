@@ -1,5 +1,6 @@
 #include "report/detail/study_page.hpp"
 
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
@@ -8,7 +9,9 @@
 
 namespace overturn::report {
 
-char const* const study_style = R"css(
+namespace {
+
+constexpr char const* study_style = R"css(
 :root { color-scheme: light; }
 body { font: 15px/1.5 system-ui, "DejaVu Sans", sans-serif; color: #1a1a1a; background: #fff; margin: 0 auto;
        overflow-wrap: anywhere;
@@ -38,13 +41,49 @@ tr.plain td:first-child::before { content: "\25cb\00a0"; color: #888; }
 }
 )css";
 
-std::string study_figure(char const* script, nlohmann::ordered_json const& data) {
+using StudyJson = nlohmann::ordered_json;
+
+}  // namespace
+
+std::string study_head(std::string const& heading, StudyJson const& study, std::string const& style) {
+    return fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{0}: {1}</title>\n"
+        "<style>{2}{3}</style></head><body>\n<h1>{0}</h1>\n<p>{1}</p>\n",
+        heading, text_at(study, "title"), study_style, style);
+}
+
+std::string study_figure(char const* script, StudyJson const& data) {
     auto const svg = figure_text(script, data);
     auto const begin = svg.find("<svg");
     if (begin == std::string::npos) {
         throw SystemError("no figure (Python drew something else than svg). Look at $OVERTURN_PYTHON");
     }
     return "<figure>" + svg.substr(begin) + "</figure>\n";
+}
+
+std::string text_at(StudyJson const& row, char const* key) {
+    auto const& text = row.at(key);
+    return text.is_null() ? std::string() : escaped(text.get<std::string>());
+}
+
+std::int64_t count_at(StudyJson const& row, char const* key) { return row.at(key).get<std::int64_t>(); }
+
+std::string number_at(StudyJson const& row, char const* key, char const* format) {
+    auto const& value = row.at(key);
+    return value.is_null() ? "&ndash;" : fmt::format(fmt::runtime(format), value.get<double>());
+}
+
+std::string table_row(std::vector<std::string> const& cells, std::string const& kind, std::string const& tip) {
+    return fmt::format("<tr class=\"{}\"{}><td>{}</td></tr>\n", kind,
+                       tip.empty() ? "" : fmt::format(" title=\"{}\"", tip), fmt::join(cells, "</td><td>"));
+}
+
+std::string last_table(std::vector<std::string> const& headings, std::string const& rows, std::string const& note) {
+    return fmt::format(
+        "<div "
+        "class=\"scroll\"><table><thead><tr><th>{}</th></tr></thead><tbody>\n{}</tbody></table>{}</div></section>\n",
+        fmt::join(headings, "</th><th>"), rows, note.empty() ? "" : "<p class=\"quiet\">" + note + "</p>");
 }
 
 std::string escaped(std::string const& text) {

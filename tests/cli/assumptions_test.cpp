@@ -102,9 +102,11 @@ TEST_F(Assumptions, AreMovedByCost) {
     EXPECT_NE(table.err.find("100 %"), std::string::npos) << "no word of progress: " << table.err;
     EXPECT_NE(table.out.find("bodies[1].centre_height"), std::string::npos) << table.out;
     auto const study = json::parse(overturn(folder, {"cost", "c.toml", "--sensitivity", "--json"}).out);
-    ASSERT_EQ(study["rows"].size(), 1U);
+    ASSERT_EQ(study["rows"].size(), 2U) << "both ends of one input";
     EXPECT_EQ(study["rows"][0]["body"], "type-b");
-    EXPECT_EQ(study["waves"], 4);
+    EXPECT_EQ(study["rows"][0]["end"], "low");
+    EXPECT_EQ(study["rows"][1]["end"], "high");
+    EXPECT_EQ(study["study"][0]["waves"], 4);
 
     auto const wrong = overturn(folder, {"cost", "c.toml", "--sensitivity", "-o", "x.h5"});
     EXPECT_EQ(wrong.code, 2);

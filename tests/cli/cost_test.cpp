@@ -1,8 +1,13 @@
 // Requirement R-904: overturn cost ends with the sentence a user needs; its JSON, file and page say the same; what it
 // cannot do it says in one line before any work.
+#include <cmath>
+#include <map>
+#include <set>
+
 #include <nlohmann/json.hpp>
 
 #include "cli/campaign_files.hpp"
+#include "store/results_file.hpp"
 #include "support/command.hpp"
 
 namespace overturn::testing {
@@ -28,6 +33,64 @@ class Cost : public ::testing::Test {
     Folder folder;
 };
 
+// Is a field of JSON in the file? Texts are names of numbers or, where they are long, lines of an attribute.
+bool is_stored(store::ResultsReader const& file, std::string const& path, FieldType type, std::size_t row,
+               json const& value) {
+    if (value.is_string() || (value.is_null() && type != FieldType::real)) {
+        auto const texts = file.texts(path);
+        return row < texts.size() && texts[row] == (value.is_null() ? "" : value.get<std::string>());
+    }
+    if (type == FieldType::real) {
+        double const stored = file.reals(path).at(row);
+        return value.is_null() ? std::isnan(stored) : stored == value.get<double>();
+    }
+    return file.integers(path).at(row)
+           == (value.is_boolean() ? std::int64_t{value.get<bool>()} : value.get<std::int64_t>());
+}
+
+// R-1003: the tables of `cost -o` and of `cost --json` have the same columns by the same names, with the same values.
+// \return how many values were compared
+int expect_same_tables(store::ResultsReader const& file, json const& study) {
+    std::map<std::string, store::ColumnMeaning> columns;  // by the path that JSON would give them
+    std::set<std::string> in_file_only;
+    for (auto const& column : file.columns()) {
+        if (column.path.starts_with("digests/")) {
+            continue;
+        }
+        auto const name = column.path.rfind('/') + 1;
+        auto const path = column.path.substr(0, name) + Field{column.path.substr(name), column.units, {}}.key();
+        columns[path] = column;
+        in_file_only.insert(path);
+    }
+    std::map<std::string, std::set<std::string>> const attributes{{"settings", {"knob"}},
+                                                                  {"rare", {"body", "amplitude", "probability"}}};
+    std::map<std::string, std::size_t> rows;
+    int compared = 0;
+    for (auto const& [table, list] : study.items()) {
+        for (auto const& row : list) {
+            auto const group = table == "settings" ? table + "/" + row.at("knob").get<std::string>() : table;
+            auto const place = rows[group]++;
+            for (auto const& [name, value] : row.items()) {
+                if (attributes.contains(table) && attributes.at(table).contains(name)) {
+                    continue;
+                }
+                auto const path = group + "/" + name;
+                auto const found = columns.find(path);
+                auto const known = found != columns.end();
+                EXPECT_TRUE(is_stored(file, known ? found->second.path : path,
+                                      known ? found->second.type : FieldType::category, place, value))
+                    << path << " " << place << " is not in the file as " << value;
+                in_file_only.erase(path);
+                ++compared;
+            }
+        }
+    }
+    for (auto const& path : in_file_only) {
+        ADD_FAILURE() << path << " is not in the JSON";
+    }
+    return compared;
+}
+
 TEST_F(Cost, QuickstartEndsWithTheSentence) {
     auto const ended =
         overturn(folder, {"cost", OVERTURN_CAMPAIGNS "/quickstart.toml", "--waves", "2", "-o", "cost.h5"});
@@ -43,27 +106,31 @@ TEST_F(Cost, QuickstartEndsWithTheSentence) {
     EXPECT_TRUE(known) << last;
 }
 
-TEST_F(Cost, JsonHoldsEveryKnob) {
-    auto const ended = overturn(folder, {"cost", "c.toml", "--waves", "2", "--json"});
+TEST_F(Cost, JsonAndFileHoldEveryKnob) {
+    auto const ended = overturn(folder, {"cost", "c.toml", "--waves", "2", "--json", "-o", "cost.h5"});
     ASSERT_EQ(ended.code, 0) << ended.err;
     auto const study = json::parse(ended.out);
+    EXPECT_GT(
+        expect_same_tables(store::ResultsReader(folder / "cost.h5", store::Trust::sealed, "overturn-cost"), study),
+        500);
 
     std::vector<std::string> names;
     for (auto const& knob : study["knobs"]) {
-        names.push_back(knob["name"]);
+        names.push_back(knob["knob"]);
         int here = 0;
-        for (auto const& setting : knob["settings"]) {
-            here += setting["here"] ? 1 : 0;
+        for (auto const& setting : study["settings"]) {
+            here += setting["knob"] == knob["knob"] && setting["here"] ? 1 : 0;
             EXPECT_GE(setting["trials"], setting["flips"]);
         }
-        EXPECT_EQ(here, knob["name"] == "spectrum_periods" ? 0 : 1) << knob["name"];
+        EXPECT_EQ(here, knob["knob"] == "spectrum_periods" ? 0 : 1) << knob["knob"];
     }
     EXPECT_EQ(names, (std::vector<std::string>{"effects", "ou_v_e", "v_wes", "match_tolerance", "match_iterations",
                                                "spectrum_periods"}));
-    EXPECT_EQ(study["waves"], 2);
-    EXPECT_EQ(study["trials"], 12);
-    EXPECT_EQ(study["sampling"]["campaign_waves"], 12);
-    EXPECT_FALSE(study["balance"]["sentence"].get<std::string>().empty());
+    auto const& of = study["study"][0];
+    EXPECT_EQ(of["waves"], 2);
+    EXPECT_EQ(of["trials"], 12);
+    EXPECT_EQ(of["campaign_waves"], 12);
+    EXPECT_FALSE(of["sentence"].get<std::string>().empty());
 }
 
 TEST_F(Cost, PageNeedsNoNetwork) {
@@ -100,20 +167,25 @@ TEST_F(Cost, RareEventsHaveAPrice) {
                  "[levels]\nmeasure='factor'\nvalues=[1.0, 1.42]\n[rare]\nreplicates=4\n");
     auto const ended = overturn(folder, {"cost", "rare.toml", "--waves", "2", "--json", "-o", "rare.h5"});
     ASSERT_EQ(ended.code, 0) << ended.err;
-    auto const rare = json::parse(ended.out).at("rare");
-    EXPECT_EQ(rare.at("body"), "block");
-    EXPECT_EQ(rare.at("amplitude"), 1.42);
-    EXPECT_GT(rare.at("probability"), 1e-5);
-    EXPECT_LT(rare.at("probability"), 1e-2);
+    auto const study = json::parse(ended.out);
+    auto const rare = study.at("rare");
+    store::ResultsReader const file(folder / "rare.h5", store::Trust::sealed, "overturn-cost");
+    EXPECT_GT(expect_same_tables(file, study), 300);
+    EXPECT_EQ(file.text_attribute("rare", "body"), "block");
+    double const probability = rare.at(0).at("probability");
+    EXPECT_EQ(rare.at(0).at("body"), "block");
+    EXPECT_EQ(rare.at(0).at("amplitude"), 1.42);
+    EXPECT_GT(probability, 1e-5);
+    EXPECT_LT(probability, 1e-2);
     int foretold = 0;
     double waves = 0;
-    for (auto const& point : rare.at("points")) {
+    for (auto const& point : rare) {
         EXPECT_TRUE(point.at("method") == "subset" || point.at("method") == "crude") << "waves are not linear";
         foretold += point.at("foretold") ? 1 : 0;
         EXPECT_GT(point.at("cpu_s"), 0);
         if (point.at("foretold")) {
             double const cov = point.at("cov");
-            EXPECT_NEAR(point.at("waves").get<double>() * cov * cov * rare.at("probability").get<double>(), 1, 0.01);
+            EXPECT_NEAR(point.at("waves").get<double>() * cov * cov * probability, 1, 0.01);
         } else if (!point.at("cov").is_null()) {
             EXPECT_GT(point.at("waves"), waves) << "more effort";
             waves = point.at("waves");

@@ -177,7 +177,7 @@ TEST_F(StudyOfThree, FileHoldsWhatWasFound) {
     testing::expect_input_error([&] { store::ResultsReader const wrong(folder / "cost.h5"); }, "not a results file");
     store::ResultsReader const file(folder / "cost.h5", store::Trust::sealed, format_name);
     for (auto const& result : study().knobs) {
-        auto const group = "cost/" + result.knob.name + "/";
+        auto const group = "settings/" + result.knob.name + "/";
         auto const times = file.reals(group + "cpu");
         auto const errors = file.reals(group + "error_p95");
         auto const flips = file.integers(group + "flips");
@@ -189,20 +189,21 @@ TEST_F(StudyOfThree, FileHoldsWhatWasFound) {
             EXPECT_EQ(errors[i], result.rows[i].error.p95);
             EXPECT_EQ(flips[i], result.rows[i].flips);
             EXPECT_EQ(file.integers(group + "setting")[i], static_cast<std::int64_t>(i));
+            EXPECT_EQ(file.integers(group + "here")[i], result.knob.here == i ? 1 : 0);
         }
     }
     auto const& quantities = study().step_error.quantities;
-    auto const medians = file.reals("cost/step_error/step_median");
-    auto const rounded = file.reals("cost/step_error/rounding_p95");
+    auto const medians = file.reals("step_error/step_median");
+    auto const rounded = file.reals("step_error/last_bit_p95");
     ASSERT_GE(quantities.size(), 5U);
     ASSERT_EQ(medians.size(), quantities.size());
     for (std::size_t i = 0; i < medians.size(); ++i) {
         EXPECT_EQ(medians[i], quantities[i].step.median);
         EXPECT_EQ(rounded[i], quantities[i].rounding.p95);
-        EXPECT_EQ(file.integers("cost/step_error/compared")[i], quantities[i].step.count);
+        EXPECT_EQ(file.integers("step_error/step_count")[i], quantities[i].step.count);
     }
-    EXPECT_EQ(file.integers("cost/waves/waves"), (std::vector<std::int64_t>{1, 3}));
-    EXPECT_EQ(file.text_attribute("cost", "sentence"), study().sentence);
+    EXPECT_EQ(file.integers("waves/waves"), (std::vector<std::int64_t>{1, 3}));
+    EXPECT_EQ(file.texts("study/sentence"), std::vector{study().sentence});
 }
 
 }  // namespace

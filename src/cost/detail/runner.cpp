@@ -236,6 +236,7 @@ void Runner::conclude() {
         auto const front = pareto_front(points, noise);
         for (std::size_t i = 0; i < front.size(); ++i) {
             result.rows[i].on_front = front[i];
+            result.rows[i].here = result.knob.here == i;
         }
         result.advice = advice_of(result);
     }

@@ -71,14 +71,14 @@ def place_labels(axes, points):
 
 
 def draw_knob(axes, knob):
-    rows = [row for row in knob["settings"] if row["error"]["p95"] is not None]
+    rows = [row for row in knob["settings"] if row["error_p95"] is not None]
     axes.set_title(knob["title"], pad=6)
     if not rows:
         axes.text(0.5, 0.5, "no trial rocks in both: nothing to compare", ha="center", transform=axes.transAxes)
         axes.set_axis_off()
         return
     time = np.array([row["cpu_s"] for row in rows])
-    spread = np.maximum([[row["error"][key] for key in ("median", "p95", "worst")] for row in rows], SMALLEST)
+    spread = np.maximum([[row[f"error_{key}"] for key in ("median", "p95", "worst")] for row in rows], SMALLEST)
     for t, (median, _, worst) in zip(time, spread):
         axes.plot([t, t], [median, worst], color=PALE, lw=3.5, solid_capstyle="round", zorder=2)
     floor = knob["floor"]
@@ -86,7 +86,7 @@ def draw_knob(axes, knob):
         axes.axhspan(SMALLEST / 1e3, floor, color=PALE, alpha=0.45, lw=0, zorder=0)
         axes.annotate("shaded: what rounding does", (0, 0), xycoords="axes fraction", xytext=(4, 4), zorder=1,
                       textcoords="offset points", ha="left", va="bottom", color=GREY, fontsize=7)
-    front = sorted((row["cpu_s"], max(row["error"]["p95"], SMALLEST)) for row in rows if row["on_front"])
+    front = sorted((row["cpu_s"], max(row["error_p95"], SMALLEST)) for row in rows if row["on_front"])
     axes.plot(*zip(*front), color=BLUE, lw=1.1, ls="--", zorder=3)
     points = []
     for row, t, (_, p95, _) in zip(rows, time, spread):
@@ -94,7 +94,7 @@ def draw_knob(axes, knob):
         axes.plot(t, p95, "D" if row["here"] else "o", ms=6.5 if row["here"] else 5, color=colour, zorder=5,
                   mfc=colour if row["on_front"] or row["here"] else "white")
         flips = f", {row['flips']} flip{'' if row['flips'] == 1 else 's'}" if row["flips"] else ""
-        points.append((t, p95, row["label"] + flips, 2 if row["here"] else 1 if row["on_front"] else 0))
+        points.append((t, p95, row["setting"] + flips, 2 if row["here"] else 1 if row["on_front"] else 0))
     axes.set_yscale("log")
     axes.set_xscale("log")
     axes.set_xlim(*widen(time, 0.16))
@@ -109,17 +109,17 @@ def draw_knob(axes, knob):
     place_labels(axes, points)
 
 
-def draw_waves(axes, sampling):
-    subsets = sampling["subsets"]
-    time = np.array([point["cpu_s"] for point in subsets])
-    width = np.array([point["width"] for point in subsets])
+def draw_waves(axes, data):
+    study, parts = data["study"], data["waves"]
+    time = np.array([point["cpu_s"] for point in parts])
+    width = np.array([point["width"] for point in parts])
     axes.set_title("number of waves", pad=6)
-    axes.plot(time, [point["root_n_width"] for point in subsets], color=GREY, lw=1, ls="--", label="1/√n")
-    axes.plot(time, width, "o-", color=BLUE, ms=5, label=f"{100 * sampling['confidence']:g} % interval of P(overturn)")
-    points = [(t, w, f"{point['waves']}", 1) for t, w, point in zip(time, width, subsets)]
-    whole = (sampling["campaign_cpu_s"], 2 * sampling["campaign_half_width"])
+    axes.plot(time, [point["root_n_width"] for point in parts], color=GREY, lw=1, ls="--", label="1/√n")
+    axes.plot(time, width, "o-", color=BLUE, ms=5, label=f"{100 * study['confidence']:g} % interval of P(overturn)")
+    points = [(t, w, f"{point['waves']}", 1) for t, w, point in zip(time, width, parts)]
+    whole = (study["campaign_cpu_s"], 2 * study["campaign_half_width"])
     axes.plot(*whole, "D", ms=6.5, color=VERMILION, zorder=5, label="the campaign, from the sample's probabilities")
-    points.append((*whole, f"{sampling['campaign_waves']} waves", 2))
+    points.append((*whole, f"{study['campaign_waves']} waves", 2))
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.set_xlim(*widen([*time, whole[0]], 0.14))
@@ -130,11 +130,11 @@ def draw_waves(axes, sampling):
     place_labels(axes, points)
 
 
-def draw_rare(axes, rare):
+def draw_rare(axes, points):
     """Standard error over probability against time, one line an estimator."""
     axes.set_title("scatter of a rare probability", pad=6)
     looks = {"crude": (GREY, "o", "--"), "subset": (VERMILION, "s", "-"), "pulse-mixture": (BLUE, "D", "-")}
-    known = [point for point in rare["points"] if point["cov"]]
+    known = [point for point in points if point["cov"]]
     if not known:
         axes.text(0.5, 0.5, "nothing could be trusted: no scatter to show", ha="center", transform=axes.transAxes)
         axes.set_axis_off()
@@ -153,11 +153,11 @@ def draw_rare(axes, rare):
     axes.legend(loc="best")
 
 
-def draw_balance(axes, balance):
+def draw_balance(axes, study):
     """The two errors of P(overturn) side by side, on one logarithmic axis."""
     names = ["sampling", "numerical"]
-    values = [balance["sampling"], balance["numerical"]]
-    bound = balance["numerical_is_bound"]
+    values = [study["sampling"], study["numerical"]]
+    bound = study["numerical_is_bound"]
     for place, (name, value) in enumerate(zip(names, values)):
         larger = value == max(values)
         axes.plot(value, -place, "o", ms=9, color=VERMILION if larger else BLUE,

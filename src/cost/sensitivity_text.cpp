@@ -3,14 +3,11 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include "cost/sensitivity.hpp"
 
 namespace overturn::cost {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string percent(double ratio) { return std::isinf(ratio) ? "inf" : fmt::format("{:+.1f}", 100 * (ratio - 1)); }
 
@@ -61,39 +58,9 @@ std::string at_level(Sensitivity const& study, double value) {
     return fmt::format("{:.4g} {}", value / study.shown_si, study.shown_units == "1" ? "" : study.shown_units);
 }
 
-Json counts_json(Counts const& counts) {
-    auto const share = counts.share();
-    return {{"decided", counts.decided}, {"passed", counts.passed}, {"probability", share ? Json(*share) : Json()}};
-}
-
-Json end_json(VariedInput const& input, std::size_t end, std::optional<Shift> const& shift, bool has_design) {
-    Json json{{"value", input.ends.at(end)},
-              {"refused", input.refused.at(end).empty() ? Json() : Json(input.refused.at(end))}};
-    if (!shift) {
-        return json;
-    }
-    auto const known = [](double value) { return std::isfinite(value) && value > 0 ? Json(value) : Json(); };
-    json["median_ratio"] = shift->median_ratio ? Json(*shift->median_ratio) : Json();
-    json["median_ratio_interval"] =
-        shift->median_interval
-            ? Json::array({known(shift->median_interval->lower), known(shift->median_interval->upper)})
-            : Json();
-    json["resolved"] = shift->resolved();
-    json["compared"] = shift->compared;
-    json["newly_passed"] = shift->passed;
-    json["no_longer_passed"] = shift->no_longer;
-    if (has_design) {
-        json["design_basis"] = counts_json(shift->at_design_basis);
-        json["design_basis"]["newly_passed"] = shift->design_passed;
-        json["design_basis"]["no_longer_passed"] = shift->design_no_longer;
-        json["design_basis"]["p_value"] = shift->design_p_value;
-    }
-    return json;
-}
-
 }  // namespace
 
-std::string sensitivity_table(Sensitivity const& study) {
+std::string sensitivity_text(Sensitivity const& study) {
     auto text = fmt::format(
         "{}\nwhat assumed numbers decide: each moved alone, to its range or by {:.0f} %, under the same {} waves of "
         "{}\n"
@@ -130,44 +97,6 @@ std::string sensitivity_table(Sensitivity const& study) {
         text += "No number is said to be assumed: state basis = \"assumed\" where one is.\n";
     }
     return text;
-}
-
-Json sensitivity_json(Sensitivity const& study) {
-    Json json{{"title", study.title},
-              {"waves", study.waves},
-              {"campaign_waves", study.campaign_waves},
-              {"confidence", study.confidence},
-              {"measure", study.measure},
-              {"units", study.units},
-              {"stated_unit", study.shown_units},
-              {"stated_unit_si", study.shown_si},
-              {"design_basis", study.design_basis ? Json(*study.design_basis) : Json()},
-              {"unmoved", Json::array()},
-              {"rows", Json::array()},
-              {"not_moved", Json::array()}};
-    for (auto const& unmoved : study.unmoved) {
-        json["unmoved"].push_back(
-            {{"body", study.bodies[unmoved.body]},
-             {"limit", study.limits[unmoved.limit]},
-             {"median", unmoved.median ? Json(*unmoved.median) : Json()},
-             {"all", counts_json(unmoved.all)},
-             {"design_basis", study.design_basis ? counts_json(unmoved.at_design_basis) : Json()}});
-    }
-    for (auto const& row : study.rows) {
-        auto const& input = study.inputs[row.input];
-        json["rows"].push_back({{"body", study.bodies[row.body]},
-                                {"limit", study.limits[row.limit]},
-                                {"keys", input.keys},
-                                {"value", input.value},
-                                {"source", input.source.empty() ? Json() : Json(input.source)},
-                                {"range_stated", input.range_stated},
-                                {"low", end_json(input, 0, row.ends[0], study.design_basis.has_value())},
-                                {"high", end_json(input, 1, row.ends[1], study.design_basis.has_value())}});
-    }
-    for (auto const& input : study.unvaried) {
-        json["not_moved"].push_back({{"key", input.key}, {"value", input.value}, {"why", input.why}});
-    }
-    return json;
 }
 
 }  // namespace overturn::cost

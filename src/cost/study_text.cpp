@@ -24,10 +24,8 @@ void append_knob(std::string& text, KnobResult const& result) {
     text += fmt::format("\n{}: {}\nerror: {}\n", knob.name, knob.title, knob.error);
     text += fmt::format("  {:<17} {:>11} {:>8} {:>8} {:>8} {:>14} {:>9} {:>8}\n", "", "CPU a " + knob.timed, "median",
                         "95 %", "worst", "flips", "P error", "KS");
-    for (std::size_t i = 0; i < result.rows.size(); ++i) {
-        auto const& row = result.rows[i];
-        bool const here = knob.here && *knob.here == i;
-        text += fmt::format("{}{} {:<17} {:>11} {:>8} {:>8} {:>8} {:>14} {:>9} {:>8}\n", here ? ">" : " ",
+    for (auto const& row : result.rows) {
+        text += fmt::format("{}{} {:<17} {:>11} {:>8} {:>8} {:>8} {:>14} {:>9} {:>8}\n", row.here ? ">" : " ",
                             row.on_front ? "*" : " ", row.setting.label, seconds_text(row.seconds),
                             error_text(row.error.median), error_text(row.error.p95), error_text(row.error.worst),
                             flips_text(row),
@@ -80,7 +78,7 @@ void append_rare(std::string& text, RareCost const& rare) {
 
 }  // namespace
 
-std::string study_table(Study const& study) {
+std::string study_text(Study const& study) {
     auto text =
         fmt::format("{}\nsample: {} of {} waves, {} of {} trials; reference {} a trial\n", study.title, study.waves,
                     study.campaign_waves, study.trials, study.campaign_trials, seconds_text(study.reference_seconds));
