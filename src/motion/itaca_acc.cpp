@@ -8,6 +8,9 @@
 #include <vector>
 
 #include "core/units.hpp"
+#include "motion/claims.hpp"
+#include "motion/column_unit.hpp"
+#include "motion/detail/claim_words.hpp"
 #include "motion/detail/record_readers.hpp"
 #include "motion/text_lines.hpp"
 
@@ -17,9 +20,19 @@ namespace {
 constexpr int header_lines_at_least = 8;  // of the form key: value; editions add others
 constexpr int header_lines_at_most = 15;
 
+struct Unit {
+    double si = 0;
+    int line = 0;
+    std::string text;  // of that line
+};
+
 struct Header {
-    std::optional<double> unit_mps2, time_step_s, count, peak;
+    std::optional<double> time_step_s, count, peak;
+    std::optional<Unit> unit, peak_unit;
+    double peak_digit = 0;
     Location peak_line;
+    Location other_line;  // of a peak of velocities or displacements
+    std::string other;
     std::string component;
 };
 
@@ -74,16 +87,66 @@ std::optional<double> number_in(std::string_view line, Units units, Location con
     return number;
 }
 
+/// The first unit stays. \throws InputError at another one
+void take_unit(double si, std::string_view line, Location const& where, std::optional<Unit> const& other,
+               std::optional<Unit>& unit) {
+    if (other && other->si != si) {
+        throw InputError(where, fmt::format("unit {}, line {} says {} (they contradict each other). Mend one of them",
+                                            name_of_acceleration_unit(si), other->line, other->text));
+    }
+    unit = unit ? unit : Unit{si, where.line, in_quotes(trimmed(line))};
+}
+
+/// "Accelaration time series in m/s/s", "Unit : m/s2": what the values are. \throws InputError if they are none
+/// of accelerations, or in a unit that is not known or not the stated one
+void take_claim(std::string_view line, Location const& where, RecordRequest const& request, Header& header) {
+    Claims claims;
+    claims.take(line, where.line);
+    claims.check(request);
+    claims.check_unit_is_known(request.name);
+    if (auto const si = claims.unit()) {
+        take_unit(*si, line, where, header.unit ? header.unit : header.peak_unit, header.unit);
+    }
+}
+
+/// "PGA (m/s/s) : 0.5", "PGA : 0.5 m/s2". \throws InputError at another unit
+void take_peak(std::string_view line, Location const& where, Header& header) {
+    auto const colon = std::min(line.find(':'), line.size());
+    auto const value = trimmed(line.substr(std::min(colon + 1, line.size())));
+    auto const end = std::min(value.find_first_not_of("0123456789+-.eEdD"), value.size());
+    double number = 0;
+    if (!parse_number(value.substr(0, end), number)) {
+        return;
+    }
+    auto const open = std::min(line.find_first_of("(["), colon);
+    auto const in_key = open < colon ? line.substr(open + 1, line.find_first_of(")]", open) - open - 1) : "";
+    for (auto const unit : {in_key, value.substr(end)}) {
+        auto const si = unit_spelled(unit, Dimension::acceleration);
+        if (!trimmed(unit).empty() && !si) {
+            throw InputError(where, fmt::format("{} ({} is no unit of acceleration that is known). Mend the header",
+                                                in_quotes(trimmed(line)), in_quotes(trimmed(unit))));
+        }
+        if (si) {
+            take_unit(*si, line, where, header.peak_unit ? header.peak_unit : header.unit, header.peak_unit);
+        }
+    }
+    auto const printed = peak_in("pga: " + lowered(value.substr(0, end)), Dimension::acceleration);
+    header.peak = number;
+    header.peak_digit = printed ? printed->digit : 0;
+    header.peak_line = where;
+}
+
 /// The archive's editions word their keys differently: a key says what it is by these words or is passed over.
-void take(std::string_view line, Location const& where, Header& header) {
+void take(std::string_view line, Location const& where, RecordRequest const& request, Header& header) {
     auto const colon = line.find(':');
     auto const key = lowered(trimmed(line.substr(0, colon)));
     auto const value = trimmed(line.substr(colon + 1));
-    auto const all = lowered(line);
-    if (holds(all, "m/s2") || holds(all, "m/s^2") || holds(all, "m/s/s")) {
-        header.unit_mps2 = holds(all, "cm/s") ? gal_mps2 : 1;
-    }
-    if (holds(key, "sampling") && (holds(key, "rate") || holds(key, "freq"))) {
+    if (colon == std::string_view::npos || key.starts_with("unit") || holds(key, "time series")) {
+        take_claim(line, where, request, header);
+    } else if (key.starts_with("pgv") || key.starts_with("pgd")) {
+        header.other = key[2] == 'v' ? "velocities" : "displacements";
+        header.other_line = where;
+    } else if (holds(key, "sampling") && (holds(key, "rate") || holds(key, "freq"))) {
         auto const rate = number_in(line, hertz, where);
         header.time_step_s = rate ? std::optional(1 / *rate) : std::nullopt;
     } else if ((holds(key, "sampling") && !holds(key, "number")) || holds(key, "time step")
@@ -91,12 +154,29 @@ void take(std::string_view line, Location const& where, Header& header) {
         header.time_step_s = number_in(line, seconds, where);
     } else if (holds(key, "number") || holds(key, "samples") || holds(key, "points")) {
         header.count = number_in(line, {}, where);
-    } else if (key.starts_with("pga") && header.unit_mps2) {
-        header.peak = number_in(line.substr(colon), {}, where);
-        header.peak_line = where;
+    } else if (key.starts_with("pga")) {
+        take_peak(line, where, header);
     } else if (holds(key, "component") || holds(key, "channel") || key == "orientation") {
         header.component = value;
     }
+}
+
+/// What the values are in; a peak's unit, whose value is compared, where no line says it. [m/s2]
+/// \throws InputError without one, at another one stated, or at a peak of another quantity alone
+double unit_of(Header const& header, RecordRequest const& request, Location const& where) {
+    if (!header.other.empty() && !header.peak) {
+        throw InputError(header.other_line,
+                         fmt::format("{}, says the header's peak (accelerations are read). Take the accelerations of "
+                                     "the same record",
+                                     header.other));
+    }
+    auto const& said = header.unit ? header.unit : header.peak_unit;
+    if (said) {
+        check_stated_unit(request, said->si, where);
+    } else if (!request.unit_mps2) {
+        refuse_without_unit(where, "the header does not say it", request);
+    }
+    return said ? said->si : *request.unit_mps2;
 }
 
 }  // namespace
@@ -128,16 +208,10 @@ Recording read_itaca_acc(std::string_view content, RecordRequest const& request)
             break;
         }
         (void)lines.next();
-        take(*line, {request.name, lines.number()}, header);
+        take(*line, {request.name, lines.number()}, request, header);
     }
     Location const where{request.name, lines.number()};
-    if (header.unit_mps2) {
-        check_stated_unit(request, *header.unit_mps2, where);
-    }
-    auto const unit = header.unit_mps2 ? header.unit_mps2 : request.unit_mps2;
-    if (!unit) {
-        refuse_without_unit(where, "the header does not say m/s2", request);
-    }
+    auto const unit = unit_of(header, request, where);
     auto const step = header.time_step_s ? header.time_step_s : request.time_step_s;
     if (!step || !(*step > 0 && std::isfinite(*step))) {
         throw InputError(where,
@@ -155,14 +229,14 @@ Recording read_itaca_acc(std::string_view content, RecordRequest const& request)
                                                                      values.size(), *header.count));
     }
     for (double& value : values) {
-        value *= *unit;
+        value *= unit;
     }
     if (header.peak) {
-        constexpr double printed_share = 1e-5;
-        check_stated_peak(peak_of(values), *header.peak * *unit, printed_share * std::abs(*header.peak * *unit),
-                          header.peak_line);
+        constexpr double printed_share = 1e-5, rounded = 0.5;
+        double const share = std::max(printed_share * std::abs(*header.peak), rounded * header.peak_digit);
+        check_stated_peak(peak_of(values), *header.peak * unit, share * unit, header.peak_line);
     }
-    return {*step, {{header.component, direction_of(header.component), std::move(values)}}, *unit};
+    return {*step, {{header.component, direction_of(header.component), std::move(values)}}, unit};
 }
 
 }  // namespace overturn

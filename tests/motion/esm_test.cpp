@@ -103,6 +103,46 @@ TEST(ItacaAcc, ProseMayEndTheHeader) {
     expect_input_error([&] { (void)read_recording(wild, {.name = "a.acc", .time_step_s = 0.02}); }, "contradict");
 }
 
+/// With such a line of the peak, and such a last one.
+std::string itaca_wild(std::string const& peak, std::string const& last) {
+    return "Event Date & Time : 2009-04-06\nStation Code / Name : 1 / Somewhere\nNetwork : X\nOrientation : NS\n"
+           "Processing Info : sensor of m/s/s\nFilter Cut-off Frequency (Hz) : 0.050 - 65.000\n"
+           "Time Increment (s) : 0.005\nNumber of Data : 6\n"
+           + peak + "\n" + last
+           + "\n 1.2456000E-02-5.9452000E-02 3.0000000E-01 0.0000000E+00-5.0000000E-01\n 4.0000000E-01\n";
+}
+
+// the line that calls the values something states their unit, a peak is compared in its own.
+TEST(ItacaAcc, OneLineStatesTheUnit) {
+    auto const unit = [](std::string const& peak, std::string const& last) {
+        return read_recording(itaca_wild(peak, last), {.name = "a.acc"}).unit_mps2;
+    };
+    std::string const metres = "Accelaration time series in m/s/s";
+    EXPECT_EQ(unit("PGA (g) : 5.0000000E-01", "Accelaration time series in g"), 9.80665);
+    EXPECT_EQ(unit("PGA (cm/s^2) : 0.5", "Acceleration time series in cm/s/s"), 0.01);
+    EXPECT_EQ(unit("PGA (m/s/s) : 0.5", metres), 1);
+    EXPECT_EQ(unit("PGA : 0.50 m/s2", metres), 1);
+    EXPECT_EQ(unit("PGA (gal) : 0.5", "Final data"), 0.01);
+    EXPECT_EQ(unit("Quality : good", metres), 1);
+    auto const refused = [](std::string const& peak, std::string const& last, std::string const& why) {
+        for (auto const stated : {std::optional<double>(), std::optional(1.0)}) {
+            expect_input_error(
+                [&] { (void)read_recording(itaca_wild(peak, last), {.name = "a.acc", .unit_mps2 = stated}); }, why);
+        }
+    };
+    refused("Quality : good", "Velocity time series in m/s", "a.acc:10: velocities");
+    refused("Quality : good", "Displacement time series in m", "a.acc:10: displacements");
+    refused("PGV (m/s) : 5.0000000E-01", "Final data", "a.acc:9: velocities");
+    refused("PGV (m/s) : 5.0000000E-01", metres, "a.acc:9: velocities");
+    refused("PGD (m) : 5.0000000E-01", "Final data", "a.acc:9: displacements");
+    refused("PGA (m/s) : 5.0000000E-01", metres, "a.acc:9: ");
+    refused("PGA (m/s/s) : 5.0000000E-01", "Accelaration time series in cm/s/s", "a.acc:10: unit gal");
+    refused("PGA (m/s/s) : 6.0000000E-01", metres, "a.acc:9: peak of 50 gal where the header says 60");
+    expect_input_error([&] { (void)unit("Quality : good", "Final data"); }, "unit missing");
+    expect_input_error([&] { (void)unit("PGA (m/s/s) : 0.5", "Accelaration time series in cm/s/s"); },
+                       "a.acc:10: unit gal, line 9 says 'PGA (m/s/s) : 0.5'");
+}
+
 // what stands behind a number or in its key's brackets is its unit, and never passed over.
 TEST(ItacaAcc, AnotherUnitOfTheStepIsRefused) {
     std::string const rate = "Sampling rate (Hz) : 200";
