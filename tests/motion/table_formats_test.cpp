@@ -256,6 +256,22 @@ TEST(TableFormats, EarthScopeNamesItsChannel) {
     refuse(vertical + list_of("M/S**2"), "f:4: a second series");
 }
 
+// the last word of a series' line is its unit, and no stated unit overrides it.
+TEST(TableFormats, EarthScopeStatesItsUnit) {
+    RecordRequest const stated{.name = "f", .unit_mps2 = 1};
+    for (auto const& [unit, si] : {std::pair{"M/S**2", 1.0}, {"CM/S**2", gal}, {"NM/S**2", 1e-9}, {"UM/S**2", 1e-6}}) {
+        EXPECT_DOUBLE_EQ(read_recording(list_of(unit), {.name = "f"}).unit_mps2, si) << unit;
+        EXPECT_DOUBLE_EQ(read_recording(pairs_of(unit), {.name = "f"}).unit_mps2, si) << unit;
+    }
+    refuse(list_of("CM/S**2"), "unit gal in the file, m/s2 stated", stated);
+    for (std::string const unit : {"M", "CM", "RAD/S**2", "RAD/S", "V", "PA", "DEGC", "M/S", "NM/S", "KM/S**2"}) {
+        refuse(list_of(unit), ("f:1: unit '" + unit + "' of the series").c_str(), stated);
+        refuse(pairs_of(unit), ("f:1: unit '" + unit + "' of the series").c_str(), stated);
+    }
+    EXPECT_EQ(read_recording(list_of(""), stated).unit_mps2, 1);
+    refuse(list_of(""), "unit missing");
+}
+
 // a count and a step in either order are told apart, and neither is taken for a value.
 TEST(TableFormats, AStepAndACountThatFitNothingAreRefused) {
     RecordRequest const stated{.name = "f", .unit_mps2 = 1, .time_step_s = 0.01};
