@@ -41,7 +41,7 @@ constexpr std::array fillings{"acceleration",
 
 std::string plainly(Text name) {
     auto plain = lowered(trimmed(name));
-    std::erase_if(plain, [](char c) { return Text(" \t_-./\"'").find(c) != Text::npos; });
+    std::erase_if(plain, [](char c) { return Text(" \t_-./\"',").find(c) != Text::npos; });
     return plain;
 }
 
@@ -145,7 +145,8 @@ class Agreement {
             return;
         }
         contradicted_ = contradicted_ || (found_.direction != Direction::unknown && found_.direction != one.direction);
-        found_ = found_.direction == Direction::unknown ? one : found_;
+        bool const closer = found_.direction == one.direction && found_.axis == "h";  // "H-270" is along 270
+        found_ = found_.direction == Direction::unknown || closer ? one : found_;
     }
     [[nodiscard]] ComponentName found() const { return contradicted_ ? ComponentName{} : found_; }
     [[nodiscard]] bool contradicted() const { return contradicted_; }
@@ -173,11 +174,31 @@ std::vector<std::string> tokens_of(Text name) {
     return tokens;
 }
 
+/// "N 21 E" is one word.
+std::vector<std::string> with_bearings_whole(std::vector<std::string> const& tokens) {
+    constexpr std::size_t parts = 3;
+    std::vector<std::string> joined;
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        std::string bearing;
+        for (std::size_t n = 0; n < parts && i + n < tokens.size() && azimuth_in(bearing).empty(); ++n) {
+            bearing += tokens[i + n];
+            if (!is_digit(bearing.front()) && !azimuth_in(bearing).empty()) {
+                i += n;
+                break;
+            }
+        }
+        bool const whole = !is_digit(bearing.front()) && !azimuth_in(bearing).empty();
+        joined.push_back(whole ? bearing : tokens[i]);
+    }
+    return joined;
+}
+
 /// Words of their own, anywhere; letters at either end; an azimuth of three digits among nothing but fillings.
 ComponentName in_tokens(Text name) {
-    auto const tokens = tokens_of(name);
+    auto const tokens = with_bearings_whole(tokens_of(name));
     Agreement agreed;
-    auto const others = std::ranges::count_if(tokens, [](auto const& token) { return !is_filling(token); });
+    auto const others = std::ranges::count_if(
+        tokens, [](auto const& token) { return !is_filling(token) && looked_up(token).axis != "h"; });
     constexpr std::size_t azimuth_digits = 3;
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         auto const& token = tokens[i];
@@ -185,7 +206,7 @@ ComponentName in_tokens(Text name) {
         bool const counted = token.size() > 1 ? !is_filling(token) : at_an_end && token != "a" && token != "s";
         agreed.take(counted ? without_filling(token) : ComponentName{});
         bool const three = token.size() == azimuth_digits && std::ranges::all_of(token, is_digit);
-        if ((three && others == 1) || (token.size() > 3 && !is_digit(token[0]))) {
+        if ((three && others == 1) || (token.size() >= azimuth_digits && !is_digit(token[0]))) {
             if (auto const azimuth = azimuth_in(token); !azimuth.empty()) {
                 agreed.take({horizontal, azimuth});
             }

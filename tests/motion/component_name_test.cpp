@@ -98,6 +98,25 @@ TEST(ComponentNames, AreFoundInEveryDress) {
     }
 }
 
+// a bearing with blanks is one, and what a plain "H" stands before is the direction.
+TEST(ComponentNames, AboutNinetyDegreesApart) {
+    constexpr double right_deg = 90;
+    for (auto const& [one, other] : {std::pair{"N 21 E", "N 69 W"},
+                                     {"acc N 21 E (gal)", "acc N 69 W (gal)"},
+                                     {"N 5 E", "S 85 E"},
+                                     {"H-270", "H-180"},
+                                     {"H_E", "H_N"},
+                                     {"H E [gal]", "H N [gal]"}}) {
+        auto const apart = degrees_between(component_in(one), component_in(other));
+        ASSERT_TRUE(apart) << one;
+        EXPECT_DOUBLE_EQ(*apart, right_deg) << one;
+        auto const text = fmt::format("time (s),{},{}\n0,1,2\n0.01,-3,1\n0.02,2,-4\n0.03,-1,2\n", one, other);
+        EXPECT_EQ(read_recording(text, {.name = "f", .unit_mps2 = 0.01}).components.size(), 2) << one;
+    }
+    EXPECT_EQ(component_in("H").axis, "h");
+    EXPECT_EQ(component_in("N-S 2").axis, "n");
+}
+
 TEST(ComponentNames, WhatIsNoneIsUnknown) {
     for (char const* name :
          {"",          "acc",          "Acceleration", "accelerations", "accele", "one",  "two",        "ch1",   "CHN",
