@@ -136,6 +136,19 @@ bool is_trailer(std::string_view line) {
     return trimmed(line).starts_with('*') && lowered(line).find("end") != std::string::npos;
 }
 
+/// Do words stand right below, names of columns or further text? An AT2 has its values there.
+bool words_follow(TextLines lines) {
+    auto line = lines.next();
+    while (line && trimmed(*line).empty()) {
+        line = lines.next();
+    }
+    auto const text = lowered(trimmed(line.value_or("")));
+    constexpr std::string_view comments_and_quotes = "#%;!\"";
+    return !text.empty()
+           && ((text.front() >= 'a' && text.front() <= 'z')
+               || comments_and_quotes.find(text.front()) != std::string::npos);
+}
+
 }  // namespace
 
 bool recognises_peer_at2(std::string_view content) {
@@ -148,7 +161,7 @@ bool recognises_peer_at2(std::string_view content) {
         auto const lower = lowered(*line);
         auto const npts = lower.find("npts");
         if (npts != std::string::npos && lower.find("dt", npts) != std::string::npos) {
-            return true;
+            return !words_follow(lines);
         }
     }
     return false;

@@ -93,6 +93,21 @@ TEST(PeerAt2, MoreValuesThanPromisedAreRefused) {
     expect_input_error([] { (void)read(at2("NPTS= 5, DT= .02 SEC", six)); }, "6 values where NPTS promises 5");
 }
 
+// count and step above the names of columns make no AT2.
+TEST(PeerAt2, NamesBelowItsCountMakeATable) {
+    std::string const rows = "0,10\n0.01,-20\n0.02,30\n0.03,-5\n";
+    for (char const* head :
+         {"# NPTS= 4, DT= 0.01 SEC\ntime [s],acc [gal]\n", "# NPTS= 4, DT= 0.01 SEC\n# time [s],acc [gal]\n",
+          "NPTS= 4, DT= 0.01 SEC\n\"time [s]\",\"acc [gal]\"\n"}) {
+        auto const recording = read_recording(head + rows, {.name = "a.csv"});
+        EXPECT_EQ(recording.format, "columns") << head;
+        EXPECT_EQ(recording.components[0].acceleration_mps2, (std::vector{0.1, -0.2, 0.3, -0.05})) << head;
+    }
+    expect_input_error([&] { (void)read("# NPTS= 5, DT= 0.01 SEC\ntime [s],acc [gal]\n" + rows); },
+                       "5 samples claimed");
+    expect_input_error([&] { (void)read("# NPTS= 4, DT= 0.02 SEC\ntime [s],acc [gal]\n" + rows); }, "time step 0.02 s");
+}
+
 TEST(PeerAt2, DamagedHeadersAreRefused) {
     for (char const* step : {"0", "-.02", "nan", "inf", "", "0.0E0"}) {
         expect_input_error([&] { (void)read(at2("NPTS= 6, DT= " + std::string(step) + " SEC", six)); },
