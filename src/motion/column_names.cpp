@@ -18,10 +18,23 @@ std::string without_quotes(Text name) {
     return std::string(trimmed(plain));
 }
 
+/// Where the separator stands next, outside quotes where these are closed: "Displacement (cm), N-S" is one name.
+std::size_t find_outside_quotes(Text line, Text separator) {
+    bool const closed = std::ranges::count(line, '"') % 2 == 0;
+    bool quoted = false;
+    for (std::size_t at = 0; at < line.size(); ++at) {
+        quoted = closed && (line[at] == '"') != quoted;
+        if (!quoted && line.substr(at).starts_with(separator)) {
+            return at;
+        }
+    }
+    return Text::npos;
+}
+
 std::vector<std::string> parted_by(Text line, Text separator) {
     std::vector<std::string> names;
     for (bool more = true; more;) {
-        auto const end = line.find(separator);
+        auto const end = find_outside_quotes(line, separator);
         more = end != Text::npos;
         names.push_back(without_quotes(line.substr(0, end)));
         line = more ? line.substr(end + separator.size()) : Text{};

@@ -7,6 +7,7 @@
 #include "core/units.hpp"
 #include "motion/column_unit.hpp"
 #include "motion/component_name.hpp"
+#include "motion/percent_in_name.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn {
@@ -68,14 +69,25 @@ bool holds_made_word(Text text) {
     return false;
 }
 
+/// "PSA (g)", "Sa [g]", "UHS": of oscillators, which have a damping
+bool names_spectrum(Text lower) {
+    constexpr auto words = std::to_array<Text>({"sa", "psa", "sv", "psv", "sd", "uhs", "spectral", "pseudo"});
+    auto const end = std::min(lower.find_first_not_of("abcdefghijklmnopqrstuvwxyz"), lower.size());
+    return std::ranges::find(words, lower.substr(0, end)) != words.end();
+}
+
 }  // namespace
 
 bool tells_operation_in_name(std::string_view name) {
-    auto const plain = without_brackets(lowered(trimmed(name)));
+    auto const lower = lowered(trimmed(name));
+    bool const spectral = names_spectrum(lower);
+    auto const plain = without_brackets(spectral ? without_hazard_levels(lower) : lower);
     auto const unit = plain.find('\n');
-    auto const behind = unit == std::string::npos ? Text{} : trimmed(Text(plain).substr(unit + 1));
+    auto behind = unit == std::string::npos ? Text{} : Text(plain).substr(unit);
+    behind = trimmed(behind.substr(std::min(behind.find_first_not_of(" \t\n,;:"), behind.size())));
     bool const times = behind == "x" || behind.starts_with("x ");
-    bool const reckoned = !behind.empty() && component_named(behind).direction == Direction::unknown
+    bool const reckoned = !behind.empty() && !(spectral && is_damping_alone(behind))
+                          && component_named(behind).direction == Direction::unknown
                           && (times || behind.find_first_of("0123456789-%") != Text::npos);
     return reckoned || has_operator(plain) || holds_made_word(plain);
 }

@@ -7,6 +7,7 @@
 #include "core/units.hpp"
 #include "motion/detail/claimed_columns.hpp"
 #include "motion/detail/motion_look.hpp"
+#include "motion/detail/program_axes.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn {
@@ -209,6 +210,7 @@ class Placing {
 
     /// "t,d,v,a": is v a velocity or the vertical? So too "t,v".
     void check_letters() const {
+        check_program_axes(columns_, where_, how_to_state(request_, table_.columns()));
         auto const has = [&](Text letter) {
             return std::ranges::any_of(columns_.roles,
                                        [&](ColumnRole const& role) { return lowered(role.name) == letter; });

@@ -1,0 +1,39 @@
+#include "motion/detail/program_axes.hpp"
+
+#include <string>
+
+#include "core/units.hpp"
+#include "motion/text_lines.hpp"
+
+namespace overturn {
+namespace {
+
+using Text = std::string_view;
+
+/// "v", "a_v (g)", "av": the letter alone; 0 of any other name
+char letter_of(Text name) {
+    auto const stem = lowered(trimmed(name.substr(0, name.find_first_of("(["))));
+    auto const at = stem.find_last_of("_ -.");
+    auto const word = Text(stem).substr(at == std::string::npos ? 0 : at + 1);
+    bool const prefixed = word.size() == 2 && word.front() == 'a';
+    return word.size() == 1 || prefixed ? word.back() : '\0';
+}
+
+}  // namespace
+
+void check_program_axes(TableColumns const& columns, Location const& names, std::string_view advice) {
+    std::string letters, said;
+    for (auto const& [column, role] : columns.motions) {
+        letters += letter_of(role.name);
+        said += fmt::format("{}'{}'", said.empty() ? "" : ", ", role.name);
+    }
+    auto const has = [&](char letter) { return letters.find(letter) != std::string::npos; };
+    int const axes = (has('u') ? 1 : 0) + (has('v') ? 1 : 0) + (has('w') ? 1 : 0);
+    if (axes >= 2 && !has('n') && !has('s')) {
+        throw InputError(names, fmt::format("columns {} (u, v and w are axes of a program, of which any may be the "
+                                            "vertical one). {}",
+                                            said, advice));
+    }
+}
+
+}  // namespace overturn
