@@ -27,7 +27,7 @@ std::string figure_of(char const* kind, Json const& data) {
 
 std::string row_of(Json const& row) {
     auto const trials = count_at(row, "trials");
-    auto const kind = row.at("here").get<bool>() ? "here" : row.at("on_front").get<bool>() ? "front" : "plain";
+    auto const* const kind = row.at("here").get<bool>() ? "here" : row.at("on_front").get<bool>() ? "front" : "plain";
     return table_row({text_at(row, "setting"), time_at(row, "cpu_s"), number_at(row, "error_median", short_form),
                       number_at(row, "error_p95", short_form), number_at(row, "error_worst", short_form),
                       trials == 0 ? "&ndash;" : fmt::format("{} of {}", count_at(row, "flips"), trials),

@@ -41,7 +41,7 @@ std::string moved_row(SensitivityJson const& row, bool has_design) {
     std::vector<std::string> cells{keys_of(row), text_at(row, "value"), text_at(row, "moved_to")};
     if (!row.at("refused").is_null()) {
         auto const cell =
-            fmt::format("</td><td colspan=\"{}\" style=\"white-space:normal\">refused: ", has_design ? 3 : 2);
+            fmt::format(R"(</td><td colspan="{}" style="white-space:normal">refused: )", has_design ? 3 : 2);
         cells.back() += cell + text_at(row, "refused");
         return table_row(cells);
     }
