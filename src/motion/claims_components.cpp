@@ -11,24 +11,12 @@
 namespace overturn {
 namespace {
 
-std::vector<std::string> component_parts(std::string_view text) {
-    std::vector<std::string> words;
-    for (std::size_t at = 0; at < text.size();) {
-        at = std::min(text.find_first_not_of(" \t,;/", at), text.size());
-        auto const end = std::min(text.find_first_of(" \t,;/", at), text.size());
-        if (end > at) {
-            words.emplace_back(text.substr(at, end - at));
-        }
-        at = end;
-    }
-    return words;
-}
-
 /// The component names behind "comp", one each or one in two words ("N10E", "360 deg"); empty if any is none.
 std::vector<std::string> components_behind(std::string_view text) {
     text = trimmed(text.substr(std::min(text.find_first_not_of(" \t:=."), text.size())));
     auto const known = [](std::string const& name) { return component_named(name).direction != Direction::unknown; };
-    auto words = component_parts(text);
+    auto const parts = parted_at(text, " \t,;/");
+    std::vector<std::string> words(parts.begin(), parts.end());
     constexpr std::size_t most = 3;
     if (!words.empty() && words.size() <= most && std::ranges::all_of(words, known)) {
         return words;

@@ -39,34 +39,18 @@ std::string without_brackets(Text lower) {
 
 /// Is there a sign of reckoning in it that is not a unit's or a direction's? A spectrum's "V/H" is told elsewhere.
 bool has_operator(Text text) {
-    for (std::size_t at = 0; at < text.size();) {
-        constexpr Text separators = " \t_,;:\n";
-        at = std::min(text.find_first_not_of(separators, at), text.size());
-        auto const end = std::min(text.find_first_of(separators, at), text.size());
-        auto const token = text.substr(at, end - at);
-        at = end;
+    return std::ranges::any_of(parted_at(text, " \t_,;:\n"), [](Text token) {
         bool const sign = token.find_first_of("/*^|+<>") != Text::npos || token.find("\xC3\x97") != Text::npos
                           || token.find("\xC2\xB7") != Text::npos;
-        if (sign && token != "v/h" && !is_unit_of_any(token)
-            && component_named(token).direction == Direction::unknown) {
-            return true;
-        }
-    }
-    return false;
+        return sign && token != "v/h" && !is_unit_of_any(token)
+               && component_named(token).direction == Direction::unknown;
+    });
 }
 
 bool holds_made_word(Text text) {
     constexpr auto made = std::to_array<Text>({"half", "resultant", "srss", "rel", "res", "beta"});
-    constexpr Text separators = " \t_-./,;:\n";
-    for (std::size_t at = 0; at < text.size();) {
-        at = std::min(text.find_first_not_of(separators, at), text.size());
-        auto const end = std::min(text.find_first_of(separators, at), text.size());
-        if (std::ranges::find(made, text.substr(at, end - at)) != made.end()) {
-            return true;
-        }
-        at = end;
-    }
-    return false;
+    return std::ranges::any_of(parted_at(text, " \t_-./,;:\n"),
+                               [&](Text word) { return std::ranges::find(made, word) != made.end(); });
 }
 
 /// "PSA (g)", "Sa [g]", "UHS": of oscillators, which have a damping

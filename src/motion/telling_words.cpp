@@ -15,20 +15,7 @@ namespace {
 
 using Text = std::string_view;
 
-std::vector<Text> split(Text text, Text separators) {
-    std::vector<Text> parts;
-    for (std::size_t at = 0; at < text.size();) {
-        at = std::min(text.find_first_not_of(separators, at), text.size());
-        auto const end = std::min(text.find_first_of(separators, at), text.size());
-        if (end > at) {
-            parts.push_back(text.substr(at, end - at));
-        }
-        at = end;
-    }
-    return parts;
-}
-
-std::vector<Text> words_of(Text lower) { return split(lower, " \t_./,:;()[]{}=\"'#%!*|"); }
+std::vector<Text> words_of(Text lower) { return parted_at(lower, " \t_./,:;()[]{}=\"'#%!*|"); }
 
 bool holds_any(Text lower, std::span<Text const> parts) {
     return std::ranges::any_of(parts, [&](Text part) { return lower.find(part) != Text::npos; });
@@ -87,7 +74,7 @@ std::string without_fillings(Text part) {
                                             "dir",       "orientation",   "motion",       "recorded",
                                             "ground",    "accelerations", "acceleration", "acc"};
     std::string rest;
-    for (auto const word : split(part, " \t:=#%!*.\"'()[]")) {
+    for (auto const word : parted_at(part, " \t:=#%!*.\"'()[]")) {
         if (std::ranges::find(fillings, word) == fillings.end()) {
             rest += (rest.empty() ? "" : " ") + std::string(word);
         }
@@ -112,7 +99,7 @@ bool has_figure(Text word) { return word.find_first_of("0123456789") != Text::np
 /// "Sa_vertical" and "SaZ" in lower case, word by word; "S_v" is one.
 std::vector<std::string> words_of_name(Text name) {
     std::vector<std::string> words;
-    for (auto const part : split(name, " \t_-./:,;()[]{}=\"'|")) {
+    for (auto const part : parted_at(name, " \t_-./:,;()[]{}=\"'|")) {
         bool const of_letter =
             words.size() == 1 && (words[0] == "s" || words[0] == "ps") && part.size() <= 2 && !has_figure(part);
         std::size_t begin = 0;
@@ -241,7 +228,7 @@ bool tells_other_values(Text name) {
 
 bool holds_open_figure(Text lower) {
     constexpr auto sizes = std::to_array<Text>({"m", "mw", "ms", "ml", "mb", "magnitude"});
-    auto const words = split(lower, " \t()[]=#");
+    auto const words = parted_at(lower, " \t()[]=#");
     for (std::size_t i = 0; i < words.size(); ++i) {
         auto const word = words[i];
         constexpr std::size_t digits_of_a_year = 4;
@@ -274,9 +261,9 @@ bool tells_vertical(Text lower) { return std::ranges::any_of(words_of(lower), na
 std::string vertical_alone_in(Text lower) {
     std::vector<std::string> named;
     auto const is_unit = [](Text part) { return unit_spelled(part, Dimension::acceleration).has_value(); };
-    auto const parts = split(lower, ",;|#%!");
+    auto const parts = parted_at(lower, ",;|#%!");
     bool const beside_unit = std::ranges::any_of(parts, [&](Text part) { return is_unit(trimmed(part)); });
-    for (auto const part : split(lower, ",;|:=")) {
+    for (auto const part : parted_at(lower, ",;|:=")) {
         auto rest = without_fillings(part);
         bool const letters = std::ranges::any_of(rest, [](char c) { return c < '0' || c > '9'; });
         bool const letter = beside_unit && rest.size() == 1 && Text("zvunehxy").find(rest) != Text::npos;

@@ -152,6 +152,19 @@ void append_fixed(TextLines& lines, FixedFormat format, std::size_t count, std::
     }
 }
 
+std::vector<std::string_view> parted_at(std::string_view text, std::string_view separators) {
+    std::vector<std::string_view> parts;
+    for (std::size_t at = 0; at < text.size();) {
+        at = std::min(text.find_first_not_of(separators, at), text.size());
+        auto const end = std::min(text.find_first_of(separators, at), text.size());
+        if (end > at) {
+            parts.push_back(text.substr(at, end - at));
+        }
+        at = end;
+    }
+    return parts;
+}
+
 std::string lowered(std::string_view text) {
     std::string lower(text);
     for (char& c : lower) {

@@ -21,16 +21,8 @@ bool says_end_alone(Text line) {
     auto const lower = lowered(line);
     constexpr auto ends =
         std::to_array<Text>({"end", "of", "data", "file", "record", "records", "the", "eof", "table"});
-    constexpr Text separators = " \t*-/&=_.:<>[]()";
-    for (std::size_t at = 0; at < lower.size();) {
-        at = std::min(lower.find_first_not_of(separators, at), lower.size());
-        auto const end = std::min(lower.find_first_of(separators, at), lower.size());
-        if (end > at && std::ranges::find(ends, Text(lower).substr(at, end - at)) == ends.end()) {
-            return false;
-        }
-        at = end;
-    }
-    return true;
+    return std::ranges::all_of(parted_at(lower, " \t*-/&=_.:<>[]()"),
+                               [&](Text word) { return std::ranges::find(ends, word) != ends.end(); });
 }
 
 /// "*** End Data ***", "End of data", "END", "/&"

@@ -109,19 +109,6 @@ template <class Words> bool is_among(Text word, Words const& words) {
     return std::ranges::find(words, word) != words.end();
 }
 
-std::vector<Text> parted_at(Text text, Text separators) {
-    std::vector<Text> parts;
-    for (std::size_t at = 0; at < text.size();) {
-        at = std::min(text.find_first_not_of(separators, at), text.size());
-        auto const end = std::min(text.find_first_of(separators, at), text.size());
-        if (end > at) {
-            parts.push_back(text.substr(at, end - at));
-        }
-        at = end;
-    }
-    return parts;
-}
-
 std::vector<Text> plain_words_of(Text clause) {
     auto words = parted_at(clause, " \t:=()[]\"#!|,;");
     for (auto& word : words) {

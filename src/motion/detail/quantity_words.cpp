@@ -77,14 +77,8 @@ template <class Words> Quantity token_of(Text token, Words const& words) {
 }
 
 template <class Take> void each_token(Text lower, Take take) {
-    for (std::size_t at = 0; at < lower.size();) {
-        constexpr Text separators = " \t_-./,:;()[]{}=\"'#%!*|";
-        at = std::min(lower.find_first_not_of(separators, at), lower.size());
-        auto const end = std::min(lower.find_first_of(separators, at), lower.size());
-        if (end > at) {
-            take(lower.substr(at, end - at));
-        }
-        at = end;
+    for (auto const token : parted_at(lower, " \t_-./,:;()[]{}=\"'#%!*|")) {
+        take(token);
     }
 }
 

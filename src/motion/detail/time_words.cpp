@@ -16,19 +16,6 @@ namespace {
 
 using Text = std::string_view;
 
-std::vector<Text> parted_at(Text text, Text separators) {
-    std::vector<Text> parts;
-    for (std::size_t at = 0; at < text.size();) {
-        at = std::min(text.find_first_not_of(separators, at), text.size());
-        auto const end = std::min(text.find_first_of(separators, at), text.size());
-        if (end > at) {
-            parts.push_back(text.substr(at, end - at));
-        }
-        at = end;
-    }
-    return parts;
-}
-
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 bool is_time_word(Text word) {
