@@ -39,8 +39,8 @@ PairedTrials::PairedTrials(CampaignSpec const& spec, Plan const& plan, std::span
     }
 }
 
-std::optional<double> PairedTrials::log_median(std::size_t body, std::size_t limit, std::span<double const> weights,
-                                               ProbitSolver& solver) const {
+std::optional<double> PairedTrials::log_median(std::size_t body, std::size_t limit,
+                                               std::span<double const> weights) const {
     std::vector<FragilityPoint> points;
     for (auto const& [amplitude, bodies] : levels_) {
         FragilityPoint point;
@@ -58,7 +58,7 @@ std::optional<double> PairedTrials::log_median(std::size_t body, std::size_t lim
     if (state == FragilityState::separated) {
         return separating_log_intensity(points);
     }
-    auto const line = state == FragilityState::fitted ? solver.fit(points) : std::nullopt;
+    auto const line = state == FragilityState::fitted ? fit_probit(points) : std::nullopt;
     return line && line->slope > 0 ? std::optional(line->log_median()) : std::nullopt;
 }
 

@@ -86,7 +86,6 @@ class SensitivityRunner {
     std::vector<PreparedWave> waves_;
     std::vector<std::vector<double>> weights_;
     std::vector<std::vector<double>> unmoved_;  // ln medians: all waves once, then the replicates; per body and limit
-    ProbitSolver solver_;
 };
 
 PairedTrials SensitivityRunner::trials_with(CampaignInput const& varied, bool of_body) {
@@ -117,7 +116,7 @@ std::vector<double> SensitivityRunner::log_medians(PairedTrials const& trials, s
     medians.reserve(1 + weights_.size());
     std::vector<double> const once(numbers_.size(), 1.0);
     auto const add = [&](std::span<double const> weights) {
-        medians.push_back(trials.log_median(body, limit, weights, solver_).value_or(not_known));
+        medians.push_back(trials.log_median(body, limit, weights).value_or(not_known));
     };
     add(once);
     for (auto const& weights : weights_) {

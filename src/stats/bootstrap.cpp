@@ -15,7 +15,7 @@
 namespace overturn {
 namespace {
 
-Replicate refit(std::span<FragilityPoint const> points, ProbitSolver& solver) {
+Replicate refit(std::span<FragilityPoint const> points, ProbitLine const& begin) {
     switch (state_of(points)) {
         case FragilityState::none_overturned:
             return {infinite, unknown};
@@ -28,7 +28,7 @@ Replicate refit(std::span<FragilityPoint const> points, ProbitSolver& solver) {
         default:
             return {unknown, unknown};
     }
-    auto const line = solver.fit(points);
+    auto const line = fit_probit(points, begin);
     return line && line->slope > 0 ? Replicate{line->log_median(), line->beta()} : Replicate{unknown, unknown};
 }
 
@@ -89,13 +89,12 @@ Interval Bootstrap::probability(double intensity, double confidence) const {
 Bootstrap bootstrap_waves(std::span<SingleTrial const> trials, ProbitLine const& line, BootstrapKey const& key) {
     constexpr std::size_t most_points = 64;
     WaveCells const cells(trials, most_points);
-    ProbitSolver solver;
-    auto const centre = solver.fit(cells.points()).value_or(line);
+    auto const centre = fit_probit(cells.points(), line).value_or(line);
     std::vector<Replicate> replicates;
     replicates.reserve(key.replicates);
     for (int r = 0; r < key.replicates; ++r) {
         RandomStream stream(key.seed, static_cast<std::uint64_t>(r), Purpose::bootstrap, key.stream);
-        replicates.push_back(refit(cells.draw(stream), solver));
+        replicates.push_back(refit(cells.draw(stream), centre));
     }
     return {std::move(replicates), line, centre};
 }
@@ -109,8 +108,7 @@ Bootstrap bootstrap_trials(std::span<FragilityPoint const> points, ProbitLine co
         points = cells;
     }
     std::vector<FragilityPoint> drawn(points.begin(), points.end());
-    ProbitSolver solver;
-    auto const centre = many ? solver.fit(points).value_or(line) : line;
+    auto const centre = many ? fit_probit(points, line).value_or(line) : line;
     std::vector<Replicate> replicates;
     replicates.reserve(key.replicates);
     for (int r = 0; r < key.replicates; ++r) {
@@ -119,7 +117,7 @@ Bootstrap bootstrap_trials(std::span<FragilityPoint const> points, ProbitLine co
             drawn[i].overturned =
                 gsl_ran_binomial(stream.gsl(), points[i].probability(), static_cast<unsigned>(points[i].trials));
         }
-        replicates.push_back(refit(drawn, solver));
+        replicates.push_back(refit(drawn, centre));
     }
     return {std::move(replicates), line, centre};
 }

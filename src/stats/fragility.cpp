@@ -58,7 +58,7 @@ void test_shape_of(FragilityFit& fit, FragilityData const& data, FragilityReques
     if (data.points.empty()) {
         return;
     }
-    auto const line = fit.state == FragilityState::fitted ? ProbitSolver().fit(data.points) : std::nullopt;
+    auto const line = fit.state == FragilityState::fitted ? fit_probit(data.points) : std::nullopt;
     auto tests = test_shape(data, line && line->slope > 0 ? line : std::nullopt, request.bootstrap);
     fit.monotone = tests.monotone;
     fit.goodness = tests.goodness;

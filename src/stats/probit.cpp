@@ -5,7 +5,6 @@
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_multimin.h>
-#include <gsl/gsl_multiroots.h>
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_sf_erf.h>
 
@@ -20,22 +19,25 @@ constexpr double far_tail = 30;
 // phi(z) / Phi(-z): the normal hazard.
 double hazard(double z) { return z < far_tail ? gsl_ran_ugaussian_pdf(z) / gsl_cdf_ugaussian_Q(z) : gsl_sf_hazard(z); }
 
-double log_upper_tail(double z) {
-    return z < far_tail ? std::log(gsl_cdf_ugaussian_Q(z)) : gsl_sf_log_erfc(z / M_SQRT2) - M_LN2;
+// The hazards at z and -z of one density and one tail.
+struct Hazards {
+    double at, opposite;
+};
+
+Hazards hazards(double z) {
+    double const far = std::abs(z);
+    if (far >= far_tail) {
+        return {hazard(z), hazard(-z)};
+    }
+    double const density = gsl_ran_ugaussian_pdf(far);
+    double const tail = gsl_cdf_ugaussian_Q(far);
+    double const rare = density / tail;
+    double const common = density / (1 - tail);
+    return z > 0 ? Hazards{rare, common} : Hazards{common, rare};
 }
 
-// d score / d z, never above 0: the likelihood is concave (Pratt 1981).
-double curvature(FragilityPoint const& point, double z) {
-    double value = 0;
-    if (point.overturned > 0) {
-        double const h = hazard(-z);
-        value -= point.overturned * h * (h + z);
-    }
-    if (point.overturned < point.trials) {
-        double const h = hazard(z);
-        value -= (point.trials - point.overturned) * h * (h - z);
-    }
-    return value;
+double log_upper_tail(double z) {
+    return z < far_tail ? std::log(gsl_cdf_ugaussian_Q(z)) : gsl_sf_log_erfc(z / M_SQRT2) - M_LN2;
 }
 
 // The points in u = (ln x - centre) / spread, in which both parameters are of order one.
@@ -58,48 +60,69 @@ Scaled scaled(std::span<FragilityPoint const> points) {
     return {points, sum.log_intensity, std::sqrt(variance), sum.trials};
 }
 
-void evaluate(gsl_vector const* line, Scaled const& data, gsl_vector* f, gsl_matrix* jacobian) {
-    double const a = gsl_vector_get(line, 0);
-    double const b = gsl_vector_get(line, 1);
-    double f0 = 0, f1 = 0, j00 = 0, j01 = 0, j11 = 0;
+// First derivatives of the log-likelihood by intercept and slope, and its negative second ones, per trial.
+struct Derivatives {
+    double by_intercept = 0, by_slope = 0;
+    double intercepts = 0, mixed = 0, slopes = 0;
+
+    // The larger of the scores.
+    [[nodiscard]] double rest() const { return std::max(std::abs(by_intercept), std::abs(by_slope)); }
+};
+
+struct Place {
+    double intercept, slope;
+};
+
+Derivatives derivatives(Scaled const& data, Place const& line) {
+    Derivatives sum;
     for (auto const& point : data.points) {
+        if (point.trials == 0) {
+            continue;
+        }
         double const u = data.u(point);
-        double const z = a + b * u;
-        if (f != nullptr) {
-            double const s = score(point, z) / data.trials;
-            f0 += s;
-            f1 += s * u;
-        }
-        if (jacobian != nullptr) {
-            double const c = curvature(point, z) / data.trials;
-            j00 += c;
-            j01 += c * u;
-            j11 += c * u * u;
-        }
+        auto const of = score_slope(point, line.intercept + line.slope * u);
+        double const first = of.score / data.trials;
+        double const second = of.fall / data.trials;
+        sum.by_intercept += first;
+        sum.by_slope += first * u;
+        sum.intercepts += second;
+        sum.mixed += second * u;
+        sum.slopes += second * u * u;
     }
-    if (f != nullptr) {
-        gsl_vector_set(f, 0, f0);
-        gsl_vector_set(f, 1, f1);
-    }
-    if (jacobian != nullptr) {
-        gsl_matrix_set(jacobian, 0, 0, j00);
-        gsl_matrix_set(jacobian, 0, 1, j01);
-        gsl_matrix_set(jacobian, 1, 0, j01);
-        gsl_matrix_set(jacobian, 1, 1, j11);
-    }
+    return sum;
 }
 
-int scores(gsl_vector const* line, void* data, gsl_vector* f) {
-    evaluate(line, *static_cast<Scaled const*>(data), f, nullptr);
-    return GSL_SUCCESS;
-}
-int curvatures(gsl_vector const* line, void* data, gsl_matrix* jacobian) {
-    evaluate(line, *static_cast<Scaled const*>(data), nullptr, jacobian);
-    return GSL_SUCCESS;
-}
-int both(gsl_vector const* line, void* data, gsl_vector* f, gsl_matrix* jacobian) {
-    evaluate(line, *static_cast<Scaled const*>(data), f, jacobian);
-    return GSL_SUCCESS;
+// Newton's steps, each halved until the slope along it has not turned to more than it was before.
+std::optional<Place> top_of(Scaled const& data, Place line) {
+    constexpr double residual = 1e-12;  // of the score per trial
+    constexpr double enough = 1e-8;     // where rounding allows no more
+    constexpr int most_steps = 100;
+    constexpr int most_halvings = 50;
+    auto at = derivatives(data, line);
+    for (int step = 0; step < most_steps && at.rest() > residual; ++step) {
+        double const determinant = at.intercepts * at.slopes - at.mixed * at.mixed;
+        double const to_intercept = (at.slopes * at.by_intercept - at.mixed * at.by_slope) / determinant;
+        double const to_slope = (at.intercepts * at.by_slope - at.mixed * at.by_intercept) / determinant;
+        double const rise = at.by_intercept * to_intercept + at.by_slope * to_slope;
+        if (!(rise > 0) || !std::isfinite(rise)) {
+            break;
+        }
+        double share = 1;
+        for (int halving = 0; halving < most_halvings; ++halving, share /= 2) {
+            Place const next{line.intercept + share * to_intercept, line.slope + share * to_slope};
+            auto const there = derivatives(data, next);
+            double const left = there.by_intercept * to_intercept + there.by_slope * to_slope;
+            if (std::abs(left) < rise) {
+                line = next;
+                at = there;
+                break;
+            }
+        }
+        if (share < std::ldexp(1.0, 1 - most_halvings)) {
+            break;
+        }
+    }
+    return at.rest() <= enough ? std::optional(line) : std::nullopt;
 }
 
 // -(l + ln det I / 2), with the expected information of a probit, n phi^2 / (Phi (1 - Phi)) at each point. Its
@@ -111,7 +134,8 @@ double penalised(gsl_vector const* line, void* data) {
         return gsl_vector_get(line, 0) + gsl_vector_get(line, 1) * of.u(point);
     };
     auto const weight = [&](FragilityPoint const& point) {
-        return point.trials * hazard(z(point)) * hazard(-z(point));
+        auto const both = hazards(z(point));
+        return point.trials * both.at * both.opposite;
     };
     double likelihood = 0, weights = 0, moment = 0;
     for (auto const& point : of.points) {
@@ -150,15 +174,13 @@ double log_likelihood(FragilityPoint const& point, double z) {
     return value;
 }
 
-double score(FragilityPoint const& point, double z) {
-    double value = 0;
-    if (point.overturned > 0) {
-        value += point.overturned * hazard(-z);
-    }
-    if (point.overturned < point.trials) {
-        value -= (point.trials - point.overturned) * hazard(z);
-    }
-    return value;
+double score(FragilityPoint const& point, double z) { return score_slope(point, z).score; }
+
+ScoreSlope score_slope(FragilityPoint const& point, double z) {
+    auto const [stands, falls] = hazards(z);
+    double const stood = point.trials - point.overturned;
+    return {point.overturned * falls - stood * stands,
+            point.overturned * falls * (falls + z) + stood * stands * (stands - z)};
 }
 
 double log_likelihood(std::span<FragilityPoint const> points, ProbitLine const& line) {
@@ -169,46 +191,17 @@ double log_likelihood(std::span<FragilityPoint const> points, ProbitLine const& 
     return sum;
 }
 
-struct ProbitSolver::Workspace {
-    Workspace()
-        : solver(gsl_multiroot_fdfsolver_alloc(gsl_multiroot_fdfsolver_hybridsj, 2)), start(gsl_vector_alloc(2)) {}
-    ~Workspace() {
-        gsl_vector_free(start);
-        gsl_multiroot_fdfsolver_free(solver);
-    }
-    Workspace(Workspace const&) = delete;
-    Workspace& operator=(Workspace const&) = delete;
-    Workspace(Workspace&&) = delete;
-    Workspace& operator=(Workspace&&) = delete;
-
-    gsl_multiroot_fdfsolver* solver;
-    gsl_vector* start;
-};
-
-ProbitSolver::ProbitSolver() : workspace_(std::make_unique<Workspace>()) {}
-ProbitSolver::~ProbitSolver() = default;
-
-std::optional<ProbitLine> ProbitSolver::fit(std::span<FragilityPoint const> points) {
-    auto data = scaled(points);
+std::optional<ProbitLine> fit_probit(std::span<FragilityPoint const> points) {
+    auto const data = scaled(points);
     auto const sum = sum_of(points);
-    auto& w = *workspace_;
-    gsl_vector_set(w.start, 0, gsl_cdf_ugaussian_Pinv(sum.overturned / sum.trials));
-    gsl_vector_set(w.start, 1, 1);
-    gsl_multiroot_function_fdf equations{&scores, &curvatures, &both, 2, &data};
-    constexpr double residual = 1e-12;  // of the score per trial
-    constexpr double enough = 1e-8;     // where rounding allows no more
-    constexpr int most_steps = 200;
-    int status = gsl_multiroot_fdfsolver_set(w.solver, &equations, w.start);
-    for (int step = 0; step < most_steps && status == GSL_SUCCESS; ++step) {
-        if (gsl_multiroot_test_residual(w.solver->f, residual) == GSL_SUCCESS) {
-            break;
-        }
-        status = gsl_multiroot_fdfsolver_iterate(w.solver);
-    }
-    if (gsl_multiroot_test_residual(w.solver->f, enough) != GSL_SUCCESS) {
-        return std::nullopt;
-    }
-    return data.unscaled(gsl_vector_get(w.solver->x, 0), gsl_vector_get(w.solver->x, 1));
+    auto const top = top_of(data, {gsl_cdf_ugaussian_Pinv(sum.overturned / sum.trials), 1});
+    return top ? std::optional(data.unscaled(top->intercept, top->slope)) : std::nullopt;
+}
+
+std::optional<ProbitLine> fit_probit(std::span<FragilityPoint const> points, ProbitLine const& begin) {
+    auto const data = scaled(points);
+    auto const top = top_of(data, {begin.at(data.centre), begin.slope * data.spread});
+    return top ? std::optional(data.unscaled(top->intercept, top->slope)) : fit_probit(points);
 }
 
 std::optional<ProbitLine> fit_penalised(std::span<FragilityPoint const> points) {

@@ -2,7 +2,6 @@
 /// (Finney 1947; Baker 2015, Earthquake Spectra 31(1), eq. 11, maximises the same binomial likelihood).
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <span>
 
@@ -24,27 +23,20 @@ struct ProbitLine {
 [[nodiscard]] double log_likelihood(FragilityPoint const& point, double z);
 [[nodiscard]] double score(FragilityPoint const& point, double z);
 
+/// The score, and how fast it falls with z: never negative, since the likelihood is concave (Pratt 1981).
+struct ScoreSlope {
+    double score = 0, fall = 0;
+};
+[[nodiscard]] ScoreSlope score_slope(FragilityPoint const& point, double z);
+
 /// Without the binomial coefficients, which do not depend on the curve.
 [[nodiscard]] double log_likelihood(std::span<FragilityPoint const> points, ProbitLine const& line);
 
-/// Finds maxima with GSL's hybrid root finder on the two score equations; one of them serves many fits.
-class ProbitSolver {
-  public:
-    ProbitSolver();
-    ~ProbitSolver();
-    ProbitSolver(ProbitSolver const&) = delete;
-    ProbitSolver& operator=(ProbitSolver const&) = delete;
-    ProbitSolver(ProbitSolver&&) = delete;
-    ProbitSolver& operator=(ProbitSolver&&) = delete;
-
-    /// The maximum, whatever the sign of its slope; empty if the solver did not converge.
-    /// \pre the outcomes overlap: state_of(points) is fitted
-    [[nodiscard]] std::optional<ProbitLine> fit(std::span<FragilityPoint const> points);
-
-  private:
-    struct Workspace;
-    std::unique_ptr<Workspace> workspace_;
-};
+/// The maximum, whatever the sign of its slope, by Newton's method. Empty if it did not converge.
+/// \pre the outcomes overlap: state_of(points) is fitted
+[[nodiscard]] std::optional<ProbitLine> fit_probit(std::span<FragilityPoint const> points);
+/// The same, from a line near by: of data of which these were drawn.
+[[nodiscard]] std::optional<ProbitLine> fit_probit(std::span<FragilityPoint const> points, ProbitLine const& begin);
 
 /// The maximum of the likelihood times Jeffreys' prior, the root of the information's determinant: Firth's (1993)
 /// penalty, finite for a probit even where outcomes are separated (Kosmidis & Firth 2021, Biometrika 108(1)).

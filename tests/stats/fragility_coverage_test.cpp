@@ -74,7 +74,7 @@ Methods covered(int waves, double shared) {
     for (int r = 0; r < repetitions; ++r) {
         auto const trials = campaign(waves, shared, r);
         auto const points = points_of(trials, 64);
-        auto const line = ProbitSolver().fit(points);
+        auto const line = fit_probit(points);
         if (!line) {
             continue;
         }
@@ -145,7 +145,7 @@ TEST(Coverage, HoldsWhereTheMedianTargetEndsTheCampaign) {
     for (int r = 0; r < repetitions; ++r) {
         for (auto const waves : ends_of_campaign()) {
             auto const trials = campaign(static_cast<int>(waves), shared, r);
-            auto const line = ProbitSolver().fit(points_of(trials, 64));
+            auto const line = fit_probit(points_of(trials, 64));
             if (!line) {
                 continue;
             }

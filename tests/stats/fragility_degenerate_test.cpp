@@ -284,7 +284,7 @@ TEST(Degenerate, BootstrapDoesNotHideItsFailures) {
             trials.push_back({level, wave, (wave == 0 && level > 1.5) || (wave == 1 && level > 2.5)});
         }
     }
-    auto const line = ProbitSolver().fit(points_of(trials, 64));
+    auto const line = fit_probit(points_of(trials, 64));
     ASSERT_TRUE(line && line->slope > 0);
     auto const bootstrap = bootstrap_waves(trials, *line, {1, 0, 400});
 

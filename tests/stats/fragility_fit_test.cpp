@@ -100,11 +100,34 @@ TEST(FragilityFit, SingleTrialsAreStripesOfOne) {
     EXPECT_EQ(single.waves, 162);
 }
 
+// the maximum is one, wherever the search begins: far off, steep, flat or falling; also with a point so far from
+// the others that its chance underflows.
+TEST(FitProbit, FindsOneMaximumFromAnywhere) {
+    auto points = points_of(known);
+    points.push_back({12, 40, 40, 0});
+    auto const best = *fit_probit(points);
+
+    for (ProbitLine const& begin :
+         {ProbitLine{0, 0.01}, ProbitLine{-200, 300}, ProbitLine{5, -4}, ProbitLine{60, 1}, best}) {
+        auto const line = fit_probit(points, begin);
+        ASSERT_TRUE(line);
+        EXPECT_TRUE(near(line->log_median(), best.log_median(), maximum)) << begin.intercept;
+        EXPECT_TRUE(near(line->beta(), best.beta(), maximum)) << begin.intercept;
+    }
+    double const least = 1e-6;
+    for (ProbitLine const& beside : {ProbitLine{best.intercept + least, best.slope},
+                                     {best.intercept - least, best.slope},
+                                     {best.intercept, best.slope + least},
+                                     {best.intercept, best.slope - least}}) {
+        EXPECT_LT(log_likelihood(points, beside), log_likelihood(points, best));
+    }
+}
+
 // Every bound that is reported is where its own likelihood-ratio test turns: the fit that is held there falls
 // short by exactly chi squared. Held by brute force: a fine scan over the slope.
 TEST(ProfileLikelihood, EndsWhereTheTestTurns) {
     auto const points = points_of(known);
-    auto const best = *ProbitSolver().fit(points);
+    auto const best = *fit_probit(points);
     ProfileLikelihood const profile(points, best, 0.9);
     double const allowed = gsl_cdf_chisq_Pinv(0.9, 1);
     auto const fall = [&](double at, double q) {
@@ -215,8 +238,8 @@ TEST(FragilityFit, CellsMoveNothingThatMatters) {
         double const p = gsl_cdf_ugaussian_P(std::log(intensity / 1.2) / 0.4);
         trials.push_back({intensity, i, std::fmod(i * 0.6180339887498949, 1.0) < p});
     }
-    auto const fine = ProbitSolver().fit(points_of(trials, 6000));
-    auto const cells = ProbitSolver().fit(points_of(trials, 2048));
+    auto const fine = fit_probit(points_of(trials, 6000));
+    auto const cells = fit_probit(points_of(trials, 2048));
 
     EXPECT_TRUE(near(cells->log_median(), fine->log_median(), Tolerance{1e-4, "cells"}));
     EXPECT_TRUE(near(cells->beta(), fine->beta(), Tolerance{1e-4, "cells"}));

@@ -64,7 +64,7 @@ Alarms alarms(Design const& design, std::uint64_t tables) {
     for (std::uint64_t r = 0; r < tables; ++r) {
         auto const data = drawn(design, r);
         auto const line =
-            state_of(data.points) == FragilityState::fitted ? ProbitSolver().fit(data.points) : std::nullopt;
+            state_of(data.points) == FragilityState::fitted ? fit_probit(data.points) : std::nullopt;
         auto const tests = test_shape(data, line, {.seed = r, .stream = 0, .replicates = 199});
         found.poor += tests.goodness && tests.goodness->least_p_value() < 0.05 ? 1 : 0;
         found.falling += tests.monotone.p_value < 0.05 ? 1 : 0;
@@ -136,7 +136,7 @@ TEST(ShapeTests, FindWhatIsWrong) {
                                       {.amplitude = 8, .trials = 40, .overturned = 21},
                                       {.amplitude = 16, .trials = 40, .overturned = 20}};
     auto const flat = FragilityData::of_stripes(plateau);
-    auto const line = ProbitSolver().fit(flat.points);
+    auto const line = fit_probit(flat.points);
     EXPECT_LT(test_shape(flat, line, {}).goodness->least_p_value(), 0.01);
     EXPECT_GT(test_shape(flat, line, {}).monotone.p_value, 0.3) << "it does not fall";
     std::vector<Stripe> const dip{{.amplitude = 1, .trials = 40, .overturned = 2},
@@ -144,7 +144,7 @@ TEST(ShapeTests, FindWhatIsWrong) {
                                   {.amplitude = 4, .trials = 40, .overturned = 5},
                                   {.amplitude = 8, .trials = 40, .overturned = 38}};
     auto const falls = FragilityData::of_stripes(dip);
-    EXPECT_LT(test_shape(falls, ProbitSolver().fit(falls.points), {}).monotone.p_value, 0.01);
+    EXPECT_LT(test_shape(falls, fit_probit(falls.points), {}).monotone.p_value, 0.01);
 }
 
 // The same by waves: 60 of 100 stand again at the higher level.
@@ -154,7 +154,7 @@ TEST(ShapeTests, FindAFallOfSharedWaves) {
         trial.overturned = trial.overturned && !(trial.wave < 60 && trial.intensity > 1.2 && trial.intensity < 1.8);
     }
     data.points = points_of(data.trials, 64);
-    auto const line = ProbitSolver().fit(data.points);
+    auto const line = fit_probit(data.points);
     ASSERT_TRUE(line);
     EXPECT_LT(test_shape(data, line, {}).monotone.p_value, 0.01);
     EXPECT_LT(test_shape(data, line, {}).goodness->least_p_value(), 0.05);
@@ -165,7 +165,7 @@ TEST(ShapeTests, AreReproducible) {
     auto data = drawn({30, 50, true}, 5);
     data.trials[700].overturned = !data.trials[700].overturned;
     data.points = points_of(data.trials, 64);
-    auto const line = ProbitSolver().fit(data.points);
+    auto const line = fit_probit(data.points);
     auto const first = test_shape(data, line, {.seed = 9, .stream = 2, .replicates = 300});
     std::reverse(data.trials.begin(), data.trials.end());
     auto const second = test_shape(data, line, {.seed = 9, .stream = 2, .replicates = 300});

@@ -21,8 +21,8 @@ class PairedTrials {
     PairedTrials(CampaignSpec const& spec, Plan const& plan, std::span<PreparedWave const> waves);
 
     /// Every wave drawn as often as `weights` says. Nothing where that holds no curve; of separated data the step.
-    [[nodiscard]] std::optional<double> log_median(std::size_t body, std::size_t limit, std::span<double const> weights,
-                                                   ProbitSolver& solver) const;
+    [[nodiscard]] std::optional<double> log_median(std::size_t body, std::size_t limit,
+                                                   std::span<double const> weights) const;
     [[nodiscard]] Counts counts(std::size_t body, std::size_t limit, std::optional<double> amplitude) const;
     /// What is different from `before`, but for medians.
     [[nodiscard]] Shift shift_from(PairedTrials const& before, std::size_t body, std::size_t limit) const;

@@ -113,7 +113,7 @@ Interval CurveFit::probability(double intensity, FragilityFit::Method method, do
 
 CurveAttempt fit_curve(std::span<FragilityPoint const> points, std::span<SingleTrial const> trials,
                        FragilityRequest const& request) {
-    auto const line = ProbitSolver().fit(points);
+    auto const line = fit_probit(points);
     if (!line) {
         return {FragilityState::not_converged, std::nullopt};
     }

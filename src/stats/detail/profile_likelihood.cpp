@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <memory>
+#include <numeric>
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_roots.h>
@@ -56,13 +57,16 @@ double ProfileLikelihood::flat_deviance(double probability) const {
     return deviance(log_likelihood(points_, {gsl_cdf_ugaussian_Pinv(probability), 0}));
 }
 
-// The likelihood is concave along the family: its score falls through one zero.
+// The likelihood is concave along the family, so that its slope falls through one zero: Newton's steps towards it, kept
+// between the values that are known to lie on either side.
 double ProfileLikelihood::best_of(Family const& family, Sign sign, double guess) const {
     auto const slope = [&](double s) {
-        double sum = 0;
+        ScoreSlope sum;
         for (auto const& point : points_) {
             double const direction = family.direction.at(point.log_intensity);
-            sum += direction * score(point, family.offset.at(point.log_intensity) + s * direction);
+            auto const of = score_slope(point, family.offset.at(point.log_intensity) + s * direction);
+            sum.score += direction * of.score;
+            sum.fall += direction * direction * of.fall;
         }
         return sum;
     };
@@ -70,27 +74,34 @@ double ProfileLikelihood::best_of(Family const& family, Sign sign, double guess)
         return log_likelihood(points_, {family.offset.intercept + s * family.direction.intercept,
                                         family.offset.slope + s * family.direction.slope});
     };
-    if (sign == Sign::not_negative && slope(0) <= 0) {
+    if (sign == Sign::not_negative && slope(0).score <= 0) {
         return value(0);
     }
-    double step = std::max(std::abs(guess), 1e-3) / 8;
-    double const first = slope(guess);
-    double low = guess;
-    double high = guess;
-    constexpr int most_doublings = 60;
-    for (int i = 0; i < most_doublings && first != 0; ++i, step *= 2) {
-        auto& far = first > 0 ? high : low;
-        auto& near = first > 0 ? low : high;
-        near = far;
-        far += first > 0 ? step : -step;
-        if (sign == Sign::not_negative) {
-            far = std::max(far, 0.0);
+    double low = sign == Sign::not_negative ? 0 : -infinite;
+    double high = infinite;
+    double at = guess;
+    double reach = std::max(std::abs(guess), 1e-3);
+    constexpr int most_steps = 200;
+    constexpr double precise = 1e-11;
+    for (int step = 0; step < most_steps; ++step) {
+        auto const [score, fall] = slope(at);
+        if (score == 0) {
+            break;
         }
-        if ((slope(far) > 0) != (first > 0)) {
+        (score > 0 ? low : high) = at;
+        double next = at + score / fall;
+        if (!(next > low && next < high) || std::abs(next - at) > reach) {
+            bool const bracketed = std::isfinite(low) && std::isfinite(high);
+            next = bracketed ? std::midpoint(low, high) : at + (score > 0 ? reach : -reach);
+            reach *= 2;
+        }
+        bool const arrived = std::abs(next - at) <= precise * (1 + std::abs(at));
+        at = next;
+        if (arrived) {
             break;
         }
     }
-    return value(low == high ? low : root_between(slope, low, high));
+    return value(at);
 }
 
 // From the maximum outwards: the first value whose deviance is more than allowed, refined.

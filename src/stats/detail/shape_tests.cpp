@@ -64,14 +64,14 @@ std::vector<double> rising(std::span<FragilityPoint const> points) {
     return p;
 }
 
-std::optional<ProbitLine> refit(std::span<FragilityPoint const> points, ProbitSolver& solver) {
+std::optional<ProbitLine> refit(std::span<FragilityPoint const> points, ProbitLine const& begin) {
     bool const many = points.size() > most_refitted;
     auto const few = many ? grouped(points, most_refitted) : std::vector<FragilityPoint>();
     std::span<FragilityPoint const> const fitted = many ? std::span<FragilityPoint const>(few) : points;
     if (state_of(fitted) != FragilityState::fitted) {
         return std::nullopt;
     }
-    auto const line = solver.fit(fitted);
+    auto const line = fit_probit(fitted, begin);
     return line && line->slope > 0 ? line : std::nullopt;
 }
 
@@ -100,14 +100,13 @@ double monotone_chance(FragilityData const& data, std::optional<ProbitLine> cons
 }
 
 double deviance_chance(FragilityData const& data, ProbitLine const& line, BootstrapKey const& key) {
-    ProbitSolver solver;
-    auto const own = refit(data.points, solver);
+    auto const own = refit(data.points, line);
     double const found = deviance_from(data.points, own.value_or(line)).deviance;
     NullDraws draws(data.points, on_line(data.points, line));
     return simulated_chance(
         found, key, enough_of(data.points.size()), [&](RandomStream& stream) -> std::optional<double> {
             auto const& drawn = draws.draw(stream);
-            auto const refitted = refit(drawn, solver);
+            auto const refitted = refit(drawn, line);
             return refitted ? std::optional(deviance_from(drawn, *refitted).deviance) : std::nullopt;
         });
 }

@@ -97,7 +97,7 @@ WaveShapeTests::WaveShapeTests(std::span<SingleTrial const> trials, std::optiona
                                BootstrapKey const& key)
     : cells_(trials, most_points), points_(cells_.points()), key_(key) {
     if (line && state_of(points_) == FragilityState::fitted) {
-        line_ = ProbitSolver().fit(points_);
+        line_ = fit_probit(points_);
     }
 }
 
@@ -136,11 +136,10 @@ double WaveShapeTests::misfit_chance() const {
     }
     auto const found = residuals_of(points_, *line_);
     double const wider = std::sqrt(waves / std::max(1.0, waves - 1));
-    ProbitSolver solver;
     return simulated_chance(
         pearson_of(found, points_, pools), key_, enough, [&](RandomStream& stream) -> std::optional<double> {
             auto const drawn = draw(stream);
-            auto const line = state_of(drawn) == FragilityState::fitted ? solver.fit(drawn) : std::nullopt;
+            auto const line = state_of(drawn) == FragilityState::fitted ? fit_probit(drawn, *line_) : std::nullopt;
             if (!line || !(line->slope > 0)) {
                 return std::nullopt;
             }
