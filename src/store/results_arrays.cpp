@@ -15,7 +15,6 @@ void ResultsWriter::array(std::string const& where, Field const& spec, std::vect
     if (spec.type == FieldType::category) {
         auto const dataset = growing_->create(where, spec, static_cast<std::int64_t>(values.size()));
         growing_->write_categories(dataset, spec, values, 0, spec.name);
-        checked(H5Dflush(dataset.id()), "write " + spec.name);
         growing_->lay_along(where, dataset, spec.name, scale);
         return;
     }

@@ -75,25 +75,34 @@ std::size_t ResultsWriter::table(TableSpec spec, std::int64_t rows) {
 
 void ResultsWriter::append(std::size_t number, std::span<std::byte const> rows) {
     auto& table = growing_->tables.at(number);
-    auto const count = rows.size() / table.spec.row_bytes;
     OVERTURN_EXPECT(rows.size() % table.spec.row_bytes == 0);
-    OVERTURN_EXPECT(table.written + static_cast<std::int64_t>(count) <= table.rows);
+    table.waiting.insert(table.waiting.end(), rows.begin(), rows.end());
+    OVERTURN_EXPECT(table.taken() <= table.rows);
+    constexpr std::size_t most_waiting = 1 << 20;
+    if (table.waiting.size() >= most_waiting) {
+        growing_->write(table);
+    }
+}
+
+void ResultsWriter::Growing::write(Table& table) {
+    auto const count = table.waiting.size() / table.spec.row_bytes;
     std::vector<std::int64_t> gathered(count);
-    for (std::size_t c = 0; c < table.spec.columns.size(); ++c) {
+    for (std::size_t c = 0; c < table.spec.columns.size() && count > 0; ++c) {
         auto const& column = table.spec.columns[c];
         for (std::size_t i = 0; i < count; ++i) {
-            std::memcpy(&gathered[i], rows.data() + i * table.spec.row_bytes + column.offset, sizeof(std::int64_t));
+            std::memcpy(&gathered[i], table.waiting.data() + i * table.spec.row_bytes + column.offset,
+                        sizeof(std::int64_t));
         }
         auto const name = table.spec.group + "/" + column.name;
-        auto const size = static_cast<std::int64_t>(count);
         if (column.type == FieldType::category) {
-            growing_->write_categories(table.datasets[c], column, gathered, table.written, name);
+            write_categories(table.datasets[c], column, gathered, table.written, name);
         } else {
             write_rows(table.datasets[c], column.type == FieldType::real ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT64,
-                       gathered.data(), table.written, size, name);
+                       gathered.data(), table.written, static_cast<std::int64_t>(count), name);
         }
     }
     table.written += static_cast<std::int64_t>(count);
+    table.waiting.clear();
 }
 
 void ResultsWriter::add_digests() {
@@ -104,7 +113,8 @@ void ResultsWriter::add_digests() {
 }
 
 void ResultsWriter::finish() {
-    for (auto const& table : growing_->tables) {
+    for (auto& table : growing_->tables) {
+        growing_->write(table);
         if (table.written != table.rows) {
             throw ContractError(fmt::format("table {} got {} of {} rows", table.spec.group, table.written, table.rows));
         }

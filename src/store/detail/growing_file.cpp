@@ -16,6 +16,8 @@ ResultsWriter::Growing::Growing(std::string const& path) {
     // Ours alone by the run's claim: HDF5's own lock would fail where a file system has none.
     PropertyList const access(checked(H5Pcreate(H5P_FILE_ACCESS), "make file properties"));
     checked(H5Pset_file_locking(access.id(), false, true), "leave locks out");
+    // Nothing is held back for later, when a dataset is closed and no error is heard: to flush each costs more.
+    checked(H5Pset_sieve_buf_size(access.id(), 0), "write at once");
     auto const id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id());
     if (id < 0) {
         ::unlink(path.c_str());  // a full disk still takes an empty file
@@ -107,7 +109,6 @@ void ResultsWriter::Growing::write_array(std::string const& where, Field const& 
     auto const size = static_cast<std::int64_t>(count);
     auto const dataset = create(where, spec, size);
     write_rows(dataset, memory_type, values, 0, size, spec.name);
-    checked(H5Dflush(dataset.id()), "write " + spec.name);
     lay_along(where, dataset, spec.name, scale);
 }
 

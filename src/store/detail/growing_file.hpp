@@ -20,12 +20,19 @@ struct ResultsWriter::Growing {
         TableSpec spec;
         std::vector<Dataset> datasets;
         std::int64_t rows = 0;
-        std::int64_t written = 0;
+        std::int64_t written = 0;        ///< to the file
+        std::vector<std::byte> waiting;  ///< rows behind them: many are written in little more time than one
+
+        [[nodiscard]] std::int64_t taken() const {
+            return written + static_cast<std::int64_t>(waiting.size() / spec.row_bytes);
+        }
     };
 
     /// \throws SystemError if the file cannot be made
     explicit Growing(std::string const& path);
 
+    /// Writes the rows that wait.
+    void write(Table& table);
     /// Made with those that it lies in, if it is not there yet.
     Group& group(std::string const& path);
     Dataset create(std::string const& where, Field const& spec, std::int64_t rows);
