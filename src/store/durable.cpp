@@ -4,6 +4,8 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <deque>
+#include <set>
 #include <utility>
 
 #include <fcntl.h>
@@ -87,6 +89,12 @@ class Descriptor {
             }
         }
     }
+    // Only a beginning: whoever needs the file on the disk calls sync.
+    void begin_sync() const {
+#ifdef SYNC_FILE_RANGE_WRITE
+        (void)::sync_file_range(fd_, 0, 0, SYNC_FILE_RANGE_WRITE);
+#endif
+    }
     void sync() const {
         // Some file systems cannot sync a folder and say EINVAL; the rename itself is still atomic there.
         if (::fsync(fd_) != 0 && errno != EINVAL) {
@@ -123,42 +131,96 @@ void rename_durably(std::filesystem::path const& from, std::filesystem::path con
 
 namespace {
 
-// The content, safe on the disk under a name of this process's own; removed again if `place` throws.
-template <class Place>
-void write_beside(std::filesystem::path const& path, std::span<std::byte const> content, Place&& place) {
-    auto beside = path;
-    beside += own_ending();
-    try {
-        {
-            Descriptor const file(beside, O_WRONLY | O_CREAT | O_TRUNC);
-            file.write(content);
-            file.sync();
+// A file under a name of this process's own beside its place, gone again unless it is put there.
+class BesideFile {
+  public:
+    BesideFile(std::filesystem::path const& path, std::span<std::byte const> content)
+        : path_(path), beside_(path.string() + own_ending()), file_(beside_, O_WRONLY | O_CREAT | O_TRUNC) {
+        try {
+            file_.write(content);
+            file_.begin_sync();
+        } catch (SystemError const&) {
+            remove();  // half a file would only keep a full disk full
+            throw;
         }
-        place(beside);
-    } catch (SystemError const&) {
-        ::unlink(beside.c_str());  // half a file would only keep a full disk full
-        throw;
+    }
+    ~BesideFile() { remove(); }
+    BesideFile(BesideFile const&) = delete;
+    BesideFile& operator=(BesideFile const&) = delete;
+    BesideFile(BesideFile&&) = delete;
+    BesideFile& operator=(BesideFile&&) = delete;
+
+    void sync() const { file_.sync(); }
+    void rename() {
+        if (std::rename(beside_.c_str(), path_.c_str()) != 0) {
+            fail("rename to", path_);
+        }
+        beside_.clear();
+    }
+    // Whether there was none before.
+    bool link() {
+        if (::link(beside_.c_str(), path_.c_str()) == 0) {
+            return true;
+        }
+        if (errno == EEXIST) {
+            return false;
+        }
+        rename();  // a file system without links
+        return true;
+    }
+
+  private:
+    void remove() const {
+        if (!beside_.empty()) {
+            ::unlink(beside_.c_str());
+        }
+    }
+
+    std::filesystem::path path_, beside_;
+    Descriptor file_;
+};
+
+// All are on their way to the disk before the first is waited for: its journal then takes them in one go.
+void write_together(std::span<FileContent const> files) {
+    std::deque<BesideFile> written;
+    std::set<std::filesystem::path> folders;
+    for (auto const& [path, bytes] : files) {
+        written.emplace_back(path, bytes);
+        folders.insert(folder_of(path));
+    }
+    for (auto const& file : written) {
+        file.sync();
+    }
+    for (auto& file : written) {
+        file.rename();
+    }
+    for (auto const& folder : folders) {
+        make_durable(folder);
     }
 }
 
 }  // namespace
 
 void write_durably(std::filesystem::path const& path, std::span<std::byte const> content) {
-    write_beside(path, content, [&](std::filesystem::path const& beside) { rename_durably(beside, path); });
+    FileContent const file{path, content};
+    write_durably(std::span(&file, 1));
+}
+
+void write_durably(std::span<FileContent const> files) {
+    constexpr std::size_t most_open = 64;
+    for (; !files.empty(); files = files.subspan(std::min(most_open, files.size()))) {
+        write_together(files.first(std::min(most_open, files.size())));
+    }
 }
 
 bool create_durably(std::filesystem::path const& path, std::span<std::byte const> content) {
     bool made = false;
-    write_beside(path, content, [&](std::filesystem::path const& beside) {
-        made = ::link(beside.c_str(), path.c_str()) == 0;
-        if (!made && errno != EEXIST) {  // a file system without links
-            rename_durably(beside, path);
-            made = true;
-            return;
-        }
-        ::unlink(beside.c_str());
-        make_durable(folder_of(path));
-    });
+    {
+        BesideFile file(path, content);
+        file.sync();
+        made = file.link();
+    }
+    make_durable(folder_of(path));
     return made;
 }
 

@@ -23,8 +23,18 @@ inline constexpr char const* unfinished_mark = ".tmp";
 /// \throws SystemError saying what failed (full disk, no right, ...)
 void write_durably(std::filesystem::path const& path, std::span<std::byte const> content);
 
-/// The same, unless there is such a file already: of several who try at once, one makes it. \return whether this one
-/// did
+/// What is to be in a file.
+struct FileContent {
+    std::filesystem::path path;
+    std::span<std::byte const> bytes;
+};
+
+/// The same of several files, for which the disk is waited for about as long as for one. Where it fails some of them
+/// may be there, each whole. \throws SystemError
+void write_durably(std::span<FileContent const> files);
+
+/// The same as of one, unless there is such a file already: of several who try at once, one makes it. \return whether
+/// this one did
 bool create_durably(std::filesystem::path const& path, std::span<std::byte const> content);
 
 /// A file that is written piece by piece under a name beside its own, and removed unless keep() gives it that one.

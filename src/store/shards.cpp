@@ -76,20 +76,36 @@ void ShardFolder::begin_again(std::string const& campaign_record) const {
 
 fs::path ShardFolder::file_of(std::int64_t block) const { return folder_ / place_of_block(block); }
 
-void ShardFolder::commit(std::int64_t block, std::span<std::byte const> rows) const {
-    auto const text = shard_text(campaign_, block, rows);
-    auto const file = file_of(block);
-    // Whoever made the folder may have been killed before it was safe: each rank sees to the folders that it uses.
-    if (auto const group = file.parent_path(); group != folder_ && group != safe_group_) {
-        std::error_code error;
-        fs::create_directory(group, error);
-        if (error) {
-            cannot_make(group, error, "Bring the folder back or free space, then go on with --resume");
-        }
-        make_durable(folder_);
-        safe_group_ = group;
+// Whoever made the folder may have been killed before it was safe: each rank sees to the folders that it uses.
+void ShardFolder::make_group_of(fs::path const& file) const {
+    auto const group = file.parent_path();
+    if (group == folder_ || group == safe_group_) {
+        return;
     }
-    write_durably(file, bytes_of(text));
+    std::error_code error;
+    fs::create_directory(group, error);
+    if (error) {
+        cannot_make(group, error, "Bring the folder back or free space, then go on with --resume");
+    }
+    make_durable(folder_);
+    safe_group_ = group;
+}
+
+void ShardFolder::commit(std::int64_t block, std::span<std::byte const> rows) const {
+    PackedBlock const packed{block, {rows.begin(), rows.end()}};
+    commit(std::span(&packed, 1));
+}
+
+void ShardFolder::commit(std::span<PackedBlock const> blocks) const {
+    std::vector<std::string> texts;
+    std::vector<FileContent> files;
+    texts.reserve(blocks.size());
+    for (auto const& block : blocks) {
+        texts.push_back(shard_text(campaign_, block.number, block.rows));
+        files.push_back({file_of(block.number), bytes_of(texts.back())});
+        make_group_of(files.back().path);
+    }
+    write_durably(files);
 }
 
 ShardFolder::Block ShardFolder::look_into(std::int64_t block) const {

@@ -268,6 +268,38 @@ TEST_F(Shards, UnfinishedWritesGoFromFoldersToo) {
     EXPECT_TRUE(std::filesystem::exists(file("0000001.blocks/0000001500.block")));
 }
 
+// R-1101: blocks committed together, in whatever folders they lie, are there one by one.
+TEST_F(Shards, SeveralAreCommittedTogether) {
+    std::vector<PackedBlock> many;
+    for (int number = 950; number < 1100; ++number) {
+        many.push_back({number, rows_of(50, number % 256)});
+    }
+
+    shards.commit(many);
+
+    std::vector<std::string> notes;
+    EXPECT_EQ(shards.committed({900, 1200}, notes).size(), many.size());
+    EXPECT_TRUE(notes.empty());
+    for (auto const& block : many) {
+        EXPECT_EQ(shards.read(block.number), block.rows);
+    }
+}
+
+// R-1105: where one of several finds no room, those before it may be there, whole; nothing half done stays.
+TEST_F(Shards, FullDiskAmongSeveralLeavesNoHalf) {
+    {
+        FullDisk const disk(4096);
+        std::vector<PackedBlock> const two{{0, rows_of(100, 9)}, {1, rows_of(100000, 9)}};
+        expect_system_error([&] { shards.commit(two); }, "0000000001.block", "File too large");
+    }
+    EXPECT_EQ(shards.read(1), rows_of(1000, 1));
+    auto const first = shards.read(0);
+    EXPECT_TRUE(first == rows_of(100, 9) || first == rows_of(1000, 0));
+    for (auto const& entry : std::filesystem::directory_iterator(shards.folder())) {
+        EXPECT_EQ(entry.path().string().find(unfinished_mark), std::string::npos) << entry.path();
+    }
+}
+
 // R-1105.
 TEST_F(Shards, FullDiskIsReportedAndTheOldBlockStays) {
     {

@@ -118,6 +118,7 @@ std::int64_t take_finished_rows(std::filesystem::path const& output, CampaignSpe
     auto const there = shards.committed({0, plan.blocks()}, notes,
                                         [&](std::int64_t block) { return BlockRows::packed_size(plan, block); });
     std::int64_t taken = 0;
+    std::vector<store::PackedBlock> fresh;
     for (std::int64_t block = 0; block < plan.blocks(); ++block) {
         auto const found = std::ranges::binary_search(there, block) ? std::nullopt : rows.block(block);
         if (!found) {
@@ -126,9 +127,15 @@ std::int64_t take_finished_rows(std::filesystem::path const& output, CampaignSpe
         if (taken == 0) {
             check_against(*found, file, spec, plan, block, output.string());
         }
-        shards.commit(block, found->pack());
+        fresh.push_back({block, found->pack()});
         ++taken;
+        constexpr std::size_t at_once = 64;
+        if (fresh.size() == at_once) {
+            shards.commit(fresh);
+            fresh.clear();
+        }
     }
+    shards.commit(fresh);
     return taken;
 }
 
