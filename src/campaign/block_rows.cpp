@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "core/error.hpp"
 
@@ -25,34 +26,77 @@ template <class Row> void take(std::span<std::byte const>& bytes, std::vector<Ro
     bytes = bytes.subspan(size);
 }
 
+std::vector<std::int64_t> waves_of(Plan const& plan, std::span<std::int64_t const> blocks) {
+    std::vector<std::int64_t> numbers;
+    for (auto const block : blocks) {
+        auto const [first, count] = plan.waves_of_block(block);
+        for (auto wave = first; wave < first + count; ++wave) {
+            numbers.push_back(wave);
+        }
+    }
+    return numbers;
+}
+
+// The first `count` of the rows, which are then no more among them.
+template <class Row> std::vector<Row> next_of(std::span<Row const>& rows, std::int64_t count) {
+    auto const taken = rows.first(static_cast<std::size_t>(count));
+    rows = rows.subspan(taken.size());
+    return {taken.begin(), taken.end()};
+}
+
+std::vector<BlockRows> parted(BlockRows all, Plan const& plan, std::span<std::int64_t const> blocks) {
+    std::vector<BlockRows> parts;
+    if (blocks.size() == 1) {
+        parts.push_back(std::move(all));
+        return parts;
+    }
+    std::span<WaveRow const> waves(all.waves);
+    std::span<MeasureRow const> measures(all.measures);
+    std::span<TrialRow const> trials(all.trials.rows);
+    std::span<std::byte const> own(all.trials.own);
+    for (auto const block : blocks) {
+        auto const count = plan.waves_of_block(block).count;
+        auto const of_trials = count * plan.trials_per_wave();
+        parts.push_back({next_of(waves, count),
+                         next_of(measures, count * plan.bodies()),
+                         {next_of(trials, of_trials), next_of(own, of_trials * plan.own_bytes())}});
+    }
+    return parts;
+}
+
 }  // namespace
 
 BlockRows run_block(CampaignSpec const& spec, Plan const& plan, std::int64_t block, PhaseSeconds& seconds) {
-    return *run_block(spec, plan, block, seconds, [] { return true; });
+    return std::move(run_blocks(spec, plan, std::span(&block, 1), seconds, [] { return true; })->front());
 }
 
-std::optional<BlockRows> run_block(CampaignSpec const& spec, Plan const& plan, std::int64_t block,
-                                   PhaseSeconds& seconds, std::function<bool()> const& goes_on) {
-    auto const together = waves_together(plan);
-    BlockRows rows;
-    auto const [first, count] = plan.waves_of_block(block);
-    for (auto next = first; next < first + count; next += together) {
+std::int64_t blocks_together(Plan const& plan) {
+    return std::max<std::int64_t>(1, waves_together(plan) / plan.block_size());
+}
+
+std::optional<std::vector<BlockRows>> run_blocks(CampaignSpec const& spec, Plan const& plan,
+                                                 std::span<std::int64_t const> blocks, PhaseSeconds& seconds,
+                                                 std::function<bool()> const& goes_on) {
+    auto const together = static_cast<std::size_t>(waves_together(plan));
+    auto const numbers = waves_of(plan, blocks);
+    BlockRows all;
+    for (std::size_t next = 0; next < numbers.size(); next += together) {
         std::vector<PreparedWave> waves;
-        auto const end = std::min(next + together, first + count);
-        waves.reserve(end - next);
-        for (auto wave = next; wave < end; ++wave) {
+        auto const count = std::min(together, numbers.size() - next);
+        waves.reserve(count);
+        for (auto const wave : std::span(numbers).subspan(next, count)) {
             if (!goes_on()) {
                 return std::nullopt;
             }
             waves.push_back(prepare_wave(spec, plan, wave, seconds));
-            rows.waves.push_back(waves.back().row);
-            rows.measures.insert(rows.measures.end(), waves.back().measures.begin(), waves.back().measures.end());
+            all.waves.push_back(waves.back().row);
+            all.measures.insert(all.measures.end(), waves.back().measures.begin(), waves.back().measures.end());
         }
-        if (!append_trials(spec, plan, waves, rows.trials, seconds, goes_on)) {
+        if (!append_trials(spec, plan, waves, all.trials, seconds, goes_on)) {
             return std::nullopt;
         }
     }
-    return rows;
+    return parted(std::move(all), plan, blocks);
 }
 
 std::vector<std::byte> BlockRows::pack() const {

@@ -26,10 +26,15 @@ struct BlockRows {
     [[nodiscard]] static BlockRows unpack(std::span<std::byte const> bytes, Plan const& plan, std::int64_t waves);
 };
 
-/// \param goes_on asked before every wave; nothing comes of the block once it says no
-[[nodiscard]] std::optional<BlockRows> run_block(CampaignSpec const& spec, Plan const& plan, std::int64_t block,
-                                                 PhaseSeconds& seconds, std::function<bool()> const& goes_on);
-/// The whole block, come what may.
+/// Blocks of few trials computed together, so that trials on one model fill the vector lanes; each has the bytes that
+/// it has alone. \param goes_on asked before every wave; nothing comes of the blocks once it says no
+[[nodiscard]] std::optional<std::vector<BlockRows>> run_blocks(CampaignSpec const& spec, Plan const& plan,
+                                                               std::span<std::int64_t const> blocks,
+                                                               PhaseSeconds& seconds,
+                                                               std::function<bool()> const& goes_on);
+/// How many blocks are worth computing together.
+[[nodiscard]] std::int64_t blocks_together(Plan const& plan);
+/// One whole block, come what may.
 [[nodiscard]] BlockRows run_block(CampaignSpec const& spec, Plan const& plan, std::int64_t block,
                                   PhaseSeconds& seconds);
 

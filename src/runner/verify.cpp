@@ -175,7 +175,7 @@ class Verifier {
     }
 
     void compute_block(Unit const& unit) {
-        auto const again = *run_block(spec_, plan_, unit.first / plan_.block_size(), seconds_, [] { return true; });
+        auto const again = run_block(spec_, plan_, unit.first / plan_.block_size(), seconds_);
         auto const first = unit.first * plan_.trials_per_wave();
         auto const count = unit.count * plan_.trials_per_wave();
         auto const stored = rows_.trials(first, count);

@@ -248,6 +248,27 @@ TEST(BlockRows, TravelUnchanged) {
     EXPECT_THROW((void)BlockRows::unpack(bytes, plan, 0), SystemError);
 }
 
+// R-1001: blocks computed together, in any choice, have the bytes that each has alone; with models' own records.
+TEST(BlockRows, OfSeveralBlocksAreThoseOfEachAlone) {
+    auto const spec = campaign_from(with_count(small_campaign, 5)
+                                    + "[effects]\ninclude=['vertical','contact']\n");
+    Plan const plan(spec);
+    PhaseSeconds seconds;
+    ASSERT_EQ(plan.blocks(), 5);
+    ASSERT_GT(plan.own_bytes(), 0);
+    std::vector<std::int64_t> const some{0, 2, 3, 4};
+
+    auto const together = run_blocks(spec, plan, some, seconds, [] { return true; });
+
+    ASSERT_EQ(together->size(), some.size());
+    for (std::size_t i = 0; i < some.size(); ++i) {
+        EXPECT_EQ((*together)[i].pack(), run_block(spec, plan, some[i], seconds).pack());
+    }
+    EXPECT_NE((*together)[0].pack(), (*together)[1].pack());
+    EXPECT_GE(blocks_together(plan), 4);
+    EXPECT_FALSE(run_blocks(spec, plan, some, seconds, [] { return false; }));
+}
+
 // A pad of 10 Hz settles by 2.5 mm: a base of which nothing leaves it leans by up to twice that.
 TEST(Movement, WhatAPadGivesWayIsNoRocking) {
     RigidBody const body({.mass_kg = 138e3, .half_width_m = 1.7, .centre_height_m = 2.9, .inertia_kgm2 = 5e5});

@@ -14,6 +14,7 @@ constexpr int ranks_worth_serving = 64;
 // Shares of what is left that each rank takes at once; ever smaller ones, so that all end together.
 constexpr std::int64_t shares_each = 4;
 constexpr double report_every_s = 1;
+constexpr double commit_every_s = 0.25;  // what a kill may lose beside the blocks in hand, which waits for one disk
 constexpr std::int64_t stop_mark = std::int64_t{1} << 40U;  // beside the blocks done, which never come near it
 
 class Worker {
@@ -46,14 +47,21 @@ class Worker {
     void compute() {
         while (!stopped_ && has_next()) {
             auto const begin = Clock::now();
-            auto const block = left_[next_++];
-            auto const rows = run_block(spec_, plan_, block, seconds_, [&] { return goes_on(); });
-            stopped_ = !rows || !commit(block, rows->pack());
+            auto const blocks = next_blocks();
+            auto rows = run_blocks(spec_, plan_, blocks, seconds_, [&] { return goes_on(); });
+            stopped_ = !rows;
+            for (std::size_t i = 0; i < blocks.size() && !stopped_; ++i) {
+                computed_.push_back({blocks[i], (*rows)[i].pack()});
+            }
+            if (seconds_since(committed_) > commit_every_s) {
+                commit();
+            }
             stop_policy_.block_took(seconds_since(begin));
             if (!stopped_ && seconds_since(reported_) > report_every_s) {
                 report();
             }
         }
+        commit();
         report();
     }
 
@@ -72,6 +80,14 @@ class Worker {
         return next_ < count;
     }
 
+    // As many of the share as are worth computing together.
+    std::span<std::int64_t const> next_blocks() {
+        auto const count = std::min(blocks_together(plan_), std::min<std::int64_t>(end_, std::ssize(left_)) - next_);
+        auto const blocks = std::span(left_).subspan(next_, count);
+        next_ += count;
+        return blocks;
+    }
+
     // Adds what is done to all ranks' sum and hears whether one has stopped, which stops all.
     void report() {
         auto const before = done_.take(fresh_ + (stopped_ ? stop_mark : 0));
@@ -87,18 +103,20 @@ class Worker {
         return stop_policy_.may_go_on();
     }
 
-    bool commit(std::int64_t block, std::span<std::byte const> rows) {
+    // Puts what is computed to disk; stops where that cannot be.
+    void commit() {
         auto const begin = Clock::now();
         try {
-            shards_.commit(block, rows);
+            shards_.commit(computed_);
+            fresh_ += std::ssize(computed_);
         } catch (SystemError const& error) {
             failure_ = error.what();
-            return false;
+            stopped_ = true;
         }
+        computed_.clear();
+        committed_ = Clock::now();
         seconds_.store += seconds_since(begin);
-        ++fresh_;
         show();
-        return true;
     }
 
     void show() {
@@ -117,9 +135,10 @@ class Worker {
     parallel::SharedCounter given_, done_;
     PhaseSeconds seconds_;
     std::string failure_;
-    std::int64_t next_ = 0, end_ = 0;  ///< this rank's share of `left_`
-    std::int64_t fresh_ = 0;           ///< done and not reported yet
-    Clock::time_point reported_ = Clock::now();
+    std::int64_t next_ = 0, end_ = 0;           ///< this rank's share of `left_`
+    std::vector<store::PackedBlock> computed_;  ///< and not on disk yet
+    std::int64_t fresh_ = 0;                    ///< on disk and not reported yet
+    Clock::time_point reported_ = Clock::now(), committed_ = reported_;
     bool stopped_ = false;
 };
 
