@@ -20,6 +20,7 @@
 #include "output/shown_levels.hpp"
 #include "output/stripe_text.hpp"
 #include "results/statistics.hpp"
+#include "runner/probe.hpp"
 #include "runner/progress.hpp"
 
 namespace overturn::cli {
@@ -105,44 +106,28 @@ void print_scene(CampaignSpec const& spec, Plan const& plan, PlanOptions const& 
     fmt::print("{}", memory_lines(spec, plan));
 }
 
-// A timed probe: a few waves, spread over the campaign, whole. \return seconds of all waves on one rank
-double print_probe(CampaignSpec const& spec, Plan const& plan, bool full) {
-    bool const refuses = spec.source->about().acceptance.refuses();
-    auto const probes = std::min<std::int64_t>(refuses ? 16 : 4, plan.asked());
-    PhaseSeconds seconds;
-    TrialRows trials;
-    WaveCounts waves;
-    auto const begin = Clock::now();
-    for (std::int64_t i = 0; i < probes; ++i) {
-        auto const wave = plan.without_refusals().number(i * plan.asked() / probes);
-        auto const prepared = prepare_wave(spec, plan, wave, seconds);
-        append_trials(spec, plan, std::span(&prepared, 1), trials, seconds);
-        if (is_tried(spec.source->about().acceptance, prepared.row)) {
-            waves.add(prepared.row);
-        } else {
-            ++waves.refused;
-        }
-    }
-    double const each = seconds_since(begin) / static_cast<double>(probes);
-    auto const n = static_cast<double>(probes);
+// \return seconds of all waves on one rank
+double print_probe(CampaignSpec& spec, Plan const& plan, bool full) {
+    auto const cost = probe(spec, plan);
     print_entry("per wave", fmt::format("{:.1f} ms: generation {:.1f}, intensity measures {:.1f}, {} trials {:.1f}",
-                                        1e3 * each, 1e3 * seconds.waves / n, 1e3 * seconds.measures / n,
-                                        plan.trials_per_wave(), 1e3 * (each - (seconds.waves + seconds.measures) / n)));
-    if (auto const text = waves.text(spec.source->about().acceptance, spec.confidence); !text.empty()) {
+                                        1e3 * cost.wave_s(), 1e3 * cost.generation_s, 1e3 * cost.measures_s,
+                                        plan.trials_per_wave(), 1e3 * cost.trials_s));
+    if (auto const text = cost.waves.text(spec.source->about().acceptance, spec.confidence); !text.empty()) {
         print_entry("accepted", text);
     }
     if (full) {
-        print_entry("models", output::rung_costs(seconds));
+        print_entry("models", output::rung_costs(cost.models));
     }
-    double const drawn_for_each = refuses ? n / static_cast<double>(std::max<std::int64_t>(1, waves.waves)) : 1;
-    return each * drawn_for_each * static_cast<double>(plan.asked());
+    return cost.counted_wave_s() * static_cast<double>(plan.asked());
 }
 
 int plan_campaign(PlanOptions const& options) {
     auto const& path = options.campaign;
     (void)options.unit.si();
     auto const input = load_campaign(path, options.settings);
-    auto const spec = parse_campaign(input);
+    auto const begin = Clock::now();
+    auto spec = parse_campaign(input);
+    double const start_s = seconds_since(begin);  // calibrations, which every rank makes
     Plan const plan(spec);
     if (options.json) {
         return print_plan_json(spec, plan.without_refusals());
@@ -157,8 +142,8 @@ int plan_campaign(PlanOptions const& options) {
                                         spec.rare->max_runs));
     }
     auto const cores = std::max(1U, std::thread::hardware_concurrency());
-    print_entry("time", fmt::format("about {} on one rank, {} on the {} cores here", duration_text(all),
-                                    duration_text(all / cores), cores));
+    print_entry("time", fmt::format("about {} on one rank, {} on the {} cores here", duration_text(start_s + all),
+                                    duration_text(start_s + all / cores), cores));
     fmt::print("{}", size_lines(input, spec, plan.without_refusals(), options.full));
     return done;
 }

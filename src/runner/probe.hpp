@@ -1,0 +1,28 @@
+/// What a campaign will cost, by a timed probe of a few of its waves.
+#pragma once
+
+#include <cstdint>
+
+#include "campaign/plan.hpp"
+#include "campaign/trial.hpp"
+#include "results/statistics.hpp"
+
+namespace overturn {
+
+struct ProbedCost {
+    double generation_s = 0, measures_s = 0, trials_s = 0;  ///< of a wave with all its trials, on one rank
+    double refused_per_wave = 0;                            ///< waves drawn in vain for one that counts
+    WaveCounts waves;                                       ///< of the probe
+    PhaseSeconds models;                                    ///< of the trials that were answered
+
+    [[nodiscard]] double wave_s() const { return generation_s + measures_s + trials_s; }
+    /// Of a wave that counts, with those that were drawn in vain.
+    [[nodiscard]] double counted_wave_s() const { return wave_s() + refused_per_wave * (generation_s + measures_s); }
+};
+
+/// Draws up to four waves spread over the campaign (16 where a rule refuses some). Their trials are answered at some
+/// levels first, and at all where that takes no second: dear campaigns are estimated from the few.
+/// \param spec its levels are thinned for a while
+[[nodiscard]] ProbedCost probe(CampaignSpec& spec, Plan const& plan);
+
+}  // namespace overturn
