@@ -89,21 +89,42 @@ rare::Answer RareProblem::held_to_limit(DrawnBody const& drawn, Response const& 
     return answer;
 }
 
-void RareProblem::respond(std::span<double const> normals, std::span<double const> factors,
-                          std::span<rare::Answer> answers) const {
-    auto const wave = motion(normals);
-    auto const drawn = body_of(normals);
-    double const peak = rare::peak_of_wave(wave.horizontal_mps2);
-    Scene const scene{drawn.body, drawn.friction, body_.footing, body_.axes};
-    std::vector<std::byte> own(judge_.reads_own() || site_.asked() ? ladder_.own_bytes() : 0);
-    for (std::size_t f = 0; f < factors.size(); ++f) {
-        if (!own.empty()) {
-            ladder_.put_nothing(own);
+void RareProblem::respond_each(std::span<double const> normals, std::span<double const> factors,
+                               std::span<rare::Answer> answers) const {
+    struct Item {
+        GroundMotion wave;
+        DrawnBody drawn;
+        double peak;
+    };
+    auto const each = this->normals();
+    std::vector<Item> items;
+    std::vector<Scene> scenes;
+    std::vector<SceneTrial> trials;
+    auto const count = normals.size() / each;
+    items.reserve(count);
+    scenes.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        auto const own = normals.subspan(i * each, each);
+        auto& item = items.emplace_back(Item{motion(own), body_of(own), 0});
+        item.peak = rare::peak_of_wave(item.wave.horizontal_mps2);
+        scenes.push_back({item.drawn.body, item.drawn.friction, body_.footing, body_.axes});
+        for (double const factor : factors) {
+            trials.push_back({.scene = scenes.back(),
+                              .motion = item.wave,
+                              .scale = factor,
+                              .peak_mps2 = item.peak,
+                              .chunks = nullptr});
         }
-        auto const response = ladder_.respond(
-            {.scene = scene, .motion = wave, .scale = factors[f], .peak_mps2 = peak, .chunks = nullptr}, own);
-        double const demand = factors[f] * peak / drawn.body.uplift_acceleration_mps2();
-        answers[f] = limit_ == 0 ? answer_of(response, demand) : held_to_limit(drawn, response, own, demand);
+    }
+    auto const bytes = judge_.reads_own() || site_.asked() ? ladder_.own_bytes() : 0;
+    std::vector<std::byte> records(trials.size() * bytes);
+    std::vector<Response> responses(trials.size());
+    (void)ladder_.respond(trials, responses, records);
+    for (std::size_t t = 0; t < trials.size(); ++t) {
+        auto const& [wave, drawn, peak] = items[t / factors.size()];
+        double const demand = trials[t].scale * peak / drawn.body.uplift_acceleration_mps2();
+        auto const record = std::span<std::byte const>(records).subspan(t * bytes, bytes);
+        answers[t] = limit_ == 0 ? answer_of(responses[t], demand) : held_to_limit(drawn, responses[t], record, demand);
     }
 }
 

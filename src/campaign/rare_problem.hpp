@@ -23,7 +23,11 @@ class RareProblem : public rare::Problem {
 
     [[nodiscard]] std::size_t normals() const override { return waves_->normals() + scatter_; }
     void respond(std::span<double const> normals, std::span<double const> factors,
-                 std::span<rare::Answer> answers) const override;
+                 std::span<rare::Answer> answers) const override {
+        respond_each(normals, factors, answers);
+    }
+    void respond_each(std::span<double const> normals, std::span<double const> factors,
+                      std::span<rare::Answer> answers) const override;
     /// Of overturning only: when another limit state is passed, no instant says to pulses.
     [[nodiscard]] std::optional<rare::PulseFrame> frame() const override;
     /// When the tilt last passed the critical angle outwards.

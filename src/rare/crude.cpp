@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "rare/detail/answer_items.hpp"
 #include "rare/detail/normals.hpp"
 
 namespace overturn::rare {
@@ -66,17 +67,16 @@ std::vector<Count> count_failures(Problem const& problem, std::span<double const
     OVERTURN_EXPECT(factors.size() <= most_factors);
     auto const rows = workers.map<CrudeRow>(
         {.name = name, .items = trials, .block = 256}, [&](std::int64_t from, std::span<CrudeRow> out) {
-            std::vector<double> normals(problem.normals());
-            std::vector<Answer> answers(factors.size());
-            for (std::size_t i = 0; i < out.size(); ++i) {
+            auto const draw = [&](std::size_t i, std::span<double> normals) {
                 key.index = static_cast<std::uint64_t>(first + from) + i;
                 draw_normals(key, normals);
-                problem.respond(normals, factors, answers);
+            };
+            answer_items(problem, out.size(), factors, draw, [&](std::size_t i, std::span<Answer const> answers) {
                 for (std::size_t f = 0; f < factors.size(); ++f) {
                     out[i].failed |= static_cast<std::uint64_t>(answers[f].failed) << f;
                     out[i].undecided |= static_cast<std::uint64_t>(answers[f].undecided && !answers[f].failed) << f;
                 }
-            }
+            });
         });
     std::vector<Count> counts(factors.size());
     for (auto const& row : rows) {

@@ -47,6 +47,14 @@ class Problem {
     /// answers[i] under the wave of these normals times factors[i].
     virtual void respond(std::span<double const> normals, std::span<double const> factors,
                          std::span<Answer> answers) const = 0;
+    /// The same of several trials, whose normals lie one behind another: for each its answers at all factors.
+    virtual void respond_each(std::span<double const> normals, std::span<double const> factors,
+                              std::span<Answer> answers) const {
+        auto const each = this->normals();
+        for (std::size_t i = 0; i * each < normals.size(); ++i) {
+            respond(normals.subspan(i * each, each), factors, answers.subspan(i * factors.size(), factors.size()));
+        }
+    }
     /// Nothing: pulses are not for this problem.
     [[nodiscard]] virtual std::optional<PulseFrame> frame() const { return std::nullopt; }
     /// The last instant at which the failing trial left the range from which it could have come back. \pre it failed

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "rare/detail/answer_items.hpp"
 #include "rare/detail/normals.hpp"
 #include "rare/detail/scout.hpp"
 #include "rare/detail/subset_run.hpp"
@@ -27,8 +28,7 @@ class Simulation {
           factor_(factor),
           options_(options),
           workers_(workers),
-          name_(first == 0 ? "subset" : fmt::format("more-{}", first)),
-          normals_(problem.normals()) {
+          name_(first == 0 ? "subset" : fmt::format("more-{}", first)) {
         for (std::int64_t r = first; r < first + replicates; ++r) {
             runs_.emplace_back(DrawKey{.seed = request.seed,
                                        .problem = request.problem,
@@ -59,6 +59,10 @@ class Simulation {
   private:
     void begin();
     [[nodiscard]] std::int64_t replicates() const { return static_cast<std::int64_t>(runs_.size()); }
+    template <class Draw> void answer(std::span<SubsetRow> rows, Draw const& draw) const {
+        answer_items(problem_, rows.size(), {&factor_, 1}, draw,
+                     [&](std::size_t i, std::span<Answer const> answers) { rows[i] = row_of(answers.front()); });
+    }
     std::vector<std::size_t> close_levels();
     void step_all(std::vector<std::size_t> const& going, std::int64_t step);
 
@@ -67,7 +71,6 @@ class Simulation {
     SubsetOptions options_;
     Workforce& workers_;
     std::string name_;
-    std::vector<double> normals_;
     std::vector<SubsetRun> runs_;
     std::int64_t trials_ = 0;
     Count plain_;
@@ -77,11 +80,10 @@ void Simulation::begin() {
     auto const each = options_.samples;
     auto const rows = workers_.map<SubsetRow>({.name = name_ + "-0", .items = each * replicates()},
                                               [&](std::int64_t first, std::span<SubsetRow> out) {
-                                                  for (std::size_t i = 0; i < out.size(); ++i) {
+                                                  answer(out, [&](std::size_t i, std::span<double> normals) {
                                                       auto const item = first + static_cast<std::int64_t>(i);
-                                                      runs_[item / each].plain(item % each, normals_);
-                                                      out[i] = row_of(respond_at(problem_, normals_, factor_));
-                                                  }
+                                                      runs_[item / each].plain(item % each, normals);
+                                                  });
                                               });
     for (std::size_t r = 0; r < runs_.size(); ++r) {
         runs_[r].begin(std::span(rows).subspan(r * static_cast<std::size_t>(each), static_cast<std::size_t>(each)));
@@ -112,11 +114,10 @@ void Simulation::step_all(std::vector<std::size_t> const& going, std::int64_t st
     auto const name = fmt::format("{}-{}-{}", name_, runs_[going.front()].result().levels, step + 1);
     auto const rows =
         workers_.map<SubsetRow>({.name = name, .items = items}, [&](std::int64_t first, std::span<SubsetRow> out) {
-            for (std::size_t i = 0; i < out.size(); ++i) {
+            answer(out, [&](std::size_t i, std::span<double> normals) {
                 auto const item = first + static_cast<std::int64_t>(i);
-                runs_[going[item / chains]].propose(item % chains, normals_);
-                out[i] = row_of(respond_at(problem_, normals_, factor_));
-            }
+                runs_[going[item / chains]].propose(item % chains, normals);
+            });
         });
     for (std::size_t g = 0; g < going.size(); ++g) {
         auto const from = g * static_cast<std::size_t>(chains);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "rare/detail/answer_items.hpp"
 #include "rare/detail/normals.hpp"
 
 namespace overturn::rare {
@@ -65,25 +66,31 @@ PulseLadder::PulseLadder(Problem const& problem, Request const& request, Workfor
     mixtures_.assign(replicates, Mixture(frame_));
 }
 
+// Rows of trials of a stage, from the one of that number on.
+void PulseLadder::respond(MixtureStage const& stage, std::int64_t first, std::span<WeightedRow> rows) const {
+    auto const draw = [&](std::size_t i, std::span<double> normals) {
+        auto key = stage.key;
+        key.index = static_cast<std::uint64_t>(first) + i;
+        rows[i].plain = draw_from(stage.mixture, key, normals) ? 1 : 0;
+        rows[i].weight = stage.mixture.weight(normals);
+    };
+    answer_items(problem_, rows.size(), stage.factors, draw, [&](std::size_t i, std::span<Answer const> answers) {
+        for (std::size_t f = 0; f < answers.size(); ++f) {
+            rows[i].failed |= static_cast<std::uint64_t>(answers[f].failed) << f;
+            rows[i].undecided |= static_cast<std::uint64_t>(answers[f].undecided && !answers[f].failed) << f;
+        }
+    });
+}
+
 void PulseLadder::run(std::string const& name, std::int64_t first, std::int64_t count) {
     auto const rows = workers_.map<WeightedRow>(
         {.name = name, .items = count * request_.replicates}, [&](std::int64_t from, std::span<WeightedRow> out) {
-            std::vector<double> normals(problem_.normals());
-            std::vector<Answer> answers;
-            for (std::size_t i = 0; i < out.size(); ++i) {
-                auto const item = from + static_cast<std::int64_t>(i);
-                auto const& stage = stages_[item / count].back();
-                auto key = stage.key;
-                key.index = static_cast<std::uint64_t>(first + item % count);
-                auto& row = out[i];
-                row.plain = draw_from(stage.mixture, key, normals) ? 1 : 0;
-                row.weight = stage.mixture.weight(normals);
-                answers.resize(stage.factors.size());
-                problem_.respond(normals, stage.factors, answers);
-                for (std::size_t f = 0; f < answers.size(); ++f) {
-                    row.failed |= static_cast<std::uint64_t>(answers[f].failed) << f;
-                    row.undecided |= static_cast<std::uint64_t>(answers[f].undecided && !answers[f].failed) << f;
-                }
+            while (!out.empty()) {  // what is left of a replicate: its factors are its own
+                auto const place = from % count;
+                auto const now = static_cast<std::size_t>(std::min<std::int64_t>(std::ssize(out), count - place));
+                respond(stages_[from / count].back(), first + place, out.first(now));
+                out = out.subspan(now);
+                from += static_cast<std::int64_t>(now);
             }
         });
     for (std::size_t r = 0; r < stages_.size(); ++r) {

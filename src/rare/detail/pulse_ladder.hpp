@@ -33,6 +33,7 @@ class PulseLadder {
     void fit(std::size_t pooled, double strengthened);
     [[nodiscard]] Mixture fitted(std::vector<MixtureStage> const& stages, std::size_t pooled) const;
     void run(std::string const& name, std::int64_t first, std::int64_t count);
+    void respond(MixtureStage const& stage, std::int64_t first, std::span<WeightedRow> rows) const;
 
     Problem const& problem_;
     Request request_;

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "rare/detail/answer_items.hpp"
 #include "rare/detail/normals.hpp"
 
 namespace overturn::rare {
@@ -20,13 +21,14 @@ std::vector<ScoutRow> look(Problem const& problem, double factor, DrawKey key, s
     return workers.map<ScoutRow>(
         {.name = fmt::format("scout-{}", key.level), .items = trials},
         [&](std::int64_t first, std::span<ScoutRow> out) {
-            std::vector<double> normals(problem.normals());
-            for (std::size_t i = 0; i < out.size(); ++i) {
+            auto const draw = [&](std::size_t i, std::span<double> normals) {
                 key.index = static_cast<std::uint64_t>(first) + i;
                 draw_normals(key, normals);
-                auto const answer = respond_at(problem, normals, factor);
+            };
+            answer_items(problem, out.size(), {&factor, 1}, draw, [&](std::size_t i, std::span<Answer const> answers) {
+                auto const& answer = answers.front();
                 out[i] = {answer.driver, answer.failed ? 1 : 0, answer.undecided && !answer.failed ? 1 : 0};
-            }
+            });
         });
 }
 
