@@ -11,6 +11,7 @@
 #include "campaign/rows.hpp"
 #include "response/ladder.hpp"
 #include "stats/fragility.hpp"
+#include "stats/intensity_unit.hpp"
 #include "stats/precision.hpp"
 
 namespace overturn {

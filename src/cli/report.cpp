@@ -31,6 +31,7 @@
 #include "output/fit_json.hpp"
 #include "output/stripe_text.hpp"
 #include "output/summary_tables.hpp"
+#include "output/waves_text.hpp"
 #include "report/cost_page.hpp"
 #include "report/figure.hpp"
 #include "response/registry.hpp"
@@ -164,7 +165,8 @@ void check_places(ReportOptions const& options) {
 // What the page says of the waves in words.
 Json notes_of(CampaignSpec const& spec, Statistics const& statistics) {
     auto notes = Json::array();
-    if (auto const said = statistics.waves().text(spec.source->about().acceptance, spec.confidence); !said.empty()) {
+    if (auto const said = output::waves_text(statistics.waves(), spec.source->about().acceptance, spec.confidence);
+        !said.empty()) {
         notes.push_back(said);
     }
     for (auto const& line : ends_of_records(spec)) {

@@ -10,6 +10,7 @@
 #include "campaign/validated_range.hpp"
 #include "cli/json_values.hpp"
 #include "generators/acceptance.hpp"
+#include "output/waves_text.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -46,7 +47,7 @@ Json facts_of(CampaignSpec const& spec, Plan const& plan, Statistics const& stat
     add("waves", fmt::format("{} ({})", ran_text(waves, plan.asked()), spec.source->about().text));
     add("waves differ by", spec.source->about().variability);
     if (auto const sigma = statistics.achieved_sigma()) {
-        add("by how much", sigma->text());
+        add("by how much", output::sigma_text(*sigma));
     }
     add("validated range", validated_range_text(spec));
     auto const rule = std::ranges::find(acceptance_rules(), spec.source->about().acceptance.rule,

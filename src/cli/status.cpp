@@ -8,6 +8,7 @@
 #include "campaign/plan.hpp"
 #include "cli/failed_trials.hpp"
 #include "cli/verbs.hpp"
+#include "output/waves_text.hpp"
 #include "results/missed_clauses.hpp"
 #include "results/recount.hpp"
 #include "results/statistics.hpp"
@@ -27,7 +28,7 @@ int status_of_file(std::string const& path, Unverified const& unverified) {
     bool const changed = unverified.warn_if_changed(file, path);
     auto const verdicts = stored_verdicts(file);
     auto const counted = recount(file, spec);
-    auto const waves = counted.waves().text(spec.source->about().acceptance, spec.confidence);
+    auto const waves = output::waves_text(counted.waves(), spec.source->about().acceptance, spec.confidence);
     auto const done_waves = counted.waves().waves;
     Plan const drawn(spec);
     auto const planned = spec.has_target() ? drawn.asked() : done_waves;
@@ -35,7 +36,7 @@ int status_of_file(std::string const& path, Unverified const& unverified) {
                verdicts.size(), file.text("title"), waves.empty() ? "" : "; ", waves,
                done_waves < planned ? fmt::format("; precise enough after {} of {} waves", done_waves, planned)
                                     : std::string());
-    fmt::print("{}", missed_clauses_text(counted.missed_clauses()));
+    fmt::print("{}", output::missed_clauses_text(counted.missed_clauses()));
     auto const reasons =
         file.has("trials/failure")
             ? file.named("trials/failure", field_named(fields_of<TrialRow>(), "failure").categories)
@@ -90,10 +91,10 @@ void print_so_far(CampaignSpec const& spec, Plan const& plan, store::ShardFolder
             }
         }
     }
-    if (auto const text = waves.text(acceptance, spec.confidence); !text.empty()) {
+    if (auto const text = output::waves_text(waves, acceptance, spec.confidence); !text.empty()) {
         fmt::print("{} so far\n", text);
     }
-    fmt::print("{}{}", missed_clauses_text(missed), failed.text());
+    fmt::print("{}{}", output::missed_clauses_text(missed), failed.text());
 }
 
 // A file of before stays until what extends it takes its place.

@@ -2,7 +2,7 @@
 
 #include "cli/verbs.hpp"
 #include "core/print_note.hpp"
-#include "results/stored_names.hpp"
+#include "output/unknown_names.hpp"
 
 namespace overturn::cli {
 
@@ -18,10 +18,8 @@ bool Unverified::warn_if_edited(store::ResultsReader const& file, std::string co
 
 bool Unverified::warn_if_changed(store::ResultsReader const& file, std::string const& path) const {
     bool const changed = warn_if_edited(file, path);
-    for (auto const& unknown : {unknown_verdicts(file), unknown_models(file)}) {
-        if (!unknown.empty()) {
-            print_note("overturn: {}: {} (another program wrote the file)\n", path, unknown);
-        }
+    for (auto const& unknown : output::unknown_names_text(file)) {
+        print_note("overturn: {}: {} (another program wrote the file)\n", path, unknown);
     }
     return changed;
 }

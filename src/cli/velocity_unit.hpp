@@ -10,7 +10,7 @@
 #include "cli/command_line.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "stats/fragility.hpp"
+#include "stats/intensity_unit.hpp"
 
 namespace overturn::cli {
 

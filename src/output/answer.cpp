@@ -10,6 +10,7 @@
 #include "core/wrapped.hpp"
 #include "output/detail/answer_cells.hpp"
 #include "output/detail/answer_parts.hpp"
+#include "output/waves_text.hpp"
 #include "results/few_waves.hpp"
 
 namespace overturn::output {
@@ -52,7 +53,7 @@ class SheetMaker {
 
   private:
     [[nodiscard]] std::string title() const {
-        auto const waves = of_.statistics.waves().text(of_.spec.source->about().acceptance, of_.confidence);
+        auto const waves = waves_text(of_.statistics.waves(), of_.spec.source->about().acceptance, of_.confidence);
         return fmt::format("{}; {:g} % intervals; slip and tilt: median / 95th percentile (<= its upper end)",
                            waves.empty() ? count_text(of_.statistics.waves().waves) : waves, 100 * of_.confidence);
     }

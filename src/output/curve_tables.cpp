@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "output/detail/curve_columns.hpp"
+#include "output/detail/fit_names.hpp"
 #include "results/schema.hpp"
 
 namespace overturn::output {

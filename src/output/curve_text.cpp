@@ -7,7 +7,11 @@
 #include <fmt/ranges.h>
 
 #include "core/outward.hpp"
+#include "output/detail/fit_names.hpp"
+#include "output/detail/fit_words.hpp"
+#include "output/detail/grid_map_text.hpp"
 #include "output/interval_text.hpp"
+#include "output/waves_text.hpp"
 #include "results/analysis.hpp"
 
 namespace overturn::output {
@@ -157,7 +161,7 @@ std::string body_text(BodyAnalysis const& body, double confidence) {
         "\n{}: fragility curves from {} {}; confidence intervals by {}\n", body.body, levels.waves, of,
         levels.method == FragilityFit::Method::bootstrap_by_waves ? "bootstrap over waves" : "profile likelihood");
     text += fmt::format("  waves differ by {}\n", body.variability);
-    text += body.sigma ? fmt::format("  {}\n", body.sigma->text()) : "";
+    text += body.sigma ? fmt::format("  {}\n", sigma_text(*body.sigma)) : "";
     text += fragility_table(body.fragility, confidence);
     for (auto const& limit : body.limits) {
         text += fmt::format("  limit state {}: {}\n", limit.name, limit.definition);
@@ -202,7 +206,7 @@ std::string curves_text(std::span<BodyAnalysis const> bodies, double confidence)
     std::string text;
     for (auto const& body : bodies) {
         text += body.grid ? fmt::format("\n{}: {}\n{}", body.body, grid_text(body.over_levels().fit.waves),
-                                        grid_table(*body.grid))
+                                        grid_map_text(*body.grid))
                           : body_text(body, confidence);
     }
     return text;

@@ -2,6 +2,8 @@
 
 #include "output/campaign_tables.hpp"
 #include "output/detail/body_table.hpp"
+#include "output/detail/criterion_words.hpp"
+#include "output/detail/fit_words.hpp"
 
 namespace overturn::output {
 namespace {
@@ -43,10 +45,9 @@ Json fit_json(CampaignSpec const& spec, Statistics const& statistics, std::span<
         for (std::size_t limit = 0; limit < spec.limits.size(); ++limit) {
             append(json["warnings"], warnings_json(body.body, body.curves_of(limit), confidence, units));
         }
-        json["verdict"].push_back({{"body", body.body},
-                                   {"supports", body.verdict.supports},
-                                   {"against", body.verdict.against},
-                                   {"open", body.verdict.open}});
+        auto const words = words_on(body, confidence);
+        json["verdict"].push_back(
+            {{"body", body.body}, {"supports", words.supports}, {"against", words.against}, {"open", words.open}});
     }
     return json;
 }

@@ -13,10 +13,12 @@
 #include "output/detail/criterion_text.hpp"
 #include "output/detail/event_text.hpp"
 #include "output/detail/few_waves_text.hpp"
+#include "output/detail/fit_words.hpp"
 #include "output/detail/limit_text.hpp"
 #include "output/detail/together_text.hpp"
 #include "output/frequency_text.hpp"
 #include "output/stripe_text.hpp"
+#include "output/waves_text.hpp"
 
 namespace overturn::output {
 namespace {
@@ -100,8 +102,9 @@ constexpr std::array sections{
         [](Printed const& p, TextOptions const&) { return curves_text(p.answered.analysis, p.answered.confidence); }},
     Section{"responses", always, never_unasked,
             [](Printed const& p, TextOptions const&) { return responses_text(p.answered); }},
-    Section{"criterion", [](Printed const& p) { return p.answered.spec.measures.energy; }, never_unasked,
-            [](Printed const& p, TextOptions const&) { return criteria_text(p.answered.analysis); }},
+    Section{
+        "criterion", [](Printed const& p) { return p.answered.spec.measures.energy; }, never_unasked,
+        [](Printed const& p, TextOptions const&) { return criteria_text(p.answered.analysis, p.answered.confidence); }},
     Section{"together",
             [](Printed const& p) { return (p.answered.spec.bodies.size() > 1 && !is_grid(p)) || !p.pairs.empty(); },
             [](Printed const& p) { return !p.pairs.empty(); }, together},

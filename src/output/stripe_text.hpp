@@ -7,7 +7,7 @@
 #include "campaign/campaign_spec.hpp"
 #include "campaign/trial.hpp"
 #include "results/statistics.hpp"
-#include "stats/fragility.hpp"
+#include "stats/intensity_unit.hpp"
 
 namespace overturn::output {
 

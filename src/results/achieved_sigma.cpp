@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "results/detail/fitted_measures.hpp"
 
 namespace overturn {
@@ -78,18 +76,6 @@ AchievedSigma SigmaCount::of_whole_groups(std::int64_t missed) const {
         measure.error = measure.achieved / std::sqrt(2 * (groups - 1));
     }
     return all;
-}
-
-std::string AchievedSigma::text() const {
-    auto line =
-        fmt::format("achieved sd of ln (stated of Sa), over {} {}:", independent, of_events ? "events" : "targets");
-    for (auto const& m : measures) {
-        bool const pga = &m == &measures.front();
-        line += fmt::format("{} {} {:.3f} +- {:.3f} ({}{})", pga ? "" : ",", m.label, m.achieved, m.error,
-                            m.stated ? fmt::format("{:.3g}", *m.stated) : "not matched there",
-                            pga ? fmt::format(" at {:.2g} s, the shortest matched", m.period_s) : "");
-    }
-    return line + fmt::format("; {} of {} waves missed match_tolerance", missed, waves);
 }
 
 }  // namespace overturn

@@ -33,9 +33,6 @@ struct AchievedSigma {
     bool of_events = false;
     std::int64_t missed = 0;  ///< waves short of match_tolerance
     std::vector<AchievedMeasure> measures;
-
-    /// "achieved sd of ln (stated of Sa), over 40 targets: pga 0.49 +- 0.06 (0.6 at 0.02 s, the shortest matched), ..."
-    [[nodiscard]] std::string text() const;
 };
 
 /// Sums over waves, which come in their order.

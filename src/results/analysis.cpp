@@ -5,8 +5,6 @@
 #include <iterator>
 #include <limits>
 
-#include <fmt/format.h>
-
 #include "core/field.hpp"
 #include "results/detail/criterion_verdict.hpp"
 #include "results/detail/drawn_trials.hpp"
@@ -55,9 +53,6 @@ std::vector<double> band_over(LevelSpec const& levels, int points) {
     return at;
 }
 
-constexpr char const* grid_verdict =
-    "waves that are a grid of frequencies are no sample: shares and ranks of its trials are no chances";
-
 // Leaves the counts: shares of a grid's trials have no intervals, their ratios no quantiles.
 void keep_counts(CriterionStudy& study) {
     study.at_overturning.reset();
@@ -102,10 +97,9 @@ class Analyst {
                 keep_counts(body.criterion.back().study);
             }
         }
-        if (spec_.measures.energy) {
-            body.response = is_grid_ ? std::vector<ResponseBin>{}
-                                     : response_bins(statistics_.measured().responses(static_cast<std::int64_t>(b)));
-            body.verdict = is_grid_ ? CriterionVerdict{{}, {}, {grid_verdict}} : verdict_on(body, options_.confidence);
+        if (spec_.measures.energy && !is_grid_) {
+            body.response = response_bins(statistics_.measured().responses(static_cast<std::int64_t>(b)));
+            body.verdict = verdict_on(body, options_.confidence);
         }
         return body;
     }

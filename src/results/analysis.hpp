@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 #include "results/statistics.hpp"
 #include "stats/beta_split.hpp"
 #include "stats/fragility.hpp"
+#include "stats/intensity_unit.hpp"
 #include "stats/quantile.hpp"
 
 namespace overturn {
@@ -42,9 +44,32 @@ struct MeasuredCriterion {
     CriterionStudy study;
 };
 
-/// The paper calls V_WES practical and conservative; sentences that speak for and against it, each with its numbers.
+/// What the trials that V_WES < V_Ereq says safe show of whether safe means safe.
+enum class Safety : std::uint8_t {
+    none_said_safe,
+    none_uplifted,       ///< they were never in danger
+    false_safe,          ///< some overturned
+    nothing_overturned,  ///< neither they nor any other
+    few_waves,           ///< none of them overturned, in fewer waves than would show it
+    conservative,
+};
+
+/// Does a finding speak for the criterion or against it?
+enum class Speaks : std::uint8_t { in_favour, against, neither };
+
+/// V_WES beside another measure of the same waves.
+struct MeasureBeside {
+    std::size_t curve = 0;                    ///< the other's place in BodyAnalysis::fragility
+    std::optional<Interval> beta_ratio = {};  ///< of V_WES over the other's, waves resampled for both alike
+    std::optional<Speaks> dispersion = {};    ///< by that ratio; none where one of them has no curve
+    std::optional<Speaks> rank = {};          ///< none where all trials ended alike
+};
+
+/// The paper calls V_WES practical and conservative: what the trials say of that.
 struct CriterionVerdict {
-    std::vector<std::string> supports, against, open;
+    Safety safety = Safety::none_said_safe;
+    Speaks false_alarms = Speaks::neither;  ///< are they fewer than half of the alarms?
+    std::vector<MeasureBeside> beside;      ///< none where all waves have one spectrum
 };
 
 /// The fragility of one body by a limit state of the user's own.
@@ -74,8 +99,8 @@ struct BodyAnalysis {
     std::vector<LimitAnalysis> limits;
     std::vector<LevelQuantiles> quantiles;  ///< of peak slip (unless it cannot slip) and rotation, level by level
     std::vector<MeasuredCriterion> criterion;
-    std::vector<ResponseBin> response;  ///< V_resp over V_WES
-    CriterionVerdict verdict;
+    std::vector<ResponseBin> response;        ///< V_resp over V_WES
+    std::optional<CriterionVerdict> verdict;  ///< none without energies, and of a grid's trials, which are no sample
     /// Where waves are a grid: what stands in place of curves and quantiles. Fits are then all of state `grid`, of
     /// the criterion there are counts alone, of the response nothing.
     std::optional<GridMap> grid;

@@ -12,7 +12,7 @@
 #include "campaign/level_spec.hpp"
 #include "campaign/limit_state.hpp"
 #include "campaign/rows.hpp"
-#include "stats/fragility.hpp"
+#include "stats/intensity_unit.hpp"
 
 namespace overturn {
 
@@ -50,8 +50,5 @@ struct GridMap {
 /// are), does not lift the body off, or has no such steady state; of a body whose corners differ.
 [[nodiscard]] double steady_rotation_ratio(LevelSpec const& levels, double level, double period_s,
                                            RigidBody const& body);
-
-/// The table for the terminal: least level that lifts the body off, overturns it and passes its other limits.
-[[nodiscard]] std::string grid_table(GridMap const& map);
 
 }  // namespace overturn

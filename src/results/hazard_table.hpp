@@ -6,8 +6,8 @@
 
 #include "campaign/level_spec.hpp"
 #include "core/units.hpp"
-#include "stats/fragility.hpp"
 #include "stats/hazard.hpp"
+#include "stats/intensity_unit.hpp"
 
 namespace overturn {
 

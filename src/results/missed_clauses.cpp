@@ -4,8 +4,6 @@
 #include <cmath>
 #include <functional>
 
-#include <fmt/format.h>
-
 #include "generators/acceptance.hpp"
 #include "stats/quantile.hpp"
 
@@ -112,18 +110,5 @@ std::vector<MissedClause> MissedClauses::rows() const {
 }
 
 std::vector<std::string> names_of_all_clauses() { return clause_names(); }
-
-std::string missed_clauses_text(MissedClauses const& missed) {
-    std::string text;
-    for (auto const& row : missed.rows()) {
-        text += fmt::format("  {}{}: missed by {} waves", row.clause,
-                            row.component.empty() ? std::string() : ", " + row.component, row.waves);
-        text += row.worst ? fmt::format(", worst {:.4g}", *row.worst) : "";
-        text +=
-            row.from_period_s ? fmt::format(" (at {:.3g} s to {:.3g} s)", *row.from_period_s, *row.to_period_s) : "";
-        text += '\n';
-    }
-    return text;
-}
 
 }  // namespace overturn

@@ -44,7 +44,4 @@ class MissedClauses {
 /// What MissedClause::clause may be.
 [[nodiscard]] std::vector<std::string> names_of_all_clauses();
 
-/// A line for each: "lowest ratio, vertical: missed by 81 waves, worst 0.78 (at 0.031 s to 0.12 s)".
-[[nodiscard]] std::string missed_clauses_text(MissedClauses const& missed);
-
 }  // namespace overturn

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
 #include "response/registry.hpp"
 #include "results/detail/fitted_measures.hpp"
 
@@ -139,34 +137,6 @@ void WaveCounts::add(WaveRow const& row) {
     not_accepted += row.failed == 0 && row.accepted == Accepted::no ? 1 : 0;
     missed +=
         row.failed == 0 && row.accepted == Accepted::not_asked && row.match_iterations > 0 && row.matched == 0 ? 1 : 0;
-}
-
-std::string WaveCounts::text(Acceptance const& acceptance, double confidence) const {
-    if (!acceptance.asked() && failed == 0 && missed == 0) {
-        return "";
-    }
-    auto text = fmt::format("{} waves", waves);
-    text += missed > 0 ? fmt::format(", {} missed match_tolerance and are used as they are", missed) : "";
-    text += failed > 0 ? fmt::format(", {} could not be made (their trials are failed rows)", failed) : "";
-    if (acceptance.uses_refused) {
-        return text + fmt::format(", {} of them miss {} and are used all the same", not_accepted, acceptance.rule);
-    }
-    if (not_accepted > 0) {  // up to format 4
-        return text
-               + fmt::format(", {} not accepted by {} (their trials are failed rows)", not_accepted, acceptance.rule);
-    }
-    if (acceptance.asked()) {
-        auto const drawn = waves + refused;
-        auto const share = clopper_pearson(refused, drawn, confidence);
-        text +=
-            fmt::format(" that meet {}; {} of {} drawn were refused: {:.3g} % [{:.3g} %, {:.3g} %]", acceptance.rule,
-                        refused, drawn, 100.0 * static_cast<double>(refused) / static_cast<double>(drawn),
-                        100 * share.lower, 100 * share.upper);
-        if (waves > 0 && waves * acceptance.most_drawn < drawn) {
-            text += "; fewer are used than were asked for, since no more are drawn";
-        }
-    }
-    return text;
 }
 
 double memory_of_trials(CampaignSpec const& spec, std::int64_t trials) {

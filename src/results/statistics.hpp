@@ -56,9 +56,6 @@ struct WaveCounts {
     std::int64_t missed = 0;
 
     void add(WaveRow const& row);
-    /// "200 waves that meet srp-3.7.1; 31 of 231 drawn were refused, 13.4 % [9.3 %, 18.5 %]"; empty if there is nothing
-    /// to say.
-    [[nodiscard]] std::string text(Acceptance const& acceptance, double confidence) const;
 };
 
 /// Counts trials as they come; integers only, so that no order can matter. Keeps the measured ones for the curves.

@@ -41,32 +41,25 @@ std::vector<Category> verdicts_in(store::ResultsReader const& file) {
     return categories;
 }
 
-std::string unknown_verdicts(store::ResultsReader const& file) {
-    auto const known = verdict_categories();
-    std::string text;
-    for (auto const& [value, name] : verdicts_in(file)) {
-        if (std::ranges::find(known, name, &Category::name) == known.end()) {
-            text += fmt::format("{}verdict '{}' is not known to this program: its trials count as {}",
-                                text.empty() ? "" : "; ", name, entry_of(static_cast<Verdict>(value)).name);
-        }
-    }
-    return text;
+std::vector<Category> unknown_verdicts(store::ResultsReader const& file) {
+    // verdicts_in puts them behind those that are known.
+    auto const all = verdicts_in(file);
+    return {all.begin() + std::ssize(verdict_categories()), all.end()};
 }
 
-std::string unknown_models(store::ResultsReader const& file) {
+std::vector<UnknownModel> unknown_models(store::ResultsReader const& file) {
     constexpr char const* column = "trials/rung";
-    std::string text;
+    std::vector<UnknownModel> unknown;
     for (auto const& stored : file.categories(column)) {
         if (std::ranges::find(rungs(), stored.name, &Category::name) != rungs().end()) {
             continue;
         }
         auto const numbers = file.integers(column);
         if (auto const trials = std::ranges::count(numbers, stored.value); trials > 0) {
-            text += fmt::format("{}model '{}' is not known to this program: its {} trial{} count under no model",
-                                text.empty() ? "" : "; ", stored.name, trials, trials == 1 ? "" : "s");
+            unknown.push_back({stored.name, trials});
         }
     }
-    return text;
+    return unknown;
 }
 
 std::vector<std::string> unknown_columns(store::ResultsReader const& file, CampaignSpec const& spec) {

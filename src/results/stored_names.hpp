@@ -2,6 +2,7 @@
 /// models stay readable, because names are compared and never places or numbers.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,11 +17,15 @@ namespace overturn {
 /// the attributes `fell`, `decided` and `moved` of /trials/verdict; not decided where they are missing).
 [[nodiscard]] std::vector<Category> verdicts_in(store::ResultsReader const& file);
 
-/// "verdict 'crushed' is not known to this program: its trials count as rocked"; empty where all are known.
-[[nodiscard]] std::string unknown_verdicts(store::ResultsReader const& file);
+/// Those of them that this program does not know, each with the value of the verdict that it counts as.
+[[nodiscard]] std::vector<Category> unknown_verdicts(store::ResultsReader const& file);
 
-/// "model 'tether' is not known to this program: its 3 trials count under no model"; empty where all are known.
-[[nodiscard]] std::string unknown_models(store::ResultsReader const& file);
+/// A model that answered trials of the file and is not known to this program.
+struct UnknownModel {
+    std::string name;
+    std::int64_t trials = 0;  ///< that count under no model
+};
+[[nodiscard]] std::vector<UnknownModel> unknown_models(store::ResultsReader const& file);
 
 /// Columns of /trials, /waves and /waves/<body> that this program does not know, by path: they are kept, and nothing
 /// is made of them.

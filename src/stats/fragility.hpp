@@ -205,26 +205,4 @@ inline constexpr std::array told_confidences{0.05, 0.5, 0.95};
 
 [[nodiscard]] FragilityFit fit_fragility(FragilityData const& data, FragilityRequest const& request);
 
-/// "a grid of 15 frequencies is no sample: no curve"
-[[nodiscard]] std::string grid_text(std::int64_t waves);
-/// "3 of 200"; "3 of 200, counting 10 as one"
-[[nodiscard]] std::string counts_text(SeenBound const& seen);
-/// "fitted", "nothing-overturned" ("nothing-exceeded"), ...
-[[nodiscard]] std::string name_of(FragilityState state, Passing passing = Passing::overturned);
-/// Names of the flags that are set.
-[[nodiscard]] std::vector<std::string> names_of(FragilityFlags flags, Passing passing = Passing::overturned);
-/// The unit in which people are told intensities, which are SI everywhere else.
-struct IntensityUnit {
-    std::string symbol;  ///< "gal"; "1" or nothing for a pure number
-    double si = 1;       ///< SI value of one of it
-
-    [[nodiscard]] double of(double intensity) const { return intensity / si; }
-    /// "892 gal", "1.5"
-    [[nodiscard]] std::string text(double intensity) const;
-};
-
-/// One sentence for everything a reader must know.
-[[nodiscard]] std::vector<std::string> warnings_of(FragilityFit const& fit, IntensityUnit const& unit,
-                                                   double confidence);
-
 }  // namespace overturn

@@ -11,6 +11,7 @@
 #include "stats/bootstrap.hpp"
 #include "stats/fragility.hpp"
 #include "stats/fragility_data.hpp"
+#include "stats/intensity_unit.hpp"
 
 namespace overturn {
 

@@ -48,22 +48,8 @@ TEST(WaveCheck, AcceptedWavesAreUsed) {
     for (auto const& row : rows.trials.rows) {
         EXPECT_NE(row.verdict, Verdict::failed);
     }
-    EXPECT_EQ(statistics.waves().text(spec.source->about().acceptance, 0.95),
-              "4 waves that meet srp-3.7.1; 0 of 4 drawn were refused: 0 % [0 %, 60.2 %]");
-}
-
-// Of 50 asked for and 50 drawn at most, 49.
-TEST(WaveCheck, FewerThanAskedForAreSaid) {
-    auto const spec = testing::campaign_from(waves("acceptance='srp-3.7.1'\n") + rest);
-    auto acceptance = spec.source->about().acceptance;
-    WaveCounts counts;
-    counts.waves = 49;
-    counts.refused = 1;
-    for (auto const most : {1, 2}) {
-        acceptance.most_drawn = most;
-        bool const said = counts.text(acceptance, 0.95).find("fewer are used than were asked for") != std::string::npos;
-        EXPECT_EQ(said, most == 1);
-    }
+    EXPECT_EQ(statistics.waves().waves, 4);
+    EXPECT_EQ(statistics.waves().refused, 0);
 }
 
 TEST(WaveCheck, NoTrialIsComputedOfOthers) {
@@ -83,8 +69,8 @@ TEST(WaveCheck, NoTrialIsComputedOfOthers) {
         EXPECT_EQ(row.failure, FailureReason::wave_not_accepted);
         EXPECT_EQ(row.steps, 0);
     }
-    EXPECT_EQ(statistics.waves().text(spec.source->about().acceptance, 0.95),
-              "0 waves that meet srp-3.7.1; 4 of 4 drawn were refused: 100 % [39.8 %, 100 %]");
+    EXPECT_EQ(statistics.waves().waves, 0);
+    EXPECT_EQ(statistics.waves().refused, 4);
     auto const missed = statistics.missed_clauses().rows();
     ASSERT_FALSE(missed.empty());
     for (auto const& clause : missed) {

@@ -184,47 +184,44 @@ TEST_F(AnalysisOfRows, ResponsesAreOfWhatMovedAndStood) {
 
 // One trial said safe that fell speaks against the criterion; none speaks for it only if something fell at all.
 TEST_F(AnalysisOfRows, TheVerdictFollowsTheCounts) {
-    auto const holds = [](std::vector<std::string> const& sentences, char const* part) {
-        return std::any_of(sentences.begin(), sentences.end(),
-                           [&](std::string const& s) { return s.find(part) != std::string::npos; });
-    };
+    auto const verdict = [&] { return analyse(spec, statistics, {})[1].verdict.value(); };
     wave(0, 2, 1);
     trial(0, 0, Verdict::rocked, 1.5, 1.0);
-    EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.open, "nothing overturned"));
+    EXPECT_EQ(verdict().safety, Safety::nothing_overturned);
     trial(0, 2, Verdict::overturned, 4.5, 3.0);
-    EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.open,
-                      "too few waves to call it conservative: no false-safe prediction in 1 trials that uplifted"));
-    EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.open, "the lowest V_WES / V_Ereq at which"));
+    EXPECT_EQ(verdict().safety, Safety::few_waves);
     for (std::int64_t w = 100; w < 140; ++w) {
         wave(w, 2, 1);
         trial(w, 0, Verdict::rocked, 1.5, 1.0);
     }
-    EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.supports,
-                      "conservative here: no false-safe prediction in 41 trials that uplifted"));
-    EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.supports, "the lowest V_WES / V_Ereq at which"));
-    EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.open,
-                      "more or fewer than half of its alarms at these levels are false (too few trials): of 1 trials "
-                      "predicted unsafe, 0 did not overturn"));
+    EXPECT_EQ(verdict().safety, Safety::conservative);
+    EXPECT_EQ(verdict().false_alarms, Speaks::neither) << "one alarm";
     trial(0, 1, Verdict::overturned, 3, 1.2);
-    EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.against,
-                      "1 of 42 trials that uplifted and were predicted safe overturned"));
+    EXPECT_EQ(verdict().safety, Safety::false_safe);
     wave(1, 2, 1);
     trial(1, 0, Verdict::at_rest, 1.5, 1.0);
-    EXPECT_TRUE(holds(analyse(spec, statistics, {})[1].verdict.against,
-                      "1 of 42 trials that uplifted and were predicted safe overturned"))
-        << "what never left the ground is not counted";
+    auto const body = analyse(spec, statistics, {})[1];
+    auto const own = std::ranges::find(body.criterion, measure_named("v_wes"), &MeasuredCriterion::measure);
+    EXPECT_EQ(own->study.safe_uplifted_but_overturned.of, 42) << "what never left the ground is not counted";
+    EXPECT_EQ(own->study.safe_uplifted_but_overturned.count, 1);
     for (std::int64_t w = 2; w < 8; ++w) {
         wave(w, 2, 1);
         trial(w, 2, Verdict::overturned, 4.5, 3.0);
     }
-    EXPECT_TRUE(
-        holds(analyse(spec, statistics, {})[1].verdict.supports, "fewer than half of its alarms at these levels"));
+    EXPECT_EQ(verdict().false_alarms, Speaks::in_favour);
     for (std::int64_t w = 8; w < 40; ++w) {
         wave(w, 2, 1);
         trial(w, 2, Verdict::rocked, 4.5, 3.0);
     }
-    EXPECT_TRUE(
-        holds(analyse(spec, statistics, {})[1].verdict.against, "more than half of its alarms at these levels"));
+    EXPECT_EQ(verdict().false_alarms, Speaks::against);
+}
+
+TEST_F(AnalysisOfRows, SafetyThatWasNeverTriedIsSaidToBe) {
+    wave(0, 2, 1);
+    trial(0, 2, Verdict::rocked, 4.5, 3.0);
+    EXPECT_EQ(analyse(spec, statistics, {})[1].verdict->safety, Safety::none_said_safe);
+    trial(0, 0, Verdict::at_rest, 1.5, 1.0);
+    EXPECT_EQ(analyse(spec, statistics, {})[1].verdict->safety, Safety::none_uplifted);
 }
 
 // Dispersions are compared replicate by replicate; waves matched to one spectrum cannot tell measures apart at
@@ -232,38 +229,25 @@ TEST_F(AnalysisOfRows, TheVerdictFollowsTheCounts) {
 TEST_F(AnalysisOfRows, DispersionsAreComparedInPairs) {
     fill();
     auto body = analyse(spec, statistics, {})[1];
-    auto const all = [](CriterionVerdict const& verdict) {
-        return fmt::format("{} {} {}", fmt::join(verdict.supports, "\n"), fmt::join(verdict.against, "\n"),
-                           fmt::join(verdict.open, "\n"));
-    };
     body.one_spectrum = false;
-    auto const compared = all(verdict_on(body, 0.95));
-    EXPECT_NE(compared.find("over V_WES and"), std::string::npos) << compared;
-    EXPECT_NE(compared.find("with waves resampled in pairs"), std::string::npos) << compared;
-    EXPECT_NE(compared.find("rank: "), std::string::npos) << compared;
+    auto const compared = verdict_on(body, 0.95).beside;
+    EXPECT_TRUE(std::ranges::any_of(compared, [](auto const& one) { return one.dispersion && one.beta_ratio; }));
+    EXPECT_TRUE(std::ranges::any_of(compared, [](auto const& one) { return one.rank.has_value(); }));
     body.one_spectrum = true;
-    auto const matched = all(verdict_on(body, 0.95));
-    EXPECT_NE(matched.find("cannot be assessed: all waves share one target spectrum"), std::string::npos) << matched;
-    EXPECT_EQ(matched.find("resampled in pairs"), std::string::npos) << matched;
+    EXPECT_TRUE(verdict_on(body, 0.95).beside.empty());
 
     // A measure that is V_WES by another name has a ratio of exactly 1: neither better nor worse.
     body.one_spectrum = false;
-    for (auto& measured : body.fragility) {
-        if (measured.measure == measure_named("pgv")) {
-            auto const own = std::ranges::find(body.fragility, measure_named("v_wes"), &MeasuredFragility::measure);
-            measured.fit = own->fit;
-        }
-    }
-    EXPECT_NE(all(verdict_on(body, 0.95)).find("over pgv, ratio 1 [1, 1]"), std::string::npos);
-
-    // A beta of a curve that the data reject is said to be one.
-    EXPECT_EQ(compared.find("does not describe the data"), std::string::npos) << compared;
-    for (auto& measured : body.fragility) {
-        if (measured.measure == measure_named("pgv")) {
-            measured.fit.flags |= bit(FragilityFlag::poor_fit);
-        }
-    }
-    EXPECT_NE(all(verdict_on(body, 0.95)).find("; the curve over pgv does not describe the data"), std::string::npos);
+    auto const own = std::ranges::find(body.fragility, measure_named("v_wes"), &MeasuredFragility::measure);
+    auto const same = std::ranges::find(body.fragility, measure_named("pgv"), &MeasuredFragility::measure);
+    same->fit = own->fit;
+    auto const beside = verdict_on(body, 0.95).beside;
+    auto const one =
+        std::ranges::find(beside, static_cast<std::size_t>(same - body.fragility.begin()), &MeasureBeside::curve);
+    ASSERT_NE(one, beside.end());
+    EXPECT_EQ(one->beta_ratio->lower, 1);
+    EXPECT_EQ(one->beta_ratio->upper, 1);
+    EXPECT_EQ(one->dispersion, Speaks::neither);
 }
 
 }  // namespace

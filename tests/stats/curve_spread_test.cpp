@@ -2,9 +2,6 @@
 // refused; usual ones are neither.
 #include "stats/curve_spread.hpp"
 
-#include <cmath>
-
-#include "stats/fragility.hpp"
 #include "support/expect_input_error.hpp"
 
 namespace overturn {
@@ -32,23 +29,6 @@ TEST(CurveSpread, WideAndNarrowOnesGetOne) {
 TEST(CurveSpread, SlipsAreRefused) {
     testing::expect_input_error([] { check_spread("--beta-u", 30); }, "--beta-u: 30 (more than 5", "0.4 for 40 %");
     EXPECT_NO_THROW(check_spread("--beta-u", 5));
-}
-
-// Every fit whose beta_U is wide says so, before anything but its state.
-TEST(CurveSpread, StandsAmongTheWarningsOfAFit) {
-    FragilityData data;
-    for (double const a : {0.5, 1.0, 2.0}) {
-        data.points.push_back({std::log(a), 100, std::round(100 * 0.5 * std::erfc(-std::log(a) / 0.4 / std::sqrt(2)))});
-    }
-    FragilityRequest request;
-    request.beta_u = 3;
-    auto const lines = warnings_of(fit_fragility(data, request), {"g", 1}, 0.95);
-    ASSERT_FALSE(lines.empty());
-    EXPECT_NE(lines.front().find("beta_U 3 divides HCLPF by 139"), std::string::npos) << lines.front();
-    request.beta_u = 0.3;
-    for (auto const& line : warnings_of(fit_fragility(data, request), {"g", 1}, 0.95)) {
-        EXPECT_EQ(line.find("divides"), std::string::npos) << line;
-    }
 }
 
 }  // namespace

@@ -14,8 +14,6 @@ namespace {
 using testing::fit_of;
 using testing::table_of;
 
-std::string first_warning(FragilityFit const& fit) { return warnings_of(fit, {"m/s2"}, 0.95).at(0); }
-
 /// 0 of 400: a fitter that does not look gives median 8.3 and beta 1.07 here. All that is known is an exact bound at
 /// the highest level: 1 - 0.025^(1/100).
 TEST(Degenerate, NothingOverturned) {
@@ -27,7 +25,6 @@ TEST(Degenerate, NothingOverturned) {
     ASSERT_TRUE(fit.bound);
     EXPECT_EQ(fit.bound->to, std::exp(std::log(8.0)));
     EXPECT_NEAR(fit.bound->probability.upper, -std::expm1(std::log(0.025) / 100), 1e-12);
-    EXPECT_EQ(first_warning(fit), "nothing overturned: no curve; P <= 0.03622 at 8 m/s2 (none of 100, 95 %)");
     EXPECT_FALSE(fit.quotes[0].probability);
     EXPECT_EQ(fit.quotes[0].bounds.upper, fit.bound->probability.upper);
     EXPECT_FALSE(fit.quotes[0].outside_data);
@@ -42,7 +39,6 @@ TEST(Degenerate, EverythingOverturned) {
     EXPECT_EQ(fit.state, FragilityState::all_overturned);
     EXPECT_FALSE(fit.identifiable());
     EXPECT_NEAR(fit.bound->probability.lower, std::pow(0.025, 1.0 / 50), 1e-12);
-    EXPECT_EQ(first_warning(fit), "everything overturned: no curve; P >= 0.9288 at 2 m/s2 (all of 50, 95 %)");
 }
 
 /// One of 400 at the top level, where others crash: it separates; the curve's place stays open upwards.
@@ -56,7 +52,6 @@ TEST(Degenerate, OneOverturnedAtTheTop) {
     EXPECT_FALSE(fit.penalised) << "at 22 times the highest level it would be made up";
     ASSERT_TRUE(fit.bound);
     EXPECT_EQ(fit.bound->probability.upper, clopper_pearson(1, 200, 0.95).upper);
-    EXPECT_NE(first_warning(fit).find("P there in [0.000126, 0.0276]"), std::string::npos) << first_warning(fit);
 }
 
 /// One of 300 in the middle: the most likely curve rises by chance only.
@@ -80,7 +75,6 @@ TEST(Degenerate, PerfectSeparation) {
     EXPECT_GT(std::exp(fit.penalised->log_median()), 4);
     EXPECT_LT(std::exp(fit.penalised->log_median()), 6);
     EXPECT_GT(fit.penalised->beta(), 0);
-    EXPECT_NE(first_warning(fit).find("between 4 and 6 m/s2"), std::string::npos);
 }
 
 /// A stripe in which both happened does not help if all below stood and all above fell.
@@ -214,11 +208,6 @@ TEST(Degenerate, QuotesKnowTheirData) {
     EXPECT_EQ(fit.quotes[2].bounds.upper, clopper_pearson(0, 200, 0.95).upper);
     EXPECT_GT(*fit.quotes[0].curve, 0.1 / 200);
     EXPECT_FALSE(fit.quotes[0].bound);
-    auto const warnings = warnings_of(fit, {"m/s2"}, 0.95);
-    EXPECT_EQ(
-        std::count_if(warnings.begin(), warnings.end(),
-                      [](auto const& text) { return text.find("along the lognormal tail") != std::string::npos; }),
-        1);
 }
 
 /// Single trials: the tenth of them at or above the quoted intensity, counted by waves, since those of one wave tell no
@@ -241,25 +230,6 @@ TEST(Degenerate, SingleTrialsBoundWhatTheyCannotHold) {
     EXPECT_EQ(quoted.bound->units, 10) << "twenty trials of ten waves";
     EXPECT_EQ(quoted.bound->overturned, 0);
     EXPECT_EQ(quoted.bounds.upper, clopper_pearson(0, 10, 0.95).upper);
-}
-
-/// The words of other limit states: nobody reads of overturning where slip was meant.
-TEST(Degenerate, WordsOfOtherLimitStates) {
-    FragilityRequest request;
-    request.passing = Passing::exceeded;
-    auto const none = fit_fragility(FragilityData::of_stripes(table_of({{2, 100, 0}, {8, 100, 0}})), request);
-    auto const split = fit_fragility(FragilityData::of_stripes(table_of({{2, 100, 0}, {8, 100, 1}})), request);
-
-    EXPECT_EQ(name_of(none.state, none.passing), "nothing-exceeded");
-    EXPECT_EQ(first_warning(none), "no trial exceeded it: no curve; P <= 0.03622 at 8 m/s2 (none of 100, 95 %)");
-    for (auto const& fit : {none, split}) {
-        for (auto const& name : names_of(fit.flags, fit.passing)) {
-            EXPECT_EQ(name.find("overturned"), std::string::npos) << name;
-        }
-        for (auto const& text : warnings_of(fit, {"m/s2"}, 0.95)) {
-            EXPECT_EQ(text.find("overturned"), std::string::npos) << text;
-        }
-    }
 }
 
 /// Single trials that share waves bound no more than their waves do: 5 waves at 40 factors are 5, not 200.

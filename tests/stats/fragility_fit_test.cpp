@@ -54,7 +54,7 @@ TEST(FragilityFit, MatchesAnIndependentMaximisation) {
     EXPECT_EQ(fit.goodness->degrees_of_freedom, 1);
     EXPECT_FALSE(fit.goodness->chi_squared) << "2.5 are expected to fall in the lowest stripe";
     EXPECT_NEAR(fit.goodness->p_value, 0.4995473430558607, 0.1) << "that of chi squared, which is near";
-    EXPECT_EQ(names_of(fit.flags), std::vector<std::string>{"no-beta-u"}) << "nothing else is wrong";
+    EXPECT_EQ(fit.flags, bit(FragilityFlag::no_beta_u)) << "nothing else is wrong";
 }
 
 /// Two stripes and two unknowns: the curve goes through both proportions, in closed form.

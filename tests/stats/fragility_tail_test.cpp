@@ -104,10 +104,6 @@ TEST(Tail, FivePercentPointsThatTheStripesContradictAreDoubtful) {
         ASSERT_TRUE(fit.beside_five_percent);
         EXPECT_EQ(fit.beside_five_percent->above.units, 50);
         EXPECT_EQ(fit.beside_five_percent->above.probability.upper, clopper_pearson(1, 50, 0.95).upper);
-        auto const texts = warnings_of(fit, {"gal", 0.01}, 0.95);
-        EXPECT_TRUE(std::ranges::any_of(texts, [](std::string const& text) {
-            return text.find("do not use the 5 % point or HCLPF; 1 of 50 at 200 gal") != std::string::npos;
-        })) << texts.back();
     }
     // A curve rejected by a hair that 2000 trials a stripe see, and right about where 5 % is, keeps it.
     auto const fine =
@@ -139,10 +135,6 @@ TEST(Tail, StripesOfFewPoolUnderMonotonicity) {
     ASSERT_TRUE(few.pooled);
     EXPECT_EQ(few.pooled->probability.upper, clopper_pearson(6, 3000, 0.95).upper);
     EXPECT_EQ(few.pooled->probability.lower, clopper_pearson(6, 3000, 0.95).lower);
-    auto const texts = warnings_of(few, {"m/s2"}, 0.95);
-    EXPECT_TRUE(std::ranges::any_of(texts, [](auto const& text) {
-        return text.find("P <= 0.00435 at 2 m/s2, P >= 0.000734 at 4 m/s2 (6 of 3000") != std::string::npos;
-    })) << texts.back();
 
     auto const none = fit_of(table_of({{3, 10, 0}, {5, 400, 0}, {8, 4, 0}}));
     ASSERT_TRUE(none.pooled);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/outward.hpp"
+#include "output/detail/fit_names.hpp"
 
 namespace overturn::output {
 namespace {

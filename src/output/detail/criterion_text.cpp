@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "output/detail/criterion_words.hpp"
 #include "output/interval_text.hpp"
 
 namespace overturn::output {
@@ -56,22 +57,22 @@ std::string response_text(std::vector<ResponseBin> const& bins) {
     return text;
 }
 
-std::string verdict_text(CriterionVerdict const& verdict) {
+std::string verdict_text(CriterionWords const& words) {
     std::string text;
     auto const add = [&](char const* heading, std::vector<std::string> const& sentences) {
         for (auto const& sentence : sentences) {
             text += fmt::format("    {} {}\n", heading, sentence);
         }
     };
-    add("for:    ", verdict.supports);
-    add("against:", verdict.against);
-    add("open:   ", verdict.open);
+    add("for:    ", words.supports);
+    add("against:", words.against);
+    add("open:   ", words.open);
     return text.empty() ? text : "  is V_WES practical and conservative?\n" + text;
 }
 
 }  // namespace
 
-std::string criteria_text(std::span<BodyAnalysis const> bodies) {
+std::string criteria_text(std::span<BodyAnalysis const> bodies, double confidence) {
     std::string text;
     for (auto const& body : bodies) {
         text += fmt::format("\n{}\n", body.body);
@@ -79,7 +80,7 @@ std::string criteria_text(std::span<BodyAnalysis const> bodies) {
             text += criterion_text(criterion);
         }
         text += response_text(body.response);
-        text += verdict_text(body.verdict);
+        text += verdict_text(words_on(body, confidence));
     }
     return text;
 }

@@ -9,6 +9,6 @@
 namespace overturn::output {
 
 /// How often the criterion of each body was false, V_resp over V_WES, and what speaks for and against it.
-[[nodiscard]] std::string criteria_text(std::span<BodyAnalysis const> bodies);
+[[nodiscard]] std::string criteria_text(std::span<BodyAnalysis const> bodies, double confidence);
 
 }  // namespace overturn::output

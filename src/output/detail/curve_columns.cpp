@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "output/curve_tables.hpp"
+#include "output/detail/fit_names.hpp"
 
 namespace overturn::output {
 namespace {

@@ -7,6 +7,7 @@
 #include "campaign/campaign_spec.hpp"
 #include "results/measured_trials.hpp"
 #include "stats/fragility.hpp"
+#include "stats/intensity_unit.hpp"
 
 namespace overturn {
 

@@ -1,46 +1,17 @@
+#include "output/detail/fit_words.hpp"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 
 #include <fmt/format.h>
 
 #include "core/outward.hpp"
+#include "output/interval_text.hpp"
 #include "stats/curve_spread.hpp"
-#include "stats/fragility.hpp"
 
-namespace overturn {
+namespace overturn::output {
 namespace {
-
-constexpr std::array<char const*, fragility_flags> flag_names{"no-trials",
-                                                              "nothing-overturned",
-                                                              "all-overturned",
-                                                              "one-level",
-                                                              "separated",
-                                                              "not-rising",
-                                                              "not-converged",
-                                                              "one-overturned",
-                                                              "two-levels",
-                                                              "non-monotone",
-                                                              "poor-fit",
-                                                              "median-outside-data",
-                                                              "hclpf-outside-data",
-                                                              "undecided-trials",
-                                                              "few-waves",
-                                                              "interval-unbounded",
-                                                              "waves-left-out",
-                                                              "no-beta-u",
-                                                              "five-percent-doubtful"};
-
-// The same with the words of the limit state: "nothing-overturned", "nothing overturned".
-std::string in_words(std::string text, Passing passing) {
-    constexpr std::string_view overturned = "overturned";
-    auto const at = text.find(overturned);
-    if (passing == Passing::exceeded && at != std::string::npos) {
-        text.replace(at, overturned.size(), "exceeded");
-    }
-    return text;
-}
 
 // Behind a number of trials that share what was drawn.
 std::string alike_text(double alike) {
@@ -93,8 +64,7 @@ std::string separated_text(FragilityFit const& fit, IntensityUnit const& unit) {
                             unit.text(std::exp(fit.penalised->log_median())), fit.penalised->beta());
     }
     if (fit.bound) {
-        text += fmt::format("; P there in [{:.3g}, {:.3g}]", rounded_down(fit.bound->probability.lower),
-                            rounded_up(fit.bound->probability.upper));
+        text += "; P there in " + interval_text(fit.bound->probability);
     }
     return text;
 }
@@ -140,60 +110,6 @@ void add_state(std::vector<std::string>& texts, FragilityFit const& fit, Intensi
     }
 }
 
-}  // namespace
-
-std::string IntensityUnit::text(double intensity) const {
-    return symbol.empty() || symbol == "1" ? fmt::format("{:.4g}", of(intensity))
-                                           : fmt::format("{:.4g} {}", of(intensity), symbol);
-}
-
-std::string grid_text(std::int64_t waves) {
-    return fmt::format("a grid of {} {} is no sample: no curve", waves, waves == 1 ? "frequency" : "frequencies");
-}
-
-std::string counts_text(SeenBound const& seen) {
-    return fmt::format("{:g} of {:g}{}", seen.overturned, seen.units,
-                       seen.of_waves ? " independent waves" : alike_text(seen.alike));
-}
-
-std::string name_of(FragilityState state, Passing passing) {
-    switch (state) {
-        case FragilityState::fitted:
-            return "fitted";
-        case FragilityState::no_trials:
-            return "no-trials";
-        case FragilityState::none_overturned:
-            return in_words("nothing-overturned", passing);
-        case FragilityState::all_overturned:
-            return in_words("all-overturned", passing);
-        case FragilityState::one_level:
-            return "one-level";
-        case FragilityState::separated:
-            return "separated";
-        case FragilityState::not_rising:
-            return "not-rising";
-        case FragilityState::grid:
-            return "grid";
-        case FragilityState::undecided:
-            return "undecided";
-        case FragilityState::not_converged:
-            break;
-    }
-    return "not-converged";
-}
-
-std::vector<std::string> names_of(FragilityFlags flags, Passing passing) {
-    std::vector<std::string> names;
-    for (std::uint32_t f = 0; f < fragility_flags; ++f) {
-        if (has(flags, static_cast<FragilityFlag>(f))) {
-            names.push_back(in_words(flag_names.at(f), passing));
-        }
-    }
-    return names;
-}
-
-namespace {
-
 std::string poor_text(FragilityFit const& fit) {
     if (!fit.goodness) {
         return {};
@@ -215,14 +131,23 @@ std::string doubtful_text(FragilityFit const& fit, IntensityUnit const& unit, do
     }
     for (auto const* side : {&fit.beside_five_percent->below, &fit.beside_five_percent->above}) {
         if (side->units > 0) {
-            text += fmt::format("; {} at {}: P in [{:.3g}, {:.3g}]", counts_text(*side), unit.text(side->from),
-                                rounded_down(side->probability.lower), rounded_up(side->probability.upper));
+            text += fmt::format("; {} at {}: P in {}", counts_text(*side), unit.text(side->from),
+                                interval_text(side->probability));
         }
     }
     return text + fmt::format(" ({:g} %)", 100 * confidence);
 }
 
 }  // namespace
+
+std::string grid_text(std::int64_t waves) {
+    return fmt::format("a grid of {} {} is no sample: no curve", waves, waves == 1 ? "frequency" : "frequencies");
+}
+
+std::string counts_text(SeenBound const& seen) {
+    return fmt::format("{:g} of {:g}{}", seen.overturned, seen.units,
+                       seen.of_waves ? " independent waves" : alike_text(seen.alike));
+}
 
 std::vector<std::string> warnings_of(FragilityFit const& fit, IntensityUnit const& unit, double confidence) {
     std::vector<std::string> texts;
@@ -279,4 +204,4 @@ std::vector<std::string> warnings_of(FragilityFit const& fit, IntensityUnit cons
     return texts;
 }
 
-}  // namespace overturn
+}  // namespace overturn::output

@@ -1,0 +1,77 @@
+#include "output/detail/fit_names.hpp"
+
+#include <array>
+#include <string_view>
+
+namespace overturn::output {
+namespace {
+
+constexpr std::array<char const*, fragility_flags> flag_names{"no-trials",
+                                                              "nothing-overturned",
+                                                              "all-overturned",
+                                                              "one-level",
+                                                              "separated",
+                                                              "not-rising",
+                                                              "not-converged",
+                                                              "one-overturned",
+                                                              "two-levels",
+                                                              "non-monotone",
+                                                              "poor-fit",
+                                                              "median-outside-data",
+                                                              "hclpf-outside-data",
+                                                              "undecided-trials",
+                                                              "few-waves",
+                                                              "interval-unbounded",
+                                                              "waves-left-out",
+                                                              "no-beta-u",
+                                                              "five-percent-doubtful"};
+
+// The same with the words of the limit state: "nothing-overturned", "nothing overturned".
+std::string in_words(std::string text, Passing passing) {
+    constexpr std::string_view overturned = "overturned";
+    auto const at = text.find(overturned);
+    if (passing == Passing::exceeded && at != std::string::npos) {
+        text.replace(at, overturned.size(), "exceeded");
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string name_of(FragilityState state, Passing passing) {
+    switch (state) {
+        case FragilityState::fitted:
+            return "fitted";
+        case FragilityState::no_trials:
+            return "no-trials";
+        case FragilityState::none_overturned:
+            return in_words("nothing-overturned", passing);
+        case FragilityState::all_overturned:
+            return in_words("all-overturned", passing);
+        case FragilityState::one_level:
+            return "one-level";
+        case FragilityState::separated:
+            return "separated";
+        case FragilityState::not_rising:
+            return "not-rising";
+        case FragilityState::grid:
+            return "grid";
+        case FragilityState::undecided:
+            return "undecided";
+        case FragilityState::not_converged:
+            break;
+    }
+    return "not-converged";
+}
+
+std::vector<std::string> names_of(FragilityFlags flags, Passing passing) {
+    std::vector<std::string> names;
+    for (std::uint32_t f = 0; f < fragility_flags; ++f) {
+        if (has(flags, static_cast<FragilityFlag>(f))) {
+            names.push_back(in_words(flag_names.at(f), passing));
+        }
+    }
+    return names;
+}
+
+}  // namespace overturn::output

@@ -1,0 +1,16 @@
+/// What states and flags of a fit are called, in results files, JSON and texts.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "stats/fragility.hpp"
+
+namespace overturn::output {
+
+/// "fitted", "nothing-overturned" ("nothing-exceeded"), ...
+[[nodiscard]] std::string name_of(FragilityState state, Passing passing = Passing::overturned);
+/// Names of the flags that are set.
+[[nodiscard]] std::vector<std::string> names_of(FragilityFlags flags, Passing passing = Passing::overturned);
+
+}  // namespace overturn::output

@@ -1,0 +1,21 @@
+/// What a reader must know of a fragility curve, in sentences.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "stats/fragility.hpp"
+#include "stats/intensity_unit.hpp"
+
+namespace overturn::output {
+
+/// "a grid of 15 frequencies is no sample: no curve"
+[[nodiscard]] std::string grid_text(std::int64_t waves);
+/// "3 of 200"; "3 of 200, counting 10 as one"
+[[nodiscard]] std::string counts_text(SeenBound const& seen);
+/// One sentence for everything a reader must know.
+[[nodiscard]] std::vector<std::string> warnings_of(FragilityFit const& fit, IntensityUnit const& unit,
+                                                   double confidence);
+
+}  // namespace overturn::output

@@ -1,0 +1,31 @@
+#include "output/unknown_names.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "response/registry.hpp"
+#include "results/stored_names.hpp"
+
+namespace overturn::output {
+
+std::vector<std::string> unknown_names_text(store::ResultsReader const& file) {
+    std::vector<std::string> verdicts;
+    for (auto const& [value, name] : unknown_verdicts(file)) {
+        verdicts.push_back(fmt::format("verdict '{}' is not known to this program: its trials count as {}", name,
+                                       entry_of(static_cast<Verdict>(value)).name));
+    }
+    std::vector<std::string> models;
+    for (auto const& [name, trials] : unknown_models(file)) {
+        models.push_back(fmt::format("model '{}' is not known to this program: its {} trial{} count under no model",
+                                     name, trials, trials == 1 ? "" : "s"));
+    }
+    std::vector<std::string> lines;
+    for (auto const& told : {verdicts, models}) {
+        if (!told.empty()) {
+            lines.push_back(fmt::format("{}", fmt::join(told, "; ")));
+        }
+    }
+    return lines;
+}
+
+}  // namespace overturn::output
