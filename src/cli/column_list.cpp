@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "store/format_versions.hpp"
+
 namespace overturn::cli {
 namespace {
 
@@ -78,15 +80,19 @@ std::string columns_markdown(std::vector<ListedGroup> const& groups) {
     std::string text =
         "# Columns of a results file\n\nOf a campaign that has all of it; `overturn list columns FILE.h5` tells those "
         "of "
-        "any file. No unit: a number without one.\n\n";
+        "any file. No unit: a number without one. Since: the format whose files first held it; none: format 3 already, "
+        "the "
+        "oldest that is read.\n\n";
     for (auto const& group : groups) {
-        text += fmt::format("## /{}\n\n| column | unit | meaning |\n|---|---|---|\n", group.name);
+        text += fmt::format("## /{}\n\n| column | unit | since | meaning |\n|---|---|---|---|\n", group.name);
         for (auto const& column : group.columns) {
             std::string meaning = column.description;
             for (std::size_t bar = 0; (bar = meaning.find('|', bar)) != std::string::npos; bar += 2) {
                 meaning.insert(bar, "\\");
             }
-            text += fmt::format("| `{}` | {} | {} |\n", column.path, column.units == "1" ? "" : column.units, meaning);
+            auto const since = store::first_format_of(group.name, column.path);
+            text += fmt::format("| `{}` | {} | {} | {} |\n", column.path, column.units == "1" ? "" : column.units,
+                                since == store::oldest_format_read ? "" : std::to_string(since), meaning);
         }
         text += "\n";
     }

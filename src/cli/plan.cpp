@@ -113,7 +113,8 @@ double print_probe(CampaignSpec& spec, Plan const& plan, bool full) {
     print_entry("per wave", fmt::format("{:.1f} ms: generation {:.1f}, intensity measures {:.1f}, {} trials {:.1f}",
                                         1e3 * cost.wave_s(), 1e3 * cost.generation_s, 1e3 * cost.measures_s,
                                         plan.trials_per_wave(), 1e3 * cost.trials_s));
-    if (auto const text = output::waves_text(cost.waves, spec.source->about().acceptance, spec.confidence); !text.empty()) {
+    if (auto const text = output::waves_text(cost.waves, spec.source->about().acceptance, spec.confidence);
+        !text.empty()) {
         print_entry("accepted", text);
     }
     if (full) {
