@@ -203,10 +203,6 @@ Json begun(ReportOptions const& options, CampaignSpec const& spec) {
     Json data;
     data["file"] = hexadecimal(fs::absolute(options.file).string());
     data["figures"] = options.figures.empty() ? "" : hexadecimal(fs::absolute(options.figures).string());
-    data["bodies"] = Json::array();
-    for (auto const& body : spec.bodies) {
-        data["bodies"].push_back(body.name);
-    }
     data["parts"] = outlines_of(spec);
     data["placements"] = placements_of(spec);
     data["velocity_unit"] = options.unit.json();

@@ -35,7 +35,7 @@ class Shifted:
 
 def outline(axes, x, body, parts):
     """What a body is assembled from; without parts a block about its centre of gravity, dashed. Its top."""
-    b, h = body.numbers["half_width"], body.numbers["centre_height"]
+    b, h = body.numbers["half_width_m"], body.numbers["centre_height_m"]
     if not parts:
         axes.add_patch(Rectangle((x - b, 0), 2 * b, 2 * h, facecolor="#eef2f5", edgecolor=GREY, lw=0.8, ls=(0, (4, 3))))
         return 2 * h
@@ -48,14 +48,14 @@ def outline(axes, x, body, parts):
 
 
 def top_of(body, parts):
-    return max((bottom + height for _, height, bottom in parts), default=2 * body.numbers["centre_height"])
+    return max((bottom + height for _, height, bottom in parts), default=2 * body.numbers["centre_height_m"])
 
 
 def draw(bodies, parts, path):
     """Each body to one scale: base, outline, centre of gravity, critical angle."""
     style.use()
     all_parts = [parts.get(body.name, []) for body in bodies]
-    widest = max(max([2 * body.numbers["half_width"], *(width for width, _, _ in own)]) for body, own in zip(bodies, all_parts))
+    widest = max(max([2 * body.numbers["half_width_m"], *(width for width, _, _ in own)]) for body, own in zip(bodies, all_parts))
     tallest = max(top_of(body, own) for body, own in zip(bodies, all_parts))
     columns = min(len(bodies), MOST_IN_A_ROW)
     rows = -(-len(bodies) // columns)
@@ -65,7 +65,7 @@ def draw(bodies, parts, path):
     figure, axes = plt.subplots(figsize=(width, width * up / across))
     figure.subplots_adjust(left=0, right=1, bottom=0, top=1)
     for k, (body, own) in enumerate(zip(bodies, all_parts)):
-        b, h, alpha = (body.numbers[key] for key in ("half_width", "centre_height", "alpha"))
+        b, h, alpha = (body.numbers[key] for key in ("half_width_m", "centre_height_m", "alpha_rad"))
         x, y = (k % columns) * pitch, -(k // columns) * step
         shifted = Shifted(axes, y)
         top = outline(shifted, x, body, own)

@@ -1,6 +1,6 @@
 """The report of a campaign: one page that needs no network, and the same figures and tables as files.
 
-Data: file, figures, bodies, fit, facts, waves, wave_notes, cost. Without a folder of their own the figures pass through
+Data: file, figures, fit, facts, waves, wave_notes, cost. Without a folder of their own the figures pass through
 the page's."""
 
 import csv
@@ -28,9 +28,9 @@ def path_of(hexadecimal):
 class Report:
     def __init__(self, data, scratch):
         self.data, self.fit, self.confidence = data, data["fit"], data["confidence"]
-        self.results = CampaignResults(path_of(data["file"]), data["bodies"])
         self.stripes = {limit["name"]: [s for s in self.fit["stripes"] if s["limit"] == limit["name"]]
                         for limit in self.fit["limit_states"]}
+        self.results = CampaignResults(path_of(data["file"]), self.fit["bodies"], self.stripes[OVERTURNING])
         self.said = {limit["name"]: limit["said"] for limit in self.fit["limit_states"]}  # as lines call them
         self.ends = [end for end in self.results.ends if end in self.fit["stripes"][0]]  # of those that the program knows
         parts = {part: rows_by(self.fit[part], "body", "limit", "measure")
@@ -108,10 +108,10 @@ class Report:
     def bodies(self):
         rows = []
         for body in self.results.bodies:
-            n = {**body.numbers, "v_ereq": style.speed(body.numbers["v_ereq"])}
+            n = {**body.numbers, "v_ereq": style.speed(body.numbers["v_ereq_mps"])}
             rows.append([body.name] + [value_of(n[key]) for key in
-                        ("mass", "half_width", "centre_height", "radius", "p", "restitution", "housner_restitution",
-                         "t0", "t1", "v_ereq")] + [value_of(n["alpha"] * 57.29577951308232)])
+                        ("mass_kg", "half_width_m", "centre_height_m", "radius_m", "p_radps", "restitution", "housner_restitution",
+                         "t0_s", "t1_s", "v_ereq")] + [value_of(n["alpha_rad"] * 57.29577951308232)])
         head = ["body", "m [kg]", "b [m]", "h [m]", "R [m]", "p [rad/s]", "e", "e Housner", "T0 [s]", "T1 [s]",
                 f"V_Ereq [{style.speed_unit()}]", "α [°]"]
         drawn = [self.figure("bodies" + part, lambda path, shown=shown: body_figure.draw(shown, self.data["parts"], path),
@@ -189,7 +189,7 @@ class Report:
             if waves.get("failing"):
                 parts.append(self.figure(
                     f"failing-{body.name}", lambda path, body=body, waves=waves: rare_figures.failing(
-                        body.name, waves["failing"], body.numbers["alpha"], path), f"a wave that overturns {body.name}"))
+                        body.name, waves["failing"], body.numbers["alpha_rad"], path), f"a wave that overturns {body.name}"))
         rare = self.fit["rare"]
         rows = [[e["body"], self.said[e["limit"]], value_of(e["amplitude"]), value_of(e["probability"], 3) if e["probability"] is not None
                  else f"below {high_of(e['upper'], 3)}",

@@ -201,7 +201,7 @@ def criterion(results, body, path):
     moved = body.ended("moved") & body.ended("decided")
     limit = body.trials("v_ereq")
     absolute = style.speed_unit() != "m/s"  # as the paper draws it; else in units of V_Ereq
-    unit = style.speed(body.numbers["v_ereq"]) if absolute else 1
+    unit = style.speed(body.numbers["v_ereq_mps"]) if absolute else 1
     ratio, response = body.trials("v_wes") / limit, body.trials("v_resp") / limit
     slipped = body.trials("peak_slip") > 0
     fell = body.ended("fell")

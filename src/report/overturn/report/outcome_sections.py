@@ -32,7 +32,7 @@ class Specimen:
         energy = at_level([body.trials("peak_energy_ratio") for body in self.bodies])[self.waves]
         self.rotation = at_level([body.trials("peak_rotation_ratio") for body in self.bodies])[self.waves]
         self.tests = {"fell": fell[self.waves], "energy": energy, "pga": results.waves["pga"][self.waves],
-                      "pgv": results.waves["pgv"][self.waves], "limit": np.array([body.numbers["v_ereq"] for body in self.bodies]),
+                      "pgv": results.waves["pgv"][self.waves], "limit": np.array([body.numbers["v_ereq_mps"] for body in self.bodies]),
                       "measured": {key: np.array([body.measures[key] for body in self.bodies]).T[self.waves]
                                    for key in ("v_wes", "ou_v_e", "v_wes_other_unit", "ou_v_e_other_unit")
                                    if key in self.bodies[0].measures}}

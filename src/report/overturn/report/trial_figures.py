@@ -161,7 +161,7 @@ def axes_compared(results, path):
     for axes, (count, bodies_of_it) in zip(np.atleast_1d(panels), sorted(shaken.items())):
         for n, body in enumerate(bodies_of_it):
             known = np.isfinite(body.trials("v_resp"))
-            limit = body.numbers["v_ereq"]
+            limit = body.numbers["v_ereq_mps"]
             fell = body.ended("fell")[known]
             x, y = body.trials("v_wes")[known] / limit, body.trials("v_resp")[known] / limit
             colour = style.SERIES[n % len(style.SERIES)]
