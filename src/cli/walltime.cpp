@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/digit.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 
@@ -52,7 +53,7 @@ double slurm_time(std::string const& text) {
 // "1h": a blank before the first letter.
 std::string with_blank(std::string text) {
     auto const letter = std::find_if(text.begin(), text.end(), [](char c) { return c >= 'a' && c <= 'z'; });
-    if (letter != text.begin() && letter != text.end() && *(letter - 1) >= '0' && *(letter - 1) <= '9') {
+    if (letter != text.begin() && letter != text.end() && is_digit(*(letter - 1))) {
         text.insert(letter, ' ');
     }
     return text;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/digit.hpp"
 #include "core/units.hpp"
 #include "motion/component_name.hpp"
 #include "motion/detail/record_readers.hpp"
@@ -31,7 +32,7 @@ std::vector<std::string_view> words_of(std::string_view line) {
 /// "1993/01/15", "20:06:08": figures where `shape` has noughts, its own marks elsewhere.
 bool is_shaped(std::string_view text, std::string_view shape) {
     return std::ranges::equal(text, shape, [](char letter, char wanted) {
-        bool const figure = letter >= '0' && letter <= '9';
+        bool const figure = is_digit(letter);
         return wanted == '0' ? figure : letter == wanted;
     });
 }

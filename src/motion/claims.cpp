@@ -6,6 +6,7 @@
 
 #include <fmt/ranges.h>
 
+#include "core/digit.hpp"
 #include "core/units.hpp"
 #include "motion/column_unit.hpp"
 #include "motion/detail/claim_words.hpp"
@@ -49,12 +50,12 @@ std::string without(std::string text, Text part) {
 /// Between commas and semicolons that no figures surround.
 std::vector<Text> parts_of(Text line) {
     constexpr Text marks = ",;";
-    auto const is_digit = [&](std::size_t at) { return at < line.size() && line[at] >= '0' && line[at] <= '9'; };
+    auto const digit_at = [&](std::size_t at) { return at < line.size() && is_digit(line[at]); };
     std::vector<Text> found;
     std::size_t begin = 0;
     for (std::size_t i = 0; i <= line.size(); ++i) {
         bool const mark = i == line.size() || marks.find(line[i]) != Text::npos;
-        if (mark && !(i > 0 && is_digit(i - 1) && is_digit(i + 1))) {
+        if (mark && !(i > 0 && digit_at(i - 1) && digit_at(i + 1))) {
             found.push_back(line.substr(begin, i - begin));
             begin = i + 1;
         }

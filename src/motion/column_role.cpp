@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/digit.hpp"
 #include "motion/column_unit.hpp"
 #include "motion/detail/claimed_unit.hpp"
 #include "motion/detail/quantity_words.hpp"
@@ -46,8 +47,6 @@ Parts parts_of(Text name) {
     }
     return made;
 }
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 struct Unit {
     Quantity quantity = Quantity::unknown;

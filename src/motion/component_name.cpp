@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/digit.hpp"
 #include "core/units.hpp"
 #include "motion/detail/component_words.hpp"
 #include "motion/text_lines.hpp"
@@ -44,8 +45,6 @@ std::string plainly(Text name) {
     std::erase_if(plain, [](char c) { return Text(" \t_-./\"',").find(c) != Text::npos; });
     return plain;
 }
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// An azimuth, "090", "360 deg", or a bearing, "n10e"; its digits. Nothing if it is neither.
 std::string azimuth_in(Text name) {

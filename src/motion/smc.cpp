@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/digit.hpp"
 #include "core/units.hpp"
 #include "motion/detail/record_readers.hpp"
 #include "motion/text_lines.hpp"
@@ -79,7 +80,7 @@ std::string component_of(Header const& header) {
 /// "2 CORRECTED ACCELEROGRAM"; where processing is not stated, the layout tells.
 bool is_title(std::string_view line) {
     auto const lower = lowered(trimmed(line));
-    bool const numbered = lower.size() > 2 && lower[0] >= '0' && lower[0] <= '9' && lower[1] == ' ';
+    bool const numbered = lower.size() > 2 && is_digit(lower[0]) && lower[1] == ' ';
     return numbered && (lower.substr(2).starts_with("corrected acc") || lower.substr(2).starts_with("uncorrected acc"));
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/digit.hpp"
 #include "core/units.hpp"
 #include "motion/column_unit.hpp"
 #include "motion/component_name.hpp"
@@ -34,8 +35,8 @@ bool is_factor_at_once(Text lower) {
         }
     }
     auto const at = lower.find('*');
-    return at != Text::npos && at > 0 && at + 1 < lower.size() && lower[at - 1] >= '0' && lower[at - 1] <= '9'
-           && lower[at + 1] >= 'a' && lower[at + 1] <= 'z';
+    return at != Text::npos && at > 0 && at + 1 < lower.size() && is_digit(lower[at - 1]) && lower[at + 1] >= 'a'
+           && lower[at + 1] <= 'z';
 }
 
 /// "x 100", "* 9.81", "\xC3\x97 2": a sign of multiplication before a figure, and none of a size before it.
@@ -46,8 +47,8 @@ bool is_multiplied(Text lower) {
             auto const before = trimmed(lower.substr(0, at));
             bool const power =
                 sign == "*" && (lower.substr(at + 1).starts_with('*') || lower.substr(0, at).ends_with('*'));
-            bool const size = sign == " x " && !before.empty() && before.back() >= '0' && before.back() <= '9';
-            if (!power && !size && !behind.empty() && behind.front() >= '0' && behind.front() <= '9') {
+            bool const size = sign == " x " && !before.empty() && is_digit(before.back());
+            if (!power && !size && !behind.empty() && is_digit(behind.front())) {
                 return true;
             }
         }
@@ -59,7 +60,7 @@ bool is_multiplied(Text lower) {
 bool is_percent(Text lower) {
     for (auto at = lower.find('%'); at != Text::npos; at = lower.find('%', at + 1)) {
         auto const before = trimmed(lower.substr(0, at));
-        if (!before.empty() && before.back() >= '0' && before.back() <= '9') {
+        if (!before.empty() && is_digit(before.back())) {
             return true;
         }
     }
@@ -235,7 +236,7 @@ bool holds_open_figure(Text lower) {
         bool const figures = word.find_first_not_of("0123456789") == Text::npos;
         bool const year =
             figures && word.size() == digits_of_a_year && (word.starts_with("19") || word.starts_with("20"));
-        bool const name = !(word.front() >= '0' && word.front() <= '9') && Text("+-.").find(word.front()) == Text::npos;
+        bool const name = !is_digit(word.front()) && Text("+-.").find(word.front()) == Text::npos;
         bool const date =
             std::ranges::count(word, '-') + std::ranges::count(word, '/') >= 2 || word.find(':') < word.size();
         bool const size = i > 0 && std::ranges::find(sizes, words[i - 1]) != sizes.end();
@@ -252,7 +253,7 @@ bool holds_open_figure(Text lower) {
 bool tells_rate(Text lower) {
     return std::ranges::any_of(words_of(lower), [](Text word) {
         bool const alone = word == "hz";
-        return alone || (word.ends_with("hz") && word.front() >= '0' && word.front() <= '9');
+        return alone || (word.ends_with("hz") && is_digit(word.front()));
     });
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/digit.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "motion/detail/text_encoding.hpp"
@@ -48,7 +49,7 @@ void note_digits(Text text, TextTable::Digits& digits) {
     bool leading = true;
     for (char const c : mantissa) {
         leading = leading && !(c >= '1' && c <= '9');
-        figures += !leading && c >= '0' && c <= '9' ? 1 : 0;
+        figures += !leading && is_digit(c) ? 1 : 0;
     }
     exponent = std::clamp(exponent, -beyond_doubles, beyond_doubles);
     digits.decimals = std::max(digits.decimals, decimals - static_cast<int>(exponent));

@@ -4,33 +4,23 @@
 
 #include <fmt/format.h>
 
+#include "core/escaped_html.hpp"
+
 namespace overturn::output {
-namespace {
-
-std::string escaped(std::string const& text) {
-    std::string safe;
-    for (char const c : text) {
-        safe += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-    }
-    return safe;
-}
-
-}  // namespace
-
 std::string html_of(RecordPage const& page) {
     std::string facts;
     for (auto const& [name, value] : page.facts) {
-        fmt::format_to(std::back_inserter(facts), "<dt>{}</dt><dd>{}</dd>\n", escaped(name), escaped(value));
+        fmt::format_to(std::back_inserter(facts), "<dt>{}</dt><dd>{}</dd>\n", escaped_html(name), escaped_html(value));
     }
     std::string head;
     for (auto const& cell : page.head) {
-        head += fmt::format("<th>{}</th>", escaped(cell));
+        head += fmt::format("<th>{}</th>", escaped_html(cell));
     }
     std::string rows;
     for (auto const& row : page.rows) {
         rows += row.passed ? "<tr class=\"pass\">" : "<tr class=\"fail\">";
         for (auto const& cell : row.cells) {
-            rows += fmt::format("<td>{}</td>", escaped(cell));
+            rows += fmt::format("<td>{}</td>", escaped_html(cell));
         }
         rows += "</tr>\n";
     }
@@ -53,7 +43,7 @@ dt {{ color: #595959; }} dd {{ margin: 0 0 .4rem; }}
 {}</tbody></table></div>
 </body></html>
 )",
-                       escaped(page.title), escaped(page.title), facts, head, rows);
+                       escaped_html(page.title), escaped_html(page.title), facts, head, rows);
 }
 
 }  // namespace overturn::output

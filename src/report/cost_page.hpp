@@ -14,7 +14,4 @@ void check_page_name(std::filesystem::path const& output);
 /// The page of a study, given as `overturn cost --json` prints it. \throws as draw_figure
 [[nodiscard]] std::string cost_page(nlohmann::ordered_json const& tables);
 
-/// The text with the characters that mean something to HTML replaced.
-[[nodiscard]] std::string escaped(std::string const& text);
-
 }  // namespace overturn::report

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/escaped_html.hpp"
 #include "report/cost_page.hpp"
 #include "report/detail/study_page.hpp"
 
@@ -20,7 +21,7 @@ using SensitivityJson = nlohmann::ordered_json;
 std::string keys_of(SensitivityJson const& row) {
     std::string keys;
     for (auto const& key : row.at("keys")) {
-        keys += (keys.empty() ? "" : ", ") + escaped(key.get<std::string>());
+        keys += (keys.empty() ? "" : ", ") + escaped_html(key.get<std::string>());
     }
     return keys;
 }

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"
+#include "core/escaped_html.hpp"
 #include "report/cost_page.hpp"
 #include "report/figure.hpp"
 
@@ -64,7 +65,7 @@ std::string study_figure(char const* script, StudyJson const& data) {
 
 std::string text_at(StudyJson const& row, char const* key) {
     auto const& text = row.at(key);
-    return text.is_null() ? std::string() : escaped(text.get<std::string>());
+    return text.is_null() ? std::string() : escaped_html(text.get<std::string>());
 }
 
 std::int64_t count_at(StudyJson const& row, char const* key) { return row.at(key).get<std::int64_t>(); }
@@ -84,29 +85,6 @@ std::string last_table(std::vector<std::string> const& headings, std::string con
         "<div "
         "class=\"scroll\"><table><thead><tr><th>{}</th></tr></thead><tbody>\n{}</tbody></table>{}</div></section>\n",
         fmt::join(headings, "</th><th>"), rows, note.empty() ? "" : "<p class=\"quiet\">" + note + "</p>");
-}
-
-std::string escaped(std::string const& text) {
-    std::string safe;
-    for (char const c : text) {
-        switch (c) {
-            case '&':
-                safe += "&amp;";
-                break;
-            case '<':
-                safe += "&lt;";
-                break;
-            case '>':
-                safe += "&gt;";
-                break;
-            case '"':
-                safe += "&quot;";
-                break;
-            default:
-                safe += c;
-        }
-    }
-    return safe;
 }
 
 }  // namespace overturn::report

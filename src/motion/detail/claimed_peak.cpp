@@ -3,6 +3,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/digit.hpp"
 #include "motion/column_unit.hpp"
 #include "motion/component_name.hpp"
 #include "motion/detail/claim_words.hpp"
@@ -180,8 +181,7 @@ std::optional<ClaimedPeak> peak_in(std::string_view line, Dimension dimension) {
 
 bool states_value(std::string_view line, Dimension dimension) {
     for (std::size_t at = 0; at < line.size();) {
-        bool const begins =
-            line[at] >= '0' && line[at] <= '9' && (at == 0 || Text(" \t(=:~").find(line[at - 1]) != Text::npos);
+        bool const begins = is_digit(line[at]) && (at == 0 || Text(" \t(=:~").find(line[at - 1]) != Text::npos);
         auto rest = line.substr(at);
         auto const value = begins ? cut_number(rest) : std::nullopt;
         if (value && unit_spelled(unit_behind(rest), dimension)) {

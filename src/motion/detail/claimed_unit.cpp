@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "core/digit.hpp"
 #include "core/units.hpp"
 #include "motion/column_unit.hpp"
 #include "motion/component_name.hpp"
@@ -138,7 +139,7 @@ ClaimedUnit claimed_unit(std::string_view lower, Dimension dimension) {
         auto const word = lower.substr(last + 1);
         auto const before = trimmed(lower.substr(0, last));
         bool const share = before.ends_with(" of");  // "tenths of g"
-        bool const factor = share || (!before.empty() && before.back() >= '0' && before.back() <= '9');
+        bool const factor = share || (!before.empty() && is_digit(before.back()));
         take(!factor && word.find_first_of("()[]") == Text::npos && (is_compound(word) || word == "g" || word == "gn")
                  ? word
                  : Text{},

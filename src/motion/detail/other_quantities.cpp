@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/digit.hpp"
 #include "core/units.hpp"
 
 namespace overturn {
@@ -93,7 +94,6 @@ constexpr auto others = std::to_array<Text>(
      "model",     "structure",      "profile",       "correct",       "remov"});
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 template <class Words> bool holds_any(Text line, Words const& words) {
     return std::ranges::any_of(words, [&](Text word) { return line.find(word) != Text::npos; });

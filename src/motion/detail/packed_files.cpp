@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/digit.hpp"
+
 namespace overturn {
 namespace {
 
@@ -48,7 +50,6 @@ bool is_sac(Text content) {
 // Six digits, a quality letter and a blank, and bytes that no text has.
 bool is_miniseed(std::string_view content) {
     constexpr std::size_t digits = 6;
-    auto const is_digit = [](char c) { return c >= '0' && c <= '9'; };
     return content.size() > digits + 2 && std::all_of(content.begin(), content.begin() + digits, is_digit)
            && Text("DRQM").find(content[digits]) != Text::npos
            && (content[digits + 1] == ' ' || content[digits + 1] == 0) && content.find('\0') != Text::npos;

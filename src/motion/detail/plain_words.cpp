@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/digit.hpp"
 #include "motion/column_unit.hpp"
 #include "motion/component_name.hpp"
 #include "motion/detail/claim_words.hpp"
@@ -124,12 +125,12 @@ std::vector<Text> plain_words_of(Text clause) {
 /// Parted at semicolons, at commas that no figure surrounds, and behind a sentence.
 std::vector<Text> clauses_of(Text line) {
     std::vector<Text> found;
-    auto const is_digit = [&](std::size_t at) { return at < line.size() && line[at] >= '0' && line[at] <= '9'; };
+    auto const digit_at = [&](std::size_t at) { return at < line.size() && is_digit(line[at]); };
     std::size_t begin = 0;
     for (std::size_t i = 0; i <= line.size(); ++i) {
         bool const mark = i == line.size() || line[i] == ';' || line[i] == ','
                           || (line[i] == '.' && i + 1 < line.size() && line[i + 1] == ' ' && i > begin + 4);
-        if (mark && !(i > 0 && is_digit(i - 1) && is_digit(i + 1))) {
+        if (mark && !(i > 0 && digit_at(i - 1) && digit_at(i + 1))) {
             found.push_back(line.substr(begin, i - begin));
             begin = i + 1;
         }
@@ -202,13 +203,13 @@ bool is_known_word(Text word, Text clause) {
     };
     auto const parts = parted_at(word, "-_");
     return known(word) || is_number_format(word) || (parts.size() > 1 && std::ranges::all_of(parts, known))
-           || (!(word.front() >= '0' && word.front() <= '9') && component_named(word).direction != Direction::unknown);
+           || (!is_digit(word.front()) && component_named(word).direction != Direction::unknown);
 }
 
 /// "9.81 m/s2": says nothing of other numbers.
 bool is_quantity_at(Text word, Text clause) {
     auto const before = trimmed(clause.substr(0, static_cast<std::size_t>(word.data() - clause.data())));
-    return !before.empty() && before.back() >= '0' && before.back() <= '9';
+    return !before.empty() && is_digit(before.back());
 }
 
 struct PlainClause {

@@ -2,6 +2,7 @@
 #include <array>
 #include <iterator>
 
+#include "core/digit.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "motion/detail/quantity_words.hpp"
@@ -73,7 +74,7 @@ bool parts_otherwise(Text line, TextTable const& table) {
 
 bool may_be_names(std::vector<std::string> const& names) {
     return std::ranges::none_of(names, [](std::string const& name) {
-        bool const digit = !name.empty() && name.front() >= '0' && name.front() <= '9';
+        bool const digit = !name.empty() && is_digit(name.front());
         return name.find('=') != std::string::npos || (digit && component_in(name).direction == Direction::unknown);
     });
 }

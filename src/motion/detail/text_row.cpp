@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "core/digit.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "motion/column_role.hpp"
@@ -26,7 +27,7 @@ std::optional<double> seconds_of_date(Text text) {
         return std::nullopt;
     }
     for (std::size_t i = 0; i < shape.size(); ++i) {
-        bool const digit = text[i] >= '0' && text[i] <= '9';
+        bool const digit = is_digit(text[i]);
         if (shape[i] == '0' ? !digit : text[i] != shape[i]) {
             return std::nullopt;
         }
@@ -114,12 +115,12 @@ bool has_decimal_commas(Text line) {
     if (!comma || line.find('.') != Text::npos) {
         return false;
     }
-    auto const is_digit = [&](std::size_t at) { return at < line.size() && line[at] >= '0' && line[at] <= '9'; };
+    auto const digit_at = [&](std::size_t at) { return at < line.size() && is_digit(line[at]); };
     bool between_digits = true;
     bool before_nought = false;
     for (auto at = line.find(','); at != Text::npos; at = line.find(',', at + 1)) {
-        between_digits = between_digits && at > 0 && is_digit(at - 1) && is_digit(at + 1);
-        before_nought = before_nought || (is_digit(at + 1) && line[at + 1] == '0' && is_digit(at + 2));
+        between_digits = between_digits && at > 0 && digit_at(at - 1) && digit_at(at + 1);
+        before_nought = before_nought || (digit_at(at + 1) && line[at + 1] == '0' && digit_at(at + 2));
     }
     return between_digits && (before_nought || line.find_first_of(" \t") != Text::npos);
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/digit.hpp"
 #include "core/units.hpp"
 #include "motion/column_unit.hpp"
 #include "motion/operators_in_name.hpp"
@@ -15,8 +16,6 @@ namespace overturn {
 namespace {
 
 using Text = std::string_view;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 bool is_time_word(Text word) {
     constexpr auto words =

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/digit.hpp"
 #include "motion/column_unit.hpp"
 #include "motion/detail/claim_words.hpp"
 #include "motion/text_lines.hpp"
@@ -36,8 +37,8 @@ bool is_marked(Text line, std::size_t at, std::size_t length) {
 /// "9.81 m/s2", "300 gal": a quantity, which says nothing of the file's numbers.
 bool is_quantity(Text line, std::size_t at) {
     auto const end = line.find_last_not_of(" \t", at == 0 ? 0 : at - 1);
-    auto const is_digit = [&](std::size_t i) { return line[i] >= '0' && line[i] <= '9'; };
-    return at > 0 && end != Text::npos && (is_digit(end) || (line[end] == '.' && end > 0 && is_digit(end - 1)));
+    auto const digit_at = [&](std::size_t i) { return is_digit(line[i]); };
+    return at > 0 && end != Text::npos && (digit_at(end) || (line[end] == '.' && end > 0 && digit_at(end - 1)));
 }
 
 /// "in g / 1000", "m/s2 (x 0.01)", "100 x m/s2", "tenths of g": no unit of the numbers.
@@ -48,7 +49,7 @@ bool has_factor(Text line, std::size_t at, std::size_t end) {
     auto behind = line.substr(std::min(line.find_first_not_of(" \t([", end), line.size()));
     if (is_sign(behind)) {
         behind = trimmed(behind.substr(behind.starts_with('\xC3') ? 2 : 1));
-        if (!behind.empty() && behind.front() >= '0' && behind.front() <= '9') {
+        if (!behind.empty() && is_digit(behind.front())) {
             return true;
         }
     }
@@ -56,7 +57,7 @@ bool has_factor(Text line, std::size_t at, std::size_t end) {
     before = before.ends_with('(') ? trimmed(before.substr(0, before.size() - 1)) : before;
     if (before.ends_with(" x") || before.ends_with('*') || before.ends_with("\xC3\x97")) {
         before = trimmed(before.substr(0, before.size() - (before.ends_with('\x97') ? 2 : 1)));
-        return !before.empty() && before.back() >= '0' && before.back() <= '9';
+        return !before.empty() && is_digit(before.back());
     }
     before = trimmed(before.substr(0, before.size() - (before.ends_with(" of") ? 2 : 0)));
     constexpr auto shares = std::to_array<Text>(

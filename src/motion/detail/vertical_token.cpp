@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "core/digit.hpp"
 #include "motion/component_name.hpp"
 
 namespace overturn {
@@ -16,7 +17,7 @@ std::vector<Text> tokens_of_line(Text lower) {
     std::size_t begin = 0;
     for (std::size_t i = 0; i <= lower.size(); ++i) {
         auto const c = i < lower.size() ? static_cast<unsigned char>(lower[i]) : static_cast<unsigned char>(' ');
-        bool const within = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c >= 0x80;
+        bool const within = (c >= 'a' && c <= 'z') || is_digit(c) || c >= 0x80;
         if (!within) {
             if (i > begin) {
                 tokens.push_back(lower.substr(begin, i - begin));
@@ -43,8 +44,7 @@ bool is_vertical_token(Text token) {
 
 /// A letter says a horizontal one only beside a letter of the vertical.
 bool is_horizontal_token(Text token, bool letters) {
-    return !(token.front() >= '0' && token.front() <= '9') && (letters || token.size() > 1)
-           && direction_of(token) == Direction::horizontal;
+    return !is_digit(token.front()) && (letters || token.size() > 1) && direction_of(token) == Direction::horizontal;
 }
 
 bool is_height(Text token) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "core/digit.hpp"
 #include "core/units.hpp"
 #include "motion/claims.hpp"
 #include "motion/column_role.hpp"
@@ -176,7 +177,7 @@ bool tells(Text text, TargetKind kind) {
 
 std::string words_of_key(std::string_view key) {
     std::string words;
-    auto const lower = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); };
+    auto const lower = [](char c) { return (c >= 'a' && c <= 'z') || is_digit(c); };
     for (std::size_t i = 0; i < key.size(); ++i) {
         bool const capital = key[i] >= 'A' && key[i] <= 'Z';
         bool const part = capital || lower(key[i]) || static_cast<unsigned char>(key[i]) >= 0x80;

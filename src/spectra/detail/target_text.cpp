@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/digit.hpp"
 #include "core/units.hpp"
 #include "motion/claims.hpp"
 #include "motion/component_name.hpp"
@@ -208,7 +209,7 @@ bool is_plain(Text lower, double damping) {
     constexpr double printed = 1e-3;
     for (std::size_t at = 0; at < lower.size();) {
         at = std::min(lower.find_first_not_of(separators, at), lower.size());
-        bool const figure = at < lower.size() && lower[at] >= '0' && lower[at] <= '9';
+        bool const figure = at < lower.size() && is_digit(lower[at]);
         auto const end = std::min(
             figure ? lower.find_first_not_of("0123456789.", at) : lower.find_first_of(separators, at), lower.size());
         auto const word = lower.substr(at, end - at);
