@@ -49,7 +49,7 @@ class MainshockAndAftershock : public WaveSource {
     static std::uint64_t of_aftershock(std::uint64_t wave) { return wave | std::uint64_t{1} << 63U; }
 
     [[nodiscard]] GeneratedWave joined(GeneratedWave first, GeneratedWave const& second) const {
-        auto const quiet = static_cast<std::size_t>(std::lround(second_.pause_s / first.motion.time_step_s));
+        std::size_t const quiet = std::lround(second_.pause_s / first.motion.time_step_s);
         for (auto const component :
              {&GroundMotion::horizontal_mps2, &GroundMotion::transverse_mps2, &GroundMotion::vertical_mps2}) {
             auto& samples = first.motion.*component;

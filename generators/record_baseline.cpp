@@ -117,7 +117,7 @@ void high_pass(std::vector<double>& a, double time_step_s, RecordBaseline const&
     auto const before = baseline.phase == FilterPhase::zero ? pad : 0;
     RealFft const fft(RealFft::good_length(a.size() + 2 * pad));
     std::vector<double> series(fft.length(), 0.0);
-    std::copy(a.begin(), a.end(), series.begin() + static_cast<std::ptrdiff_t>(before));
+    std::copy(a.begin(), a.end(), series.begin() + before);
     std::vector<std::complex<double>> lines(fft.length() / 2);
     fft.analyse(series, lines);
     double const spacing_hz = 1 / (static_cast<double>(fft.length()) * time_step_s);

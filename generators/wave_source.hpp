@@ -83,7 +83,7 @@ struct WaveDescription {
     /// Are all waves of one spectrum or density, matched to it or not, so that chance phases alone tell them apart?
     /// Their trials cannot tell which measure of intensity is the better one among motions of several events and sites.
     bool of_one_spectrum = false;
-    std::uint64_t waves_alike = 1;  ///< so many in a row may share what was drawn, and are no independent samples
+    std::int64_t waves_alike = 1;  ///< so many in a row may share what was drawn, and are no independent samples
     /// The periods at which its waves are compared with what its target states; nothing if there is none.
     std::optional<ComparedPeriods> compared_periods = {};
     std::vector<MeasuredWave> measured = {};  ///< each wave, where they were measured

@@ -29,20 +29,21 @@ SpectrumCompatible::SpectrumCompatible(CompatibleRequest request, std::vector<Fu
         input.longest_s = std::min(input.longest_s, std::max(own.last_period_s(), 1.0));
         add(kind, input, correlation, own.psa_mps2(compared_at_s) / target.psa_mps2(compared_at_s));
     }
-    describe(
-        {.text = summary(request.acceptance.rule),
-         .variability = variability(),
-         .available = seeds_.empty() ? std::nullopt : std::optional<std::uint64_t>(seeds_.size()),
-         .acceptance = request.acceptance,
-         .draws_targets = variability_.has_value(),
-         .draws_events = variability_ && variability_->parted(),
-         .stated_sigma = stated_sigma(),
-         .of_one_spectrum = !variability_,
-         .waves_alike = variability_ ? variability_->input().per_target * variability_->input().targets_per_event : 1,
-         // What lies beyond the target's own ends is compared with nothing that anybody stated.
-         .compared_periods =
-             ComparedPeriods{target.first_period_s(), std::min(request.input.longest_s, target.last_period_s())},
-         .began_with = seeds_});
+    describe({.text = summary(request.acceptance.rule),
+              .variability = variability(),
+              .available = seeds_.empty() ? std::nullopt : std::optional<std::uint64_t>(seeds_.size()),
+              .acceptance = request.acceptance,
+              .draws_targets = variability_.has_value(),
+              .draws_events = variability_ && variability_->parted(),
+              .stated_sigma = stated_sigma(),
+              .of_one_spectrum = !variability_,
+              .waves_alike = variability_ ? static_cast<std::int64_t>(variability_->input().per_target
+                                                                      * variability_->input().targets_per_event)
+                                          : 1,
+              // What lies beyond the target's own ends is compared with nothing that anybody stated.
+              .compared_periods =
+                  ComparedPeriods{target.first_period_s(), std::min(request.input.longest_s, target.last_period_s())},
+              .began_with = seeds_});
 }
 
 std::string SpectrumCompatible::summary(std::string const& rule) const {

@@ -39,7 +39,7 @@ class ThinnedDraws {
         }
         std::vector<double> medians;
         for (auto& values : ratios) {
-            auto const middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+            auto const middle = values.begin() + (values.size() / 2);
             std::nth_element(values.begin(), middle, values.end());
             medians.push_back(*middle);
         }
@@ -137,8 +137,7 @@ MatchFigures calibrate(NoiseLines& lines, TargetSpectrum const& target, std::spa
         return medians;
     };
     for (auto const& round : rounds) {
-        auto divisors =
-            smoothed(medians_of(0, round.draws, round.long_draws), static_cast<std::size_t>(split - periods_s.begin()));
+        auto divisors = smoothed(medians_of(0, round.draws, round.long_draws), split - periods_s.begin());
         for (double& value : divisors) {
             value = std::pow(value, round.power);
         }

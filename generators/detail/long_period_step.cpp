@@ -41,8 +41,8 @@ void LongPeriodStep::apply(Lines& lines, std::span<PeakDisplacement const> peaks
     constexpr double most = 0.4;      // no step changes a peak or a line by more: the sum is of first order
     constexpr double damping = 5e-2;  // of the normal equations
     using Eigen::Index;
-    auto const rows = static_cast<Index>(periods_s_.size() - first_row_);
-    auto const first = static_cast<Index>(noise.first());
+    Index const rows = periods_s_.size() - first_row_;
+    Index const first = noise.first();
     auto const count = static_cast<Index>(end_line_) - first;
     if (rows <= 0 || count <= 0) {
         return;
@@ -60,7 +60,7 @@ void LongPeriodStep::apply(Lines& lines, std::span<PeakDisplacement const> peaks
         double const peak = std::copysign(std::abs(peaks[i].displacement_m), sum);
         double const inverse = peak == 0 ? 0 : 1 / peak;
         for (Index c = 0; c < count; ++c) {
-            auto const k = static_cast<std::size_t>(first + c);
+            std::size_t const k = first + c;
             auto const part = lines[k] * into[k] * inverse;
             shares(r, c) = part.real();
             shares(r, count + c) = -part.imag();

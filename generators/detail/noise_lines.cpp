@@ -67,8 +67,7 @@ NoiseLines::NoiseLines(NoiseInput const& input)
     for (double const value : density) {
         amplitude_.push_back(std::sqrt(2 * value * spacing_radps_));
     }
-    first_ = static_cast<std::size_t>(std::find_if(amplitude_.begin(), amplitude_.end(), [](double a) { return a > 0; })
-                                      - amplitude_.begin());
+    first_ = std::find_if(amplitude_.begin(), amplitude_.end(), [](double a) { return a > 0; }) - amplitude_.begin();
 }
 
 Lines NoiseLines::draw(RandomStream& phases, RandomStream& amplitudes, std::size_t count) const {

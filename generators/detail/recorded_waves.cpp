@@ -59,9 +59,7 @@ std::ptrdiff_t strongest_of(Samples const& x) {
 // By what `of` was multiplied to give `like`, whose samples come `later`; zero outside of either. \param strongest
 // sample of `of`, from which on they are compared: two motions that differ do so there at once
 std::optional<double> multiple(Samples const& of, std::ptrdiff_t strongest, Samples const& like, std::ptrdiff_t later) {
-    auto const at = [](Samples const& x, std::ptrdiff_t i) {
-        return i < 0 || i >= std::ssize(x) ? 0 : x[static_cast<std::size_t>(i)];
-    };
+    auto const at = [](Samples const& x, std::ptrdiff_t i) { return i < 0 || i >= std::ssize(x) ? 0 : x[i]; };
     if (of.empty() || at(of, strongest) == 0) {
         return of.empty() == like.empty() && peak_of(like) == 0 ? std::optional(1.0) : std::nullopt;
     }

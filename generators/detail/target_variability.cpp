@@ -290,13 +290,13 @@ TargetVariability read_variability(config::Table const& table, TargetSpectrum co
     }
     input.correlation_name = table.text(variability_keys["correlation"]);
     input.correlation = read_correlation_model(table, files, input.correlation_name);
-    input.per_target = static_cast<std::uint64_t>(table.integer(variability_keys["per_target"]));
+    input.per_target = table.integer(variability_keys["per_target"]);
     if (table.has("targets_per_event") && !parts) {
         table.fail("targets_per_event",
                    "without between and within (targets are independent). State both, or leave it "
                    "out");
     }
-    input.targets_per_event = static_cast<std::uint64_t>(table.integer(variability_keys["targets_per_event"]));
+    input.targets_per_event = table.integer(variability_keys["targets_per_event"]);
     if (table.has("conditional")) {
         if (parts) {
             table.fail("conditional",

@@ -52,7 +52,7 @@ std::string missed_text(std::vector<std::int64_t> const& missed) {
 AcceptedWaves::AcceptedWaves(CampaignSpec const& spec, Plan const& drawn)
     : acceptance_(spec.source->about().acceptance),
       drawn_(drawn),
-      known_(static_cast<std::size_t>(drawn.blocks())),
+      known_(drawn.blocks()),
       waves_(needs_rows() ? static_cast<std::size_t>(drawn.waves()) : 0, Wave::unknown),
       missed_(clause_names().size()) {}
 
@@ -62,7 +62,7 @@ void AcceptedWaves::take(std::int64_t block, std::span<WaveRow const> rows) {
         return;
     }
     auto const [first, count] = drawn_.waves_of_block(block);
-    OVERTURN_EXPECT(count == static_cast<std::int64_t>(rows.size()));
+    OVERTURN_EXPECT(count == std::ssize(rows));
     for (std::int64_t w = 0; w < count; ++w) {
         auto const& row = rows[w];
         bool const accepted = is_tried(acceptance_, row);
@@ -155,25 +155,25 @@ std::string AcceptedWaves::hopeless() const {
 
 BlockRows rows_of_chosen(BlockRows rows, Plan const& drawn, std::int64_t block, Plan const& chosen) {
     auto const [first, count] = drawn.waves_of_block(block);
-    auto const bodies = static_cast<std::size_t>(drawn.bodies());
-    auto const trials = static_cast<std::size_t>(drawn.trials_per_wave());
-    auto const own = trials * static_cast<std::size_t>(drawn.own_bytes());
+    std::size_t const bodies = drawn.bodies();
+    std::size_t const trials = drawn.trials_per_wave();
+    auto const own = trials * drawn.own_bytes();
     BlockRows kept;
     auto const copy = [](auto const& from, std::size_t each, std::size_t place, auto& to) {
-        auto const begin = from.begin() + static_cast<std::ptrdiff_t>(place * each);
-        to.insert(to.end(), begin, begin + static_cast<std::ptrdiff_t>(each));
+        auto const begin = from.begin() + (place * each);
+        to.insert(to.end(), begin, begin + each);
     };
     for (std::int64_t w = 0; w < count; ++w) {
         if (!chosen.has(first + w)) {
             continue;
         }
-        auto const place = static_cast<std::size_t>(w);
+        std::size_t const place = w;
         kept.waves.push_back(rows.waves[place]);
         copy(rows.measures, bodies, place, kept.measures);
         copy(rows.trials.rows, trials, place, kept.trials.rows);
         copy(rows.trials.own, own, place, kept.trials.own);
     }
-    return static_cast<std::int64_t>(kept.waves.size()) == count ? std::move(rows) : std::move(kept);
+    return std::ssize(kept.waves) == count ? std::move(rows) : std::move(kept);
 }
 
 std::vector<WaveRow> refused_rows(BlockRows const& rows, Plan const& drawn, std::int64_t block, Plan const& chosen) {

@@ -84,7 +84,7 @@ void check_drift(Table const& levels, LevelSpec const& spec, WaveSource const& s
         levels.fail("measure", fmt::format("pgd of waves that drift ({}). Scale by pga or pgv", why));
     }
     for (std::int64_t wave = 0; wave < waves; ++wave) {
-        auto const drift = source.drift(static_cast<std::uint64_t>(wave));
+        auto const drift = source.drift(wave);
         if (!drift) {
             return;
         }
@@ -180,7 +180,7 @@ void read_apart(Table const& root, InputFiles& files, CampaignSpec& spec) {
     config::FaultGatherer faults;
     faults.run([&] { spec.title = root.text(campaign_keys["title"]); });
     faults.run([&] { (void)keeps_hashes_only(root); });
-    faults.run([&] { spec.seed = static_cast<std::uint64_t>(root.integer(campaign_keys["seed"])); });
+    faults.run([&] { spec.seed = root.integer(campaign_keys["seed"]); });
     faults.run([&] { spec.bodies = read_bodies(root, files); });
     faults.run([&] { spec.sampling = read_sampling(root.child_or_empty(campaign_keys["scatter"])); });
     faults.run([&] { spec.levels = read_levels(root.child(campaign_keys["levels"])); });

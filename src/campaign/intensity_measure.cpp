@@ -58,8 +58,8 @@ static_assert(is_sound());
 
 // Where a measure's column lies among those that `has` picks.
 std::size_t place_among(Measure measure, bool (IntensityMeasure::*has)() const) {
-    return static_cast<std::size_t>(std::count_if(intensity_measures.data(), measure,
-                                                  [&](IntensityMeasure const& before) { return (before.*has)(); }));
+    return std::count_if(intensity_measures.data(), measure,
+                         [&](IntensityMeasure const& before) { return (before.*has)(); });
 }
 
 }  // namespace
@@ -72,7 +72,7 @@ std::string IntensityMeasure::units() const {
 std::vector<std::string> fragility_measure_names() {
     std::vector<std::string> names(intensity_measures.size());
     for (auto const& entry : intensity_measures) {
-        names.at(static_cast<std::size_t>(entry.number)) = entry.name;
+        names.at(entry.number) = entry.name;
     }
     return names;
 }

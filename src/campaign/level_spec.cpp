@@ -14,7 +14,7 @@ namespace {
 constexpr bool is_level(IntensityMeasure const& entry) { return !entry.level.empty() && entry.period.value_or(0) == 0; }
 
 constexpr auto measure_entries = [] {
-    constexpr auto count = static_cast<std::size_t>(std::ranges::count_if(intensity_measures, is_level));
+    constexpr std::size_t count = std::ranges::count_if(intensity_measures, is_level);
     std::array<config::Entry<Measure>, count> entries{};
     std::size_t next = 0;
     for (auto const& entry : intensity_measures) {

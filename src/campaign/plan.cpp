@@ -16,7 +16,7 @@ constexpr std::int64_t unmeasured_block = 128;        // waves at least: 0.2 ms 
 constexpr std::int64_t most_blocks = 1 << 20U;        // files, 1024 in a folder
 
 std::int64_t groups_of(CampaignSpec const& spec) {
-    return spec.levels.independent_waves ? static_cast<std::int64_t>(spec.levels.levels.size()) : 1;
+    return spec.levels.independent_waves ? std::ssize(spec.levels.levels) : 1;
 }
 
 // Waves of one level, or that all levels share, of which none is drawn beyond.
@@ -47,8 +47,8 @@ Plan::Plan(CampaignSpec const& spec)
       drawn_per_group_(may_be_drawn(spec)),
       chosen_per_group_(count_),
       waves_(drawn_per_group_ * groups_of(spec)),
-      bodies_(static_cast<std::int64_t>(spec.bodies.size())),
-      levels_per_wave_(independent_ ? 1 : static_cast<std::int64_t>(spec.levels.levels.size())),
+      bodies_(std::ssize(spec.bodies)),
+      levels_per_wave_(independent_ ? 1 : std::ssize(spec.levels.levels)),
       block_size_(waves_per_block(count_ * groups_of(spec), bodies_ * levels_per_wave_, spec)),
       own_bytes_(static_cast<std::int64_t>(Ladder(spec.effects, spec.accuracy).own_bytes())) {
     for (auto const& level : spec.levels.levels) {
@@ -59,7 +59,7 @@ Plan::Plan(CampaignSpec const& spec)
 Plan Plan::chosen(std::vector<std::int64_t> numbers, std::int64_t count) const {
     OVERTURN_EXPECT(std::ranges::is_sorted(numbers));
     auto plan = *this;
-    plan.waves_ = static_cast<std::int64_t>(numbers.size());
+    plan.waves_ = numbers.size();
     plan.numbers_ = std::move(numbers);
     plan.chosen_per_group_ = count;
     return plan;
@@ -78,9 +78,7 @@ Plan Plan::without_refusals() const {
     return chosen(std::move(numbers), count_);
 }
 
-std::int64_t Plan::number(std::int64_t wave) const {
-    return numbers_ ? numbers_->at(static_cast<std::size_t>(wave)) : wave;
-}
+std::int64_t Plan::number(std::int64_t wave) const { return numbers_ ? numbers_->at(wave) : wave; }
 
 bool Plan::has(std::int64_t number) const {
     return numbers_ ? std::ranges::binary_search(*numbers_, number) : number < waves_;
@@ -104,21 +102,21 @@ std::int64_t Plan::number_of(std::int64_t wave_id) const {
     return level * drawn_per_group_ + wave_id % ids_per_level;
 }
 
-std::int64_t Plan::groups() const { return independent_ ? static_cast<std::int64_t>(level_keys_.size()) : 1; }
+std::int64_t Plan::groups() const { return independent_ ? std::ssize(level_keys_) : 1; }
 
 std::uint64_t Plan::wave_id(std::int64_t wave) const {
     auto const drawn = number(wave);
     if (!independent_) {
-        return static_cast<std::uint64_t>(drawn);
+        return drawn;
     }
     auto const key = level_keys_.at(drawn / drawn_per_group_);
-    return static_cast<std::uint64_t>(key * ids_per_level + drawn % drawn_per_group_);
+    return key * ids_per_level + drawn % drawn_per_group_;
 }
 
 // Waves drawn beyond `count`, in the place of refused ones, are sliced anew, `count` at a time.
 DrawnFor Plan::drawn_for(CampaignSpec const& spec, std::int64_t wave) const {
     auto const drawn = number(wave) % drawn_per_group_;
-    auto const key = independent_ ? level_keys_.at(static_cast<std::size_t>(number(wave) / drawn_per_group_)) : 0;
+    auto const key = independent_ ? level_keys_.at(number(wave) / drawn_per_group_) : 0;
     constexpr unsigned above_keys = 48;
     return {.seed = spec.seed,
             .wave = wave_id(wave),

@@ -76,7 +76,7 @@ rare::Answer RareProblem::held_to_limit(DrawnBody const& drawn, Response const& 
     TrialRow row;
     static_cast<Response&>(row) = response;
     row.centre_height_m = drawn.body.centre_height_m();
-    row.body = static_cast<std::int64_t>(body_number_);
+    row.body = body_number_;
     site_.fill(row, {row, own});
     auto const outcomes = judge_.judge(row, own);
     double const near = judge_.nearness(limit_, row, own);

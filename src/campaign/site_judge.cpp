@@ -90,7 +90,7 @@ std::optional<std::size_t> SiteJudge::neighbour_of(std::int64_t body) const {
 // The model has the circle round the base. Its middle went no farther than that less the circle as the largest tilt
 // leaves it; from there the base's own corners reach as far as turn and tilt take them. Of both bounds the nearer one.
 SiteJudge::PerSide SiteJudge::spatial_ways(Trial const& trial, OfModel const& model) const {
-    auto const& base = bases_[static_cast<std::size_t>(trial.row.body)];
+    auto const& base = bases_[trial.row.body];
     double const tilted_m = base.farthest_m() * (1 - std::cos(std::min(trial.row.peak_rotation_rad, pi / 2)));
     double const turn_rad = std::abs(real_at(trial.own, model.yaw));
     PerSide ways{};
@@ -118,7 +118,7 @@ SiteJudge::PerSide SiteJudge::base_ways(Trial const& trial) const {
 }
 
 SiteJudge::PerSide SiteJudge::leans(TrialRow const& row) const {
-    auto const& spec = bodies_[static_cast<std::size_t>(row.body)];
+    auto const& spec = bodies_[row.body];
     double const top_m = site_.top_m(spec, row.centre_height_m);
     auto const& body = spec.body;
     double const slope_rad = body.slope_rad();
@@ -132,7 +132,7 @@ std::optional<SiteJudge::Ways> SiteJudge::ways_of(Trial const& trial) const {
     if (!is_known(trial.row)) {
         return std::nullopt;
     }
-    auto const number = static_cast<std::size_t>(trial.row.body);
+    std::size_t const number = trial.row.body;
     double const widest_m = site_.widest_m(bodies_[number]);
     auto const lean_m = leans(trial.row);
     Ways ways{base_ways(trial), {}};

@@ -108,8 +108,8 @@ SitePath::PerSide SitePath::reach_m(double time_s) const {
     }
     auto const last = static_cast<std::ptrdiff_t>(times_s_.size()) - 1;
     auto const after = std::ranges::lower_bound(times_s_, time_s) - times_s_.begin();
-    auto farther = reaches_m_[static_cast<std::size_t>(std::min(after, last))];
-    auto const& before = reaches_m_[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(after - 1, 0, last))];
+    auto farther = reaches_m_[std::min(after, last)];
+    auto const& before = reaches_m_[std::clamp<std::ptrdiff_t>(after - 1, 0, last)];
     for (std::size_t i = 0; i < Sides::count; ++i) {
         farther.at(i) = -lower(-farther.at(i), -before.at(i));
     }

@@ -44,7 +44,7 @@ PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64
     PreparedWave prepared;
     prepared.number = wave;
     auto const id = plan.wave_id(wave);
-    prepared.row.id = static_cast<std::int64_t>(id);
+    prepared.row.id = id;
     prepared.measures.resize(spec.bodies.size());
     auto const drawn_for = plan.drawn_for(spec, wave);
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
@@ -119,7 +119,7 @@ TrialRow open_row(CampaignSpec const& spec, PreparedWave const& wave, std::int64
 bool failed(TrialRow const& row) { return row.failure != FailureReason::none; }
 
 Scene scene_of(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t body) {
-    auto const number = static_cast<std::size_t>(body);
+    std::size_t const number = body;
     auto const& drawn = wave.bodies.at(number);
     auto const& stated = spec.bodies.at(number);
     return {drawn.body, drawn.friction, stated.footing, stated.axes};
@@ -198,8 +198,8 @@ void judge_site(SiteJudge const& site, Plan const& plan, TrialRows& trials, std:
     if (!site.asked()) {
         return;
     }
-    auto const of_wave = static_cast<std::size_t>(plan.trials_per_wave());
-    auto const levels = static_cast<std::size_t>(plan.level_count());
+    std::size_t const of_wave = plan.trials_per_wave();
+    std::size_t const levels = plan.level_count();
     auto const each = trials.own.size() / std::max<std::size_t>(1, trials.rows.size());
     auto const trial = [&](std::size_t number) {
         return SiteJudge::Trial{trials.rows[number], std::span(trials.own).subspan(number * each, each)};
@@ -224,7 +224,7 @@ TrialRows run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int
     TrialRows other;
     std::optional<SiteJudge::Trial> neighbour;
     if (auto const number = site.neighbour_of(body)) {
-        other = answered(spec, ladder, wave, static_cast<std::int64_t>(*number), level);
+        other = answered(spec, ladder, wave, *number, level);
         neighbour.emplace(SiteJudge::Trial{other.rows.front(), other.own});
     }
     if (observer != nullptr && site.asked()) {
@@ -247,11 +247,11 @@ bool append_trials(CampaignSpec const& spec, Plan const& plan, std::span<Prepare
     std::vector<SceneTrial> tried;
     std::vector<Scene> scenes;
     auto& rows = trials.rows;
-    auto const most = waves.size() * static_cast<std::size_t>(plan.trials_per_wave());
+    auto const most = waves.size() * plan.trials_per_wave();
     auto const first_row = rows.size();
     places.reserve(most);
     tried.reserve(most);
-    scenes.reserve(waves.size() * static_cast<std::size_t>(plan.bodies()));
+    scenes.reserve(waves.size() * plan.bodies());
     rows.reserve(rows.size() + most);
     for (auto const& wave : waves) {
         auto const first_level = plan.first_level(wave.number);
@@ -284,8 +284,7 @@ bool append_trials(CampaignSpec const& spec, Plan const& plan, std::span<Prepare
         for (std::size_t i = 0; i < count; ++i) {
             auto const& [row, wave] = places[first + i];
             close_row(spec, rows[row], *wave, responses[i]);
-            std::copy_n(own.begin() + static_cast<std::ptrdiff_t>(i * each), each,
-                        trials.own.begin() + static_cast<std::ptrdiff_t>(row * each));
+            std::copy_n(own.begin() + (i * each), each, trials.own.begin() + (row * each));
         }
     }
     judge_site(SiteJudge(spec.site, spec.bodies, ladder), plan, trials, first_row);

@@ -25,7 +25,7 @@ using Lines = std::vector<std::string>;
 template <class Visit> void each_drift(CampaignSpec const& spec, Visit&& visit) {
     auto const count = spec.source->about().available ? spec.wave_count : 0;
     for (std::int64_t wave = 0; wave < count; ++wave) {
-        auto const drift = spec.source->drift(static_cast<std::uint64_t>(wave));
+        auto const drift = spec.source->drift(wave);
         if (!drift) {
             return;
         }

@@ -78,7 +78,7 @@ std::string FailedTrials::text() const {
     for (auto const& line : first_) {
         text += line;
     }
-    auto const more = count_ - static_cast<std::int64_t>(first_.size());
+    auto const more = count_ - std::ssize(first_);
     return more > 0 ? text + fmt::format("  and {} more: the rows of /trials with verdict failed\n", more) : text;
 }
 

@@ -42,10 +42,10 @@ class Reader {
   public:
     Reader(std::string const& text, std::string const& file, CampaignSpec const& spec, Plan const& plan)
         : rows_(text, file, "Begin with wave,motion and a body's name"), spec_(spec) {
-        auto const waves = static_cast<std::size_t>(plan.waves());
+        std::size_t const waves = plan.waves();
         outcomes_.records.reserve(waves);
         for (std::size_t w = 0; w < waves; ++w) {
-            outcomes_.records.push_back(spec.source->name(plan.wave_id(static_cast<std::int64_t>(w))));
+            outcomes_.records.push_back(spec.source->name(plan.wave_id(w)));
         }
         told_.resize(waves);
         outcomes_.motions.resize(waves);

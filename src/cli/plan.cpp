@@ -90,7 +90,7 @@ void print_scene(CampaignSpec const& spec, Plan const& plan, PlanOptions const& 
     auto const count = [](std::size_t n, char const* one, char const* more) {
         return fmt::format("{} {}", n, n == 1 ? one : more);
     };
-    fmt::print("{} x {} x {} = {} trials\n", count(static_cast<std::size_t>(plan.waves()), "wave", "waves"),
+    fmt::print("{} x {} x {} = {} trials\n", count(plan.waves(), "wave", "waves"),
                count(spec.bodies.size(), "body", "bodies"), count(spec.levels.levels.size(), "level", "levels"),
                plan.trials());
     print_entry("waves", spec.source->about().text);

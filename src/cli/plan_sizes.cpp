@@ -31,7 +31,7 @@ std::int64_t file_bytes(CampaignInput const& input, CampaignSpec const& spec, Pl
         bytes += plan.trials() * width(table);
     }
     for (auto const& [name, content] : input.files) {
-        bytes += static_cast<std::int64_t>(content.size());
+        bytes += std::ssize(content);
     }
     return bytes;
 }
@@ -43,7 +43,7 @@ std::string count_of_folders(std::int64_t blocks) {
 
 // Of more trials than are held one by one, curves see the first waves only. Empty where all are seen.
 std::string thinned_line(Plan const& plan) {
-    auto const held = static_cast<std::int64_t>(most_trials_held);
+    std::int64_t const held = most_trials_held;
     if (plan.trials() <= held) {
         return {};
     }

@@ -59,7 +59,7 @@ int replay(ReplayOptions const& options) {
         return print_difference(options, file, again.different, fmt::format("row {}", options.trial));
     }
     auto const plan = plan_in(file, spec);
-    auto const trials = static_cast<std::int64_t>(file.integers("trials/verdict").size());  // fewer than planned, maybe
+    auto const trials = std::ssize(file.integers("trials/verdict"));  // fewer than planned, maybe
     validate(options.trial >= 0 && options.trial < trials,
              "--trial {} (the file has trials 0 to {}). Choose one of them", options.trial, trials - 1);
     auto const stored = read_trial(file, spec, options.trial);
@@ -75,7 +75,7 @@ int replay(ReplayOptions const& options) {
     auto const trial = run_trial(spec, prepared, body, level, options.plot.empty() ? observer : &kept);
     auto const& row = trial.rows.front();
     if (!options.plot.empty()) {
-        auto const place = static_cast<std::size_t>(body);
+        std::size_t const place = body;
         auto const title = fmt::format("{}, trial {}: wave {} at {}, {}", spec.bodies[place].name, options.trial,
                                        plan.number(wave), spec.levels.text(row.amplitude), entry_of(row.verdict).name);
         MeasureSpec const* const measures = spec.measures.energy ? &spec.measures : nullptr;

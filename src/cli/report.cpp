@@ -63,7 +63,7 @@ std::vector<std::int64_t> telling_waves(store::ResultsReader const& file, Plan c
     std::int64_t lowest = 0;
     std::optional<std::int64_t> worst;
     for (std::size_t t = 0; t < ends.size(); ++t) {
-        auto const trial = plan.trial(static_cast<std::int64_t>(t));
+        auto const trial = plan.trial(t);
         if (entry_of(ends[t]).fell && (!worst || trial.level < lowest)) {
             worst = trial.wave;
             lowest = trial.level;

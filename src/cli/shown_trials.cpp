@@ -34,7 +34,7 @@ std::vector<std::optional<std::int64_t>> nearest_misses(CampaignSpec const& spec
     auto const effects = file.integers("trials/effects");
     for (std::size_t t = 0; t < ends.size(); ++t) {
         auto const& end = entry_of(ends[t]);
-        auto const body = static_cast<std::size_t>(plan.trial(static_cast<std::int64_t>(t)).body);
+        auto const body = static_cast<std::size_t>(plan.trial(t).body);
         bool const on_points = has(static_cast<EffectMask>(effects[t]), Effect::contact);
         if (on_points && end.moved && end.decided && !end.fell && peaks[t] > highest[body]) {
             highest[body] = peaks[t];
@@ -72,7 +72,7 @@ std::vector<ChosenTrial> chosen(CampaignSpec const& spec, Plan const& plan, std:
     auto const gets = share_fairly(counts, std::clamp(spec.bodies.size(), fewest_at_most, most_shown));
     std::vector<ChosenTrial> all;
     for (std::size_t b = 0; b < offered.size(); ++b) {
-        all.insert(all.end(), offered[b].begin(), offered[b].begin() + static_cast<std::ptrdiff_t>(gets[b]));
+        all.insert(all.end(), offered[b].begin(), offered[b].begin() + gets[b]);
     }
     return all;
 }

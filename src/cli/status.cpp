@@ -56,7 +56,7 @@ int status_of_file(std::string const& path, Unverified const& unverified) {
             TrialRow row;
             row.verdict = Verdict::failed;
             row.failure = static_cast<FailureReason>(reasons.at(i));
-            auto const number = static_cast<std::int64_t>(i);
+            std::int64_t const number = i;
             failed.add(number, failed.lists_more() ? read_trial(file, spec, number).rows.front() : row);
         }
     }

@@ -102,7 +102,7 @@ class Reader {
                                 return stripe_field_of(named_column(cell.text)) == trials;
                             });
         for (auto const& cell : cells) {
-            auto const place = static_cast<std::size_t>(&cell - cells.data());
+            std::size_t const place = &cell - cells.data();
             auto const column = named_column(cell.text);
             bool const verdict = column.unit.empty() && is_verdict(lowered(column.bare));
             if (stripe_field_of(column) == trials && trials_held_ != TrialsHeld::counts) {

@@ -42,7 +42,7 @@ std::string with_further_faults(std::string_view first, Table const& table) {
     auto told = faults_of(first);
     auto const already = told.size();
     for (auto& fault : table.faults()) {
-        auto const end = told.begin() + static_cast<std::ptrdiff_t>(already);
+        auto const end = told.begin() + already;
         if (std::none_of(told.begin(), end, [&](std::string const& one) { return speaks_of(one, fault); })) {
             told.push_back(std::move(fault.text));
         }

@@ -32,6 +32,7 @@ enum class Form : unsigned {
     table = 256U,   ///< one of the key's tables
     tables = 512U,  ///< a list of them
 };
+[[nodiscard]] constexpr unsigned bit(Form form) { return static_cast<unsigned>(form); }
 
 /// What is taken where a key is absent.
 struct Default {
@@ -68,7 +69,7 @@ struct Key {
     Default absent = {};
     std::string_view where = {};  ///< other keys under which it has a meaning, in words; empty: always
 
-    [[nodiscard]] constexpr bool takes(Form form) const { return (forms & static_cast<unsigned>(form)) != 0; }
+    [[nodiscard]] constexpr bool takes(Form form) const { return (forms & bit(form)) != 0; }
 
     /// The key may be left out: its absence says something that no value would.
     [[nodiscard]] constexpr Key optional() const { return with({.kind = Default::Kind::none}); }
@@ -161,38 +162,33 @@ struct KeyTable {
 /// @{
 [[nodiscard]] constexpr Key number_key(std::string_view name, Dimension dimension, Range range,
                                        std::string_view meaning) {
-    return {.name = name,
-            .meaning = meaning,
-            .forms = static_cast<unsigned>(Form::number),
-            .dimension = dimension,
-            .range = range};
+    return {.name = name, .meaning = meaning, .forms = bit(Form::number), .dimension = dimension, .range = range};
 }
 [[nodiscard]] constexpr Key numbers_key(std::string_view name, Dimension dimension, Range range,
                                         std::string_view meaning) {
     auto key = number_key(name, dimension, range, meaning);
-    key.forms = static_cast<unsigned>(Form::numbers);
+    key.forms = bit(Form::numbers);
     return key;
 }
 [[nodiscard]] constexpr Key pairs_key(std::string_view name, Dimension first, Dimension second,
                                       std::string_view meaning) {
     auto key = number_key(name, second, Range::any(), meaning);
-    key.forms = static_cast<unsigned>(Form::pairs);
+    key.forms = bit(Form::pairs);
     key.first = first;
     return key;
 }
 [[nodiscard]] constexpr Key integer_key(std::string_view name, std::int64_t least, std::int64_t most,
                                         std::string_view meaning) {
-    return {
-        .name = name, .meaning = meaning, .forms = static_cast<unsigned>(Form::integer), .least = least, .most = most};
+    return {.name = name, .meaning = meaning, .forms = bit(Form::integer), .least = least, .most = most};
 }
 [[nodiscard]] constexpr Key boolean_key(std::string_view name, std::string_view meaning) {
-    return {.name = name, .meaning = meaning, .forms = static_cast<unsigned>(Form::boolean)};
+    return {.name = name, .meaning = meaning, .forms = bit(Form::boolean)};
 }
 [[nodiscard]] constexpr Key text_key(std::string_view name, std::string_view meaning) {
-    return {.name = name, .meaning = meaning, .forms = static_cast<unsigned>(Form::text)};
+    return {.name = name, .meaning = meaning, .forms = bit(Form::text)};
 }
 [[nodiscard]] constexpr Key texts_key(std::string_view name, std::string_view meaning) {
-    return {.name = name, .meaning = meaning, .forms = static_cast<unsigned>(Form::texts)};
+    return {.name = name, .meaning = meaning, .forms = bit(Form::texts)};
 }
 
 /// The names and summaries of a registry: an array of entries, or a function that returns them.
@@ -211,17 +207,17 @@ template <auto const& entries> [[nodiscard]] std::vector<Word> words_of() {
     return words;
 }
 template <auto const& entries> [[nodiscard]] constexpr Key word_key(std::string_view name, std::string_view meaning) {
-    return {.name = name, .meaning = meaning, .forms = static_cast<unsigned>(Form::word), .words = &words_of<entries>};
+    return {.name = name, .meaning = meaning, .forms = bit(Form::word), .words = &words_of<entries>};
 }
 
 /// \param words the texts that it takes
 [[nodiscard]] constexpr Key word_key(std::string_view name, std::vector<Word> (*words)(), std::string_view meaning) {
-    return {.name = name, .meaning = meaning, .forms = static_cast<unsigned>(Form::word), .words = words};
+    return {.name = name, .meaning = meaning, .forms = bit(Form::word), .words = words};
 }
 /// A list of texts, each one of a registry's.
 template <auto const& entries> [[nodiscard]] constexpr Key words_key(std::string_view name, std::string_view meaning) {
     auto key = word_key<entries>(name, meaning);
-    key.forms = static_cast<unsigned>(Form::texts);
+    key.forms = bit(Form::texts);
     return key;
 }
 
@@ -229,19 +225,18 @@ template <KeyTable const&... tables> [[nodiscard]] std::vector<KeyTable const*> 
 
 template <KeyTable const&... tables>
 [[nodiscard]] constexpr Key table_key(std::string_view name, std::string_view meaning) {
-    return {
-        .name = name, .meaning = meaning, .forms = static_cast<unsigned>(Form::table), .tables = &tables_of<tables...>};
+    return {.name = name, .meaning = meaning, .forms = bit(Form::table), .tables = &tables_of<tables...>};
 }
 /// \param tables those that may stand there, told apart by what their `chosen_by` says
 [[nodiscard]] constexpr Key table_key(std::string_view name, std::vector<KeyTable const*> (*tables)(),
                                       std::string_view meaning) {
-    return {.name = name, .meaning = meaning, .forms = static_cast<unsigned>(Form::table), .tables = tables};
+    return {.name = name, .meaning = meaning, .forms = bit(Form::table), .tables = tables};
 }
 /// A list of tables: [[name]].
 template <KeyTable const&... tables>
 [[nodiscard]] constexpr Key tables_key(std::string_view name, std::string_view meaning) {
     auto key = table_key<tables...>(name, meaning);
-    key.forms = static_cast<unsigned>(Form::tables);
+    key.forms = bit(Form::tables);
     return key;
 }
 /// @}

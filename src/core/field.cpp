@@ -22,7 +22,7 @@ std::vector<Category> numbered(std::vector<std::string> names) {
     std::vector<Category> categories;
     categories.reserve(names.size());
     for (auto& name : names) {
-        categories.push_back({static_cast<std::int64_t>(categories.size()), std::move(name)});
+        categories.push_back({std::ssize(categories), std::move(name)});
     }
     return categories;
 }

@@ -53,7 +53,7 @@ std::string InputFiles::head(std::string const& name, std::size_t most) const {
     }
     std::string bytes(from_memory_ ? 0 : most, '\0');
     std::ifstream stream(folder_ / name, std::ios::binary);
-    stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    stream.read(bytes.data(), bytes.size());
     bytes.resize(std::max<std::streamsize>(0, stream.gcount()));
     return bytes;
 }

@@ -54,10 +54,10 @@ class Opened {
             fail();
         }
         refuse_no_file(there, problem_);
-        refuse_larger(static_cast<std::size_t>(there.st_size), most);
+        refuse_larger(there.st_size, most);
         constexpr std::size_t part = 1 << 16;
         std::string bytes;
-        bytes.reserve(static_cast<std::size_t>(there.st_size) + part);
+        bytes.reserve(there.st_size + part);
         while (true) {
             auto const size = bytes.size();
             bytes.resize(size + part);
@@ -65,7 +65,7 @@ class Opened {
             if (got < 0 && errno != EINTR) {
                 fail();
             }
-            bytes.resize(size + static_cast<std::size_t>(std::max<ssize_t>(0, got)));
+            bytes.resize(size + std::max<ssize_t>(0, got));
             if (got == 0) {
                 return bytes;
             }

@@ -89,7 +89,7 @@ std::vector<std::int64_t> spread_over(std::int64_t count, std::int64_t of) {
 TrialRows all_trials(CampaignSpec const& spec, Plan const& plan, std::span<PreparedWave const> waves) {
     TrialRows trials;
     PhaseSeconds ignored;
-    auto const together = static_cast<std::size_t>(waves_together(plan));
+    std::size_t const together = waves_together(plan);
     for (std::size_t next = 0; next < waves.size(); next += together) {
         append_trials(spec, plan, waves.subspan(next, std::min(together, waves.size() - next)), trials, ignored);
     }
@@ -101,7 +101,7 @@ Run run_trials(CampaignSpec const& spec, Plan const& plan, std::span<PreparedWav
     auto trials = all_trials(spec, plan, waves);
     Run run;
     run.seconds = thread_cpu_seconds() - begin;
-    run.units = static_cast<std::int64_t>(trials.rows.size());
+    run.units = trials.rows.size();
     run.rows = std::move(trials.rows);
     return run;
 }

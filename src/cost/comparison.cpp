@@ -54,7 +54,7 @@ Spread spread_of(std::vector<double> values) {
     };
     constexpr double half = 0.5;
     constexpr double most = 0.95;
-    return {static_cast<std::int64_t>(values.size()), at(half), at(most), values.back()};
+    return {std::ssize(values), at(half), at(most), values.back()};
 }
 
 Comparison compare(std::span<TrialRow const> rows, std::span<TrialRow const> reference) {

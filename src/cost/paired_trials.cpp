@@ -21,12 +21,11 @@ PairedTrials::PairedTrials(CampaignSpec const& spec, Plan const& plan, std::span
             design_basis_ = level.value;
         }
     }
-    std::ranges::transform(waves, std::back_inserter(groups_), [&](PreparedWave const& wave) {
-        return wave.number / static_cast<std::int64_t>(spec.source->about().waves_alike);
-    });
-    auto const together = static_cast<std::size_t>(waves_together(plan));
+    std::ranges::transform(waves, std::back_inserter(groups_),
+                           [&](PreparedWave const& wave) { return wave.number / spec.source->about().waves_alike; });
+    std::size_t const together = waves_together(plan);
     auto const each = ladder.own_bytes();
-    auto const per_wave = static_cast<std::size_t>(plan.trials_per_wave());
+    std::size_t const per_wave = plan.trials_per_wave();
     PhaseSeconds ignored;
     for (std::size_t first = 0; first < waves.size(); first += together) {
         TrialRows trials;

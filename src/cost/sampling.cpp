@@ -41,10 +41,10 @@ double width_at(Stripe const& stripe, double share, double confidence) {
 
 Sampling study_sampling(CampaignSpec const& spec, Plan const& plan, std::vector<std::int64_t> const& numbers) {
     Sampling sampling;
-    auto const most = static_cast<std::int64_t>(numbers.size());
+    std::int64_t const most = numbers.size();
     std::vector<std::int64_t> sizes;
     constexpr std::int64_t halvings = 6;
-    for (std::int64_t size = most; size > 0 && static_cast<std::int64_t>(sizes.size()) < halvings; size /= 2) {
+    for (std::int64_t size = most; size > 0 && std::ssize(sizes) < halvings; size /= 2) {
         sizes.insert(sizes.begin(), size);
     }
     for (auto const size : sizes) {
@@ -65,7 +65,7 @@ Sampling study_sampling(CampaignSpec const& spec, Plan const& plan, std::vector<
              mean_over_stripes(statistics, [&](Stripe const& stripe) { return width_at(stripe, 1, spec.confidence); }),
              0});
         if (size == most) {
-            sampling.stripes = plan.bodies() * static_cast<std::int64_t>(spec.levels.levels.size());
+            sampling.stripes = plan.bodies() * std::ssize(spec.levels.levels);
             sampling.probability = mean_over_stripes(
                 statistics, [](Stripe const& stripe) { return stripe.decided() > 0 ? stripe.probability() : 0; });
             sampling.half_width = mean_over_stripes(statistics, [&](Stripe const& stripe) {

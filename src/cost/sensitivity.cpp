@@ -26,7 +26,7 @@ constexpr std::uint64_t bootstrap_stream = 0x5E45;  // of draws that nothing els
 
 // How often each wave of the sample is drawn in every replicate; waves that share a target come together.
 std::vector<std::vector<double>> drawn_weights(CampaignSpec const& spec, std::span<std::int64_t const> numbers) {
-    auto const alike = static_cast<std::int64_t>(spec.source->about().waves_alike);
+    std::int64_t const alike = spec.source->about().waves_alike;
     std::vector<std::vector<std::size_t>> groups;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         if (i == 0 || numbers[i] / alike != numbers[i - 1] / alike) {
@@ -97,7 +97,7 @@ PairedTrials SensitivityRunner::trials_with(CampaignInput const& varied, bool of
              "them");
     if (!of_body) {
         std::vector<PreparedWave> waves;
-        for (auto const number : spread_over(static_cast<std::int64_t>(numbers_.size()), plan.waves())) {
+        for (auto const number : spread_over(numbers_.size(), plan.waves())) {
             waves.push_back(prepare_wave(spec, plan, number, ignored_));
         }
         return {spec, plan, waves};
@@ -163,7 +163,7 @@ void SensitivityRunner::describe(Sensitivity& study, PairedTrials const& unmoved
     study.units = spec_.levels.units();
     study.shown_units = spec_.levels.shown_units();
     study.shown_si = study.shown_units == study.units ? 1 : spec_.levels.stated_unit_si;
-    study.waves = static_cast<std::int64_t>(numbers_.size());
+    study.waves = numbers_.size();
     study.campaign_waves = plan_.waves();
     study.confidence = spec_.confidence;
     study.design_basis = unmoved.design_basis();

@@ -92,7 +92,7 @@ StepError study_step_error(CampaignInput const& input, CampaignSpec const& spec,
     auto const finer = all_trials(parse_campaign(with(input, half_steps(spec.accuracy))), plan, waves);
     auto const near = all_trials(spec, plan, others);
     StepError error;
-    error.trials = static_cast<std::int64_t>(usual.rows.size());
+    error.trials = usual.rows.size();
     for (std::size_t i = 0; i < usual.rows.size(); ++i) {
         error.step_flips += usual.rows[i].verdict != finer.rows[i].verdict ? 1 : 0;
         error.rounding_flips += usual.rows[i].verdict != near.rows[i].verdict ? 1 : 0;

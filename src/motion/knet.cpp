@@ -54,10 +54,10 @@ class Header {
 
     [[nodiscard]] Location where(int number) const { return {file_, number}; }
 
-    [[nodiscard]] static std::string_view key(int number) { return keys.at(static_cast<std::size_t>(number - 1)); }
+    [[nodiscard]] static std::string_view key(int number) { return keys.at(number - 1); }
 
     [[nodiscard]] std::string_view value(int number) const {
-        auto const line = lines_.at(static_cast<std::size_t>(number - 1));
+        auto const line = lines_.at(number - 1);
         return trimmed(line.substr(std::min(value_column, line.size())));
     }
 

@@ -107,8 +107,7 @@ std::string without_hazard_levels(std::string_view text) {
             auto const behind = level_behind(Text(lower).substr(end));
             auto const start = level_before(Text(lower).substr(0, first));
             if (behind > 0 || start < first) {
-                std::fill(plain.begin() + static_cast<std::ptrdiff_t>(start),
-                          plain.begin() + static_cast<std::ptrdiff_t>(end + behind), ' ');
+                std::fill(plain.begin() + start, plain.begin() + (end + behind), ' ');
             }
         }
     }

@@ -92,7 +92,7 @@ std::string without_unit(Text name) {
         return unit_spelled(unit, dimension).has_value();
     });
     std::string rest(name);
-    return unit ? rest.erase(static_cast<std::size_t>(text.data() - name.data()), text.size()) : rest;
+    return unit ? rest.erase(text.data() - name.data(), text.size()) : rest;
 }
 
 bool has_figure(Text word) { return word.find_first_of("0123456789") != Text::npos; }

@@ -82,8 +82,7 @@ std::vector<Table> frequency_tables(std::string const& units, std::span<BodyFreq
                                     HazardCurve const& hazard, double confidence) {
     using Row = BodyFrequency;
     TableOf<Row> table({.name = "frequency",
-                        .constants = {{"hazard_points", static_cast<std::int64_t>(hazard.points().size())},
-                                      {"confidence", confidence}}},
+                        .constants = {{"hazard_points", std::ssize(hazard.points())}, {"confidence", confidence}}},
                        frequencies);
     auto const mean = [](auto get) {
         return [get](Row const& row) { return row.mean ? std::optional<double>(get(*row.mean)) : std::nullopt; };

@@ -20,7 +20,7 @@ namespace {
 
 void write_campaign(store::ResultsWriter& file, CampaignInput const& input, CampaignSpec const& spec) {
     write_provenance(file, store::format_name, store::format_version, input, spec.title);
-    file.attribute("seed", static_cast<std::int64_t>(spec.seed));
+    file.attribute("seed", spec.seed);
     file.attribute("level_measure", spec.levels.measure_name());
     file.attribute("level_units", spec.levels.units());
     file.attribute("wave_source", spec.source->about().text);
@@ -96,8 +96,7 @@ std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, Campa
         statistics.add(rows);
     }
     if (spec.source->about().acceptance.refuses()) {
-        file.append(file.table(refused_wave_table(spec), static_cast<std::int64_t>(refused.size())),
-                    std::as_bytes(std::span(refused)));
+        file.append(file.table(refused_wave_table(spec), refused.size()), std::as_bytes(std::span(refused)));
     }
     for (auto const& row : refused) {
         statistics.add_refused(row);

@@ -89,14 +89,14 @@ std::string Communicator::library() {
     std::array<char, MPI_MAX_LIBRARY_VERSION_STRING> name{};
     int length = 0;
     check(MPI_Get_library_version(name.data(), &length), "asking for its version");
-    std::string const text(name.data(), static_cast<std::size_t>(length));
+    std::string const text(name.data(), length);
     auto line = text.substr(0, text.find_first_of(",\n"));
     std::replace(line.begin(), line.end(), '\t', ' ');  // MPICH's pages of text begin with "MPICH Version:<tab>4.0.2"
     return line;
 }
 
 void Communicator::broadcast(std::string& text) const {
-    auto size = static_cast<std::int64_t>(text.size());
+    std::int64_t size = text.size();
     broadcast_bytes(&size, 1, MPI_INT64_T);
     text.resize(size);
     constexpr std::int64_t most = 1 << 30;  // a count is an int
@@ -126,7 +126,7 @@ std::vector<std::string> Communicator::gather(std::string const& text) const {
     wait_for(request, "gathering");
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < lengths.size(); ++i) {
-        texts.push_back(all.substr(static_cast<std::size_t>(places[i]), static_cast<std::size_t>(lengths[i])));
+        texts.push_back(all.substr(places[i], lengths[i]));
     }
     return texts;
 }

@@ -220,7 +220,7 @@ PulseResult estimate_pulse_mixture(Problem const& problem, std::span<double cons
             result.estimates.push_back(judge.estimate(factors[f], f, crude.empty() ? nullptr : &crude[f]));
             result.estimates.back().runs += scouted.runs;
         }
-        auto const done = static_cast<std::int64_t>(ladder.stages().front().back().rows.size());
+        std::int64_t const done = ladder.stages().front().back().rows.size();
         auto const more = std::min(
             {static_cast<std::int64_t>(static_cast<double>(done)
                                        * (std::min(growth_wanted(result.estimates, request.target_cov), 2.0) - 1)),

@@ -43,7 +43,7 @@ class Simulation {
         begin();
         for (auto going = close_levels(); !going.empty(); going = close_levels()) {
             auto const steps = options_.samples / options_.chains - 1;
-            if (trials_ + steps * options_.chains * static_cast<std::int64_t>(going.size()) > most_trials) {
+            if (trials_ + steps * options_.chains * std::ssize(going) > most_trials) {
                 return;
             }
             for (std::int64_t step = 0; step < steps; ++step) {
@@ -58,7 +58,7 @@ class Simulation {
 
   private:
     void begin();
-    [[nodiscard]] std::int64_t replicates() const { return static_cast<std::int64_t>(runs_.size()); }
+    [[nodiscard]] std::int64_t replicates() const { return runs_.size(); }
     template <class Draw> void answer(std::span<SubsetRow> rows, Draw const& draw) const {
         answer_items(problem_, rows.size(), {&factor_, 1}, draw,
                      [&](std::size_t i, std::span<Answer const> answers) { rows[i] = row_of(answers.front()); });
@@ -86,7 +86,7 @@ void Simulation::begin() {
                                                   });
                                               });
     for (std::size_t r = 0; r < runs_.size(); ++r) {
-        runs_[r].begin(std::span(rows).subspan(r * static_cast<std::size_t>(each), static_cast<std::size_t>(each)));
+        runs_[r].begin(std::span(rows).subspan(r * each, each));
     }
     for (auto const& row : rows) {
         plain_.failed += row.failed;
@@ -110,7 +110,7 @@ std::vector<std::size_t> Simulation::close_levels() {
 
 void Simulation::step_all(std::vector<std::size_t> const& going, std::int64_t step) {
     auto const chains = options_.chains;
-    auto const items = chains * static_cast<std::int64_t>(going.size());
+    auto const items = chains * std::ssize(going);
     auto const name = fmt::format("{}-{}-{}", name_, runs_[going.front()].result().levels, step + 1);
     auto const rows =
         workers_.map<SubsetRow>({.name = name, .items = items}, [&](std::int64_t first, std::span<SubsetRow> out) {
@@ -120,8 +120,8 @@ void Simulation::step_all(std::vector<std::size_t> const& going, std::int64_t st
             });
         });
     for (std::size_t g = 0; g < going.size(); ++g) {
-        auto const from = g * static_cast<std::size_t>(chains);
-        runs_[going[g]].step(std::span(rows).subspan(from, static_cast<std::size_t>(chains)));
+        auto const from = g * chains;
+        runs_[going[g]].step(std::span(rows).subspan(from, chains));
     }
     trials_ += items;
 }
@@ -206,7 +206,7 @@ std::vector<double> probabilities_of(Batches const& batches) {
 
 // What is still wanted of replicates; 0: enough, or no more are allowed.
 std::int64_t more_wanted(Batches const& batches, Request const& request, SubsetOptions const& options) {
-    auto const done = static_cast<std::int64_t>(batches.runs.size());
+    std::int64_t const done = batches.runs.size();
     auto const mean = mean_of_replicates(probabilities_of(batches));
     bool const ended =
         std::ranges::all_of(batches.runs, [](SubsetRun const& run) { return run.end() == SubsetRun::End::reached; });
@@ -235,8 +235,7 @@ SubsetResult estimate_subset(Problem const& problem, double factor, Request cons
     Batches batches;
     bool const leads = scouted.found && scouted.missed <= most_missed;
     for (auto more = leads ? request.replicates : 0; more > 0; more = more_wanted(batches, request, options)) {
-        Simulation simulation(problem, factor, request, workers, options,
-                              static_cast<std::int64_t>(batches.runs.size()), more);
+        Simulation simulation(problem, factor, request, workers, options, batches.runs.size(), more);
         simulation.run(request.max_runs - batches.trials);
         batches.add(std::move(simulation));
     }

@@ -228,7 +228,7 @@ Response Ladder::conclude(TrialState const& state) const {
 void Ladder::put_nothing(std::span<std::byte> own) const {
     for (std::size_t at = 0; at < own.size(); at += own_bytes_) {
         for (auto const& [traits, offset] : own_parts_) {
-            std::ranges::copy(traits->nothing, own.begin() + static_cast<std::ptrdiff_t>(at + offset));
+            std::ranges::copy(traits->nothing, own.begin() + (at + offset));
         }
     }
 }

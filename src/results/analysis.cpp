@@ -91,14 +91,13 @@ class Analyst {
                 !measure->other_unit_of.empty() ? other(spec_.measures.radius_unit) : spec_.measures.radius_unit;
             body.criterion.push_back(
                 {measure, unit,
-                 study_criterion(statistics_.measured().criterion_trials(static_cast<std::int64_t>(b), measure),
-                                 options_.confidence, alike())});
+                 study_criterion(statistics_.measured().criterion_trials(b, measure), options_.confidence, alike())});
             if (is_grid_) {
                 keep_counts(body.criterion.back().study);
             }
         }
         if (spec_.measures.energy && !is_grid_) {
-            body.response = response_bins(statistics_.measured().responses(static_cast<std::int64_t>(b)));
+            body.response = response_bins(statistics_.measured().responses(b));
             body.verdict = verdict_on(body, options_.confidence);
         }
         return body;
@@ -122,7 +121,7 @@ class Analyst {
                                            FragilityRequest request) const {
         auto data = FragilityData::of_stripes(statistics_.bodies()[b].stripes_of(limit));
         data.trials = std::move(trials);
-        data.open = statistics_.measured().open(static_cast<std::int64_t>(b), measure_named("level"), limit);
+        data.open = statistics_.measured().open(b, measure_named("level"), limit);
         data.waves_shared = shared();
         data.waves_left_out = statistics_.measured().passed_by() > 0;
         request.quotes = quotes_of(spec_.levels);
@@ -134,7 +133,7 @@ class Analyst {
     [[nodiscard]] bool shared() const {
         return alike() > 1 || (!spec_.levels.independent_waves && spec_.levels.levels.size() > 1);
     }
-    [[nodiscard]] std::int64_t alike() const { return static_cast<std::int64_t>(spec_.source->about().waves_alike); }
+    [[nodiscard]] std::int64_t alike() const { return spec_.source->about().waves_alike; }
     [[nodiscard]] FragilityRequest request_of(std::size_t b, std::size_t limit,
                                               std::optional<BetaSplit> const& split) const {
         FragilityRequest request;
@@ -149,7 +148,7 @@ class Analyst {
     }
     [[nodiscard]] BootstrapKey bootstrap_of(std::size_t b) const { return {spec_.seed, b, options_.replicates}; }
     [[nodiscard]] std::vector<SingleTrial> singles(std::size_t b, Measure measure, std::size_t limit) const {
-        return statistics_.measured().singles(static_cast<std::int64_t>(b), measure, limit);
+        return statistics_.measured().singles(b, measure, limit);
     }
 
     [[nodiscard]] FragilityFit over_measure(std::size_t b, std::size_t limit, Measure measure,
@@ -159,9 +158,9 @@ class Analyst {
             request.quotes = {{1, 1}};
         }
         auto const& measured = statistics_.measured();
-        auto const body = static_cast<std::int64_t>(b);
+        std::int64_t const body = b;
         auto open = measured.open(body, measure, limit);
-        auto const lost = measured.left_out(body, measure, limit) - static_cast<std::int64_t>(open.size());
+        auto const lost = measured.left_out(body, measure, limit) - std::ssize(open);
         auto data = FragilityData::of_trials(std::move(trials), shared(), std::move(open), lost, alike());
         data.waves_left_out = measured.passed_by() > 0;
         return fit_fragility(data, request);

@@ -17,8 +17,7 @@ std::vector<TrialRow> trials_of_few_waves(CampaignSpec const& spec, store::Resul
         return {};
     }
     std::vector<TrialRow> rows(file.integers("trials/wave").size());
-    file.rows(stored_trial_table(file, spec), static_cast<std::int64_t>(rows.size()), 0,
-              std::as_writable_bytes(std::span(rows)));
+    file.rows(stored_trial_table(file, spec), rows.size(), 0, std::as_writable_bytes(std::span(rows)));
     return rows;
 }
 

@@ -22,7 +22,7 @@ GridLine::GridLine(std::int64_t wave_number, double wave_period_s, std::size_t l
     : wave(wave_number), period_s(wave_period_s), ends(levels, Verdict::failed), least(limits) {}
 
 void GridLine::add(TrialRow const& row, LimitOutcomes const& limits) {
-    auto const level = static_cast<std::size_t>(row.level);
+    std::size_t const level = row.level;
     auto const& end = entry_of(row.verdict);
     ends.at(level) = row.verdict;
     undecided += end.decided ? 0 : 1;

@@ -120,7 +120,7 @@ std::vector<HandCheck> hand_checks(CampaignSpec const& spec) {
     for (auto const& body : spec.bodies) {
         HandCheck check;
         check.body = body.name;
-        check.waves = static_cast<std::int64_t>(motions.size());
+        check.waves = motions.size();
         check.left_out = motions.front().vertical_mps2.empty() ? "" : "vertical";
         check_rocking(check, body.body, motions);
         if (body.friction && basis != spec.levels.levels.end()) {

@@ -10,8 +10,7 @@
 
 namespace overturn {
 
-MeasuredTrials::MeasuredTrials(std::vector<Measure> measures, std::uint64_t waves_alike)
-    : waves_alike_(static_cast<std::int64_t>(waves_alike)) {
+MeasuredTrials::MeasuredTrials(std::vector<Measure> measures, std::int64_t waves_alike) : waves_alike_(waves_alike) {
     std::ranges::partition_copy(measures, std::back_inserter(linear_), std::back_inserter(others_), is_linear);
 }
 
@@ -76,7 +75,7 @@ MeasuredTrials::Place MeasuredTrials::place_of(Measure measure) const {
 
 double MeasuredTrials::value(std::size_t trial, Place place) const {
     auto const& of = trials_[trial];
-    auto const first = static_cast<std::size_t>(of.body) * linear_.size();
+    auto const first = of.body * linear_.size();
     return place.linear ? of.scale * of.of_wave->second[first + place.at] : values_[trial * others_.size() + place.at];
 }
 

@@ -39,7 +39,7 @@ class MeasuredTrials {
   public:
     /// \param measures those it holds, and no others
     /// \param waves_alike so many in a row are no independent samples: they are resampled together
-    explicit MeasuredTrials(std::vector<Measure> measures, std::uint64_t waves_alike = 1);
+    explicit MeasuredTrials(std::vector<Measure> measures, std::int64_t waves_alike = 1);
     // Trials point to their waves, which a map keeps in place when it is moved, not when it is copied.
     MeasuredTrials(MeasuredTrials const&) = delete;
     MeasuredTrials& operator=(MeasuredTrials const&) = delete;

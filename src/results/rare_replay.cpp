@@ -18,8 +18,7 @@ RareReplay replay_rare(store::ResultsReader const& file, CampaignSpec const& spe
              body);
     auto const state = std::ranges::find(spec.limits, limit, &LimitState::name);
     validate(state != spec.limits.end(), "{} (no such limit state in this file). Check the name", limit);
-    RareReplayer const replayer(file, spec, static_cast<std::size_t>(found - spec.bodies.begin()),
-                                static_cast<std::size_t>(state - spec.limits.begin()));
+    RareReplayer const replayer(file, spec, found - spec.bodies.begin(), state - spec.limits.begin());
     validate(row >= 0 && row < replayer.rows(), "row {} of /rare/{}/rows (it has {}, from 0). Choose one of them", row,
              body, replayer.rows());
     auto const stored = replayer.stored(row);

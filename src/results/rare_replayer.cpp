@@ -14,7 +14,7 @@ RareReplayer::RareReplayer(store::ResultsReader const& file, CampaignSpec const&
                            std::size_t limit)
     : file_(file), spec_(spec), problem_(spec, body, limit), group_(rare_group(spec, body, limit)) {
     table_ = {group_ + "/rows", sizeof(RareRow), fields_of<RareRow>()};
-    rows_ = file.has(group_) ? static_cast<std::int64_t>(file.integers(group_ + "/rows/index").size()) : 0;
+    rows_ = file.has(group_) ? std::ssize(file.integers(group_ + "/rows/index")) : 0;
 }
 
 RareRow RareReplayer::stored(std::int64_t row) const {
@@ -62,11 +62,11 @@ rare::Mixture RareReplayer::mixture_of(RareRow const& row) const {
     auto const shares = file_.reals(place(row) + "/shares");
     auto const lines = file_.reals(place(row) + "/lines");
     auto const arrivals = file_.reals(place(row) + "/arrivals");
-    auto const each = shares.size() / static_cast<std::size_t>(spec_.rare->replicates);
+    auto const each = shares.size() / spec_.rare->replicates;
     auto const grid = rare::Mixture::grid_of(frame);
     std::vector<rare::Pulse> pulses(each);
     for (std::size_t c = 0; c < each; ++c) {
-        auto const place = static_cast<std::size_t>(row.replicate) * each + c;
+        auto const place = row.replicate * each + c;
         pulses[c].share = shares.at(place);
         for (std::size_t k = 0; k < frame.lines; ++k) {
             auto const at = 2 * (place * frame.lines + k);
@@ -82,7 +82,7 @@ RareRow RareReplayer::again_from_mixture(RareRow row) const {
     auto key = key_of(row);
     // A pilot's draws are named by its rung, the final ones by none.
     key.level = key.phase == rare::Phase::pilot ? static_cast<std::uint64_t>(row.stage) : 0;
-    key.index = static_cast<std::uint64_t>(row.index);
+    key.index = row.index;
     auto const mixture = mixture_of(row);
     std::vector<double> normals(problem_.normals());
     row.plain = draw_from(mixture, key, normals) ? 1 : 0;
@@ -104,7 +104,7 @@ std::vector<double> RareReplayer::normals_of_chain(RareRow const& row, std::int6
         descent[i].parent = static_cast<std::int64_t>(i) - 1;
     }
     std::vector<double> normals(problem_.normals());
-    rare::normals_of_node(descent, static_cast<std::int64_t>(descent.size()) - 1, key_of(row), normals);
+    rare::normals_of_node(descent, std::ssize(descent) - 1, key_of(row), normals);
     return normals;
 }
 

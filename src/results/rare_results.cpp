@@ -132,7 +132,7 @@ void read_replicates(store::ResultsReader const& file, std::string const& group,
     auto const values = file.reals(group + "/replicates");
     std::size_t taken = 0;
     for (std::size_t l = 0; l < counts.size(); ++l) {
-        auto const of_level = std::span(values).subspan(taken, static_cast<std::size_t>(counts[l]));
+        auto const of_level = std::span(values).subspan(taken, counts[l]);
         estimates.at(l).replicates.assign(of_level.begin(), of_level.end());
         taken += of_level.size();
     }
@@ -166,9 +166,8 @@ void write_rare_record(store::ResultsWriter& file, CampaignSpec const& spec, std
     for (auto const& body : bodies) {
         auto const group = rare_group(spec, body.body, body.limit);
         auto const rows = rare_rows(body);
-        auto const table =
-            file.table({group + "/rows", sizeof(RareRow), fields_of<RareRow>(), "row", "number of the row"},
-                       static_cast<std::int64_t>(rows.size()));
+        auto const table = file.table(
+            {group + "/rows", sizeof(RareRow), fields_of<RareRow>(), "row", "number of the row"}, rows.size());
         file.append(table, std::as_bytes(std::span(rows)));
         for (std::size_t m = 0; m < body.record.mixtures.size(); ++m) {
             write_mixture(file, fmt::format("{}/mixture-{}", group, m), body.record.mixtures[m]);

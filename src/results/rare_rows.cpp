@@ -4,8 +4,8 @@ namespace overturn {
 namespace {
 
 void put_key(RareRow& row, rare::DrawKey const& key) {
-    row.problem = static_cast<std::int64_t>(key.problem);
-    row.replicate = static_cast<std::int64_t>(key.replicate);
+    row.problem = key.problem;
+    row.replicate = key.replicate;
     row.phase = static_cast<std::int64_t>(key.phase);
 }
 
@@ -16,11 +16,11 @@ void add_mixture(std::vector<RareRow>& rows, rare::PulseResult const& result, st
                 auto const& from = stages[s].rows[i];
                 RareRow row{.method = static_cast<std::int64_t>(rare::Method::pulse_mixture), .run = run};
                 put_key(row, stages[s].key);
-                row.stage = static_cast<std::int64_t>(s);
-                row.index = static_cast<std::int64_t>(i);
+                row.stage = s;
+                row.index = i;
                 row.weight = from.weight;
-                row.failed = static_cast<std::int64_t>(from.failed);
-                row.undecided = static_cast<std::int64_t>(from.undecided);
+                row.failed = from.failed;
+                row.undecided = from.undecided;
                 row.plain = from.plain;
                 rows.push_back(row);
             }
@@ -30,11 +30,11 @@ void add_mixture(std::vector<RareRow>& rows, rare::PulseResult const& result, st
 
 void add_subset(std::vector<RareRow>& rows, rare::SubsetResult const& result, std::int64_t run) {
     for (std::size_t r = 0; r < result.replicates.size(); ++r) {
-        auto const first = static_cast<std::int64_t>(rows.size());
+        std::int64_t const first = rows.size();
         for (auto const& node : result.replicates[r].nodes) {
             RareRow row{.method = static_cast<std::int64_t>(rare::Method::subset), .run = run};
             put_key(row, result.key);
-            row.replicate = static_cast<std::int64_t>(r);
+            row.replicate = r;
             row.stage = node.level;
             row.step = node.step;
             row.index = node.index;
@@ -53,10 +53,10 @@ void add_subset(std::vector<RareRow>& rows, rare::SubsetResult const& result, st
 std::vector<RareRow> rare_rows(RareBody const& body) {
     std::vector<RareRow> rows;
     for (std::size_t m = 0; m < body.record.mixtures.size(); ++m) {
-        add_mixture(rows, body.record.mixtures[m], static_cast<std::int64_t>(m));
+        add_mixture(rows, body.record.mixtures[m], m);
     }
     for (std::size_t s = 0; s < body.record.subsets.size(); ++s) {
-        add_subset(rows, body.record.subsets[s], static_cast<std::int64_t>(s));
+        add_subset(rows, body.record.subsets[s], s);
     }
     return rows;
 }

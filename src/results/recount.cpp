@@ -64,7 +64,7 @@ void each_row(store::ResultsReader const& file, store::TableSpec const& table, s
     constexpr std::int64_t at_once = 1 << 14U;
     std::vector<Row> rows;
     for (std::int64_t first = 0; first < length; first += at_once) {
-        rows.assign(static_cast<std::size_t>(std::min(at_once, length - first)), {});
+        rows.assign(std::min(at_once, length - first), {});
         file.rows(table, length, first, std::as_writable_bytes(std::span(rows)));
         for (auto const& row : rows) {
             take(row);
@@ -83,13 +83,13 @@ class OwnRecords {
         if (length_ == 0 || each_ == 0) {
             return {};
         }
-        auto const place = static_cast<std::size_t>(next_++ - first_) * each_;
+        auto const place = (next_++ - first_) * each_;
         if (place < records_.size()) {
             return std::span(records_).subspan(place, each_);
         }
         constexpr std::int64_t at_once = 1 << 14U;
         first_ = next_ - 1;
-        records_.assign(static_cast<std::size_t>(std::min(at_once, length_ - first_)) * each_, {});
+        records_.assign(std::min(at_once, length_ - first_) * each_, {});
         for (auto const& table : tables_) {
             file_.rows(table, length_, first_, records_);
         }
@@ -174,7 +174,7 @@ void require_stored_limits(store::ResultsReader const& file, CampaignSpec const&
 std::vector<MeasureRow> stored_measures(store::ResultsReader const& file, CampaignSpec const& spec,
                                         std::int64_t waves) {
     auto const bodies = spec.bodies.size();
-    std::vector<MeasureRow> rows(static_cast<std::size_t>(waves) * bodies);
+    std::vector<MeasureRow> rows(waves * bodies);
     for (std::size_t b = 0; b < bodies && !rows.empty(); ++b) {
         auto const table = measure_table(spec, b);
         file.rows(table, waves, 0, std::as_writable_bytes(std::span(rows)));
@@ -187,12 +187,12 @@ std::vector<MeasureRow> stored_measures(store::ResultsReader const& file, Campai
 Plan plan_in(store::ResultsReader const& file, CampaignSpec const& spec) {
     Plan const drawn(spec);
     auto numbers = file.integers("waves/id");
-    check_waves(static_cast<std::int64_t>(numbers.size()), spec, drawn.asked());
+    check_waves(numbers.size(), spec, drawn.asked());
     std::ranges::transform(numbers, numbers.begin(), [&](std::int64_t id) { return drawn.number_of(id); });
     bool const rising = std::ranges::adjacent_find(numbers, std::greater_equal<>()) == numbers.end();
     require(rising && (numbers.empty() || (numbers.front() >= 0 && numbers.back() < drawn.waves())),
             "waves/id names waves that the campaign cannot have drawn");
-    auto const each = static_cast<std::int64_t>(numbers.size()) / drawn.groups();
+    auto const each = std::ssize(numbers) / drawn.groups();
     return drawn.chosen(std::move(numbers), each);
 }
 
@@ -207,10 +207,10 @@ Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec) {
         statistics.add(row, std::span(measures).subspan(bodies * wave++, bodies));
     });
     if (auto const refused = refused_wave_table(spec); file.has(refused.group + "/id")) {
-        auto const rows = static_cast<std::int64_t>(file.integers(refused.group + "/id").size());
+        auto const rows = std::ssize(file.integers(refused.group + "/id"));
         each_row<WaveRow>(file, refused, rows, [&](WaveRow const& row) { statistics.add_refused(row); });
     }
-    auto const levels = static_cast<std::int64_t>(spec.levels.levels.size());
+    std::int64_t const levels = spec.levels.levels.size();
     Ladder const ladder(spec.effects, spec.accuracy);
     OwnRecords own(file, ladder, statistics.reads_own() ? done * plan.trials_per_wave() : 0);
     each_row<TrialRow>(file, stored_trial_table(file, spec), done * plan.trials_per_wave(), [&](TrialRow const& row) {

@@ -129,7 +129,7 @@ store::TableSpec trial_table(CampaignSpec const& spec) {
         } else if (column.name == "body") {
             column.type = FieldType::category;
             for (auto const& body : spec.bodies) {
-                column.categories.push_back({static_cast<std::int64_t>(column.categories.size()), body.name});
+                column.categories.push_back({std::ssize(column.categories), body.name});
             }
         }
     }

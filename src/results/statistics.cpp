@@ -28,8 +28,7 @@ Statistics::Statistics(CampaignSpec const& spec)
         BodyStatistics statistics;
         statistics.body = body.name;
         for (auto const& level : spec.levels.levels) {
-            statistics.stripes.push_back(
-                {.amplitude = level.value, .alike = static_cast<std::int64_t>(spec.source->about().waves_alike)});
+            statistics.stripes.push_back({.amplitude = level.value, .alike = spec.source->about().waves_alike});
         }
         statistics.limits.resize(spec.limits.size() - 1, {statistics.stripes, 0, 0});
         statistics.v_wes.resize(statistics.stripes.size());
@@ -84,7 +83,7 @@ void Statistics::add(TrialRow const& row, std::span<std::byte const> own) {
     auto const limits = judge_.judge(row, own);
     measured_.add(row, limits);
     auto& body = bodies_.at(row.body);
-    auto const level = static_cast<std::size_t>(row.level);
+    std::size_t const level = row.level;
     if (!body.grid.empty()) {
         body.grid.at(row.wave).add(row, limits);
     }
@@ -94,7 +93,7 @@ void Statistics::add(TrialRow const& row, std::span<std::byte const> own) {
         count(body.limits[l], level, end, limits.is_decided(l + 1), limits.has_passed(l + 1));
     }
     ++stripe.trials;
-    ++body.ends[static_cast<std::size_t>(&end - verdicts().data())][level];
+    ++body.ends[&end - verdicts().data()][level];
     for (std::size_t e = 0; e < effects().size(); ++e) {
         bool const called = has(static_cast<EffectMask>(row.called), effects()[e].value);
         bool const simulated = has(static_cast<EffectMask>(row.effects), effects()[e].value);
@@ -123,7 +122,7 @@ void Statistics::add(TrialRow const& row, std::span<std::byte const> own) {
 void Statistics::count_after_record(TrialRow const& row, BodyStatistics& body) const {
     auto const other = other_durations_.find(row.wave);
     double const end_s = other == other_durations_.end() ? duration_s_ : other->second;
-    auto const level = static_cast<std::size_t>(row.level);
+    std::size_t const level = row.level;
     if (row.overturn_time_s > end_s) {
         ++body.fell_after_record[level];
     } else if (entry_of(row.verdict).decided && row.time_of_peak_s > end_s) {

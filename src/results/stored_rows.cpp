@@ -11,8 +11,8 @@ namespace overturn {
 StoredRows::StoredRows(store::ResultsReader const& file, CampaignSpec const& spec)
     : file_(file),
       ladder_(spec.effects, spec.accuracy),
-      trials_(static_cast<std::int64_t>(file.integers("trials/verdict").size())),
-      waves_(static_cast<std::int64_t>(file.integers("waves/id").size())),
+      trials_(std::ssize(file.integers("trials/verdict"))),
+      waves_(std::ssize(file.integers("waves/id"))),
       trial_table_(stored_trial_table(file, spec)),
       wave_table_(held_in(file, overturn::wave_table(spec))),
       own_tables_(own_tables(ladder_)) {
@@ -22,7 +22,7 @@ StoredRows::StoredRows(store::ResultsReader const& file, CampaignSpec const& spe
 }
 
 TrialRows StoredRows::trials(std::int64_t first, std::int64_t count) const {
-    auto const size = static_cast<std::size_t>(count);
+    std::size_t const size = count;
     TrialRows trials{std::vector<TrialRow>(size), std::vector<std::byte>(size * ladder_.own_bytes())};
     file_.rows(trial_table_, trials_, first, std::as_writable_bytes(std::span(trials.rows)));
     for (auto const& table : own_tables_) {
@@ -32,13 +32,13 @@ TrialRows StoredRows::trials(std::int64_t first, std::int64_t count) const {
 }
 
 std::vector<WaveRow> StoredRows::waves(std::int64_t first, std::int64_t count) const {
-    std::vector<WaveRow> waves(static_cast<std::size_t>(count));
+    std::vector<WaveRow> waves(count);
     file_.rows(wave_table_, waves_, first, std::as_writable_bytes(std::span(waves)));
     return waves;
 }
 
 std::vector<MeasureRow> StoredRows::measures(std::int64_t first, std::int64_t count) const {
-    std::vector<MeasureRow> measures(static_cast<std::size_t>(count) * measure_tables_.size());
+    std::vector<MeasureRow> measures(count * measure_tables_.size());
     for (auto const& table : measure_tables_) {
         file_.rows(table, waves_, first, std::as_writable_bytes(std::span(measures)));
     }

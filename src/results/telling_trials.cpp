@@ -108,7 +108,7 @@ std::vector<TellingTrial> telling_trials(CampaignSpec const& spec, Plan const& p
         bodies.emplace_back(body.friction.has_value());
     }
     for (std::size_t t = 0; t < columns.verdicts.size(); ++t) {
-        auto const number = static_cast<std::int64_t>(t);
+        std::int64_t const number = t;
         auto const [wave, body, level] = plan.trial(number);
         TellingTrial trial;
         trial.trial = number;

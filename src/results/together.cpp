@@ -68,9 +68,9 @@ std::vector<BodiesTogether> bodies_together(CampaignSpec const& spec, Statistics
         return together;
     }
     for (std::size_t limit = 0; limit < spec.limits.size(); ++limit) {
-        together.push_back({spec.limits[limit].name, spec.limits[limit].passing(),
-                            study_joint(joint_trials(spec, statistics.measured(), limit),
-                                        static_cast<std::int64_t>(spec.source->about().waves_alike))});
+        together.push_back(
+            {spec.limits[limit].name, spec.limits[limit].passing(),
+             study_joint(joint_trials(spec, statistics.measured(), limit), spec.source->about().waves_alike)});
     }
     return together;
 }
@@ -109,7 +109,7 @@ std::vector<TwoMeasures> over_two_measures(CampaignSpec const& spec, Statistics 
     std::vector<TwoMeasures> fits;
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
         for (std::size_t limit = 0; limit < spec.limits.size(); ++limit) {
-            auto const trials = statistics.measured().pairs(static_cast<std::int64_t>(b), measures, limit);
+            auto const trials = statistics.measured().pairs(b, measures, limit);
             fits.push_back({spec.bodies[b].name,
                             spec.limits[limit].name,
                             {name_of(measures[0], spec), name_of(measures[1], spec)},

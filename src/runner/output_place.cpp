@@ -263,7 +263,7 @@ std::vector<std::int64_t> take_blocks(std::filesystem::path const& output, store
                                        if (wish.resume && (begun || !committed.empty())) {
                                            print_note("resuming {}: {} of {} blocks are done, {} are left\n",
                                                       output.string(), committed.size(), range.count(),
-                                                      range.count() - static_cast<std::int64_t>(committed.size()));
+                                                      range.count() - std::ssize(committed));
                                        }
                                        warn_of_little_space(output, plan, wish.part, committed);
                                        return nlohmann::json(committed).dump();

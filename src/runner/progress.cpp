@@ -13,7 +13,7 @@
 namespace overturn {
 
 std::string duration_text(double seconds) {
-    auto const whole = static_cast<std::int64_t>(std::llround(seconds));
+    std::int64_t const whole = std::llround(seconds);
     constexpr std::int64_t minute = 60;
     constexpr std::int64_t hour = 3600;
     if (seconds < 10) {

@@ -27,7 +27,7 @@ namespace overturn {
 namespace {
 
 std::vector<std::int64_t> all_of(store::BlockRange const& range) {
-    std::vector<std::int64_t> blocks(static_cast<std::size_t>(range.count()));
+    std::vector<std::int64_t> blocks(range.count());
     std::iota(blocks.begin(), blocks.end(), range.first);
     return blocks;
 }
@@ -172,8 +172,8 @@ class Run {
         std::vector<std::int64_t> left;
         std::ranges::copy_if(blocks, std::back_inserter(left),
                              [&](std::int64_t block) { return !std::ranges::binary_search(committed_, block); });
-        auto const all = static_cast<std::int64_t>(blocks.size());
-        auto const before = all - static_cast<std::int64_t>(left.size());
+        std::int64_t const all = blocks.size();
+        auto const before = all - std::ssize(left);
         Progress progress(all, before, static_cast<double>(plan_.trials()) / static_cast<double>(plan_.blocks()));
         auto const done = work(spec_, plan_, left, shards_, stop_policy_, comm_, progress);
         if (comm_.is_root() && done.committed > 0) {
@@ -183,7 +183,7 @@ class Run {
         done_.add(done);
         wall_s_ += progress.elapsed_s();
         asked_ += all;
-        unfinished_ = static_cast<std::int64_t>(left.size()) - done.committed;
+        unfinished_ = std::ssize(left) - done.committed;
         return comm_.largest(comm_.is_root() && unfinished_ > 0 ? 1 : 0) == 0;
     }
 

@@ -56,10 +56,10 @@ class Verifier {
         draw(wish);
     }
 
-    [[nodiscard]] std::int64_t units() const { return static_cast<std::int64_t>(units_.size() + rare_rows_.size()); }
+    [[nodiscard]] std::int64_t units() const { return units_.size() + rare_rows_.size(); }
 
     void compute(std::int64_t unit) {
-        auto const number = static_cast<std::size_t>(unit);
+        std::size_t const number = unit;
         if (number >= units_.size()) {
             compare_rare(rare_rows_[number - units_.size()]);
         } else if (units_[number].drawn.empty()) {
@@ -97,10 +97,10 @@ class Verifier {
             }
             return;
         }
-        std::vector<std::int64_t> rows(static_cast<std::size_t>(all));
+        std::vector<std::int64_t> rows(all);
         std::iota(rows.begin(), rows.end(), 0);
         std::vector<std::int64_t> drawn;
-        std::mt19937_64 random(static_cast<std::uint64_t>(wish.seed));
+        std::mt19937_64 random(wish.seed);
         std::ranges::sample(rows, std::back_inserter(drawn), *wish.sample, random);
         for (auto const row : drawn) {
             if (row >= trials_) {
@@ -153,7 +153,7 @@ class Verifier {
 
     void compare_waves(std::int64_t first, std::span<WaveRow const> waves, std::span<MeasureRow const> measures) {
         auto const bodies = spec_.bodies.size();
-        auto const count = static_cast<std::int64_t>(waves.size());
+        std::int64_t const count = waves.size();
         auto const stored = rows_.waves(first, count);
         auto const stored_measures = rows_.measures(first, count);
         for (std::size_t w = 0; w < waves.size(); ++w) {
@@ -180,9 +180,9 @@ class Verifier {
         auto const count = unit.count * plan_.trials_per_wave();
         auto const stored = rows_.trials(first, count);
         for (std::int64_t i = 0; i < count; ++i) {
-            compare_trial(first + i, stored, again.trials, static_cast<std::size_t>(i));
+            compare_trial(first + i, stored, again.trials, i);
         }
-        auto const waves = static_cast<std::size_t>(unit.count);
+        std::size_t const waves = unit.count;
         compare_waves(unit.first, std::span(again.waves).first(waves),
                       std::span(again.measures).first(waves * spec_.bodies.size()));
     }

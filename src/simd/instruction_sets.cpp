@@ -18,8 +18,8 @@ std::vector<std::int64_t> instruction_sets() {
     // Highway's better ones have the lower bits; the fallback always runs, whether it counts as supported or not.
     auto const usable = (hwy::SupportedTargets() & HWY_TARGETS) | HWY_STATIC_TARGET;
     std::vector<std::int64_t> sets;
-    for (auto rest = static_cast<std::uint64_t>(usable); rest != 0; rest &= rest - 1) {
-        sets.push_back(static_cast<std::int64_t>(rest & (~rest + 1)));
+    for (std::uint64_t rest = usable; rest != 0; rest &= rest - 1) {
+        sets.push_back(rest & (~rest + 1));
     }
     return sets;
 }

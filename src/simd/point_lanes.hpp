@@ -21,8 +21,8 @@ template <class Field, class Wave, class Spot, int MostPoints, int Lanes> struct
 
     void copy_lane(int from, int to) {
         body.copy_lane(from, to);
-        for (std::size_t row = 0; row < static_cast<std::size_t>(points) * spots; ++row) {
-            bed[row * Lanes + static_cast<std::size_t>(to)] = bed[row * Lanes + static_cast<std::size_t>(from)];
+        for (std::size_t row = 0; row < points * spots; ++row) {
+            bed[row * Lanes + to] = bed[row * Lanes + from];
         }
     }
 

@@ -125,12 +125,11 @@ TabulatedCorrelation TabulatedCorrelation::parse(std::string_view content, std::
                                      periods.size()));
     }
     TabulatedCorrelation table;
-    auto const count = static_cast<Eigen::Index>(periods.size());
+    Eigen::Index const count = periods.size();
     table.values_.resize(count, count);
     for (std::size_t i = 0; i < periods.size(); ++i) {
         table.log_period_.push_back(std::log(periods[i]));
-        table.values_.row(static_cast<Eigen::Index>(i)) =
-            Eigen::Map<Eigen::RowVectorXd const>(rows[i].data(), static_cast<Eigen::Index>(rows[i].size()));
+        table.values_.row(i) = Eigen::Map<Eigen::RowVectorXd const>(rows[i].data(), rows[i].size());
     }
     check_values(table.values_, lines, name);
     return table;
@@ -149,14 +148,14 @@ double TabulatedCorrelation::operator()(double period_s, double other_period_s) 
     }
     auto const [i, x] = place(period_s);
     auto const [j, y] = place(other_period_s);
-    auto const row = static_cast<Eigen::Index>(i);
-    auto const column = static_cast<Eigen::Index>(j);
+    Eigen::Index const row = i;
+    Eigen::Index const column = j;
     return (1 - x) * ((1 - y) * values_(row, column) + y * values_(row, column + 1))
            + x * ((1 - y) * values_(row + 1, column) + y * values_(row + 1, column + 1));
 }
 
 CorrelatedNormals::CorrelatedNormals(std::vector<double> const& periods_s, PeriodCorrelation const& correlation) {
-    auto const count = static_cast<Eigen::Index>(periods_s.size());
+    Eigen::Index const count = periods_s.size();
     Eigen::MatrixXd matrix(count, count);
     for (Eigen::Index i = 0; i < count; ++i) {
         for (Eigen::Index j = 0; j < count; ++j) {

@@ -19,8 +19,8 @@ using Eigen::Index;
 constexpr Index scores_from = 2;  // columns: 1, ln x less its mean, scores
 
 ProbitDesign design_of(std::vector<DrawnTrial> const& trials) {
-    auto const rows = static_cast<Index>(trials.size());
-    auto const scores = static_cast<Index>(trials.front().scores.size());
+    Index const rows = trials.size();
+    Index const scores = trials.front().scores.size();
     ProbitDesign design;
     design.columns.resize(rows, scores_from + scores);
     double mean = 0;
@@ -55,7 +55,7 @@ WaveMeans means_of(std::vector<DrawnTrial> const& trials) {
     for (auto& [wave, place] : places) {
         place = next++;
     }
-    auto const scores = static_cast<Index>(trials.front().scores.size());
+    Index const scores = trials.front().scores.size();
     WaveMeans means{Eigen::MatrixXd::Zero(scores, next), Eigen::VectorXd::Zero(next)};
     for (auto const& trial : trials) {
         auto const place = places.at(trial.wave);
@@ -79,7 +79,7 @@ void add_replicates(BetaSplit& split, ProbitRegression const& fit, WaveMeans con
     Eigen::VectorXd const shifts = shifts_of(fit.coefficients);
     for (int r = 0; r < key.replicates; ++r) {
         auto const times = times_drawn(key, r, fit.waves.size());
-        Eigen::Map<Eigen::VectorXd const> const weight(times.data(), static_cast<Index>(times.size()));
+        Eigen::Map<Eigen::VectorXd const> const weight(times.data(), times.size());
         Eigen::VectorXd const mean = means.sums * weight / means.trials.dot(weight);
         SplitReplicate replicate{unknown, shifts.dot(mean - sample_mean)};
         if (auto const again = fit.reweighted(times); again && (*again)[1] > 0) {

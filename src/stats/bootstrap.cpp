@@ -93,7 +93,7 @@ Bootstrap bootstrap_waves(std::span<SingleTrial const> trials, ProbitLine const&
     std::vector<Replicate> replicates;
     replicates.reserve(key.replicates);
     for (int r = 0; r < key.replicates; ++r) {
-        RandomStream stream(key.seed, static_cast<std::uint64_t>(r), Purpose::bootstrap, key.stream);
+        RandomStream stream(key.seed, r, Purpose::bootstrap, key.stream);
         replicates.push_back(refit(cells.draw(stream), centre));
     }
     return {std::move(replicates), line, centre};
@@ -112,7 +112,7 @@ Bootstrap bootstrap_trials(std::span<FragilityPoint const> points, ProbitLine co
     std::vector<Replicate> replicates;
     replicates.reserve(key.replicates);
     for (int r = 0; r < key.replicates; ++r) {
-        RandomStream stream(key.seed, static_cast<std::uint64_t>(r), Purpose::bootstrap, key.stream);
+        RandomStream stream(key.seed, r, Purpose::bootstrap, key.stream);
         for (std::size_t i = 0; i < points.size(); ++i) {
             drawn[i].overturned =
                 gsl_ran_binomial(stream.gsl(), points[i].probability(), static_cast<unsigned>(points[i].trials));

@@ -129,7 +129,7 @@ std::vector<Replicate> refits_of(std::span<Capacity const> capacities, Bootstrap
     std::vector<Replicate> replicates;
     std::vector<Capacity> drawn(capacities.size());
     for (int r = 0; r < key.replicates; ++r) {
-        RandomStream stream(key.seed, static_cast<std::uint64_t>(r), Purpose::bootstrap, key.stream);
+        RandomStream stream(key.seed, r, Purpose::bootstrap, key.stream);
         for (auto& capacity : drawn) {
             capacity = capacities[gsl_rng_uniform_int(stream.gsl(), capacities.size())];
         }
@@ -236,7 +236,7 @@ Interval profile_beta(std::span<Capacity const> capacities, ProbitLine const& be
 std::vector<Stripe> stripes_of(std::span<Capacity const> capacities) {
     std::vector<Capacity> sorted(capacities.begin(), capacities.end());
     std::ranges::sort(sorted, {}, &Capacity::intensity);
-    auto const waves = static_cast<std::int64_t>(sorted.size());
+    std::int64_t const waves = sorted.size();
     std::vector<Stripe> stripes;
     std::int64_t fallen = 0;
     std::int64_t censored_below = 0;
@@ -265,7 +265,7 @@ FragilityFit fragility_of(std::span<Capacity const> capacities, FragilityRequest
     fit.passing = request.passing;
     fit.trials = static_cast<double>(capacities.size());
     fit.overturned = static_cast<double>(std::ranges::count_if(capacities, &Capacity::reached));
-    fit.waves = static_cast<std::int64_t>(capacities.size());
+    fit.waves = capacities.size();
     auto const [lowest, highest] = std::ranges::minmax(capacities, {}, &Capacity::intensity);
     fit.lowest = lowest.intensity;
     fit.highest = highest.intensity;

@@ -16,14 +16,8 @@ std::optional<RatioQuantiles> ratio_quantiles(std::vector<double> ratios) {
         return std::nullopt;
     }
     std::sort(ratios.begin(), ratios.end());
-    return RatioQuantiles{static_cast<std::int64_t>(ratios.size()),
-                          ratios.front(),
-                          quantile(ratios, 0.05),
-                          quantile(ratios, 0.25),
-                          quantile(ratios, 0.5),
-                          quantile(ratios, 0.75),
-                          quantile(ratios, 0.95),
-                          ratios.back()};
+    return RatioQuantiles{std::ssize(ratios),    ratios.front(),         quantile(ratios, 0.05), quantile(ratios, 0.25),
+                          quantile(ratios, 0.5), quantile(ratios, 0.75), quantile(ratios, 0.95), ratios.back()};
 }
 
 CriterionStudy study_criterion(std::span<CriterionTrial const> trials, double confidence, std::int64_t alike) {
@@ -58,7 +52,7 @@ CriterionStudy study_criterion(std::span<CriterionTrial const> trials, double co
     study.safe_uplifted_but_overturned = share_of(c.false_safe, uplifted, confidence, alike);
     auto const by_waves = [&](std::map<std::int64_t, bool> const& waves) {
         auto const fell = std::count_if(waves.begin(), waves.end(), [](auto const& w) { return w.second; });
-        return share_of(fell, static_cast<std::int64_t>(waves.size()), confidence, alike);
+        return share_of(fell, waves.size(), confidence, alike);
     };
     study.waves_safe_but_overturned = by_waves(safe_wave_fell);
     study.waves_safe_uplifted_but_overturned = by_waves(uplifted_wave_fell);

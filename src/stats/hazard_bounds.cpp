@@ -141,7 +141,7 @@ std::optional<WidePiece> widest_piece(HazardCurve const& hazard, LognormalFragil
     if (widest) {
         auto bent = points;
         double const doubled = 2 * hazard.annual_exceedance(widest->halfway);
-        bent.insert(bent.begin() + static_cast<std::ptrdiff_t>(at) + 1, {widest->halfway, doubled});
+        bent.insert(bent.begin() + at + 1, {widest->halfway, doubled});
         auto const other = annual_frequency(HazardCurve(std::move(bent)), fragility);
         widest->if_doubled = other.annual + other.beyond_least;
     }

@@ -100,7 +100,7 @@ double between(std::span<double const> sorted, double q) {
 
 SampleQuantile sample_quantile(std::span<double const> sorted, std::int64_t unplaced, double q, double confidence,
                                std::int64_t alike) {
-    auto const known = static_cast<std::int64_t>(sorted.size());
+    std::int64_t const known = sorted.size();
     auto const n = known + unplaced;
     SampleQuantile found{q, known == 0 ? std::numeric_limits<double>::quiet_NaN() : between(sorted, q), {}, {}};
     double const risk = (1 - confidence) / 2;

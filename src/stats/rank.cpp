@@ -79,7 +79,7 @@ std::vector<double> rank_area_replicates(std::span<SingleTrial const> trials, Bo
     std::vector<double> areas;
     areas.reserve(key.replicates);
     for (int r = 0; r < key.replicates; ++r) {
-        RandomStream stream(key.seed, static_cast<std::uint64_t>(r), Purpose::bootstrap, key.stream);
+        RandomStream stream(key.seed, r, Purpose::bootstrap, key.stream);
         std::vector<double> times(order.waves, 0.0);
         for (std::size_t draw = 0; draw < order.waves; ++draw) {
             times[gsl_rng_uniform_int(stream.gsl(), order.waves)] += 1;

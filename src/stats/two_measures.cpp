@@ -21,7 +21,7 @@ struct Centred {
 
 Centred centred(std::vector<TwoMeasureTrial> const& trials) {
     Centred made{{}, Eigen::Vector2d::Zero()};
-    auto const rows = static_cast<Index>(trials.size());
+    Index const rows = trials.size();
     made.design.columns.resize(rows, 3);
     for (Index i = 0; i < rows; ++i) {
         auto const& trial = trials[i];
@@ -89,8 +89,8 @@ std::optional<TwoMeasureFit> fit_two_measures(std::vector<TwoMeasureTrial> const
     fit.beta = estimate(3, {0, infinite});
     fit.better = alone[1]->log_likelihood > alone[0]->log_likelihood ? 1 : 0;
     fit.deviance_gain = 2 * (both->log_likelihood - alone.at(fit.better)->log_likelihood);
-    fit.trials = static_cast<std::int64_t>(trials.size());
-    fit.waves = static_cast<std::int64_t>(both->waves.size());
+    fit.trials = trials.size();
+    fit.waves = both->waves.size();
     return fit;
 }
 

@@ -70,7 +70,7 @@ class Descriptor {
             if (written < 0) {
                 fail("write", path_);
             }
-            content = content.subspan(static_cast<std::size_t>(written));
+            content = content.subspan(written);
         }
     }
     [[nodiscard]] std::string read() const {
@@ -80,7 +80,7 @@ class Descriptor {
             auto const size = content.size();
             content.resize(size + part);
             auto const got = ::read(fd_, content.data() + size, part);
-            content.resize(size + static_cast<std::size_t>(std::max<ssize_t>(0, got)));
+            content.resize(size + std::max<ssize_t>(0, got));
             if (got == 0) {
                 return content;
             }

@@ -13,7 +13,7 @@ void ResultsWriter::array(std::string const& where, Field const& spec, std::vect
 void ResultsWriter::array(std::string const& where, Field const& spec, std::vector<std::int64_t> const& values,
                           std::string const& scale) {
     if (spec.type == FieldType::category) {
-        auto const dataset = growing_->create(where, spec, static_cast<std::int64_t>(values.size()));
+        auto const dataset = growing_->create(where, spec, values.size());
         growing_->write_categories(dataset, spec, values, 0, spec.name);
         growing_->lay_along(where, dataset, spec.name, scale);
         return;

@@ -53,7 +53,7 @@ template <class Value> std::vector<Value> read_all(File const& file, std::string
     Dataspace const space(checked(H5Dget_space(dataset.id()), "read a dataspace"));
     auto const size = H5Sget_simple_extent_npoints(space.id());
     require_plausible(file, name, size);
-    std::vector<Value> values(static_cast<std::size_t>(std::max<hssize_t>(0, size)));
+    std::vector<Value> values(std::max<hssize_t>(0, size));
     if (!values.empty()) {
         checked(H5Dread(dataset.id(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "read " + name);
     }
@@ -206,11 +206,11 @@ void ResultsReader::rows(TableSpec const& spec, std::int64_t length, std::int64_
         validate(stored == length, "results file: {} has {} rows, the campaign {} {}", name, stored, length, advice);
         if (column.type == FieldType::category) {
             validate(is_category(dataset), "results file: {} holds no names {}", name, advice);
-            values = read_categories(dataset, name, first, static_cast<std::int64_t>(count));
+            values = read_categories(dataset, name, first, count);
             rename_values(values, stored_names(dataset), column.categories, name, column.essential);
         } else {
             read_some(dataset, name, column.type == FieldType::real ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT64, first,
-                      static_cast<std::int64_t>(count), values.data());
+                      count, values.data());
         }
         for (std::size_t i = 0; i < count; ++i) {
             std::memcpy(rows.data() + i * spec.row_bytes + column.offset, &values[i], sizeof(std::int64_t));

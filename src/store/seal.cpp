@@ -36,7 +36,7 @@ std::string digits_of(std::ifstream& file, std::uint64_t bytes, std::filesystem:
     std::vector<char> part(at_once);
     for (auto left = bytes; left > 0;) {
         auto const size = std::min(left, at_once);
-        if (!file.read(part.data(), static_cast<std::streamsize>(size))) {
+        if (!file.read(part.data(), size)) {
             fail(path);
         }
         hash.add(std::as_bytes(std::span(part).first(size)));
@@ -67,7 +67,7 @@ Seal seal_of(std::filesystem::path const& path) {
     std::ifstream file(path, std::ios::binary);
     auto const digits = digits_of(file, bytes, path);
     std::string line(line_length(), '\0');
-    if (!file.read(line.data(), static_cast<std::streamsize>(line.size()))) {
+    if (!file.read(line.data(), line.size())) {
         fail(path);
     }
     if (line == line_of(digits, bytes)) {
@@ -84,9 +84,9 @@ std::string sealed_digest(std::filesystem::path const& path) {
         return {};
     }
     std::ifstream file(path, std::ios::binary);
-    file.seekg(static_cast<std::streamoff>(size - line_length()));
+    file.seekg(size - line_length());
     std::string line(line_length(), '\0');
-    if (!file.read(line.data(), static_cast<std::streamsize>(line.size()))) {
+    if (!file.read(line.data(), line.size())) {
         fail(path);
     }
     constexpr std::size_t digits = 64;

@@ -205,7 +205,7 @@ void read_parts(Table const& table, config::Key const& joined, LimitState& limit
             table.fail(key, fmt::format("'{}' (no limit state stated before this one). {}", name,
                                         config::suggestion(name, names)));
         }
-        limit.of.push_back(static_cast<std::size_t>(found - before.begin()));
+        limit.of.push_back(found - before.begin());
     }
     if (limit.of.empty()) {
         table.fail(key, "empty (nothing to join). Name other limit states");

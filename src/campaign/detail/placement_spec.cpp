@@ -84,7 +84,7 @@ bool shakes_across(Table const& waves, CampaignSpec const& spec) {
     auto const count =
         spec.source->about().available && spec.source->about().grid_periods_s.empty() ? spec.wave_count : 0;
     for (std::int64_t wave = 0; wave < count; ++wave) {
-        auto const number = static_cast<std::uint64_t>(wave);
+        std::uint64_t const number = wave;
         if (spec.source->drift(number)
             && !spec.source->make_unjudged(spec.seed, number).motion.transverse_mps2.empty()) {
             return true;

@@ -34,7 +34,7 @@ std::string warning_of_scaled_records(CampaignSpec const& spec) {
     std::int64_t which = 0;
     std::int64_t count = 0;
     for (std::int64_t wave = 0; wave < std::min(spec.wave_count, looked_at); ++wave) {
-        auto const number = static_cast<std::uint64_t>(wave);
+        std::uint64_t const number = wave;
         auto const drift = spec.source->drift(number);  // of records only
         if (!drift) {
             return {};

@@ -103,8 +103,8 @@ void measure_sa(MeasureSpec const& measures, PreparedWave& wave) {
 }
 
 void describe_drawn(WaveRow& row, DrawnTarget const& drawn) {
-    row.target = static_cast<std::int64_t>(drawn.number);
-    row.event = static_cast<std::int64_t>(drawn.event);
+    row.target = drawn.number;
+    row.event = drawn.event;
     row.epsilon = drawn.epsilon;
     row.epsilon_between = drawn.epsilon_between;
     row.epsilon_within = drawn.epsilon_within;

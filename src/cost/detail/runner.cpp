@@ -34,7 +34,7 @@ Runner::Runner(CampaignInput const& input, std::int64_t waves, int rounds, doubl
       plan_(spec_),
       numbers_(spread_over(waves, plan_.waves())) {
     study_.title = spec_.title.empty() ? input.name : spec_.title;
-    study_.waves = static_cast<std::int64_t>(numbers_.size());
+    study_.waves = numbers_.size();
     study_.campaign_waves = plan_.waves();
     study_.campaign_trials = plan_.trials();
     study_.confidence = spec_.confidence;
@@ -78,7 +78,7 @@ void Runner::make_sample() {
     for (auto const number : numbers_) {
         waves_.waves.push_back(prepare_wave(spec_, plan_, number, ignored));
     }
-    for (auto const place : spread_over(most_wave_units, static_cast<std::int64_t>(numbers_.size()))) {
+    for (auto const place : spread_over(most_wave_units, numbers_.size())) {
         few_.waves.push_back(waves_.waves[place]);
     }
 }
@@ -108,7 +108,7 @@ void Runner::run_references() {
     exact_spectra_ = run_spectra(few_, reference_periods_per_decade, Depth::whole).values;
     study_.rounding = compare(exact(second_reference_settings()).rows, reference);
     auto const own = run_trials(spec_, plan_, waves_.waves).rows;
-    study_.trials = static_cast<std::int64_t>(own.size());
+    study_.trials = own.size();
     study_.defaults = compare(own, *of_defaults);
     study_.step_error = study_step_error(input_, spec_, plan_, waves_.waves);
 }

@@ -64,7 +64,7 @@ std::vector<double> low_passed(std::span<double const> values, double time_step_
     std::vector<double> made(count);
     for (std::size_t i = 0; i < count; ++i) {
         double const at_s = static_cast<double>(i) * to_step_s;
-        auto const middle = static_cast<std::ptrdiff_t>(std::lround(at_s / time_step_s));
+        std::ptrdiff_t const middle = std::lround(at_s / time_step_s);
         double sum = 0;
         double weights = 0;
         for (auto k = middle - reach; k <= middle + reach; ++k) {

@@ -208,7 +208,7 @@ bool is_known_word(Text word, Text clause) {
 
 /// "9.81 m/s2": says nothing of other numbers.
 bool is_quantity_at(Text word, Text clause) {
-    auto const before = trimmed(clause.substr(0, static_cast<std::size_t>(word.data() - clause.data())));
+    auto const before = trimmed(clause.substr(0, word.data() - clause.data()));
     return !before.empty() && is_digit(before.back());
 }
 

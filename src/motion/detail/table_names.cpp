@@ -14,9 +14,7 @@ namespace {
 
 using Text = std::string_view;
 
-std::size_t known_of(std::vector<ColumnRole> const& roles) {
-    return static_cast<std::size_t>(std::ranges::count_if(roles, &ColumnRole::said));
-}
+std::size_t known_of(std::vector<ColumnRole> const& roles) { return std::ranges::count_if(roles, &ColumnRole::said); }
 
 std::vector<ColumnRole> roles_of(std::vector<std::string> const& names) {
     std::vector<ColumnRole> roles;
@@ -60,7 +58,7 @@ bool parts_otherwise(Text line, TextTable const& table) {
     if (table.separator == ' ') {
         return false;
     }
-    auto const marks = static_cast<std::size_t>(std::ranges::count(line, table.separator));
+    std::size_t const marks = std::ranges::count(line, table.separator);
     auto names = names_on(line, std::min(marks + 1, most)).names;
     while (!names.empty() && names.back().empty()) {
         names.pop_back();

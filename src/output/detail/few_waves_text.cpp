@@ -41,7 +41,7 @@ std::string few_waves_text(CampaignSpec const& spec, std::span<TrialRow const> t
     LimitJudge const judge(spec.limits, Ladder(spec.effects, spec.accuracy));
     std::size_t record = 6, body = 4;
     for (auto const& row : trials) {
-        record = std::max(record, spec.source->name(static_cast<std::uint64_t>(row.wave)).size());
+        record = std::max(record, spec.source->name(row.wave).size());
         body = std::max(body, spec.bodies[row.body].name.size());
     }
     auto const levels = answer_levels(spec.levels);
@@ -55,9 +55,8 @@ std::string few_waves_text(CampaignSpec const& spec, std::span<TrialRow const> t
         }
         auto const& of = spec.bodies[row.body];
         constexpr double millimetres = 1e3;
-        text += fmt::format("{:<{}}  {:<{}}  {:>12}  {:<12} {:>9} {:>10}  {:<8}{}\n",
-                            spec.source->name(static_cast<std::uint64_t>(row.wave)), record, of.name, body,
-                            spec.levels.text(row.amplitude), entry_of(row.verdict).name,
+        text += fmt::format("{:<{}}  {:<{}}  {:>12}  {:<12} {:>9} {:>10}  {:<8}{}\n", spec.source->name(row.wave),
+                            record, of.name, body, spec.levels.text(row.amplitude), entry_of(row.verdict).name,
                             of.friction ? number_or_dash(millimetres * row.peak_slip_m) : "-",
                             entry_of(row.verdict).fell ? "fell" : number_or_dash(row.peak_rotation_rad * 180 / pi),
                             row.rung == unknown_category ? "unknown" : rungs()[rung_place(row.rung)].name,

@@ -11,9 +11,9 @@ namespace overturn::rare {
 namespace {
 
 DrawKey draw_of(DrawKey key, SubsetNode const& node) {
-    key.level = static_cast<std::uint64_t>(node.level);
-    key.step = static_cast<std::uint64_t>(node.step);
-    key.index = static_cast<std::uint64_t>(node.index);
+    key.level = node.level;
+    key.step = node.step;
+    key.index = node.index;
     return key;
 }
 

@@ -43,7 +43,7 @@ Mixture taken(PulseFrame const& frame, std::span<double const> numbers, std::siz
             double const real = *next++;
             pulse.lines.emplace_back(real, *next++);
         }
-        auto const after = next + static_cast<std::ptrdiff_t>(Mixture::grid_of(frame));
+        auto const after = next + Mixture::grid_of(frame);
         pulse.arrival.assign(next, after);
         next = after;
     }
@@ -61,7 +61,7 @@ bool draw_from(Mixture const& mixture, DrawKey const& key, std::span<double> nor
 PulseLadder::PulseLadder(Problem const& problem, Request const& request, Workforce& workers,
                          PulseOptions const& options)
     : problem_(problem), request_(request), workers_(workers), options_(options), frame_(problem.frame().value()) {
-    auto const replicates = static_cast<std::size_t>(request.replicates);
+    std::size_t const replicates = request.replicates;
     stages_.resize(replicates);
     mixtures_.assign(replicates, Mixture(frame_));
 }
@@ -198,7 +198,7 @@ void PulseLadder::finish(std::span<double const> factors, std::int64_t runs_each
              .mixture = mixtures_[r],
              .rows = {}});
     }
-    auto const first = static_cast<std::int64_t>(stages_.front().back().rows.size());
+    std::int64_t const first = stages_.front().back().rows.size();
     run(fmt::format("final-{}", first), first, runs_each);
 }
 

@@ -33,7 +33,7 @@ std::vector<ScoutRow> look(Problem const& problem, double factor, DrawKey key, s
 }
 
 Count count_of(std::span<ScoutRow const> rows) {
-    Count count{.trials = static_cast<std::int64_t>(rows.size())};
+    Count count{.trials = std::ssize(rows)};
     for (auto const& row : rows) {
         count.failed += row.failed;
         count.undecided += row.undecided;
@@ -43,7 +43,7 @@ Count count_of(std::span<ScoutRow const> rows) {
 
 // Of a nested driver the failures are the highest, but for few that came close.
 double missed_by_driver(std::span<ScoutRow const> rows, std::int64_t failed) {
-    auto const within = static_cast<std::size_t>(2 * failed);
+    std::size_t const within = 2 * failed;
     if (failed == 0 || within >= rows.size()) {
         return 0;
     }
@@ -51,8 +51,7 @@ double missed_by_driver(std::span<ScoutRow const> rows, std::int64_t failed) {
     for (auto const& row : rows) {
         drivers.push_back(row.driver);
     }
-    std::nth_element(drivers.begin(), drivers.begin() + static_cast<std::ptrdiff_t>(within), drivers.end(),
-                     std::greater<>());
+    std::nth_element(drivers.begin(), drivers.begin() + within, drivers.end(), std::greater<>());
     double const least = drivers[within];
     auto const missed = std::count_if(rows.begin(), rows.end(),
                                       [&](ScoutRow const& row) { return row.failed != 0 && row.driver < least; });

@@ -27,9 +27,9 @@ void SubsetRun::plain(std::int64_t index, std::span<double> normals) {
 }
 
 void SubsetRun::begin(std::span<SubsetRow const> rows) {
-    OVERTURN_EXPECT(static_cast<std::int64_t>(rows.size()) == options_.samples);
+    OVERTURN_EXPECT(std::ssize(rows) == options_.samples);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        samples_.push_back(static_cast<std::int64_t>(result_.nodes.size()));
+        samples_.push_back(result_.nodes.size());
         result_.nodes.push_back(
             {.index = static_cast<std::int64_t>(i), .driver = rows[i].driver, .failed = rows[i].failed});
         undecided_ += rows[i].undecided;
@@ -87,10 +87,10 @@ void SubsetRun::step(std::span<SubsetRow const> rows) {
     for (std::size_t c = 0; c < rows.size(); ++c) {
         undecided_ += rows[c].undecided;
         if (rows[c].failed != 0 || rows[c].driver >= result_.thresholds.back()) {
-            auto made = next_node(static_cast<std::int64_t>(c));
+            auto made = next_node(c);
             made.driver = rows[c].driver;
             made.failed = rows[c].failed;
-            chains_[c] = static_cast<std::int64_t>(result_.nodes.size());
+            chains_[c] = result_.nodes.size();
             result_.nodes.push_back(made);
             if (!proposals_[c].empty()) {
                 states_.keep(chains_[c], std::move(proposals_[c]));

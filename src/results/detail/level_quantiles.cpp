@@ -29,10 +29,10 @@ SampleQuantile with_falls(SampleQuantile quantile, double fallen) {
 std::vector<LevelQuantiles> level_quantiles(CampaignSpec const& spec, MeasuredTrials const& trials, std::size_t body,
                                             double confidence) {
     std::vector<LevelQuantiles> list;
-    auto const alike = static_cast<std::int64_t>(spec.source->about().waves_alike);
+    std::int64_t const alike = spec.source->about().waves_alike;
     auto const add = [&](LevelResponse response, char const* quantity, char const* units, double fallen) {
         auto const& levels = spec.levels.levels;
-        auto by_level = trials.by_level(static_cast<std::int64_t>(body), response);
+        auto by_level = trials.by_level(body, response);
         for (std::size_t l = 0; l < levels.size(); ++l) {
             auto& values = by_level[levels[l].value];
             auto const known =

@@ -45,7 +45,7 @@ class FinishedRows {
             while (end < rows.size() && rows[end] == rows[end - 1] + 1) {
                 ++end;
             }
-            append(block, rows[begin], static_cast<std::int64_t>(end - begin));
+            append(block, rows[begin], end - begin);
             begin = end;
         }
         return block;

@@ -27,7 +27,7 @@ RankWorkforce::RankWorkforce(store::ShardFolder const& shards, StopPolicy& stop_
 
 std::vector<std::byte> RankWorkforce::rows_of(rare::Stage const& stage, Work const& work) {
     std::vector<std::byte> rows;
-    rows.reserve(static_cast<std::size_t>(stage.items) * stage.row_bytes);
+    rows.reserve(stage.items * stage.row_bytes);
     for (std::int64_t first = 0; first < stage.items; first += portion_items) {
         auto const part = portion(stage, first, std::min(portion_items, stage.items - first), work);
         rows.insert(rows.end(), part.begin(), part.end());
@@ -48,7 +48,7 @@ std::string RankWorkforce::committed(std::string const& head, std::size_t bytes)
 std::vector<std::byte> RankWorkforce::portion(rare::Stage const& stage, std::int64_t first, std::int64_t count,
                                               Work const& work) {
     auto const head = fmt::format("{}{} {}+{}\n", name_, stage.name, first, count);
-    auto const bytes = static_cast<std::size_t>(count) * stage.row_bytes;
+    auto const bytes = count * stage.row_bytes;
     auto text = broadcast_from_root(comm_, [&] { return committed(head, bytes); });
     if (text.empty()) {
         auto const begin = Clock::now();
@@ -82,7 +82,7 @@ std::string RankWorkforce::own_rows(rare::Stage const& stage, std::int64_t first
         if (!stop_policy_.may_go_on()) {
             return own;
         }
-        std::vector<std::byte> rows(static_cast<std::size_t>(std::min(stage.block, count - from)) * stage.row_bytes);
+        std::vector<std::byte> rows(std::min(stage.block, count - from) * stage.row_bytes);
         work(first + from, rows);
         own.append(reinterpret_cast<char const*>(rows.data()), rows.size());
     }
@@ -95,11 +95,11 @@ std::string RankWorkforce::put_together(rare::Stage const& stage, std::int64_t c
     std::vector<std::size_t> taken(of_ranks.size(), 0);
     for (std::int64_t from = 0; from < count; from += stage.block) {
         auto const rank = static_cast<std::size_t>(from / stage.block) % of_ranks.size();
-        auto const length = static_cast<std::size_t>(std::min(stage.block, count - from)) * stage.row_bytes;
+        auto const length = std::min(stage.block, count - from) * stage.row_bytes;
         whole += of_ranks[rank].substr(taken[rank], length);
         taken[rank] += length;
     }
-    OVERTURN_ENSURE(whole.size() == static_cast<std::size_t>(count) * stage.row_bytes);
+    OVERTURN_ENSURE(whole.size() == count * stage.row_bytes);
     return whole;
 }
 

@@ -71,7 +71,7 @@ class Worker {
             stopped_ = true;
             return false;
         }
-        auto const count = static_cast<std::int64_t>(left_.size());
+        std::int64_t const count = left_.size();
         if (next_ == end_) {
             auto const share = std::max<std::int64_t>(1, (count - end_) / (shares_each * comm_.size()));
             next_ = given_.take(share);

@@ -26,8 +26,8 @@ std::size_t grid_size(std::size_t samples) {
 
 // The transform of a real signal of `size` points, at any integer frequency.
 std::complex<double> line_at(std::span<std::complex<double> const> lines, std::size_t size, std::ptrdiff_t frequency) {
-    auto const n = static_cast<std::ptrdiff_t>(size);
-    auto const l = static_cast<std::size_t>(((frequency % n) + n) % n);
+    std::ptrdiff_t const n = size;
+    std::size_t const l = ((frequency % n) + n) % n;
     return l < lines.size() ? lines[l] : std::conj(lines[size - l]);
 }
 
@@ -56,7 +56,7 @@ PhaseSums::PhaseSums(std::size_t samples, std::span<double const> x)
     double const points = static_cast<double>(size_) / (2 * pi);
     auto const [least, most] = std::ranges::minmax(x);
     first_ = static_cast<std::ptrdiff_t>(std::floor(least * points)) + 1 - reach;
-    stretch_ = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(std::floor(most * points)) + reach - first_ + 1);
+    stretch_ = static_cast<std::ptrdiff_t>(std::floor(most * points)) + reach - first_ + 1;
     places_.reserve(x.size());
     for (double const phase : x) {
         double const place = phase * points;
@@ -77,8 +77,7 @@ std::vector<std::complex<double>> PhaseSums::of(std::span<double const> signal) 
     }
     auto const grid = real_analysis(size_);
     auto const middle = samples_ / 2;
-    std::fill(grid.in.begin() + static_cast<std::ptrdiff_t>(samples_ - middle),
-              grid.in.end() - static_cast<std::ptrdiff_t>(middle), 0.0);
+    std::fill(grid.in.begin() + (samples_ - middle), grid.in.end() - middle, 0.0);
     for (std::size_t j = 0; j < samples_; ++j) {  // counted from the middle
         grid.in[j < middle ? j + size_ - middle : j - middle] = signal[j] * sharpening_[j];
     }

@@ -74,7 +74,7 @@ std::vector<SlidingProducts> SlidingKernels::products(std::span<double const> si
         std::size_t const from = first + missing - taps_;
         auto const part = signal.subspan(from, std::min(size_ - missing, samples_ - from));
         std::fill_n(forward.in.begin(), missing, 0.0);
-        auto const end = std::copy(part.begin(), part.end(), forward.in.begin() + static_cast<std::ptrdiff_t>(missing));
+        auto const end = std::copy(part.begin(), part.end(), forward.in.begin() + missing);
         std::fill(end, forward.in.end(), 0.0);
         forward.run();
         for (std::size_t k = 0; k < responses_.size(); ++k) {

@@ -71,7 +71,7 @@ ThinnedSums::ThinnedSums(std::size_t samples, std::span<double const> x) : sampl
 // The kernel's middle stands half a kernel before the signal at first.
 std::vector<double> ThinnedSums::thinned(std::span<double const> signal) const {
     std::vector<double> padded(length_ * stride_ + kernel_.size(), 0.0);
-    std::copy(signal.begin(), signal.end(), padded.begin() + static_cast<std::ptrdiff_t>(2 * half_));
+    std::copy(signal.begin(), signal.end(), padded.begin() + (2 * half_));
     std::vector<double> smoothed(length_);
     smooth(kernel_, padded, stride_, smoothed);
     return smoothed;

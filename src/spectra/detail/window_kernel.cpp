@@ -95,7 +95,7 @@ WindowKernel::WindowKernel(std::size_t samples, double time_step_s, std::size_t 
 double WindowKernel::all_pairs(std::span<double const> samples) const {
     auto const transform = real_analysis(pairs_size_);
     std::copy(samples.begin(), samples.end(), transform.in.begin());
-    std::fill(transform.in.begin() + static_cast<std::ptrdiff_t>(samples.size()), transform.in.end(), 0.0);
+    std::fill(transform.in.begin() + samples.size(), transform.in.end(), 0.0);
     transform.run();
     double sum = 0;
     for (std::size_t l = 0; l < pairs_.size(); ++l) {

@@ -125,7 +125,7 @@ std::optional<Eigen::VectorXd> ProbitRegression::reweighted(std::vector<double> 
 }
 
 std::vector<double> times_drawn(BootstrapKey const& key, int r, std::size_t waves) {
-    RandomStream stream(key.seed, static_cast<std::uint64_t>(r), Purpose::bootstrap, key.stream);
+    RandomStream stream(key.seed, r, Purpose::bootstrap, key.stream);
     std::vector<double> times(waves, 0.0);
     for (std::size_t draw = 0; draw < waves; ++draw) {
         times[gsl_rng_uniform_int(stream.gsl(), waves)] += 1;

@@ -49,7 +49,7 @@ SeenBound seen_by_waves(std::span<SingleTrial const> trials, bool fallen, double
         wave = fallen ? wave || trial.overturned : wave && trial.overturned;
     }
     auto const passed = std::ranges::count_if(waves, [](auto const& wave) { return wave.second; });
-    auto const units = static_cast<std::int64_t>(waves.size());
+    std::int64_t const units = waves.size();
     auto const [lowest, highest] = std::ranges::minmax(trials, {}, &SingleTrial::intensity);
     return {lowest.intensity,
             highest.intensity,

@@ -23,7 +23,7 @@ std::int64_t waves_of(std::span<SingleTrial const> trials, double from, double t
             waves.insert(trial.wave);
         }
     }
-    return static_cast<std::int64_t>(waves.size());
+    return waves.size();
 }
 
 SeenBound tail_bound(FragilityData const& data, FragilityState state, double confidence) {

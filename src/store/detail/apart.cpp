@@ -60,7 +60,7 @@ std::optional<std::string> looked_at_apart(std::function<std::string()> const& l
     while (child > 0) {
         auto const got = ::read(ends[0], part.data(), part.size());
         if (got > 0) {
-            text.append(part.data(), static_cast<std::size_t>(got));
+            text.append(part.data(), got);
         } else if (got == 0 || errno != EINTR) {
             break;
         }

@@ -34,11 +34,11 @@ std::vector<std::int64_t> read_categories(Dataset const& dataset, std::string co
              "results file: {} holds names of {} bytes (it is not of this program). Run the "
              "campaign again",
              name, bytes);
-    std::vector<std::byte> raw(static_cast<std::size_t>(count) * bytes);
+    std::vector<std::byte> raw(count * bytes);
     if (count > 0) {
         read_some(dataset, name, type.id(), first, count, raw.data());
     }
-    std::vector<std::int64_t> values(static_cast<std::size_t>(count));
+    std::vector<std::int64_t> values(count);
     for (std::size_t i = 0; i < values.size(); ++i) {
         std::memcpy(&values[i], raw.data() + i * bytes, bytes);
     }

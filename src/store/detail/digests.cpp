@@ -32,8 +32,8 @@ std::string text_of_type(hid_t type) {
             auto const members = H5Tget_nmembers(type);
             for (int i = 0; i < members; ++i) {
                 std::vector<unsigned char> value(size);
-                checked(H5Tget_member_value(type, static_cast<unsigned>(i), value.data()), "read an enumeration");
-                char* const name = H5Tget_member_name(type, static_cast<unsigned>(i));
+                checked(H5Tget_member_value(type, i, value.data()), "read an enumeration");
+                char* const name = H5Tget_member_name(type, i);
                 text += fmt::format(" {}={}", name == nullptr ? "" : name, fmt::join(value, "."));
                 H5free_memory(name);
             }
@@ -50,7 +50,7 @@ bool points_elsewhere(hid_t type) {
 }
 
 void add_shape(Sha256& hash, Dataspace const& space) {
-    std::vector<hsize_t> sizes(static_cast<std::size_t>(std::max(0, H5Sget_simple_extent_ndims(space.id()))));
+    std::vector<hsize_t> sizes(std::max(0, H5Sget_simple_extent_ndims(space.id())));
     H5Sget_simple_extent_dims(space.id(), sizes.data(), nullptr);
     hash.add_text(fmt::format("{}", fmt::join(sizes, " ")));
 }
@@ -77,7 +77,7 @@ void add_attribute(Sha256& hash, hid_t object, std::string const& name) {
     if (H5Tis_variable_str(type.id()) > 0 && count == 1) {
         hash.add_text(read_text_attribute(object, name));
     } else if (!points_elsewhere(type.id()) && count > 0) {
-        std::vector<std::byte> bytes(static_cast<std::size_t>(count) * H5Tget_size(type.id()));
+        std::vector<std::byte> bytes(count * H5Tget_size(type.id()));
         checked(H5Aread(attribute.id(), type.id(), bytes.data()), "read attribute " + name);
         hash.add(bytes);
     }
@@ -111,13 +111,13 @@ void add_content(Sha256& hash, hid_t dataset, hid_t type, Dataspace const& space
         return;  // no column of ours
     }
     auto const count = static_cast<hsize_t>(H5Sget_simple_extent_npoints(space.id()));
-    std::vector<std::byte> part(static_cast<std::size_t>(std::min(count, at_once / each) * each));
+    std::vector<std::byte> part(std::min(count, at_once / each) * each);
     for (hsize_t first = 0; first < count;) {
         hsize_t const size = std::min(count - first, at_once / each);
         Dataspace const memory(checked(H5Screate_simple(1, &size, nullptr), "make a dataspace"));
         checked(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, &first, nullptr, &size, nullptr), "select rows");
         checked(H5Dread(dataset, type, memory.id(), space.id(), H5P_DEFAULT, part.data()), "read back");
-        hash.add(std::span(part).first(static_cast<std::size_t>(size * each)));
+        hash.add(std::span(part).first(size * each));
         first += size;
     }
 }

@@ -86,9 +86,9 @@ void ResultsWriter::Growing::number_rows(TableSpec const& spec, std::int64_t row
     constexpr std::int64_t most = 1 << 16;
     auto const axis = create(spec.group, {spec.axis, "1", spec.axis_description, FieldType::integer}, rows);
     for (std::int64_t first = 0; first < rows; first += most) {
-        std::vector<std::int64_t> numbers(static_cast<std::size_t>(std::min(most, rows - first)));
+        std::vector<std::int64_t> numbers(std::min(most, rows - first));
         std::iota(numbers.begin(), numbers.end(), first);
-        write_rows(axis, H5T_NATIVE_INT64, numbers.data(), first, static_cast<std::int64_t>(numbers.size()), spec.axis);
+        write_rows(axis, H5T_NATIVE_INT64, numbers.data(), first, numbers.size(), spec.axis);
     }
 }
 
@@ -101,12 +101,12 @@ void ResultsWriter::Growing::write_categories(Dataset const& dataset, Field cons
     for (std::size_t i = 0; i < values.size(); ++i) {  // little-endian, here and in the file
         std::memcpy(categories.data() + i * bytes, &values[i], bytes);
     }
-    write_rows(dataset, types.of(file, spec), categories.data(), first, static_cast<std::int64_t>(values.size()), name);
+    write_rows(dataset, types.of(file, spec), categories.data(), first, values.size(), name);
 }
 
 void ResultsWriter::Growing::write_array(std::string const& where, Field const& spec, hid_t memory_type,
                                          void const* values, std::size_t count, std::string const& scale) {
-    auto const size = static_cast<std::int64_t>(count);
+    std::int64_t const size = count;
     auto const dataset = create(where, spec, size);
     write_rows(dataset, memory_type, values, 0, size, spec.name);
     lay_along(where, dataset, spec.name, scale);

@@ -35,8 +35,7 @@ void require_stored_within(Object const& dataset, std::string const& path) {
     for (int i = 0; i < filters; ++i) {
         unsigned flags = 0;
         std::size_t parameters = 0;
-        auto const filter =
-            H5Pget_filter2(made.id(), static_cast<unsigned>(i), &flags, &parameters, nullptr, 0, nullptr, nullptr);
+        auto const filter = H5Pget_filter2(made.id(), i, &flags, &parameters, nullptr, 0, nullptr, nullptr);
         validate(filter >= 0 && filter < H5Z_FILTER_RESERVED,
                  "{} is stored through filter {} (a plugin, which is never loaded). {}", path, static_cast<int>(filter),
                  foreign_advice);
