@@ -110,6 +110,19 @@ std::string component_name_of(std::string const& text) {
     return begin == std::string::npos ? std::string() : text.substr(begin, text.find(';', begin) - begin);
 }
 
+/// \throws InputError if a line of names above the rows has them in another order than the header
+void check_names_above(std::string_view line, Location const& where, Recording const& recording) {
+    auto const names = parted_at(line, " \t");
+    auto const same = [](RecordComponent const& component, std::string_view name) {
+        return may_be_one(component_in(component.name), component_named(name));
+    };
+    if (names.size() == recording.components.size() && !std::ranges::equal(recording.components, names, same)) {
+        throw InputError(where, fmt::format("{} above the columns, another order than the header's (they contradict "
+                                            "each other). Fetch the file anew",
+                                            in_quotes(trimmed(line))));
+    }
+}
+
 /// All rows of as many numbers as there are channels; what lies behind the promised ones is left out, and listed.
 void read_rows(TextLines& lines, std::size_t count, std::string const& file, Recording& recording) {
     auto const channels = recording.components.size();
@@ -119,6 +132,7 @@ void read_rows(TextLines& lines, std::size_t count, std::string const& file, Rec
         bool const text = line->find_first_not_of("0123456789.+-eE \t") != std::string_view::npos;
         bool const rule = line->find_first_of("0123456789") == std::string_view::npos;
         if (rule || (text && rows == 0)) {
+            check_names_above(*line, {file, lines.number()}, recording);
             continue;
         }
         row.clear();

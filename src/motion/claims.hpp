@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/units.hpp"
@@ -55,6 +56,8 @@ class Claims {
     /// Is a peak stated, for check_peaks?
     [[nodiscard]] bool states_peak() const { return !peaks_.empty(); }
     [[nodiscard]] int components_line() const { return components_line_; }
+    /// Those of all lines that state some, "Channel 3: UD" among them, with the line of each.
+    [[nodiscard]] std::vector<std::pair<std::string, int>> const& all_components() const { return all_components_; }
 
     /// "line 10: m/s2", for each claim that is used.
     [[nodiscard]] std::vector<std::string> used() const;
@@ -139,6 +142,7 @@ class Claims {
     bool accelerations_ = false;
     std::vector<std::string> components_;
     int components_line_ = 0;
+    std::vector<std::pair<std::string, int>> all_components_;
     std::vector<std::string> telling_, unread_;
 };
 

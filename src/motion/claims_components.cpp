@@ -18,10 +18,21 @@ std::vector<std::string> components_behind(std::string_view text) {
     auto const parts = parted_at(text, " \t,;/");
     std::vector<std::string> words(parts.begin(), parts.end());
     constexpr std::size_t most = 3;
-    if (!words.empty() && words.size() <= most && std::ranges::all_of(words, known)) {
+    constexpr std::size_t azimuth_digits = 3;  // fewer before a word number a channel
+    bool const numbered = words.size() > 1 && words[0].size() < azimuth_digits
+                          && words[0].find_first_not_of("0123456789") == std::string::npos;
+    if (!words.empty() && words.size() <= most && !numbered && std::ranges::all_of(words, known)) {
         return words;
     }
     return !text.empty() && known(std::string(text)) ? std::vector{std::string(text)} : std::vector<std::string>{};
+}
+
+/// Without that of a channel: " 3: UD" is " UD".
+std::string_view without_number(std::string_view text) {
+    constexpr std::size_t most = 2;  // digits; an azimuth has three
+    auto const rest = text.substr(std::min(text.find_first_not_of(" \t:=.#"), text.size()));
+    auto const end = std::min(rest.find_first_not_of("0123456789"), rest.size());
+    return end > 0 && end <= most ? rest.substr(end) : std::string_view{};
 }
 
 }  // namespace
@@ -40,7 +51,11 @@ bool Claims::take_components(std::string_view line, std::string const& lower, in
         if (at == std::string::npos || !holds_word(lower, key)) {
             continue;
         }
-        auto const found = components_behind(line.substr(at + key.size()));
+        auto const behind = line.substr(at + key.size());
+        auto const found = components_behind(behind);
+        for (auto const& name : found.empty() ? components_behind(without_number(behind)) : found) {
+            all_components_.emplace_back(name, number);
+        }
         if (!found.empty() && components_.empty()) {
             components_ = found;
             components_line_ = number;

@@ -279,6 +279,14 @@ std::optional<double> degrees_between(ComponentName const& one, ComponentName co
     return std::min(apart, half_circle - apart);
 }
 
+bool may_be_one(ComponentName const& one, ComponentName const& other) {
+    constexpr double apart_deg = 45;
+    bool const told = one.direction != Direction::unknown && other.direction != Direction::unknown;
+    return !told
+           || (is_vertical(one.direction) == is_vertical(other.direction)
+               && degrees_between(one, other).value_or(0) < apart_deg);
+}
+
 Direction direction_of(std::string_view name) { return component_named(name).direction; }
 
 }  // namespace overturn

@@ -28,6 +28,10 @@ struct ComponentName {
 /// other ("N-S vertical").
 [[nodiscard]] ComponentName component_in(std::string_view name);
 
+/// May both be names of one component: both vertical, or horizontal along lines less than 45 degrees apart, as far as
+/// they tell?
+[[nodiscard]] bool may_be_one(ComponentName const& one, ComponentName const& other);
+
 /// The direction of component_named.
 [[nodiscard]] Direction direction_of(std::string_view name);
 

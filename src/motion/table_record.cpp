@@ -12,6 +12,7 @@
 #include "motion/claims.hpp"
 #include "motion/column_unit.hpp"
 #include "motion/detail/claimed_columns.hpp"
+#include "motion/detail/component_mapping.hpp"
 #include "motion/detail/list_head.hpp"
 #include "motion/detail/motion_look.hpp"
 #include "motion/detail/printed_times.hpp"
@@ -137,6 +138,7 @@ void account_for(TextTable const& table, TableColumns const& columns, Claims con
         recording.claims.push_back(fmt::format("left out: {}", fmt::join(columns.left_out, ", ")));
     }
     recording.unread = claims.unread();
+    tell_mapped(columns, recording.claims, recording.unread);
     auto const names = telling_names(columns);
     recording.unread.insert(recording.unread.begin(), names.begin(), names.end());
     auto const other = claims.beside_names();

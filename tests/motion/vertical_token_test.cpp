@@ -45,7 +45,8 @@ TEST(VerticalTokens, BesideAHorizontalOneSayNothing) {
                              "horizontal, corrected for vertical drift", "supper", "Mendoza"}) {
         EXPECT_NO_THROW((void)read_placed(under(line), {.name = "a"})) << line;
     }
-    EXPECT_NO_THROW((void)read_placed(under("Channel 3 UD", "time,NS [gal]"), {.name = "a"}));
+    expect_input_error([] { (void)read_placed(under("Channel 3 UD", "time,NS [gal]"), {.name = "a"}); },
+                       "a:1: component 'UD'", "contradict");
     RecordRequest stated{.name = "a"};
     stated.columns = "time,h1";
     EXPECT_EQ(read_placed(under("Channel 3 UD"), stated).direction, Direction::horizontal);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -68,10 +69,35 @@ std::vector<std::string> telling_names(TableColumns const& columns) {
     return told;
 }
 
+namespace {
+
+/// \throws InputError if of the components that the text states none is a column, where all columns say what they are
+void check_claimed_are_there(TableColumns const& columns, Claims const& claims, std::string const& file) {
+    auto const is_there = [&](std::pair<std::string, int> const& stated) {
+        auto const claimed = component_named(stated.first);
+        return std::ranges::any_of(columns.roles, [&](ColumnRole const& role) {
+            bool const other = role.quantity == Quantity::time || role.quantity == Quantity::index;
+            return !other && may_be_one(role.component, claimed);
+        });
+    };
+    auto const& all = claims.all_components();
+    if (!all.empty() && !columns.roles.empty() && !columns.stated && std::ranges::none_of(all, is_there)) {
+        throw InputError({file, all.front().second},
+                         fmt::format("component '{}', which by its name no column is, as '{}' (they contradict each "
+                                     "other). Mend one of them",
+                                     all.front().first, columns.motions.front().role.name));
+    }
+}
+
+}  // namespace
+
 void take_claimed_component(TableColumns& columns, Claims const& claims, std::string const& file,
                             std::string_view advice) {
     if (columns.motions.size() == 1 && columns.motions.front().role.component.direction == Direction::unknown) {
         claims.check_no_vertical(file, advice);
+    }
+    if (!columns.motions.empty()) {
+        check_claimed_are_there(columns, claims, file);
     }
     if (columns.motions.size() != 1 || claims.components().size() != 1) {
         return;

@@ -127,8 +127,8 @@ ClaimedUnit claimed_unit(std::string_view lower, Dimension dimension) {
         take(text, named);
     }
     for (auto const text : between_commas(lower)) {
-        if (text.starts_with("% ")) {
-            continue;  // a comment's mark, or per cent?
+        if (text.starts_with("% ") || text.find(':') != Text::npos) {
+            continue;  // a comment's mark, or per cent? A key and its value, "x: 000"
         }
         take(text, is_compound(text) && text.find_first_of("abcdefghijklmnopqrstuvwxyz") != Text::npos
                        && text.size() == without_edges(lower).size());

@@ -6,6 +6,8 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "motion/detail/claimed_columns.hpp"
+#include "motion/detail/component_mapping.hpp"
+#include "motion/detail/mapping_words.hpp"
 #include "motion/detail/motion_look.hpp"
 #include "motion/detail/program_axes.hpp"
 #include "motion/text_lines.hpp"
@@ -69,7 +71,7 @@ class Placing {
             }
         }
         take_claimed_component(columns_, claims_, request_.name, how_to_state(request_, table_.columns()));
-        check_letters();
+        check_program_axes(columns_, where_, how_to_state(request_, table_.columns()));
         check_told();
     }
 
@@ -117,7 +119,7 @@ class Placing {
             throw InputError(where_, fmt::format("'{}' for column {} (must be time, h1, h2, v, down or -). {}", word,
                                                  i + 1, how_to_state(request_, table_.columns())));
         }
-        auto const said = role.component.direction;
+        auto const said = is_axis_name(role.name) ? Direction::unknown : role.component.direction;
         bool const t = role.component.axis == "t" && role.quantity == Quantity::time;  // the letter T
         if ((!is_motion(role.quantity) && !t)
             || (said != Direction::unknown && (said != Direction::horizontal) != vertical)) {
@@ -208,20 +210,6 @@ class Placing {
         }
     }
 
-    /// "t,d,v,a": is v a velocity or the vertical? So too "t,v".
-    void check_letters() const {
-        check_program_axes(columns_, where_, how_to_state(request_, table_.columns()));
-        auto const has = [&](Text letter) {
-            return std::ranges::any_of(columns_.roles,
-                                       [&](ColumnRole const& role) { return lowered(role.name) == letter; });
-        };
-        if (has("v") && (has("a") || has("d") || columns_.motions.size() == 1)) {
-            throw InputError(where_, fmt::format("column 'v' (alone, or beside 'a' or 'd', a velocity as well as the "
-                                                 "vertical one). {}",
-                                                 how_to_state(request_, table_.columns())));
-        }
-    }
-
     /// As before format 5 of results files.
     void tell_by_place() {
         auto const count = columns_.motions.size();
@@ -291,6 +279,7 @@ void place_columns(TextTable const& table, Claims const& claims, RecordRequest c
     if (!request.columns.empty()) {
         placing.as_stated();
     } else if (!columns.roles.empty()) {
+        take_mapped_components(table, claims, columns, request.name, how_to_state(request, table.columns()));
         placing.as_named();
     } else {
         placing.unnamed();

@@ -19,13 +19,20 @@ struct PlacedColumn {
     ColumnRole role;
 };
 
+/// Which text gives a component.
+struct MappedColumn {
+    std::size_t column = 0;
+    int line = 0;
+};
+
 struct TableColumns {
     std::optional<std::size_t> time;
     std::vector<PlacedColumn> motions;
     std::vector<std::string> left_out;  ///< names of columns that are neither
     std::vector<ColumnRole> roles;      ///< of all, if they are named
     int names_line = 0;
-    bool stated = false;  ///< by the user
+    bool stated = false;                    ///< by the user
+    std::vector<MappedColumn> mapped = {};  ///< by lines of text
 };
 
 /// The names above the numbers, taken out of the claims' lines; none if no line of as many names is there.
