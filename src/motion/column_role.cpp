@@ -175,9 +175,36 @@ bool is_frequency_name(std::string_view name) {
            || unit_spelled(unit_text_in_name(name).text, Dimension::frequency).has_value();
 }
 
+namespace {
+
+/// "v(t)": of a function of time the letter says what it is.
+Quantity of_function(Parts const& parts) {
+    auto const letter = lowered(trimmed(parts.outside));
+    bool const function = parts.brackets.size() == 1 && lowered(parts.brackets[0]) == "t" && letter.size() == 1;
+    return !function                                     ? Quantity::unknown
+           : letter == "v"                               ? Quantity::velocity
+           : Text("udxyz").find(letter[0]) != Text::npos ? Quantity::displacement
+                                                         : Quantity::unknown;
+}
+
+/// "kine", "cm/s", "gal": a name that is a unit alone.
+Unit unit_as_name(Text name) {
+    auto const plain = trimmed(name);
+    constexpr auto words = std::to_array<Text>({"gal", "gals", "mgal", "kine", "kines", "cm", "mm"});
+    bool const is_unit = plain.find('/') != Text::npos || std::ranges::find(words, Text(lowered(plain))) != words.end();
+    return is_unit ? unit_named(plain) : Unit{};
+}
+
+}  // namespace
+
 ColumnRole column_role(std::string_view name) {
     ColumnRole role{std::string(trimmed(name))};
-    auto [outside, brackets] = parts_of(name);
+    auto parts = parts_of(name);
+    if (auto const function = of_function(parts); function != Quantity::unknown) {
+        role.quantity = function;
+        return role;
+    }
+    auto& [outside, brackets] = parts;
     Unit unit;
     for (auto const& text : brackets) {
         auto const found = unit_named(text);
@@ -191,6 +218,10 @@ ColumnRole column_role(std::string_view name) {
     }
     if (unit.quantity == Quantity::unknown && brackets.empty()) {
         role.unknown_unit = odd_unit_behind(outside);
+    }
+    if (unit.quantity == Quantity::unknown && brackets.empty()) {
+        unit = unit_as_name(outside);
+        role.unknown_unit = unit.quantity == Quantity::unknown ? role.unknown_unit : std::string();
     }
     if (unit.quantity == Quantity::unknown && role.unknown_unit.empty()) {
         unit = unit_behind(outside, outside);

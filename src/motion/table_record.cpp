@@ -114,17 +114,15 @@ double step_of(TextTable& table, TableColumns const& columns, Claims const& clai
     return claimed.value_or(request.time_step_s.value_or(0));
 }
 
-void check_look(std::span<double const> values, ColumnRole const& role, bool stated, Claims const& claims,
-                Location const& where) {
-    bool const claimed = role.quantity == Quantity::acceleration || role.component.direction != Direction::unknown
-                         || claims.accelerations();
-    auto const why = no_motion(values);
-    // What only rises may be a time called something else; what its name calls an acceleration may be a ramp.
-    bool const named = role.quantity == Quantity::acceleration || lowered(role.name).starts_with("a_");
-    if (!why.empty() && (!claimed || (why == only_rising && !stated && !named))) {
-        throw InputError(where, fmt::format("{} in column '{}' (no motion looks like that, and nothing calls it an "
-                                            "acceleration). If it is one, name it so: time,acc",
-                                            why, role.name));
+void check_look(std::span<double const> values, ColumnRole const& role, std::size_t columns, Claims const& claims,
+                RecordRequest const& request, Location const& where) {
+    bool const named = role.quantity == Quantity::acceleration || role.component.direction != Direction::unknown
+                       || claims.accelerations();
+    auto const why = named ? no_named_motion(values, lowered(role.name).starts_with("a_")) : no_motion(values);
+    if (!why.empty() && request.columns.empty()) {
+        throw InputError(
+            where, fmt::format("{} in column '{}' (no motion looks like that{}). If it is one: {}", why, role.name,
+                               named ? "" : ", and nothing calls it an acceleration", how_to_state(request, columns)));
     }
 }
 
@@ -185,7 +183,7 @@ Recording list_of(TextTable& table, TableColumns columns, RecordRequest const& r
     recording.unit_mps2 = unit_of(table, columns, claims, request);
     recording.time_step_s = step_of(table, columns, claims, request);
     auto values = table.columns() == 1 ? std::move(table.column[0]) : table.in_rows();
-    check_look(values, role, false, claims, start);
+    check_look(values, role, 1, claims, request, start);
     for (double& value : values) {
         value *= recording.unit_mps2;
     }
@@ -205,7 +203,7 @@ Recording columns_of(TextTable& table, TableColumns columns, RecordRequest const
     recording.unit_mps2 = unit_of(table, columns, claims, request);
     recording.time_step_s = step_of(table, columns, claims, request);
     for (auto& [column, role] : columns.motions) {
-        check_look(table.column[column], role, columns.stated, claims, {request.name, table.line[0]});
+        check_look(table.column[column], role, table.columns(), claims, request, {request.name, table.line[0]});
         for (double& value : table.column[column]) {
             value *= recording.unit_mps2;
         }

@@ -60,7 +60,8 @@ TEST(Columns, WhatLooksLikeNoMotionIsRefused) {
     expect_input_error([&] { (void)read(positive); }, "values of one sign throughout");
     expect_input_error([&] { (void)read(rising); }, "only rise");
     expect_input_error([&] { (void)read(offset); }, "about another one than zero");
-    EXPECT_NO_THROW((void)read(named));
+    expect_input_error([&] { (void)read(named); }, "values of one sign throughout in column 'acc'",
+                       "--columns time,h1");
     // Prose that names two directions makes no component of a time.
     expect_input_error([&] { (void)read("# at N, E\n" + rising, {.unit_mps2 = gal, .time_step_s = 1}); }, "only rise");
     EXPECT_NO_THROW((void)read(positive, {.unit_mps2 = gal, .columns = "time,h1"}));
@@ -113,6 +114,61 @@ TEST(Columns, NamesOfOtherQuantitiesAreRefused) {
         expect_input_error(
             [&] { (void)read(std::string(name) + "\n1\n-2\n3\n", {.unit_mps2 = gal, .time_step_s = 1}); }, "a.csv:1: ");
     }
+    for (char const* name : {"udot",
+                             "u_dot",
+                             "u dot",
+                             "xdot",
+                             "udotx",
+                             "velo_N",
+                             "velo",
+                             "geschw",
+                             "Geschw. NS",
+                             "vit",
+                             "vit_NS",
+                             "vites NS",
+                             "velocidad",
+                             "rot_x",
+                             "rotx",
+                             "rot z",
+                             "roll",
+                             "disp_x",
+                             "depl",
+                             "depl_NS",
+                             "dep",
+                             "despl",
+                             "spost",
+                             "weg",
+                             "yerde\xC4\x9Fi\xC5\x9Ftirme",
+                             "deslocamento",
+                             "snelheid",
+                             "verplaatsing",
+                             "\xE5\x8F\x98\xE4\xBD\x8D",
+                             "gyr",
+                             "angvel",
+                             "v(t)",
+                             "u(t)",
+                             "V1",
+                             "d1",
+                             "d_N",
+                             "integrated",
+                             "cumulative",
+                             "kine",
+                             "cm/s",
+                             "m/s",
+                             "cm",
+                             "accdot",
+                             "du/dt"}) {
+        auto const text = fmt::format("time,{}\n0,1\n0.5,-2\n1,3\n", name);
+        expect_input_error([&] { (void)read(text); }, "a.csv:1: column '");
+        if (std::string(name).find_first_of("/123") == std::string::npos) {
+            expect_input_error(
+                [&] { (void)read(std::string(name) + "\n1\n-2\n3\n", {.unit_mps2 = gal, .time_step_s = 1}); },
+                "a.csv:1: ");
+        }
+    }
+    for (char const* name : {"uddot", "u_ddot", "xdotdot", "a(t)", "gal", "cm/s/s", "a1", "Dotter", "UD", "velvet"}) {
+        EXPECT_NO_THROW((void)read(fmt::format("time,{}\n0,1\n0.5,-2\n1,3\n", name))) << name;
+    }
     for (char const* name : {"HHE (gal)", "vx (gal)", "D (gal)", "HLE"}) {
         EXPECT_NO_THROW((void)read(fmt::format("time,{}\n0,1\n0.5,-2\n1,3\n", name))) << name;
     }
@@ -146,10 +202,34 @@ TEST(NoMotion, ARampThatIsNamedAnAccelerationIsOne) {
         ramp += fmt::format("{:.2f},{}\n", 0.01 * i, 0.1 * i);
     }
     RecordRequest request{.name = "r.csv", .unit_mps2 = 1.0};
-    for (auto const* names : {"time,a_horizontal\n", "time,acc\n"}) {
-        EXPECT_EQ(read_recording(names + ramp, request).components.size(), 1U) << names;
+    EXPECT_EQ(read_recording("time,a_horizontal\n" + ramp, request).components.size(), 1U);
+    for (auto const* names : {"time,acc\n", "time,NS\n", "time,x\n", "time,acceleration\n"}) {
+        testing::expect_input_error([&] { (void)read_recording(names + ramp, {.name = "r.csv", .unit_mps2 = 1.0}); },
+                                    "r.csv:2: ", "only rise");
     }
-    testing::expect_input_error([&] { (void)read_recording("time,x\n" + ramp, request); }, "only rise");
+    request.columns = "time,h1";
+    EXPECT_EQ(read_recording("time,acc\n" + ramp, request).components.size(), 1U);
+}
+
+// what its name calls an acceleration is refused by its look, as what has no name is; but a pulse that begins at
+// rest keeps its sign, and a record that is not corrected yet swings about another value than zero.
+TEST(NoMotion, ANamedOneMayBeAPulseOrUncorrected) {
+    std::string pulse, strict, uncorrected, list;
+    for (int i = 0; i <= 64; ++i) {
+        double const value = i <= 32 ? std::sin(3.14159265 * i / 32) : 0;
+        pulse += fmt::format("{:.2f},{:.5f}\n", 0.01 * i, i == 0 ? 0 : value);
+        strict += fmt::format("{:.2f},{:.5f}\n", 0.01 * i, value + 0.01);
+        uncorrected += fmt::format("{:.2f},{:.5f}\n", 0.01 * i, 0.8 + std::sin(0.7 * i));
+        list += fmt::format("{:.5f}\n", -0.01 - value);
+    }
+    for (auto const* names : {"time,acc\n", "time,NS\n", "# acceleration\ntime,x\n"}) {
+        EXPECT_NO_THROW((void)read(names + pulse)) << names;
+        EXPECT_NO_THROW((void)read(names + uncorrected)) << names;
+        expect_input_error([&] { (void)read(names + strict); }, "values of one sign throughout", "--columns");
+    }
+    expect_input_error([&] { (void)read("Acceleration (gal), dt = 0.01 s\n" + list, {}); },
+                       "a.csv:2: values of one sign");
+    EXPECT_NO_THROW((void)read("time,acc\n" + strict, {.unit_mps2 = gal, .columns = "time,h1"}));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "motion/column_role.hpp"
+#include "motion/component_name.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn {
@@ -69,7 +70,13 @@ void check_name_of_list(TextTable const& table, std::string const& file) {
     std::string_view text = line.text;
     text = trimmed(text.substr(std::min(text.find_first_not_of("#%!/*; \t\""), text.size())));
     auto const bracket = std::min(text.find_first_of("(["), text.size());
-    bool const word = trimmed(text.substr(0, bracket)).find_first_of(" \t0123456789:=,") == std::string_view::npos;
+    auto const plain = trimmed(text.substr(0, bracket));
+    auto const blank = plain.find_last_of(" \t");
+    bool const pair = blank != std::string_view::npos  // "vit NS", "u dot"
+                      && (plain.substr(blank + 1) == "dot"
+                          || component_named(plain.substr(blank + 1)).direction != Direction::unknown);
+    bool const word =
+        (pair ? trimmed(plain.substr(0, blank)) : plain).find_first_of(" \t0123456789:=,") == std::string_view::npos;
     if (!word || text.empty()) {
         return;
     }

@@ -6,6 +6,12 @@
 
 namespace overturn {
 
+namespace {
+
+constexpr std::string_view one_sign = "values of one sign throughout";
+
+}  // namespace
+
 std::string_view no_motion(std::span<double const> values) {
     constexpr std::size_t telling = 20;
     if (values.size() < telling) {
@@ -19,7 +25,7 @@ std::string_view no_motion(std::span<double const> values) {
         return only_rising;
     }
     if (least >= 0 || most <= 0) {
-        return "values of one sign throughout";
+        return one_sign;
     }
     double sum = 0;
     double squares = 0;
@@ -31,6 +37,12 @@ std::string_view no_motion(std::span<double const> values) {
     constexpr double off_zero = 0.5;  // of the root mean square; a noisy baseline's offset stays far below
     return std::abs(sum / count) > off_zero * std::sqrt(squares / count) ? "values about another one than zero"
                                                                          : std::string_view{};
+}
+
+std::string_view no_named_motion(std::span<double const> values, bool own) {
+    auto const why = no_motion(values);
+    bool const zero = std::ranges::find(values, 0.0) != values.end();
+    return (why == one_sign && !zero) || (why == only_rising && !own) ? why : std::string_view{};
 }
 
 bool rises_evenly(std::vector<double> const& values) {

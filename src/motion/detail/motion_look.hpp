@@ -14,6 +14,11 @@ inline constexpr std::string_view only_rising = "values that only rise or only f
 /// may be one. Less than 20 numbers tell nothing.
 [[nodiscard]] std::string_view no_motion(std::span<double const> values);
 
+/// The same of numbers that are called accelerations: these may be a pulse, which keeps its sign but begins at zero,
+/// and may swing about another value. \param own are they named as this program names what it writes? Then a ramp is
+/// one.
+[[nodiscard]] std::string_view no_named_motion(std::span<double const> values, bool own);
+
 /// As times do: in equal steps, up to what printing costs.
 [[nodiscard]] bool rises_evenly(std::vector<double> const& values);
 

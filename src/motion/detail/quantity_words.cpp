@@ -27,7 +27,13 @@ using quantity_tables::wholes;
 
 /// "velns", "nsvel", "dispx": with a component, or none, before or behind it.
 Quantity with_component(Text token) {
-    constexpr auto stems = std::to_array<QuantityWord>({{"vel", Quantity::velocity}, {"disp", Quantity::displacement}});
+    constexpr auto stems = std::to_array<QuantityWord>({{"vel", Quantity::velocity},
+                                                        {"velo", Quantity::velocity},
+                                                        {"vit", Quantity::velocity},
+                                                        {"hiz", Quantity::velocity},
+                                                        {"disp", Quantity::displacement},
+                                                        {"depl", Quantity::displacement},
+                                                        {"rot", Quantity::other}});
     auto const points = [](Text rest) { return component_named(rest).direction != Direction::unknown; };
     for (auto const& [stem, quantity] : stems) {
         bool const before = token.starts_with(stem) && points(token.substr(stem.size()));
@@ -44,13 +50,44 @@ Quantity with_component(Text token) {
                                                           : Quantity::unknown;
 }
 
+/// "udot", "xdot", "udotx"; "uddot" and "udotdot" are accelerations, "accdot" is a jerk.
+Quantity of_dots(Text token) {
+    constexpr std::size_t longest = 8;
+    auto const at = token.find("dot");
+    auto const stem = token.substr(0, at);
+    if (at == Text::npos || at == 0 || token.size() > longest) {
+        return Quantity::unknown;
+    }
+    auto rest = token.substr(at + Text("dot").size());
+    bool const twice = stem.ends_with('d') || rest.starts_with("dot");
+    rest = rest.substr(rest.starts_with("dot") ? Text("dot").size() : 0);
+    bool const whole = rest.empty() || component_named(rest).direction != Direction::unknown;
+    bool const of_acceleration = stem == "a" || stem.starts_with("acc");
+    return !whole            ? Quantity::unknown
+           : of_acceleration ? Quantity::other
+           : twice           ? Quantity::acceleration
+                             : Quantity::velocity;
+}
+
+/// "v(t)", "V1", "u2": a letter of a function of time, or with a number.
+Quantity of_letter_alone(Text name) {
+    constexpr std::size_t letter_and_digit = 2;
+    bool const numbered = name.size() == letter_and_digit && name[1] >= '1' && name[1] <= '9';
+    if (!numbered || Text("vd").find(name[0]) == Text::npos) {
+        return Quantity::unknown;
+    }
+    return name[0] == 'v' ? Quantity::velocity : Quantity::displacement;
+}
+
 /// "V_NS", "vEW", "D-UD": a letter of a velocity or a displacement before a direction, which it is none itself.
 Quantity of_letter_before(Text name) {
     auto const quantity = name.starts_with('v')                            ? Quantity::velocity
                           : name.starts_with('d') || name.starts_with('u') ? Quantity::displacement
                                                                            : Quantity::unknown;
     auto const rest = name.substr(std::min(name.find_first_not_of(" _-.", 1), name.size()));
-    if (quantity == Quantity::unknown || component_named(name).direction != Direction::unknown) {
+    bool const parted = name.size() > 1 && Text("_-. ").find(name[1]) != Text::npos;  // "dn" is down, "d_n" is not
+    bool const pair = name == "u-d" || name == "u_d" || name == "v-h";
+    if (quantity == Quantity::unknown || pair || (!parted && component_named(name).direction != Direction::unknown)) {
         return Quantity::unknown;
     }
     constexpr auto directions =
@@ -136,14 +173,16 @@ Quantity quantity_in_name(std::string_view name) {
             return part;
         }
     }
-    for (auto const whole : {lower.empty() ? Quantity::unknown : with_component(lower), of_letter_before(lower)}) {
+    for (auto const whole :
+         {lower.empty() ? Quantity::unknown : with_component(lower), of_letter_before(lower), of_letter_alone(lower)}) {
         if (whole != Quantity::unknown) {
             return whole;
         }
     }
     auto found = Quantity::unknown;
     each_token(lower, [&](Text token) {
-        for (auto const one : {token_of(token, tokens), token_of(token, tokens_of_names), with_component(token)}) {
+        for (auto const one :
+             {token_of(token, tokens), token_of(token, tokens_of_names), with_component(token), of_dots(token)}) {
             found = found == Quantity::unknown ? one : found;
         }
     });
