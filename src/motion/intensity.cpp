@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -53,15 +55,32 @@ Intensity intensity_of(GroundMotion const& motion) {
     return intensity;
 }
 
-std::string changes_text(GroundMotion const& from, GroundMotion const& to) {
-    auto const before = intensity_of(from.horizontal_mps2, from.time_step_s);
-    auto const after = intensity_of(to.horizontal_mps2, to.time_step_s);
+namespace {
+
+std::string changes_of(std::vector<double> const& from, double from_step_s, std::vector<double> const& to,
+                       double to_step_s) {
+    auto const before = intensity_of(from, from_step_s);
+    auto const after = intensity_of(to, to_step_s);
     auto const change = [](double a, double b) {
         constexpr double percent = 100;
         return a > 0 ? fmt::format("{:+.3g} %", percent * (b - a) / a) : std::string("0 %");
     };
     return fmt::format("PGA {}, PGV {}, PGD {}", change(before.pga_mps2, after.pga_mps2),
                        change(before.pgv_mps, after.pgv_mps), change(before.pgd_m, after.pgd_m));
+}
+
+}  // namespace
+
+std::string changes_text(GroundMotion const& from, GroundMotion const& to) {
+    auto text = changes_of(from.horizontal_mps2, from.time_step_s, to.horizontal_mps2, to.time_step_s);
+    for (auto const& [name, component] :
+         {std::pair{"transverse", &GroundMotion::transverse_mps2}, {"vertical", &GroundMotion::vertical_mps2}}) {
+        if (!(from.*component).empty()) {
+            text += fmt::format("; {} {}", name,
+                                changes_of(from.*component, from.time_step_s, to.*component, to.time_step_s));
+        }
+    }
+    return text;
 }
 
 }  // namespace overturn

@@ -179,6 +179,16 @@ TEST(RecordBaseline, IsStatedInTheTable) {
         source_of("source='records'\nfiles=['short.csv']\nunit='gal'\nbaseline='mean'\n", files)->make(1, 0).label;
     EXPECT_TRUE(shifted.starts_with("short.csv, mean taken off (PGA -12.5 %, PGV +1.04 %, PGD ")) << shifted;
     EXPECT_NE(shifted.find(" %, Sa from 0.3 to 10 s by "), std::string::npos) << shifted;
+    // Each component has its own: the first two that of short.csv, the vertical one has no mean.
+    std::map<std::string, std::string> const three{
+        {"three.csv", "time,NS,EW,UD\n0,0,0,1\n0.01,10,10,-1\n0.02,-20,-20,1\n0.03,0,0,-1\n"}};
+    auto const each =
+        source_of("source='records'\nfiles=['three.csv']\nunit='gal'\nbaseline='mean'\n", three)->make(1, 0).label;
+    EXPECT_NE(each.find("mean taken off (PGA -12.5 %, PGV "), std::string::npos) << each;
+    EXPECT_NE(each.find("; transverse PGA -12.5 %, PGV "), std::string::npos) << each;
+    EXPECT_NE(each.find("; vertical PGA +0 %, PGV +0 %, PGD +0 %; Sa from 0.3 to 10 s by "), std::string::npos) << each;
+    EXPECT_NE(each.find(" % at most, transverse by "), std::string::npos) << each;
+    EXPECT_NE(each.find(" %, vertical by +0 %)"), std::string::npos) << each;
     refuse("'high-pass 50 Hz'", "a quarter of the sampling frequency");
     refuse("{order=2}", "high_pass");
     refuse("{high_pass='0.1 Hz', order=40}", "1 to 10");

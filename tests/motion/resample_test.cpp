@@ -57,6 +57,12 @@ TEST(Resample, OtherStepsCutCornersAndSaySo) {
     // Of a hat of 0.04 s: its area, and the moment of its area about the end.
     EXPECT_EQ(made.says, "0.02 s read at 0.015 s along straight lines, PGA -25 %, PGV -6.25 %, PGD -8.59 %");
     EXPECT_TRUE(made.changed);
+    // of each component.
+    triangle.transverse_mps2 = {0, 0, 1, 0};
+    triangle.vertical_mps2 = {0, 2, 2, 0};
+    EXPECT_EQ(
+        resample(triangle, 0.015, Coarsening::refused).says,
+        made.says + "; transverse PGA -25 %, PGV -6.25 %, PGD -1.56 %; vertical PGA +0 %, PGV -6.25 %, PGD -6.25 %");
 }
 
 TEST(Resample, CoarserNeedsTheUsersWord) {
