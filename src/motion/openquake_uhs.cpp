@@ -27,6 +27,14 @@ std::vector<std::string> cells_of(Text line) {
     return cells;
 }
 
+/// What stands behind `key`, up to a comma or a quote.
+Text behind_key(Text line, Text key) {
+    auto const at = line.find(key);
+    auto rest = at == Text::npos ? Text{} : line.substr(at + key.size());
+    rest.remove_prefix(rest.starts_with('\'') ? 1 : 0);
+    return trimmed(rest.substr(0, rest.find_first_of(",'\"")));
+}
+
 /// "0.1~SA(0.5)": probability and period, that of PGA 0. [s]
 struct Column {
     std::string probability;
@@ -56,7 +64,10 @@ std::vector<Column> columns_of(std::vector<std::string> const& names) {
 std::optional<std::string> uniform_hazard_of_openquake(std::string_view content, std::string const& name) {
     TextLines lines(content);
     auto line = lines.next();
+    std::string kind;
     while (line && (trimmed(*line).empty() || line->starts_with('#'))) {
+        auto const said = behind_key(*line, "kind=");
+        kind = said.empty() || said == "mean" ? kind : fmt::format("# kind {}, not mean\n", said);
         line = lines.next();
     }
     auto const columns = columns_of(cells_of(line.value_or("")));
@@ -77,7 +88,7 @@ std::optional<std::string> uniform_hazard_of_openquake(std::string_view content,
                                                              row ? "several sites" : "no site"));
     }
     auto const cells = cells_of(*row);
-    std::string table = "T (s),Sa (g)\n";
+    auto table = kind + "T (s),Sa (g)\n";
     for (auto const& column : columns) {
         table += fmt::format("{:.17g},{}\n", column.period_s, column.at < cells.size() ? cells[column.at] : "-");
     }

@@ -56,8 +56,8 @@ bool cut_years(Text& text) {
     return true;
 }
 
-constexpr auto probability =
-    std::to_array<Text>({"probability", "prob", "poe", "exceedance", "exceedence", "exceeded", "exceeding", "chance"});
+constexpr auto probability = std::to_array<Text>(
+    {"probability", "prob", "poe", "pe", "exceedance", "exceedence", "exceeded", "exceeding", "chance"});
 constexpr auto between = std::to_array<Text>({"of", "being", "annual", "the"});
 
 /// How much of what stands behind a percentage makes it a hazard level; 0: nothing does.

@@ -10,6 +10,7 @@
 #include "motion/pair_table.hpp"
 #include "motion/text_lines.hpp"
 #include "spectra/detail/design_json.hpp"
+#include "spectra/detail/target_axis.hpp"
 #include "spectra/detail/target_names.hpp"
 #include "spectra/target_spectrum.hpp"
 
@@ -112,6 +113,7 @@ TargetSpectrum target_of_table(PairTable const& table, std::string const& name, 
     check_kind(table, kind, where);
     auto const unread = check_text(table, kind, damping, name);
     double const abscissa = hertz ? *hertz : table.names_line > 0 ? period_unit(table, where) : 1;
+    check_axis_text(table, hertz.has_value(), abscissa, name);
     Claims claims(dimension_of(kind));
     claims.take(table.text, 0);  // what stands beside the names is text
     auto const named = named_unit(table, kind, unit_si.has_value(), where);

@@ -33,6 +33,19 @@ TEST(DesignPart, SeparatorsAreThoseOfTheHeader) {
     EXPECT_EQ(table_of_one_ordinate("T(s) median(g) p84(g)\n1 2 3\n", "d.txt", "p84"), "T(s),p84(g)\n1,3\n");
 }
 
+// what a spectrum scatters by is no second one; it is left out, and told.
+TEST(DesignPart, SpreadsAreNoOrdinates) {
+    for (std::string const spread : {"sigma", "Sa uncertainty (g)", "ln std", "dispersion", "Sa_sigma"}) {
+        EXPECT_EQ(table_of_one_ordinate("T (s),Sa (g)," + spread + "\n1,2,3\n", "d.csv", ""),
+                  "T (s),Sa (g) # left out: " + spread + "\n1,2\n");
+    }
+    for (std::string const other : {"Sa + 1 sigma (g)", "Sa 84th (g)"}) {
+        expect_input_error([&] { (void)table_of_one_ordinate("T (s),Sa (g)," + other + "\n1,2,3\n", "d.csv", ""); },
+                           "d.csv:1: 2 ordinates");
+    }
+    EXPECT_EQ(table_of_one_ordinate("T (s),Sa (g),Sv (m/s),sigma\n1,2,3,4\n", "d.csv", "Sv"), "T (s),Sv (m/s)\n1,3\n");
+}
+
 // two columns, and columns without names of such a table, are left to the reader of tables.
 TEST(DesignPart, OtherTablesAreLeftAlone) {
     for (auto const* text : {"", "T,Sa\n1,2\n", "1 2\n", "1,2,3\n2,3,4\n", "site,lon,lat\n1,2,3\n"}) {

@@ -136,6 +136,18 @@ TEST(TargetNames, UniformHazardSpectraAreRead) {
     EXPECT_TRUE(near(target.psa_mps2(0.1), 0.7 * g0, exact_formula));
     EXPECT_TRUE(near(target.psa_mps2(0.05), (0.31 + 0.7) / 2 * g0, exact_formula));
     EXPECT_EQ(target.last_period_s(), 1);
+    EXPECT_EQ(target.name().find("not understood"), std::string::npos) << target.name();
+    for (char const* kind : {"quantile-0.16", "rlz-003", "std"}) {
+        auto const other =
+            parse(fmt::format("#,,\"generated_by='OpenQuake engine', kind='{}', investigation_time=50.0\"\n"
+                              "lon,lat,0.1~PGA,0.1~SA(1.0)\n1,2,0.3,0.2\n",
+                              kind));
+        EXPECT_TRUE(
+            other.name().starts_with(fmt::format("u.csv (not understood: line 1: '# kind {}, not mean')", kind)))
+            << other.name();
+    }
+    auto const mean = parse("#,,\"kind='mean', investigation_time=50.0\"\nlon,lat,0.1~PGA,0.1~SA(1.0)\n1,2,0.3,0.2\n");
+    EXPECT_EQ(mean.name().find("not understood"), std::string::npos) << mean.name();
     expect_input_error([&] { (void)parse(first + "lon,lat,0.1~PGA,0.02~PGA,0.1~SA(1.0)\n1,2,3,4,5\n"); },
                        "u.csv:2: ", "several probabilities");
     expect_input_error([&] { (void)parse(first + "lon,lat,0.1~PGA,0.1~SA(1.0)\n1,2,3,4\n1,2,3,4\n"); },
@@ -187,6 +199,55 @@ TEST(TargetNames, WordsOfAColumnsNameAreAccountedFor) {
         EXPECT_EQ(read(fmt::format("T,{} (m/s2)\n", name)).name(), "t.csv") << name;
     }
     EXPECT_EQ(read("T,S_v (m/s)\n", TargetKind::pseudo_velocity).name(), "t.csv");
+}
+
+// R-104: the level of a hazard in a name is no damping, and is listed; a damping beside it is read still.
+TEST(TargetNames, LevelsOfHazardAreNoDamping) {
+    for (char const* name :
+         {"Sa 10% in 50 years (m/s2)", "Sa 10%/50yr (m/s2)", "Sa (10% in 50 yr) (m/s2)", "10% PE in 50 years (m/s2)",
+          "Sa 2% probability of exceedance in 50 years (m/s2)", "Sa 5% damped 10% in 50 years (m/s2)",
+          "Sa_2475yr (m/s2)", "Sa 84th (m/s2)", "Sa quantile-0.16 (m/s2)"}) {
+        EXPECT_NE(read(fmt::format("T,{}\n", name)).name().find("not understood: line 1: '"), std::string::npos)
+            << name;
+    }
+    for (char const* name :
+         {"Sa 2% damped 10% in 50 years (m/s2)", "Sa 10% in 50 years xi=2% (m/s2)", "Sa 2% (m/s2)"}) {
+        expect_input_error([&] { (void)read(fmt::format("T,{}\n", name)); }, "t.csv:1: damping 0.02");
+    }
+    for (char const* text : {"# 84th", "# 2475 yr", "# 10 % in 50 years", "# kind='quantile-0.16'"}) {
+        EXPECT_NE(read(fmt::format("{}\nT,Sa\n", text)).name().find("not understood: line 1"), std::string::npos)
+            << text;
+    }
+}
+
+// R-104: what a spectrum scatters by is no spectrum.
+TEST(TargetNames, SpreadsAreNoOrdinates) {
+    for (char const* name : {"Sa uncertainty", "Sa_sigma", "dispersion", "ln std"}) {
+        expect_input_error([&] { (void)read(fmt::format("T,{}\n", name)); }, "t.csv:1: '", "no ordinate");
+    }
+}
+
+// R-104: text that speaks of frequencies above periods, of periods above frequencies, or of another unit.
+TEST(TargetNames, TextOfTheFirstColumnMayNotContradict) {
+    for (char const* text : {"# frequency in Hz", "# Frequencies (Hz)", "# f in Hz", "# first column frequency",
+                             "# periods in ms", "# T in ms", "# period [ms], Sa"}) {
+        expect_input_error([&] { (void)read(fmt::format("{}\nT (s),Sa\n", text)); }, "t.csv:1: '#", "contradict");
+    }
+    for (char const* text : {"# frequency in Hz", "# T in ms", "# periods in milliseconds"}) {
+        expect_input_error([&] { (void)read(fmt::format("{}\n", text)); }, "t.csv:1: '#");
+    }
+    for (char const* text : {"# period in s", "# T [s]"}) {
+        expect_input_error([&] { (void)read(fmt::format("{}\nf (Hz),Sa\n", text)); }, "t.csv:1: '#", "contradict");
+        EXPECT_NO_THROW((void)read(fmt::format("{}\nT (s),Sa\n", text))) << text;
+    }
+    for (char const* text : {"# T in ms", "# periods in ms"}) {
+        EXPECT_NO_THROW((void)read(fmt::format("{}\nT (ms),Sa\n", text))) << text;
+    }
+    for (char const* text : {"# return period 475 years", "# annual frequency 0.002", "# corner frequency 0.1 Hz",
+                             "# frequency in Hz or period in s", "# natural frequency 2 Hz"}) {
+        EXPECT_NO_THROW((void)read(fmt::format("{}\nT (s),Sa\n", text))) << text;
+    }
+    EXPECT_NO_THROW((void)read("# frequency in Hz\nf (Hz),Sa\n"));
 }
 
 // R-104: a spectrum of Fourier amplitudes is none of a response, and a letter says which component it is.

@@ -1,6 +1,8 @@
 #include "spectra/detail/design_part.hpp"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <span>
 
 #include <fmt/format.h>
@@ -25,6 +27,28 @@ std::vector<std::string> ordinates_of(std::vector<Cell> const& header, bool with
         names.push_back(with_units ? std::string(cell.text) : without_unit(cell.text));
     }
     return names;
+}
+
+/// "sigma", "Sa uncertainty", "ln std": what a spectrum scatters by is no second spectrum.
+bool is_spread(std::string_view name) {
+    constexpr auto parts = std::to_array<std::string_view>(
+        {"sigma", "\xCF\x83", "std", "st.dev", "deviation", "uncert", "dispersion", "scatter"});
+    auto const lower = lowered(name);
+    bool const shifted = lower.find_first_of("+-") != std::string::npos;  // "Sa + 1 sigma" is one
+    return !shifted && std::ranges::any_of(parts, [&](auto part) { return lower.find(part) != std::string::npos; });
+}
+
+std::vector<std::string> spreads_of(std::vector<std::string> const& names) {
+    std::vector<std::string> spreads;
+    std::ranges::copy_if(names, std::back_inserter(spreads), is_spread);
+    return spreads;
+}
+
+/// The place of the one ordinate that is no spread; nothing if there are several, or if one is named.
+std::optional<std::size_t> only_ordinate(std::vector<std::string> const& names, std::string const& part) {
+    bool const one = std::ranges::count_if(names, is_spread) + 1 == std::ssize(names);
+    auto const at = static_cast<std::size_t>(std::ranges::find_if_not(names, is_spread) - names.begin());
+    return part.empty() && one ? std::optional(at) : std::nullopt;
 }
 
 }  // namespace
@@ -52,7 +76,9 @@ std::optional<std::string> table_of_one_ordinate(std::string_view content, std::
         return std::nullopt;
     }
     bool const by_stem = !part.empty() && without_unit(part) == part;
-    auto const column = 1 + part_among(ordinates_of(header, !by_stem), part, "ordinates", {name, rows.header_line()});
+    auto const all_names = ordinates_of(header, !by_stem);
+    auto const only = only_ordinate(all_names, part);
+    auto const column = 1 + (only ? *only : part_among(all_names, part, "ordinates", {name, rows.header_line()}));
     std::vector<std::string> lines;
     TextLines all(content);
     while (auto const line = all.next()) {
@@ -65,6 +91,9 @@ std::optional<std::string> table_of_one_ordinate(std::string_view content, std::
                            note == std::string::npos ? "" : " " + line.substr(note));
     };
     keep(header);
+    if (only) {
+        lines[rows.header_line() - 1] += fmt::format(" # left out: {}", fmt::join(spreads_of(all_names), ", "));
+    }
     while (auto const cells = rows.next()) {
         keep(*cells);
     }

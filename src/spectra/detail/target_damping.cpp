@@ -31,13 +31,22 @@ std::optional<double> number_at_end(std::string_view text) {
     return parse_number(text.substr(begin == Text::npos ? 0 : begin + 1), value) ? std::optional(value) : std::nullopt;
 }
 
-std::optional<double> damping_in(std::string_view lower) {
-    std::string plain(lower);
-    for (Text const word : {" percent", "percent", " per cent", "pct"}) {
-        for (auto at = plain.find(word); at != std::string::npos; at = plain.find(word, at)) {
-            plain.replace(at, word.size(), "%");
+std::string with_percent_signs(std::string_view text) {
+    auto const lower = lowered(text);
+    std::string plain;
+    for (std::size_t at = 0; at < text.size();) {
+        std::size_t length = 0;
+        for (Text const word : {" percent", "percent", " per cent", "pct"}) {
+            length = length == 0 && Text(lower).substr(at).starts_with(word) ? word.size() : length;
         }
+        plain += length > 0 ? '%' : text[at];
+        at += std::max<std::size_t>(length, 1);
     }
+    return plain;
+}
+
+std::optional<double> damping_in(std::string_view lower) {
+    auto const plain = with_percent_signs(lower);
     lower = plain;
     // "5 % damped", "2 % of critical": the number right before; "10 % in 50 years, damping 5 %" is none.
     constexpr std::size_t farthest = 16;

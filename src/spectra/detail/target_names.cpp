@@ -9,6 +9,7 @@
 #include "motion/column_role.hpp"
 #include "motion/column_unit.hpp"
 #include "motion/operators_in_name.hpp"
+#include "motion/percent_in_name.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn {
@@ -74,13 +75,13 @@ namespace {
 /// Of no response spectrum, whatever its kind.
 bool is_something_else(Text name) {
     auto const lower = lowered(trimmed(name));
-    auto const quantity = column_role(ordinate_name(name)).quantity;
+    auto const quantity = column_role(ordinate_name(without_hazard_levels(name))).quantity;
     return quantity == Quantity::hazard || quantity == Quantity::counts || quantity == Quantity::index
            || quantity == Quantity::frequency || quantity == Quantity::other || lower == "t" || lower == "pga"
            || lower.starts_with("ratio") || lower.starts_with("pga ") || lower.starts_with("pga(")
            || lower.starts_with("pgv") || lower.starts_with("pgd")
-           || holds_any(lower, {"sigma", "std", " ratio", "norm", "/pga", "/ pga", "amplif", "fourier", "fas", "time",
-                                "rate", "\xCF\x83"});
+           || holds_any(lower, {"sigma", "std", "uncert", "dispersion", "st.dev", "deviation", " ratio", "norm", "/pga",
+                                "/ pga", "amplif", "fourier", "fas", "time", "rate", "\xCF\x83"});
 }
 
 }  // namespace

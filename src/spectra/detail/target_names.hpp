@@ -40,6 +40,9 @@ void check_kind(PairTable const& table, TargetKind kind, Location const& where);
 /// The number that stands at the end, "10" of "h = 10 "; nothing if none does.
 [[nodiscard]] std::optional<double> number_at_end(std::string_view text);
 
+/// "5 percent", "5 per cent" and "5pct" are "5%".
+[[nodiscard]] std::string with_percent_signs(std::string_view text);
+
 /// "5 % damped", "h = 0.02", "damping ratio: 0.05"
 [[nodiscard]] std::optional<double> damping_in(std::string_view lower);
 

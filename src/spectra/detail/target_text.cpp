@@ -8,6 +8,7 @@
 #include "core/units.hpp"
 #include "motion/claims.hpp"
 #include "motion/component_name.hpp"
+#include "motion/percent_in_name.hpp"
 #include "motion/telling_words.hpp"
 #include "motion/text_lines.hpp"
 #include "spectra/detail/target_names.hpp"
@@ -107,27 +108,22 @@ bool check_damping(Text lower, double damping, Location const& where) {
 
 /// Does the name of the ordinates say more of them than is understood? \throws InputError at another damping
 bool name_tells_more(Text name, double damping, Location const& where) {
-    auto named = lowered(name);
-    std::string rest(name);
-    for (Text const word : {"percent", "pct"}) {
-        if (auto const at = named.find(word); at != std::string::npos) {
-            named.replace(at, word.size(), "%");
-            rest.replace(at, word.size(), "%");
-        }
-    }
+    auto const without = without_hazard_levels(name);
+    bool const level = without != name;  // "10 % in 50 years": no damping
+    auto const rest = with_percent_signs(without);
+    auto const named = lowered(rest);
     auto const percent = named.find('%');  // of a column's name nothing else, but of a fractile
     auto const before = percent == std::string::npos ? std::nullopt : number_at_end(Text(named).substr(0, percent));
     constexpr double highest = 30;
     bool const share = before && *before <= highest;
     bool const damped = check_damping(share ? fmt::format("{} % damped", *before) : named, damping, where);
-    if (!damped) {
-        return tells_more_in_name(rest);
+    if (level || !damped) {
+        return level || tells_more_in_name(rest);
     }
     auto const begin =
         share ? rest.find_last_not_of("0123456789. ", percent - 1) + 1 : rest.find_first_of("0123456789");
-    auto const end = share ? percent + 1 : rest.find_first_not_of("0123456789.", begin);
-    rest.erase(begin, end == std::string::npos ? end : end - begin);
-    return tells_more_in_name(rest);
+    auto const end = std::min(share ? percent + 1 : rest.find_first_not_of("0123456789.", begin), rest.size());
+    return tells_more_in_name(rest.substr(0, begin) + rest.substr(end));
 }
 
 /// Beside the damping: nothing but words of a response spectrum and "10 % in 50 years"?
