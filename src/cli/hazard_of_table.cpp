@@ -60,15 +60,17 @@ HazardCurve hazard_of_table(FitOptions const& options, TableAxis const& axis) {
                                       .dimension = dimension,
                                       .unit = {axis.unit, si},
                                       .lowest = axis.lowest * si,
-                                      .highest = axis.highest * si});
+                                      .highest = axis.highest * si,
+                                      .column = axis.column});
     auto points = hazard.points();
     for (auto& point : points) {
         point.intensity /= si;
     }
     auto remarks = hazard.remarks();
     if (axis.measure.empty()) {
-        remarks.push_back(
-            fmt::format("column '{}' of the table names no measure: it is taken to be the curve's", axis.column));
+        remarks.push_back(fmt::format(
+            "column '{}' of the table names no measure: it is taken to be the curve's, which names none either",
+            axis.column));
     }
     return HazardCurve(std::move(points), {hazard.stated().symbol, hazard.stated().si / si}, std::move(remarks));
 }

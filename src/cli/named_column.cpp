@@ -112,6 +112,7 @@ IntensityText intensity_text(CellRows const& rows, std::string const& file, std:
     auto dimension = dimension_of(named);
     auto const heard = [&](Dimension of) {
         Claims claims(of);
+        claims.expect_counts();
         claims.take(rows.text(), 0);
         return claims;
     };

@@ -37,6 +37,12 @@ constexpr auto aliases = std::to_array<Alias>({{"trial", trials},
                                                {"coll", overturned},
                                                {"failure", overturned},
                                                {"fell", overturned},
+                                               {"k", overturned},
+                                               {"collapsecount", overturned},
+                                               {"collapsescount", overturned},
+                                               {"overturningcount", overturned},
+                                               {"overturnedcount", overturned},
+                                               {"countofcollapse", overturned},
                                                {"failed", failed}});
 /// "wave", "record", "GM": the name of one, where "waves" and "n_gms" are a number of them.
 bool may_name_trials(std::string_view cell) {

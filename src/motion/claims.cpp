@@ -149,6 +149,9 @@ bool Claims::take_other_quantity(Text line, std::string const& lower, int number
     auto const word = other_than_own(said);
     spectrum_ = spectrum_ || said == Quantity::spectrum;
     bool const counts = said == Quantity::counts || (holds_word(lower, "counts") && !per_count);
+    if (counts && beside_counts_ && !holds(lower, "unit")) {
+        return false;
+    }
     bool const by_word = found.empty() && !counts && !word.empty();
     found = counts ? "counts" : by_word ? std::string(word) : found;
     if (found.empty()) {

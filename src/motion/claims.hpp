@@ -45,6 +45,8 @@ class Claims {
     [[nodiscard]] std::string const& other() const { return other_; }
     /// Are the numbers called accelerations anywhere?
     [[nodiscard]] bool accelerations() const { return accelerations_; }
+    /// Other columns of the table are counts, "collapse counts at each level": they are none of the numbers.
+    void expect_counts() { beside_counts_ = true; }
     /// The line is a title that ends in the unit, as other programs write above a count and a step.
     void expect_title(int number) { title_ = number; }
     /// A name of a column calls them so. \param alone is no other column one of a motion, or of a spectrum?
@@ -139,6 +141,7 @@ class Claims {
     int plainly_other_line_ = 0;
     bool spectrum_ = false;  ///< of accelerations, which their unit tells nothing of
     bool named_ = false, alone_ = false;
+    bool beside_counts_ = false;
     bool accelerations_ = false;
     std::vector<std::string> components_;
     int components_line_ = 0;

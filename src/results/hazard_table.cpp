@@ -30,7 +30,21 @@ std::string measure_in(std::string_view name) {
     return std::string(trimmed(text.substr(0, text.find_first_of(" _\t([", bracket))));
 }
 
+// "IM", "intensity": of any measure.
+bool names_no_measure(std::string_view measure) {
+    constexpr auto any = std::to_array<std::string_view>(
+        {"im", "iml", "imls", "intensity", "amplitude", "level", "capacity", "collapse", "measure"});
+    return std::ranges::find(any, measure) != any.end();
+}
+
 void check_measure(PairTable const& table, HazardAxis const& axis, Location const& where) {
+    auto const stated = measure_in(axis.column);
+    if (axis.label.empty() && !stated.empty() && measure_in(table.first_name) != stated
+        && !(names_no_measure(stated) && names_no_measure(measure_in(table.first_name)))) {
+        throw InputError(where, fmt::format("hazard over '{}', fragility over '{}' (which names no measure: is it that "
+                                            "one?). Name the column '{}' if it is",
+                                            table.first_name, axis.column, table.first_name));
+    }
     auto const name = measure_in_name(table.first_name);
     auto const behind = name.substr(std::min(axis.label.size(), name.size()));
     bool const other = !name.starts_with(axis.label)

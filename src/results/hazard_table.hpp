@@ -17,15 +17,16 @@ struct HazardAxis {
     Dimension dimension = Dimension::none;
     IntensityUnit unit;              ///< as the user wrote them
     double lowest = 0, highest = 0;  ///< that were tried [SI]; both 0: a stated curve, which was not tried anywhere
+    std::string column = {};         ///< "IM [g]", where the levels are a table's column that names no measure
 };
 [[nodiscard]] HazardAxis hazard_axis(LevelSpec const& levels);
 
 /// A table of two columns under a line of names, "pga [gal], annual_exceedance": the levels' own measure with its unit,
 /// and the mean number of exceedances in a year (or MAFE, "annual rate of exceedance" and their likes); or an export of
 /// OpenQuake. `#` begins a comment. A first row of no motion and last rows of no exceedance are left out, with a
-/// remark. \throws InputError with `name:line` at what is none, is of another measure, states no unit of it, speaks of
-/// a time of investigation or a probability in so many years, does not rise and fall as a hazard curve does, or has no
-/// intensity in common with those that were tried
+/// remark. \throws InputError with `name:line` at what is none, is of another measure, or of one that the table's
+/// column does not name, states no unit of it, speaks of a time of investigation or a probability in so many years,
+/// does not rise and fall as a hazard curve does, or has no intensity in common with those that were tried
 [[nodiscard]] HazardCurve parse_hazard(std::string_view content, std::string const& name, HazardAxis const& axis);
 [[nodiscard]] inline HazardCurve parse_hazard(std::string_view content, std::string const& name,
                                               LevelSpec const& levels) {

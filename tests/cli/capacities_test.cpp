@@ -78,7 +78,7 @@ TEST_F(Capacities, UnderTheirUsualNames) {
 
 TEST_F(Capacities, GiveAnAnnualFrequency) {
     folder.write("c.csv", published);
-    folder.write("h.csv", "pga [g], annual_exceedance\n0.1,2e-3\n0.3,1e-4\n0.5,2.5e-5\n1.0,3e-6\n2.0,3e-7\n");
+    folder.write("h.csv", "IM [g], annual_exceedance\n0.1,2e-3\n0.3,1e-4\n0.5,2.5e-5\n1.0,3e-6\n2.0,3e-7\n");
     auto const ended = overturn(folder, {"fit", "--capacities", "c.csv", "--hazard", "h.csv", "--json"});
     ASSERT_EQ(ended.code, 0) << ended.err;
     auto const row = json::parse(ended.out)["frequency"][0];

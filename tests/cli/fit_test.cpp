@@ -85,6 +85,12 @@ TEST_F(Fit, TextRoundATableIsAccountedFor) {
     EXPECT_EQ(table("IM [g],num_gms,num_collapse\n" + rows)["not_understood"], json::array());
     refuse("# units: gal\nIM [g],num_gms,num_collapse\n" + rows, "t.csv:1: unit gal, line 2 says g");
     refuse("# units: cm/s\npga [g],num_gms,num_collapse\n" + rows, "t.csv:1: a unit of velocities, column 'pga [g]'");
+    for (char const* line : {"# Collapse counts at each level", "counts of collapse", "# counts", "# raw counts",
+                             "# Sa(T1,5%) [g], counts of overturning", "# PGA in g, collapse counts"}) {
+        EXPECT_EQ(table(std::string(line) + "\nSa(1 s) [g],num_gms,collapse_count\n" + rows)["fragility"].size(), 1U)
+            << line;
+    }
+    refuse("# units: counts\npga [g],num_gms,num_collapse\n" + rows, "t.csv:1: a unit of counts");
     folder.write("h.csv", "im [g], annual_exceedance\n0.1,1e-2\n1,1e-4\n3,1e-6\n");
     folder.write("t.csv", "# intensities in g\nIM,num_gms,num_collapse\n" + rows);
     auto const with = overturn(folder, {"fit", "--stripes", "t.csv", "--hazard", "h.csv", "--json"});

@@ -75,7 +75,9 @@ TEST_F(HazardOfTables, WhatIsNotStatedIsAskedFor) {
     write_stripes("pga [g]");
     refuse({"--stripes", "t.csv", "--hazard", "gal.csv"}, "nothing in common");
     write_stripes("IM [g]");
-    auto const said = overturn(folder, {"fit", "--stripes", "t.csv", "--hazard", "two.csv"});
+    refuse({"--stripes", "t.csv", "--hazard", "two.csv"}, "Name the column 'pga [g]' if it is");
+    folder.write("im.csv", "intensity [g], annual_exceedance\n0.1,1e-2\n1,1e-4\n3,1e-6\n");
+    auto const said = overturn(folder, {"fit", "--stripes", "t.csv", "--hazard", "im.csv"});
     EXPECT_EQ(said.code, 0) << said.err;
     EXPECT_NE(said.out.find("'IM [g]' of the table names no measure"), std::string::npos) << said.out;
 }
