@@ -1,6 +1,7 @@
 #include "motion/text_lines.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "core/error.hpp"
 #include "core/units.hpp"
@@ -173,12 +174,52 @@ std::string lowered(std::string_view text) {
     return lower;
 }
 
+namespace {
+
+/// The length of the character of UTF-8 that `text` begins with, if a terminal may be given it: none of control, of
+/// direction or of no width; else 0.
+std::size_t shown_length(std::string_view text) {
+    auto const byte = [&](std::size_t i) {
+        return i < text.size() ? static_cast<unsigned>(static_cast<unsigned char>(text[i])) : 0U;
+    };
+    constexpr unsigned continued = 0x80, kind = 0xC0, six_bits = 0x3F;
+    unsigned const first = byte(0);
+    if (first < continued) {
+        return first >= ' ' && first <= '~' ? 1 : 0;
+    }
+    std::size_t const length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+    unsigned point = first & (0xFFU >> (length + 1));
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byte(i) & kind) != continued) {
+            return 0;
+        }
+        point = (point << 6U) | (byte(i) & six_bits);
+    }
+    struct Range {
+        unsigned first, last;
+    };
+    constexpr std::array hidden{Range{0, 0x9F},          Range{0xAD, 0xAD},        Range{0x200B, 0x200F},
+                                Range{0x2028, 0x202E},   Range{0x2060, 0x206F},    Range{0xD800, 0xF8FF},
+                                Range{0xFE00, 0xFE0F},   Range{0xFEFF, 0xFEFF},    Range{0xFFF0, 0xFFFF},
+                                Range{0xE0000, 0xFFFFF}, Range{0x100000, 0xFFFFFF}};
+    constexpr std::array least{0U, 0U, 0x80U, 0x800U, 0x10000U};
+    bool const plain =
+        std::ranges::none_of(hidden, [&](Range range) { return point >= range.first && point <= range.last; });
+    return plain && point >= least.at(length) && first < 0xF8 && first >= 0xC2 ? length : 0;
+}
+
+}  // namespace
+
 std::string in_quotes(std::string_view text) {
     constexpr std::size_t most = 30;
-    std::string shown(text.substr(0, most));
-    std::replace_if(
-        shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-    return fmt::format("'{}{}'", shown, text.size() > most ? "..." : "");
+    std::string shown;
+    std::size_t characters = 0;
+    for (; !text.empty() && characters < most; ++characters) {
+        auto const length = shown_length(text);
+        shown += length == 0 ? std::string_view("?") : text.substr(0, length);
+        text.remove_prefix(std::max<std::size_t>(length, 1));
+    }
+    return fmt::format("'{}{}'", shown, text.empty() ? "" : "...");
 }
 
 }  // namespace overturn

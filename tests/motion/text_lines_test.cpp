@@ -33,6 +33,39 @@ TEST(TextLines, EveryLineEndGivesTheSameLines) {
     EXPECT_EQ(lines_of("a\r\rb c\rd\r"), expected);
 }
 
+// a user's own letters are shown as they are; bytes that are no letters, and those that a terminal acts upon,
+// not.
+TEST(TextLines, QuotedTextIsTheUsersOwn) {
+    std::string const japanese = "\xE5\x8D\x97\xE5\x8C\x97(gal)";
+    EXPECT_EQ(in_quotes(japanese), "'" + japanese + "'");
+    EXPECT_EQ(in_quotes("\xC4\xB0vme \xF0\x9F\x8C\x8D"), "'\xC4\xB0vme \xF0\x9F\x8C\x8D'");
+    EXPECT_EQ(in_quotes("a\tb\x1b[31m\x7f"), "'a?b?[31m?'");
+    EXPECT_EQ(in_quotes("\xE9t\xE9 \xC3"), "'?t? ?'");
+    EXPECT_EQ(in_quotes("\xC0\xAF \xED\xA0\x80 \xF8\x88\x80\x80\x80"),
+              "'?"
+              "? ?"
+              "?"
+              "? ?"
+              "?"
+              "?"
+              "?"
+              "?'");
+    EXPECT_EQ(in_quotes("\xE2\x80\xAE \xC2\x9B \xEF\xBB\xBF"),
+              "'?"
+              "?"
+              "? ?"
+              "? ?"
+              "?"
+              "?'");
+    std::string letters;
+    for (int i = 0; i < 31; ++i) {
+        letters += "\xC3\xA9";
+    }
+    EXPECT_EQ(in_quotes(letters), "'" + letters.substr(0, 60) + "...'");
+    EXPECT_EQ(in_quotes(letters.substr(0, 60)), "'" + letters.substr(0, 60) + "'");
+    EXPECT_EQ(in_quotes(""), "''");
+}
+
 TEST(TextLines, ByteOrderMarkAndControlZAreNoText) {
     EXPECT_EQ(lines_of("\xEF\xBB\xBFt,acc\n1\n\x1a\x1a\x1a"), (std::vector<std::string>{"t,acc", "1"}));
     EXPECT_TRUE(lines_of("").empty());
