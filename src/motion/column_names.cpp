@@ -1,10 +1,13 @@
 #include <algorithm>
+#include <array>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "core/units.hpp"
 #include "motion/column_role.hpp"
+#include "motion/text_lines.hpp"
 #include "motion/text_table.hpp"
 
 namespace overturn {
@@ -69,8 +72,14 @@ std::vector<std::string> parted_by_blanks(Text line) {
     return names;
 }
 
-/// Without the brackets around it.
+/// Without the brackets around it, and without a key: "units: s" of a row of units.
 std::string bare_unit(std::string text) {
+    constexpr auto keys = std::to_array<Text>({"unit", "units", "einheit", "unidad", "unidades", "birim",
+                                               "\xE5\x8D\x98\xE4\xBD\x8D", "\xE5\x8D\x95\xE4\xBD\x8D"});
+    if (auto const colon = text.find(':'); colon != std::string::npos) {
+        bool const key = std::ranges::find(keys, Text(lowered(trimmed(Text(text).substr(0, colon))))) != keys.end();
+        text = key ? text.substr(colon + 1) : text;
+    }
     std::erase_if(text, [](char c) { return Text("()[]").find(c) != Text::npos; });
     return std::string(trimmed(text));
 }

@@ -34,7 +34,26 @@ struct Head {
     double peak = 0;  ///< in the file's unit, with its sign
     Location peak_line;
     std::vector<double> numbers;
+    double said_step_s = 0;  ///< 0: no line says it
+    Location step_line;
 };
+
+/// `at intervals of 0.005 s`, `data at 0.020 sec intervals`; 0 if it says none. [s]
+double step_in_line(std::string_view lower) {
+    if (!holds(lower, "interval")) {
+        return 0;
+    }
+    for (std::string_view const before : {"intervals of ", "interval of ", " at "}) {
+        auto const at = lower.find(before);
+        auto const text = at == std::string_view::npos ? std::string_view{} : trimmed(lower.substr(at + before.size()));
+        auto const end = std::min(text.find_first_not_of("0123456789."), text.size());
+        double seconds = 0;
+        if (parse_number(text.substr(0, end), seconds) && trimmed(text.substr(end)).starts_with('s')) {
+            return seconds;
+        }
+    }
+    return 0;
+}
 
 /// `Acceleration:  Peak -11026.2 mm/s/s at  44.87 s`
 double peak_in_line(std::string_view lower, Location const& where) {
@@ -56,6 +75,10 @@ Head read_head(std::string_view first, TextLines& lines, std::string const& file
         auto const line = trimmed(lines.next().value_or(""));
         auto const lower = lowered(line);
         Location const where{file, lines.number()};
+        if (auto const step_s = step_in_line(lower); step_s > 0 && head.said_step_s == 0) {
+            head.said_step_s = step_s;
+            head.step_line = where;
+        }
         if (lower.starts_with("component ")) {
             auto const name = trimmed(line.substr(std::string_view("component ").size()));
             head.component = name.substr(0, name.find(' '));
@@ -80,12 +103,24 @@ std::size_t count_at(Head const& head, std::size_t number, Location const& where
     return static_cast<std::size_t>(count);
 }
 
+/// That of the numbers, or of the text where these have none. \throws InputError if they contradict each other
+double step_of(Head const& head, Location const& where) {
+    double const numbered = head.numbers[head.raw ? raw_step : step];
+    constexpr double printed = 1e-2;
+    if (numbered > 0 && head.said_step_s > 0 && std::abs(numbered - head.said_step_s) > printed * numbered) {
+        throw InputError(head.step_line, fmt::format("time step of {} s, {} s in the numbers that end at line {} (they "
+                                                     "contradict each other). Fetch the file anew",
+                                                     head.said_step_s, numbered, where.line));
+    }
+    return numbered > 0 ? numbered : head.said_step_s;
+}
+
 void read_component(std::string_view first, TextLines& lines, RecordRequest const& request, Recording& recording) {
     auto const& file = request.name;
     auto const head = read_head(first, lines, file);
     Location const where{file, lines.number()};
     auto const count = count_at(head, head.raw ? raw_samples : samples, where);
-    double const step_s = head.numbers[head.raw ? raw_step : step];
+    double const step_s = step_of(head, where);
     if (count == 0 || !(step_s > 0)) {
         throw InputError(where,
                          fmt::format("{} samples of {} s (both must be above 0). Mend the header", count, step_s));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/units.hpp"
+#include "motion/column_unit.hpp"
 #include "motion/detail/record_readers.hpp"
 #include "motion/text_lines.hpp"
 
@@ -35,6 +36,19 @@ double leading_number(std::string_view text, bool after_equals) {
     return parse_number(token, value) ? value : NAN;
 }
 
+/// SI value of the unit behind the number that begins `text`: 1 where none stands, NaN where it is one of no time. [s]
+double unit_behind_number(std::string_view text) {
+    auto const number = text.find_first_of("0123456789.");
+    auto rest = text.substr(std::min(number, text.size()));
+    rest = trimmed(rest.substr(std::min(rest.find_first_not_of("0123456789.+-ed"), rest.size())));
+    auto const word = rest.substr(0, rest.find_first_not_of("abcdefghijklmnopqrstuvwxyz"));
+    if (word == "hz" || word == "min") {
+        return NAN;
+    }
+    bool const known = word.starts_with("s") || word.starts_with("m") || word.starts_with("us");
+    return known ? unit_spelled(word, Dimension::time).value_or(1) : 1;
+}
+
 /// `NPTS = n , DT = dt [SEC]` in any spacing, or `n dt NPTS, DT`. \pre `line` is lower case and holds "npts".
 void read_size(std::string_view line, Location const& where, Header& header) {
     auto const npts = line.find("npts");
@@ -43,7 +57,7 @@ void read_size(std::string_view line, Location const& where, Header& header) {
     double step = NAN;
     if (auto const dt = after.find("dt"); trimmed(after).starts_with('=') && dt != std::string_view::npos) {
         count = leading_number(after, true);
-        step = leading_number(after.substr(dt + 2), true);
+        step = leading_number(after.substr(dt + 2), true) * unit_behind_number(after.substr(dt + 2));
     } else {
         auto const before = trimmed(line.substr(0, npts));
         count = leading_number(before, false);
@@ -56,8 +70,9 @@ void read_size(std::string_view line, Location const& where, Header& header) {
                                             in_quotes(trimmed(line))));
     }
     if (!(step > 0)) {
-        throw InputError(where, fmt::format("no time step in {} (DT must be a number above 0 s). Mend the header",
-                                            in_quotes(trimmed(line))));
+        throw InputError(where,
+                         fmt::format("no time step in {} (DT must be a number of seconds above 0). Mend the header",
+                                     in_quotes(trimmed(line))));
     }
     header.samples = static_cast<std::size_t>(count);
     header.time_step_s = step;

@@ -17,6 +17,7 @@
 #include "motion/detail/motion_look.hpp"
 #include "motion/detail/printed_times.hpp"
 #include "motion/detail/record_readers.hpp"
+#include "motion/detail/table_checks.hpp"
 #include "motion/detail/table_columns.hpp"
 #include "motion/operators_in_name.hpp"
 #include "motion/telling_words.hpp"
@@ -114,18 +115,6 @@ double step_of(TextTable& table, TableColumns const& columns, Claims const& clai
     return claimed.value_or(request.time_step_s.value_or(0));
 }
 
-void check_look(std::span<double const> values, ColumnRole const& role, std::size_t columns, Claims const& claims,
-                RecordRequest const& request, Location const& where) {
-    bool const named = role.quantity == Quantity::acceleration || role.component.direction != Direction::unknown
-                       || claims.accelerations();
-    auto const why = named ? no_named_motion(values, lowered(role.name).starts_with("a_")) : no_motion(values);
-    if (!why.empty() && request.columns.empty()) {
-        throw InputError(
-            where, fmt::format("{} in column '{}' (no motion looks like that{}). If it is one: {}", why, role.name,
-                               named ? "" : ", and nothing calls it an acceleration", how_to_state(request, columns)));
-    }
-}
-
 void account_for(TextTable const& table, TableColumns const& columns, Claims const& claims, Recording& recording) {
     recording.claims = claims.used();
     if (auto const pair = pair_above(table); !pair.empty()) {
@@ -182,6 +171,10 @@ Recording list_of(TextTable& table, TableColumns columns, RecordRequest const& r
     Recording recording;
     recording.unit_mps2 = unit_of(table, columns, claims, request);
     recording.time_step_s = step_of(table, columns, claims, request);
+    for (std::size_t i = 0; i < table.columns(); ++i) {
+        check_gaps(table, i, request.name);
+    }
+    check_are_packed(table, request);
     auto values = table.columns() == 1 ? std::move(table.column[0]) : table.in_rows();
     check_look(values, role, 1, claims, request, start);
     for (double& value : values) {
@@ -203,6 +196,7 @@ Recording columns_of(TextTable& table, TableColumns columns, RecordRequest const
     recording.unit_mps2 = unit_of(table, columns, claims, request);
     recording.time_step_s = step_of(table, columns, claims, request);
     for (auto& [column, role] : columns.motions) {
+        check_gaps(table, column, request.name);
         check_look(table.column[column], role, table.columns(), claims, request, {request.name, table.line[0]});
         for (double& value : table.column[column]) {
             value *= recording.unit_mps2;

@@ -142,11 +142,29 @@ TEST(Claims, StepsAreHeardInEverySpelling) {
                                      {"Digitized at 200 Hz", 0.005},
                                      {"digitised at 0.005 sec", 0.005},
                                      {"deltat=0.005", 0.005},
-                                     {"dt 1/200 s", 0.005}}) {
+                                     {"dt 1/200 s", 0.005},
+                                     {"fs=100", 0.01},
+                                     {"Sampling rate,100", 0.01},
+                                     {"Sampling Rate(Hz);200", 0.005},
+                                     {"Intervalo: 0.01 s", 0.01},
+                                     {"offset removed, fs = 100 Hz", 0.01},
+                                     {"delta=0.01", 0.01},
+                                     {"delta: 0.005 s", 0.005},
+                                     {"DELTA = 5 ms", 0.005},
+                                     {"sps: 200", 0.005},
+                                     {"Abtastrate: 200 Hz", 0.005},
+                                     {"Frequenza di campionamento: 200", 0.005},
+                                     {"Intervalo de tiempo (s): 0.01", 0.01},
+                                     {"\xC3\x96rnekleme: fs=100", 0.01},
+                                     {"\xE9\x87\x87\xE6\xA0\xB7\xE7\x8E\x87: 200Hz", 0.005},
+                                     {"\xE3\x82\xB5\xE3\x83\xB3\xE3\x83\x97\xE3\x83\xAA\xE3\x83\xB3\xE3\x82\xB0"
+                                      "\xE5\x91\xA8\xE6\xB3\xA2\xE6\x95\xB0: 100 Hz",
+                                      0.01}}) {
         ASSERT_TRUE(heard(line).time_step_s()) << line;
         EXPECT_NEAR(*heard(line).time_step_s(), step, 1e-15) << line;
     }
-    for (char const* line : {"width 3", "dt", "dt = x", "dtx = 3", "time step unknown", "at 3.2 sec"}) {
+    for (char const* line : {"width 3", "dt", "dt = x", "dtx = 3", "time step unknown", "at 3.2 sec", "delta = 35 km",
+                             "Delta: 35", "delta 0.01", "fs", "fs 16", "fs = 0.5"}) {
         EXPECT_FALSE(heard(line).time_step_s()) << line;
     }
 }

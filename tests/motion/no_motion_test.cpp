@@ -43,6 +43,9 @@ TEST(Columns, NamesOfAnotherNumberAreRefused) {
 TEST(Columns, UnitsAloneAreHeard) {
     EXPECT_EQ(read("(s),(gal)\n0,100\n0.5,-200\n1,300\n", {}).horizontal_mps2, three);
     EXPECT_EQ(read("sec  cm/s2\n0 100\n0.5 -200\n1 300\n", {}).horizontal_mps2, three);
+    for (char const* units : {"units: s,gal", "\xE5\x8D\x98\xE4\xBD\x8D:s,gal", "Einheit: s,gal"}) {
+        EXPECT_EQ(read(fmt::format("t,NS\n{}\n0,100\n0.5,-200\n1,300\n", units), {}).horizontal_mps2, three) << units;
+    }
     expect_input_error([] { (void)read("(Hz),(gal)\n0,100\n0.5,-200\n1,300\n", {}); }, "a.csv:1: ", "a frequency");
     expect_input_error([] { (void)read("(s),(cm/s)\n0,100\n0.5,-200\n1,300\n"); }, "a.csv:1: ", "a velocity");
 }
@@ -209,6 +212,36 @@ TEST(NoMotion, ARampThatIsNamedAnAccelerationIsOne) {
     }
     request.columns = "time,h1";
     EXPECT_EQ(read_recording("time,acc\n" + ramp, request).components.size(), 1U);
+}
+
+// a mark of what is missing is no motion; a value of that size in a motion of that size is one.
+TEST(NoMotion, MarksOfGapsAreRefusedAtTheirRow) {
+    for (char const* mark : {"-999", "9999", "-999.0", "9999.9", "99999", "NaN", "nan", "NA", ""}) {
+        expect_input_error([&] { (void)read(fmt::format("time,NS (gal)\n0,1\n0.5,-2\n1,{}\n1.5,3\n", mark), {}); },
+                           "a.csv:4: ");
+    }
+    expect_input_error([] { (void)read("# gal, dt = 0.01 s\n1\n-2\n-9999\n-9999\n3\n", {}); },
+                       "a.csv:4: -9999 in column 1");
+    EXPECT_EQ(read("time,NS (gal)\n0,400\n0.5,-999\n1,600\n", {}).horizontal_mps2[1], -999 * gal);
+}
+
+// rows of numbers without names are one packed series, or as many channels: by their look, else as stated.
+TEST(NoMotion, ChannelsSideBySideAreNotReadAsOne) {
+    std::string packed, channels;
+    for (int row = 0; row < 60; ++row) {
+        for (int i = 0; i < 6; ++i) {
+            packed += fmt::format(" {:8.3f}", 50 * std::sin(0.31 * (6 * row + i)));
+            channels += fmt::format(" {:8.3f}", (10 + 30 * i) * std::sin(0.31 * row + 2 * i));
+        }
+        packed += '\n';
+        channels += '\n';
+    }
+    EXPECT_EQ(read(packed, {.unit_mps2 = gal, .time_step_s = 0.01}).samples(), 360U);
+    expect_input_error([&] { (void)read(channels, {.unit_mps2 = gal, .time_step_s = 0.01}); },
+                       "a.csv:1: 6 numbers to a line without names", "State the format list, or: State --columns");
+    EXPECT_EQ(read(channels, {.format = "list", .unit_mps2 = gal, .time_step_s = 0.01}).samples(), 360U);
+    expect_input_error([&] { (void)read(packed, {.unit_mps2 = gal}); }, "time step missing");
+    expect_input_error([&] { (void)read(packed, {.time_step_s = 0.01}); }, "unit missing");
 }
 
 // what its name calls an acceleration is refused by its look, as what has no name is; but a pulse that begins at

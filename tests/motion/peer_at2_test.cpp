@@ -42,6 +42,17 @@ INSTANTIATE_TEST_SUITE_P(Variants, SizeLine,
                                            "NPTS=   6, dt=  .02000", "NPTS=6,DT=.02SEC", "6 0.0200 NPTS, DT",
                                            "     6    0.0200    NPTS, DT", "npts = 6, dt = 2.D-2"));
 
+// a step in another unit than seconds is read in it, and one in no time is refused.
+TEST(PeerAt2, TheStepHasItsUnit) {
+    for (char const* size : {"NPTS= 6, DT= 20.0 MSEC", "NPTS= 6, DT= 20 ms", "NPTS= 6, DT= .0200 SEC, MSEC",
+                             "NPTS= 6, DT= .02 S", "NPTS= 6, DT=.0200SEC", "NPTS= 6, DT= 20.0MSEC"}) {
+        expect_six(read(at2(size, six)));
+    }
+    for (char const* size : {"NPTS= 6, DT= 50 HZ", "NPTS= 6, DT= 1 MIN"}) {
+        expect_input_error([&] { (void)read(at2(size, six)); }, "a.AT2:4: no time step in 'npts=");
+    }
+}
+
 TEST(PeerAt2, LineEndsMarksAndBlanksChangeNothing) {
     auto const lf = at2("NPTS=  6, DT= .02000 SEC", six);
     auto const with_ends = [&](std::string const& end) {

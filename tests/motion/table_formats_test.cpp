@@ -247,6 +247,21 @@ TEST(TableFormats, OtherQuantitiesAndDamageAreRefused) {
     refuse("Time Step: 0.005\n-2\n4\n-3\n", "contradict", {.name = "f", .unit_mps2 = 1, .time_step_s = 0.01});
 }
 
+// GeoNet's step stands in its numbers and in its text: in either alone, and the same in both.
+TEST(TableFormats, GeoNetStatesItsStepTwice) {
+    auto const without = [](std::string text, char const* number) {
+        return text.replace(text.find(number), std::string(number).size(), "0.0000");
+    };
+    EXPECT_EQ(read_placed(without(geonet(true, "N28W"), "0.0200"), {.name = "f"}).motion.time_step_s, 0.02);
+    EXPECT_EQ(read_placed(without(geonet(false, "N28W"), "0.0050"), {.name = "f"}).motion.time_step_s, 0.005);
+    auto other = geonet(true, "N28W");
+    other.replace(other.find("0.020 sec"), 5, "0.010");
+    refuse(other, "f:11: time step of 0.01 s, 0.02 s in the numbers");
+    auto neither = without(geonet(true, "N28W"), "0.0200");
+    neither.replace(neither.find(" at 0.020 sec intervals"), 23, "");
+    refuse(neither, "3 samples of 0 s (both must be above 0)");
+}
+
 // the channel of a series says whether it is vertical, and several series are not one motion.
 TEST(TableFormats, EarthScopeNamesItsChannel) {
     auto vertical = list_of("M/S**2");

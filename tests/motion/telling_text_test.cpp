@@ -63,7 +63,7 @@ TEST(TellingText, WhatMayChangeTheNumbersIsListed) {
                              "# gal, with gravity",
                              "# acceleration in gal, every second sample",
                              "# pseudo-acceleration in gal",
-                             "# gal, Fs=200",
+                             "# gal, Fs of 200",
                              "# Station X, units 0.01 g",
                              "# gal, rate = 200",
                              "# acceleration in gal, rotated to 45 deg",
@@ -77,11 +77,12 @@ TEST(TellingText, WhatMayChangeTheNumbersIsListed) {
         EXPECT_TRUE(placed.unread.front().starts_with(fmt::format("line 2: '{}", std::string(line).substr(0, 20))))
             << placed.unread.front();
     }
-    for (char const* line :
-         {"# Station: X", "# acceleration in gal", "# Kobe 1995, JMA, gal", "# gal, M 6.9, 12 km",
-          "# gal, 2011-03-11 05:46", "# gal, 35.1N 139.2E", "# RSN1106, acceleration in gal", "# dt = 0.01 s"}) {
+    for (char const* line : {"# Station: X", "# acceleration in gal", "# Kobe 1995, JMA, gal", "# gal, M 6.9, 12 km",
+                             "# gal, 2011-03-11 05:46", "# gal, 35.1N 139.2E", "# RSN1106, acceleration in gal",
+                             "# dt = 0.01 s", "# gal, Fs=100", "# gal, delta = 0.01"}) {
         EXPECT_TRUE(read_placed(text(line), {.name = "a"}).unread.empty()) << line;
     }
+    expect_input_error([] { (void)read_placed(text("# gal, Fs=200"), {.name = "a"}); }, "a:1: time step 0.005 s");
 }
 
 // a line of known words alone that calls accelerations something else.

@@ -45,7 +45,8 @@ namespace {
 
 /// The step that `text` says behind a key, with or without a unit in brackets, an equals sign or a colon: "(s): 0.005",
 /// "= 5 ms", "of 200 Hz". [s]
-std::optional<double> step_behind(Text text, bool is_rate) {
+/// \param strict no other unit may stand behind the number, and a colon or an equals sign must before it
+std::optional<double> step_behind(Text text, bool is_rate, bool strict) {
     auto const step_of = [](double value, Text unit) -> std::optional<double> {
         auto const hertz = unit_spelled(unit, Dimension::frequency);
         auto const seconds = unit_spelled(unit, Dimension::time);
@@ -53,6 +54,9 @@ std::optional<double> step_behind(Text text, bool is_rate) {
     };
     std::string before;
     text = trimmed(text);
+    if (strict && !text.starts_with('=') && !text.starts_with(':')) {
+        return std::nullopt;
+    }
     if (text.starts_with('(') || text.starts_with('[')) {
         auto const close = text.find_first_of(")]");
         before = text.substr(1, close == Text::npos ? close : close - 1);
@@ -61,7 +65,7 @@ std::optional<double> step_behind(Text text, bool is_rate) {
         before = text.substr(0, end);
         text = trimmed(text.substr(end));
     }
-    for (Text const filling : {"of", "is", "=", ":"}) {
+    for (Text const filling : {"of", "is", "=", ":", ",", ";"}) {
         text = trimmed(text.substr(text.starts_with(filling) ? filling.size() : 0));
     }
     auto const value = cut_number(text);
@@ -74,6 +78,10 @@ std::optional<double> step_behind(Text text, bool is_rate) {
         return step_of(*value, before);
     }
     auto const said = step_of(*value, behind);
+    constexpr double longest_s = 1;
+    if (strict && !said && (!behind.empty() || (is_rate ? 1 / *value : *value) > longest_s)) {
+        return std::nullopt;
+    }
     return said ? said : is_rate ? 1 / *value : *value;
 }
 
@@ -92,6 +100,7 @@ std::optional<double> step_before(Text line, std::size_t at) {
 struct Key {
     Text text;
     bool is_rate = false;
+    bool may_be_other = false;  ///< "delta" is a distance, too
 };
 // The more telling ones first.
 constexpr std::array keys{Key{"time increment"},
@@ -109,6 +118,34 @@ constexpr std::array keys{Key{"time increment"},
                           Key{"delta t"},
                           Key{"deltat"},
                           Key{"dt"},
+                          Key{"time delta"},
+                          Key{"delta", false, true},
+                          Key{"fs", true, true},
+                          Key{"sps", true, true},
+                          Key{"abtastrate", true},
+                          Key{"abtastfrequenz", true},
+                          Key{"zeitschritt"},
+                          Key{"pas de temps"},
+                          Key{"paso de tiempo"},
+                          Key{"intervalo de tiempo"},
+                          Key{"intervallo di campionamento"},
+                          Key{"passo di campionamento"},
+                          Key{"passo temporale"},
+                          Key{"frequenza di campionamento", true},
+                          Key{"fr\xC3\xA9quence d'\xC3\xA9"
+                              "chantillonnage",
+                              true},
+                          Key{"\xC3\xB6rnekleme aral\xC4\xB1\xC4\x9F\xC4\xB1"},
+                          Key{"\xC3\xB6rnekleme frekans\xC4\xB1", true},
+                          Key{"\xE3\x82\xB5\xE3\x83\xB3\xE3\x83\x97\xE3\x83\xAA\xE3\x83\xB3\xE3\x82\xB0"
+                              "\xE5\x91\xA8\xE6\xB3\xA2\xE6\x95\xB0",
+                              true},
+                          Key{"\xE3\x82\xB5\xE3\x83\xB3\xE3\x83\x97\xE3\x83\xAA\xE3\x83\xB3\xE3\x82\xB0"
+                              "\xE9\x96\x93\xE9\x9A\x94"},
+                          Key{"\xE9\x87\x87\xE6\xA0\xB7\xE9\xA2\x91\xE7\x8E\x87", true},
+                          Key{"\xE9\x87\x87\xE6\xA0\xB7\xE7\x8E\x87", true},
+                          Key{"\xE9\x87\x87\xE6\xA0\xB7\xE9\x97\xB4\xE9\x9A\x94"},
+                          Key{"\xE6\x97\xB6\xE9\x97\xB4\xE9\x97\xB4\xE9\x9A\x94"},
                           Key{"sampling rate", true},
                           Key{"sample rate", true},
                           Key{"samplerate", true},
@@ -119,6 +156,8 @@ constexpr std::array keys{Key{"time increment"},
                           Key{"sampled at", true},
                           Key{"sampling:", true},
                           Key{"interval:"},
+                          Key{"intervalo:"},
+                          Key{"intervallo:"},
                           Key{"intervalo de muestreo"},
                           Key{"frecuencia de muestreo", true},
                           Key{"tasa de muestreo", true}};
@@ -158,11 +197,13 @@ std::optional<double> step_with_unit(Text line) {
 
 /// Where `text` stands as words of their own.
 std::size_t find_words(Text line, Text text) {
-    auto const at = line.find(text);
-    auto const end = at + text.size();
-    bool const whole =
-        at != Text::npos && (at == 0 || !is_letter(line[at - 1])) && (end == line.size() || !is_letter(line[end]));
-    return whole ? at : Text::npos;
+    for (auto at = line.find(text); at != Text::npos; at = line.find(text, at + 1)) {
+        auto const end = at + text.size();
+        if ((at == 0 || !is_letter(line[at - 1])) && (end == line.size() || !is_letter(line[end]))) {
+            return at;
+        }
+    }
+    return Text::npos;
 }
 
 }  // namespace
@@ -171,7 +212,7 @@ std::optional<double> step_in(std::string line) {
     std::ranges::replace(line, '_', ' ');
     for (auto const& key : keys) {
         if (auto const at = find_words(line, key.text); at != Text::npos) {
-            if (auto const step = step_behind(Text(line).substr(at + key.text.size()), key.is_rate)) {
+            if (auto const step = step_behind(Text(line).substr(at + key.text.size()), key.is_rate, key.may_be_other)) {
                 return step;
             }
         }

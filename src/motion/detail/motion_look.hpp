@@ -1,6 +1,8 @@
 /// Does a column look like a motion, like times or like a count? For numbers that nothing calls accelerations.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -18,6 +20,12 @@ inline constexpr std::string_view only_rising = "values that only rise or only f
 /// and may swing about another value. \param own are they named as this program names what it writes? Then a ramp is
 /// one.
 [[nodiscard]] std::string_view no_named_motion(std::span<double const> values, bool own);
+
+/// A value that many programs write where there is none, -999 or 9999, far above all others; the first row of it.
+[[nodiscard]] std::optional<std::size_t> gap_in(std::span<double const> values);
+
+/// Do the columns swing each on its own, so that a row is no part of one series?
+[[nodiscard]] bool are_side_by_side(std::vector<std::vector<double>> const& columns);
 
 /// As times do: in equal steps, up to what printing costs.
 [[nodiscard]] bool rises_evenly(std::vector<double> const& values);
