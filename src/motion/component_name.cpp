@@ -15,30 +15,10 @@ namespace {
 
 using Text = std::string_view;
 
+using component_words::fillings;
 using component_words::horizontal;
 using component_words::up;
 using component_words::words;
-
-// What stands before or behind a direction without saying one.
-constexpr std::array fillings{"acceleration",
-                              "accelerogram",
-                              "accel",
-                              "acc",
-                              "a",
-                              "component",
-                              "comp",
-                              "motion",
-                              "ground",
-                              "channel",
-                              "dir",
-                              "direction",
-                              "recorded",
-                              "corrected",
-                              "\xE6\x88\x90\xE5\x88\x86",
-                              "\xE6\x96\xB9\xE5\x90\x91",
-                              "\xE5\x90\x91",
-                              "\xE5\x8B\x95",
-                              "\xE5\x8A\xA0\xE9\x80\x9F\xE5\xBA\xA6"};
 
 std::string plainly(Text name) {
     auto plain = lowered(trimmed(name));

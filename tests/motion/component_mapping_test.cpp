@@ -101,6 +101,24 @@ TEST(ComponentMapping, IsTold) {
     EXPECT_EQ(read(under("# UD: positive downwards", "t,NS,EW,UD")).motion.vertical_mps2[0], -100 * gal);
 }
 
+// in words of other languages, with what they add to a direction.
+TEST(ComponentMapping, OtherLanguages) {
+    for (char const* text :
+         {"# x:\xE6\xA9\x8B\xE8\xBB\xB8\xE6\x96\xB9\xE5\x90\x91 "
+          "y:\xE9\x89\x9B\xE7\x9B\xB4\xE6\x96\xB9\xE5\x90\x91 z:\xE6\xB0\xB4\xE5\xB9\xB3",
+          "# x:\xE6\xB0\xB4\xE5\xB9\xB3 y:\xE4\xB8\x8A\xE4\xB8\x8B\xE5\x8B\x95 z:\xE6\xB0\xB4\xE5\xB9\xB3",
+          "# eje x: norte, eje y: vertical, eje z: este",
+          "# x: kuzey, y: d\xC3\xBC\xC5\x9F"
+          "ey, z: do\xC4\x9Fu",
+          "# x = Nord, y = Vertikal, z = Ost"}) {
+        try {
+            EXPECT_EQ(read(under(text, "t,x,y,z")).motion.vertical_mps2[0], 10 * gal) << text;
+        } catch (InputError const& error) {
+            EXPECT_NE(std::string(error.what()).find("f:1: "), std::string::npos) << error.what();
+        }
+    }
+}
+
 // the text says what it cannot be, or leaves others open.
 TEST(ComponentMapping, WhatContradictsOrIsOpenIsAskedFor) {
     for (char const* text : {"# y is vertical", "# the y axis points upwards", "# vertical: y", "# z = EW",

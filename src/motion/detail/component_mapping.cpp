@@ -188,7 +188,7 @@ void check_the_others(TableColumns const& columns, std::vector<Made> const& made
                    || (found != made.end() && is_vertical(role.component.direction)
                        && component.direction == Direction::horizontal);
     }
-    if (vertical.size() > 1 || (given_up && !all)) {
+    if (vertical.size() > 1 || (given_up && !all && vertical.empty())) {
         throw InputError(
             {file, made.front().line},
             fmt::format("what it says of '{}' leaves {} (which is which cannot be told). {}",

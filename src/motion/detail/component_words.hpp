@@ -71,6 +71,15 @@ inline constexpr auto words = std::to_array<ComponentWord>({
     {"norte", horizontal, "n"},
     {"nortesur", horizontal, "n"},
     {"kuzey", horizontal, "n"},
+    {"kg", horizontal, "n"},  // kuzey-guney
+    {"gk", horizontal, "n"},
+    {"guney", horizontal, "n"},
+    {"g\xC3\xBCney", horizontal, "n"},
+    {"sud", horizontal, "n"},
+    {"s\xC3\xBC"
+     "d",
+     horizontal, "n"},
+    {"sur", horizontal, "n"},
     {"kuzeyguney", horizontal, "n"},
     {"kuzeyg\xC3\xBCney", horizontal, "n"},
     {"\xE5\x8D\x97\xE5\x8C\x97", horizontal, "n"},
@@ -89,6 +98,16 @@ inline constexpr auto words = std::to_array<ComponentWord>({
     {"ostwest", horizontal, "e"},
     {"estouest", horizontal, "e"},
     {"estovest", horizontal, "e"},
+    {"est", horizontal, "e"},
+    {"ouest", horizontal, "e"},
+    {"ovest", horizontal, "e"},
+    {"oeste", horizontal, "e"},
+    {"eo", horizontal, "e"},  // este-oeste, est-ovest
+    {"oe", horizontal, "e"},
+    {"db", horizontal, "e"},  // dogu-bati
+    {"bd", horizontal, "e"},
+    {"bati", horizontal, "e"},
+    {"bat\xC4\xB1", horizontal, "e"},
     {"este", horizontal, "e"},
     {"esteoeste", horizontal, "e"},
     {"dogu", horizontal, "e"},
@@ -146,6 +165,39 @@ inline constexpr auto words = std::to_array<ComponentWord>({
     {"fp", horizontal, "fp"},
     {"faultparallel", horizontal, "fp"},
 });
+
+// What stands before or behind a direction without saying one.
+inline constexpr auto fillings = std::to_array<std::string_view>({"aceleracion",
+                                                                  "aceleraci\xC3\xB3n",
+                                                                  "accelerazione",
+                                                                  "acc\xC3\xA9l\xC3\xA9ration",
+                                                                  "beschleunigung",
+                                                                  "ivme",
+                                                                  "componente",
+                                                                  "composante",
+                                                                  "komponente",
+                                                                  "direccion",
+                                                                  "direzione",
+                                                                  "richtung",
+                                                                  "acceleration",
+                                                                  "accelerogram",
+                                                                  "accel",
+                                                                  "acc",
+                                                                  "a",
+                                                                  "component",
+                                                                  "comp",
+                                                                  "motion",
+                                                                  "ground",
+                                                                  "channel",
+                                                                  "dir",
+                                                                  "direction",
+                                                                  "recorded",
+                                                                  "corrected",
+                                                                  "\xE6\x88\x90\xE5\x88\x86",
+                                                                  "\xE6\x96\xB9\xE5\x90\x91",
+                                                                  "\xE5\x90\x91",
+                                                                  "\xE5\x8B\x95",
+                                                                  "\xE5\x8A\xA0\xE9\x80\x9F\xE5\xBA\xA6"});
 }  // namespace component_words
 
 }  // namespace overturn

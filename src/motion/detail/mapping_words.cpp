@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <utility>
 
 #include "core/units.hpp"
 #include "motion/column_unit.hpp"
@@ -164,6 +166,10 @@ void join_numbers(std::vector<Word>& words) {
     }
 }
 
+bool is_ascii(Text word) {
+    return std::ranges::all_of(word, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+}
+
 /// A letter alone says a direction only behind a sign or in brackets; of figures, three are an azimuth.
 ComponentName direction_in(Word const& word) {
     constexpr std::size_t azimuth = 3;
@@ -171,7 +177,7 @@ ComponentName direction_in(Word const& word) {
     bool const letter = word.text.size() == 1;
     bool const any =
         figures ? is_number(word.text) && word.text.size() == azimuth : !letter || word.joined || word.bracket;
-    return any ? component_named(word.text) : ComponentName{};
+    return !any ? ComponentName{} : is_ascii(word.text) ? component_named(word.text) : component_in(word.text);
 }
 
 bool is_known(Text word) {
@@ -224,29 +230,68 @@ bool is_axis_name(std::string_view name) {
     return is_axis(rest) || is_number(rest) || component_in(name).direction == Direction::unknown;
 }
 
+namespace {
+
+using Aliases = std::vector<std::vector<std::string>>;
+
+std::optional<std::size_t> column_of(Word const& word, Aliases const& aliases) {
+    auto const own = std::ranges::find_if(
+        aliases, [&](auto const& names) { return std::ranges::find(names, word.text) != names.end(); });
+    return own == aliases.end() ? std::nullopt : std::optional(static_cast<std::size_t>(own - aliases.begin()));
+}
+
+/// "x: NS", "y = positive up": a column and what a sign or a bracket joins to it, each in turn.
+std::vector<MappingToken> joined_pairs(std::vector<Word> const& words, Aliases const& aliases) {
+    std::vector<MappingToken> pairs;
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+        auto const column = column_of(words[i], aliases);
+        auto at = i + 1;
+        if (!column || !words[at].joined) {
+            continue;
+        }
+        auto const says_none = [&](Word const& word) {
+            return is_known(word.text) && direction_in(word).direction == Direction::unknown;
+        };
+        while (at < words.size() && says_none(words[at]) && !column_of(words[at], aliases)) {
+            ++at;
+        }
+        auto const direction = at < words.size() ? direction_in(words[at]) : ComponentName{};
+        if (direction.direction != Direction::unknown) {
+            pairs.push_back({MappingToken::Kind::column, *column, {}, false});
+            pairs.push_back({MappingToken::Kind::direction, 0, direction, true});
+            i = at;
+        }
+    }
+    return pairs;
+}
+
+MappingClause clause_of(std::vector<Word> const& words, Aliases const& aliases) {
+    if (auto pairs = joined_pairs(words, aliases); !pairs.empty()) {
+        return {std::move(pairs), false};
+    }
+    MappingClause clause;
+    for (auto const& word : words) {
+        auto const direction = direction_in(word);
+        if (auto const column = column_of(word, aliases)) {
+            clause.tokens.push_back({MappingToken::Kind::column, *column, direction, word.joined});
+        } else if (direction.direction != Direction::unknown) {
+            clause.tokens.push_back({MappingToken::Kind::direction, 0, direction, word.joined});
+        } else {
+            clause.wordy = clause.wordy || !is_known(word.text);
+        }
+    }
+    return clause;
+}
+
+}  // namespace
+
 std::vector<MappingClause> mapping_clauses(std::string_view line,
                                            std::vector<std::vector<std::string>> const& aliases) {
     std::vector<MappingClause> clauses;
     for (auto& words : words_of(line)) {
         join_numbers(words);
-        MappingClause clause;
-        bool denied = false;
-        for (auto const& word : words) {
-            auto const own = std::ranges::find_if(
-                aliases, [&](auto const& names) { return std::ranges::find(names, word.text) != names.end(); });
-            auto const direction = direction_in(word);
-            denied = denied || is_among(word.text, denials);
-            if (own != aliases.end()) {
-                clause.tokens.push_back({MappingToken::Kind::column, static_cast<std::size_t>(own - aliases.begin()),
-                                         direction, word.joined});
-            } else if (direction.direction != Direction::unknown) {
-                clause.tokens.push_back({MappingToken::Kind::direction, 0, direction, word.joined});
-            } else {
-                clause.wordy = clause.wordy || !is_known(word.text);
-            }
-        }
-        if (!denied) {
-            clauses.push_back(std::move(clause));
+        if (std::ranges::none_of(words, [](Word const& word) { return is_among(word.text, denials); })) {
+            clauses.push_back(clause_of(words, aliases));
         }
     }
     return clauses;
