@@ -121,8 +121,9 @@ TEST(ComponentMapping, OtherLanguages) {
 
 // the text says what it cannot be, or leaves others open.
 TEST(ComponentMapping, WhatContradictsOrIsOpenIsAskedFor) {
-    for (char const* text : {"# y is vertical", "# the y axis points upwards", "# vertical: y", "# z = EW",
-                             "# components: NS, UD, EW", "# the y component is that of the vertical actuator"}) {
+    for (char const* text :
+         {"# y is vertical", "# the y axis points upwards", "# vertical: y", "# z = EW", "# components: NS, UD, EW",
+          "# order: UD NS EW", "NS, UD, EW of Kobe", "# E Z N", "# the y component is that of the vertical actuator"}) {
         expect_refused(under(text, "t,x,y,z"));
     }
     expect_refused(under("# N = UD, E = NS, Z = EW", "t,N,E,Z"));
@@ -154,7 +155,8 @@ TEST(ComponentMapping, OtherTextChangesNothing) {
     for (char const* text :
          {"# x-direction acceleration", "# Station at x = 35.2 N, y = 139.1 E, z = 20 m", "# components X Y Z",
           "# x horizontal, y horizontal, z vertical", "# X: longitudinal, Y: transverse, Z: vertical",
-          "# y is not vertical", "# x north, y east, z up"}) {
+          "# y is not vertical", "# order: NS EW UD", "# N E Z", "# y x z", "# NS and UD of Kobe",
+          "# x north, y east, z up"}) {
         auto const motion = read(under(text, "t,x,y,z")).motion;
         EXPECT_EQ(motion.horizontal_mps2[0], gal) << text;
         EXPECT_EQ(motion.vertical_mps2[0], 100 * gal) << text;

@@ -208,20 +208,32 @@ std::string joined_names(std::vector<ColumnRole const*> const& roles) {
 }
 
 /// \throws InputError if the text lists as many components as there are axes, the vertical one in another place
-void check_list(TableColumns const& columns, Claims const& claims, std::string const& file, Text advice) {
+void check_list(std::vector<ColumnRole const*> const& axes, std::vector<std::string> const& listed,
+                Location const& where, Text advice) {
+    for (std::size_t i = 0; axes.size() == listed.size() && i < axes.size(); ++i) {
+        if (is_axis_name(axes[i]->name) && !may_be_one(axes[i]->component, component_named(listed[i]))) {
+            throw InputError(where, fmt::format("components {}, columns {} (they contradict each other, unless in "
+                                                "another order). {}",
+                                                fmt::join(listed, ", "), joined_names(axes), advice));
+        }
+    }
+}
+
+/// \throws InputError likewise at any line of text
+void check_lists(TextTable const& table, TableColumns const& columns, Claims const& claims, std::string const& file,
+                 Text advice) {
     std::vector<ColumnRole const*> axes;
     for (auto const& role : columns.roles) {
         if (is_motion(role)) {
             axes.push_back(&role);
         }
     }
-    auto const& listed = claims.components();
-    for (std::size_t i = 0; axes.size() == listed.size() && i < axes.size(); ++i) {
-        if (is_axis_name(axes[i]->name) && !may_be_one(axes[i]->component, component_named(listed[i]))) {
-            throw InputError({file, claims.components_line()},
-                             fmt::format("components {}, columns {} (they contradict each other, unless in another "
-                                         "order). {}",
-                                         fmt::join(listed, ", "), joined_names(axes), advice));
+    check_list(axes, claims.components(), {file, claims.components_line()}, advice);
+    for (auto const* lines : {&table.head, &table.notes}) {
+        for (auto const& line : *lines) {
+            if (axes.size() > 1 && line.number != columns.names_line) {
+                check_list(axes, listed_directions(line.text), {file, line.number}, advice);
+            }
         }
     }
 }
@@ -232,7 +244,7 @@ void take_mapped_components(TextTable const& table, Claims const& claims, TableC
                             std::string const& file, std::string_view advice) {
     auto const made = mapped(table, columns, file, advice);
     if (made.empty()) {
-        check_list(columns, claims, file, advice);
+        check_lists(table, columns, claims, file, advice);
         return;
     }
     check_the_others(columns, made, file, advice);

@@ -29,6 +29,9 @@ struct MappingClause {
 /// "x", "acc_y (gal)", "aw", "ch1", "a2": a letter or a number of no compass, that text may give any component?
 [[nodiscard]] bool is_axis_name(std::string_view name);
 
+/// The directions that a line lists, letters among them if it holds nothing else: "order: UD, NS, EW", "Z N E".
+[[nodiscard]] std::vector<std::string> listed_directions(std::string_view line);
+
 /// \param aliases of each column; none of those that are no motions
 [[nodiscard]] std::vector<MappingClause> mapping_clauses(std::string_view line,
                                                          std::vector<std::vector<std::string>> const& aliases);
