@@ -14,7 +14,10 @@ namespace {
 /// The component names behind "comp", one each or one in two words ("N10E", "360 deg"); empty if any is none.
 std::vector<std::string> components_behind(std::string_view text) {
     text = trimmed(text.substr(std::min(text.find_first_not_of(" \t:=."), text.size())));
-    auto const known = [](std::string const& name) { return component_named(name).direction != Direction::unknown; };
+    auto const known = [](std::string const& name) {
+        bool const number = name.size() == 1 && name[0] >= '1' && name[0] <= '9';  // of a channel
+        return !number && component_named(name).direction != Direction::unknown;
+    };
     auto const parts = parted_at(text, " \t,;/");
     std::vector<std::string> words(parts.begin(), parts.end());
     constexpr std::size_t most = 3;
@@ -38,6 +41,9 @@ std::string_view without_number(std::string_view text) {
 }  // namespace
 
 bool Claims::take_components(std::string_view line, std::string const& lower, int number) {
+    for (auto const& name : compass_words_in(line)) {
+        all_components_.emplace_back(name, number);
+    }
     bool const earthscope = lower.starts_with("timeseries ")
                             && lower.find(" sps, ") != std::string::npos;  // whose reader knows its channel
     if (auto const token = vertical_token_in(lower); !token.empty() && vertical_line_ == 0 && !earthscope) {

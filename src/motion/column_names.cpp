@@ -77,7 +77,8 @@ std::string bare_unit(std::string text) {
     constexpr auto keys = std::to_array<Text>({"unit", "units", "einheit", "unidad", "unidades", "birim",
                                                "\xE5\x8D\x98\xE4\xBD\x8D", "\xE5\x8D\x95\xE4\xBD\x8D"});
     if (auto const colon = text.find(':'); colon != std::string::npos) {
-        bool const key = std::ranges::find(keys, Text(lowered(trimmed(Text(text).substr(0, colon))))) != keys.end();
+        bool const key = colon + 1 < text.size()
+                         && std::ranges::find(keys, Text(lowered(trimmed(Text(text).substr(0, colon))))) != keys.end();
         text = key ? text.substr(colon + 1) : text;
     }
     std::erase_if(text, [](char c) { return Text("()[]").find(c) != Text::npos; });

@@ -137,13 +137,15 @@ TEST(ComponentMapping, WhatContradictsOrIsOpenIsAskedFor) {
 // a component that the text states and no column is.
 TEST(ComponentMapping, AStatedComponentIsOneOfTheColumns) {
     for (char const* text :
-         {"# component EW", "# Comp. 090", "COMP. EW", "# Channel 2: EW", "# Direction: N80W", "# component UD"}) {
+         {"# component EW", "# Comp. 090", "COMP. EW", "# Channel 2: EW", "# Direction: N80W", "# component UD",
+          "1995 KOBE EW, dt = 0.01", "# Kobe E-W", "# file KOB_EW.txt", "# XX.ABC.00.HNE", "# UD of Kobe"}) {
         expect_refused(under(text, "t,NS"), "contradict");
     }
     expect_refused(under("# component EW", "t,UD"), "contradict");
     for (char const* text :
          {"# component NS", "# Comp: 360 deg", "# Component N40E", "# Channel 1: NS\n# Channel 2: EW",
-          "# component: longitudinal", "# components: NS, EW, UD"}) {
+          "# component: longitudinal", "# components: NS, EW, UD", "1995 KOBE NS, dt = 0.01", "# NS and EW",
+          "# Station of the ew array", "# Comp: 3"}) {
         EXPECT_NO_THROW((void)read(under(text, "t,NS"))) << text;
     }
     EXPECT_NO_THROW((void)read(under("# component EW", "t,acc")));

@@ -18,12 +18,26 @@ std::string under(std::string const& line, std::string const& names = "time,acc 
 
 // Refused, or placed as the vertical: never as a motion along the ground.
 TEST(VerticalTokens, LeaveTheComponentOpen) {
-    for (char const* line :
-         {"Z-component of acceleration", "Acceleration (Z-component)", "Acceleration, Vertical-component",
-          "Acceleration V-comp", "acc Z+", "Acceleration along z-axis", "Channel 3 UD", "Comp 3 Vert",
-          "component Z, station ABC", "Component: vertical upwards", "Record name ABCHNZ", "Acceleration_UD",
-          "Direction: Z (vertical)", "Comp: V(UP)", "file: 20110311_MYG004.UD", "orientation -90 (vertical)",
-          "XX.ABC.00.HNZ", "station of the vertical array"}) {
+    for (char const* line : {"Z-component of acceleration",
+                             "Acceleration (Z-component)",
+                             "Acceleration, Vertical-component",
+                             "Acceleration V-comp",
+                             "acc Z+",
+                             "Acceleration along z-axis",
+                             "Channel 3 UD",
+                             "Comp 3 Vert",
+                             "component Z, station ABC",
+                             "Component: vertical upwards",
+                             "Record name ABCHNZ",
+                             "Acceleration_UD",
+                             "Direction: Z (vertical)",
+                             "Comp: V(UP)",
+                             "file: 20110311_MYG004.UD",
+                             "orientation -90 (vertical)",
+                             "XX.ABC.00.HNZ",
+                             "station of the vertical array",
+                             "azimuth 0, dip -90",
+                             "Dip: 90"}) {
         Direction direction = Direction::up;
         try {
             direction = read_placed(under(line), {.name = "a"}).direction;

@@ -26,6 +26,7 @@ bool is_motion(ColumnRole const& role) {
 struct Pair {
     std::size_t column = 0;
     ComponentName component;
+    bool joined = false;  ///< by a sign or a bracket
 };
 
 /// "x NS y UD z EW", "x=N y=Z", "NS x"; empty if they pair otherwise.
@@ -42,8 +43,8 @@ std::vector<Pair> alternating(std::vector<MappingToken> const& tokens) {
                        && two.component.direction != Direction::unknown;
         column_last = column_last && two.kind == Kind::column && (!both || two.joined)
                       && one.component.direction != Direction::unknown;
-        forwards.push_back({one.column, two.component});
-        backwards.push_back({two.column, one.component});
+        forwards.push_back({one.column, two.component, two.joined});
+        backwards.push_back({two.column, one.component, two.joined});
     }
     return column_first ? forwards : column_last ? backwards : std::vector<Pair>{};
 }
@@ -56,7 +57,7 @@ std::vector<Pair> in_halves(std::vector<MappingToken> const& tokens) {
         if (tokens[i].kind != Kind::column || tokens[i + half].component.direction == Direction::unknown) {
             return {};
         }
-        made.push_back({tokens[i].column, tokens[i + half].component});
+        made.push_back({tokens[i].column, tokens[i + half].component, true});
     }
     return made;
 }
@@ -100,11 +101,15 @@ class Mapping {
 
   private:
     void take(std::vector<Pair> const& pairs, TextLine const& line) {
-        for (auto const& [column, component] : pairs) {
+        for (auto const& [column, component, joined] : pairs) {
             auto const& role = columns_.roles[column];
             auto const before = std::ranges::find(made_, column, &Made::column);
             bool const other = before != made_.end() && !may_be_one(before->component, component);
-            if (other || (!is_axis_name(role.name) && !may_be_one(role.component, component))) {
+            bool const against = !is_axis_name(role.name) && !may_be_one(role.component, component);
+            if (against && !joined) {
+                continue;  // "NS and EW" is a list
+            }
+            if (other || against) {
                 refuse(role, line);
             }
             if (before == made_.end()) {
@@ -130,11 +135,11 @@ class Mapping {
 
     /// Among other words: is it another component than the name's?
     void refuse_doubt(std::vector<Pair> const& pairs, TextLine const& line) const {
-        for (auto const& [column, component] : pairs) {
+        for (auto const& [column, component, joined] : pairs) {
             auto const& role = columns_.roles[column];
             bool const told =
                 role.component.direction != Direction::unknown && component.direction != Direction::unknown;
-            if (pairs.size() == 1 && told
+            if (pairs.size() == 1 && told && (joined || is_axis_name(role.name))
                 && is_vertical(component.direction) != is_vertical(role.component.direction)) {
                 refuse(role, line);
             }

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "core/digit.hpp"
+#include "core/units.hpp"
 #include "motion/component_name.hpp"
+#include "motion/text_lines.hpp"
 
 namespace overturn {
 namespace {
@@ -53,10 +56,40 @@ bool is_height(Text token) {
     return std::ranges::find(heights, token) != heights.end();
 }
 
+/// "dip -90": upright, as SEED has it; empty otherwise.
+std::string dip_in(Text lower) {
+    auto const words = parted_at(lower, " \t,;:=()[]#%!*");
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+        double degrees = 0;
+        constexpr double steep = 60;
+        if (words[i] == "dip" && parse_number(words[i + 1], degrees) && std::abs(degrees) >= steep) {
+            return std::string(words[i]) + " " + std::string(words[i + 1]);
+        }
+    }
+    return {};
+}
+
 }  // namespace
+
+std::vector<std::string> compass_words_in(std::string_view line) {
+    constexpr auto words = std::to_array<Text>({"NS", "EW", "UD", "N-S", "E-W", "U-D", "SN", "WE", "DU"});
+    constexpr std::size_t channel = 3;
+    std::vector<std::string> found;
+    for (auto const word : parted_at(line, " \t,;:=()[]{}#%!*/_.\"'<>|+")) {
+        bool const seed = word.size() == channel && Text("HEB").find(word[0]) != Text::npos
+                          && Text("NLG").find(word[1]) != Text::npos && Text("ZNE").find(word[2]) != Text::npos;
+        if (seed || std::ranges::find(words, word) != words.end()) {
+            found.emplace_back(word);
+        }
+    }
+    return found;
+}
 
 std::string vertical_token_in(std::string_view lower) {
     auto const tokens = tokens_of_line(lower);
+    if (auto const dip = dip_in(lower); !dip.empty()) {
+        return dip;
+    }
     Text found;
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         bool const height = tokens[i].size() == 1 && i > 0 && is_height(tokens[i - 1]);

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace overturn {
 
@@ -10,5 +11,8 @@ namespace overturn {
 /// vertical, between all that is no letter or figure; empty where there is none, or where the line names a horizontal
 /// one, too. "altitude Z" is none. \param lower a line in lower case
 [[nodiscard]] std::string vertical_token_in(std::string_view lower);
+
+/// "EW", "U-D", "HNE" in capitals: points of the compass that a line names, whatever else it says.
+[[nodiscard]] std::vector<std::string> compass_words_in(std::string_view line);
 
 }  // namespace overturn
