@@ -45,6 +45,11 @@ constexpr std::array spellings{Spelling{"mps2", 1},
                                Spelling{"um", 1e-6, Dimension::length},
                                Spelling{"nm", 1e-9, Dimension::length},
                                Spelling{"us", 1e-6, Dimension::time},
+                               Spelling{"sn", 1, Dimension::time},  // saniye
+                               Spelling{"seg", 1, Dimension::time},
+                               Spelling{"sek", 1, Dimension::time},
+                               Spelling{"\xE7\xA7\x92", 1, Dimension::time},
+                               Spelling{"\xEC\xB4\x88", 1, Dimension::time},
                                Spelling{"khz", 1e3, Dimension::frequency},
                                Spelling{"cps", 1, Dimension::frequency},
                                Spelling{"1/s", 1, Dimension::frequency}};

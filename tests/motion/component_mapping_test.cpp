@@ -121,9 +121,9 @@ TEST(ComponentMapping, OtherLanguages) {
 
 // the text says what it cannot be, or leaves others open.
 TEST(ComponentMapping, WhatContradictsOrIsOpenIsAskedFor) {
-    for (char const* text :
-         {"# y is vertical", "# the y axis points upwards", "# vertical: y", "# z = EW", "# components: NS, UD, EW",
-          "# order: UD NS EW", "NS, UD, EW of Kobe", "# E Z N", "# the y component is that of the vertical actuator"}) {
+    for (char const* text : {"# y is vertical", "# the y axis points upwards", "# vertical: y", "# z = EW",
+                             "# components: NS, UD, EW", "# order: UD NS EW", "# x y UD", "NS, UD, EW of Kobe",
+                             "# E Z N", "# the y component is that of the vertical actuator"}) {
         expect_refused(under(text, "t,x,y,z"));
     }
     expect_refused(under("# N = UD, E = NS, Z = EW", "t,N,E,Z"));
@@ -149,6 +149,10 @@ TEST(ComponentMapping, AStatedComponentIsOneOfTheColumns) {
         EXPECT_NO_THROW((void)read(under(text, "t,NS"))) << text;
     }
     EXPECT_NO_THROW((void)read(under("# component EW", "t,acc")));
+    EXPECT_EQ(read(under("# Comp: 3", "t,acc")).unread, std::vector<std::string>{"line 1: '# Comp: 3'"});
+    RecordRequest stated{.name = "f", .unit_mps2 = gal};
+    stated.columns = "time,h1";
+    EXPECT_NO_THROW((void)read_placed(under("1995 KOBE EW", "t,NS"), stated));
     EXPECT_NO_THROW((void)read(under("# component EW", "t,NS,EW,UD")));
 }
 

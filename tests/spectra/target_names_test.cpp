@@ -220,6 +220,13 @@ TEST(TargetNames, LevelsOfHazardAreNoDamping) {
     }
 }
 
+// seconds as Turkish, Spanish, German and Japanese tables call them.
+TEST(TargetNames, SecondsOfOtherLanguages) {
+    for (char const* name : {"Periyot (sn)", "Periodo (seg)", "T [Sek]", "\xE5\x91\xA8\xE6\x9C\x9F(\xE7\xA7\x92)"}) {
+        EXPECT_TRUE(near(read(fmt::format("{},Sa\n", name)).psa_mps2(0.1), 0.7, exact_formula)) << name;
+    }
+}
+
 // what a spectrum scatters by is no spectrum.
 TEST(TargetNames, SpreadsAreNoOrdinates) {
     for (char const* name : {"Sa uncertainty", "Sa_sigma", "dispersion", "ln std"}) {
