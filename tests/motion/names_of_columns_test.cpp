@@ -41,5 +41,29 @@ TEST(NamesOfColumns, LettersAndQuotesOfNames) {
     EXPECT_EQ(upward.vertical_mps2, (std::vector{1 * gal, -1 * gal, 2 * gal}));
 }
 
+// names that stand one below the other, each with the number of its column, are as good as a row of them.
+TEST(NamesOfColumns, NumberedNamesAreNames) {
+    std::string const rows = "0 100 1\n0.5 -200 -1\n1 300 2\n";
+    for (char const* text :
+         {"# Column 1: Time (s)\n# Column 2: UD (gal)\n# Column 3: NS (gal)\n",
+          "Column 1 - time (s), column 2 - acceleration UD (gal), column 3 - acceleration NS (gal)\n",
+          "# col 1 = time\n# col 2 = acc_UD\n# col 3 = acc_NS\n", "# Spalte 1: Zeit\n# Spalte 2: UD\n# Spalte 3: NS\n",
+          "# Col. 3: NS\n# Col. 1: t\n# Col. 2: vertical\n"}) {
+        auto const motion = read(text + rows);
+        EXPECT_EQ(motion.vertical_mps2, three) << text;
+        EXPECT_EQ(motion.horizontal_mps2, (std::vector{1 * gal, -1 * gal, 2 * gal})) << text;
+    }
+    EXPECT_EQ(read("# Column 1: time\n# Column 2: acceleration\n# Column 3: velocity\n" + rows).horizontal_mps2, three);
+    expect_input_error([&] { (void)read("# Column 1: time\n# Column 2: displacement\n# Column 3: velocity\n" + rows); },
+                       "a.csv:1: column 'displacement'");
+    expect_input_error([&] { (void)read("# Column 1: NS\n# Column 2: EW\n# Column 3: velocity\n" + rows); }, "a.csv:");
+    expect_input_error([&] { (void)read("# Column 1: time\n# Column 2: UD\n# Column 3: NS\n# Column 4: EW\n" + rows); },
+                       "a.csv:1: names of 4 columns above 3", "--columns");
+    for (char const* text : {"# Column 2: NS\n# Column 3: EW\n", "# Column 1: time\n# Column 2: NS\n# Column 2: UD\n",
+                             "# Column bases 1: fixed\n"}) {
+        expect_input_error([&] { (void)read(text + rows); }, "a.csv:", "--columns");
+    }
+}
+
 }  // namespace
 }  // namespace overturn

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <span>
 #include <utility>
 
@@ -23,8 +24,14 @@ Claims claims_of(TextTable const& table, TableColumns const& columns) {
     if (pair && table.head.size() > 1 && !is_comment(table.head.front().text)) {
         claims.expect_title(table.head.front().number);
     }
-    claims.take(std::span(table.head).first(table.head.size() - (pair ? 1 : 0)), columns.names_line);
-    claims.take(table.notes, columns.names_line);
+    auto const is_text = [&](TextLine const& line) {
+        return std::ranges::find(columns.names_lines, line.number) == columns.names_lines.end();
+    };
+    std::vector<TextLine> text;
+    std::ranges::copy_if(std::span(table.head).first(table.head.size() - (pair ? 1 : 0)), std::back_inserter(text),
+                         is_text);
+    std::ranges::copy_if(table.notes, std::back_inserter(text), is_text);
+    claims.take(text, columns.names_line);
     auto const is = [](Quantity quantity) { return [=](ColumnRole const& role) { return role.quantity == quantity; }; };
     if (std::ranges::any_of(columns.roles, is(Quantity::acceleration))) {
         constexpr std::array others{Quantity::velocity, Quantity::displacement, Quantity::counts, Quantity::spectrum,

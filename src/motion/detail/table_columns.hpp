@@ -31,6 +31,7 @@ struct TableColumns {
     std::vector<std::string> left_out;  ///< names of columns that are neither
     std::vector<ColumnRole> roles;      ///< of all, if they are named
     int names_line = 0;
+    std::vector<int> names_lines = {};      ///< where names stand one below the other
     bool stated = false;                    ///< by the user
     std::vector<MappedColumn> mapped = {};  ///< by lines of text
 };

@@ -5,6 +5,7 @@
 #include "core/digit.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "motion/detail/numbered_names.hpp"
 #include "motion/detail/quantity_words.hpp"
 #include "motion/detail/table_columns.hpp"
 #include "motion/text_lines.hpp"
@@ -68,6 +69,29 @@ bool parts_otherwise(Text line, TextTable const& table) {
                names, [](std::string const& name) { return std::ranges::count(name, ' ') <= words_of_a_name; });
 }
 
+/// \throws InputError if other columns are named than there are
+void take_numbered(TextTable const& table, RecordRequest const& request, TableColumns& columns) {
+    auto const numbered = numbered_names(table);
+    bool const others =
+        columns.names_line > 0 && std::ranges::find(numbered.lines, columns.names_line) == numbered.lines.end();
+    auto const roles = roles_of(numbered.names);
+    if (others || roles.size() < 2 || known_of(roles) == 0) {
+        return;
+    }
+    if (roles.size() != table.columns()) {
+        if (!request.columns.empty()) {
+            return;
+        }
+        throw InputError(
+            {request.name, numbered.lines.front()},
+            fmt::format("names of {} columns above {} (which is which cannot be told). {}, or mend the names",
+                        roles.size(), table.columns(), how_to_state(request, table.columns())));
+    }
+    columns.roles = roles;
+    columns.names_line = numbered.lines.front();
+    columns.names_lines = numbered.lines;
+}
+
 }  // namespace
 
 bool may_be_names(std::vector<std::string> const& names) {
@@ -128,6 +152,7 @@ TableColumns named_columns(TextTable const& table, RecordRequest const& request)
     auto const found = names_above(table, are, elsewhere);
     columns.roles = roles_of(found.names);
     columns.names_line = found.line;
+    take_numbered(table, request, columns);
     return columns;
 }
 
