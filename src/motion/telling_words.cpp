@@ -220,9 +220,10 @@ bool tells_change(Text lower) {
 
 bool tells_other_values(Text name) {
     constexpr auto others = std::to_array<Text>(
-        {"error", "err",        "std",   "sigma", "residual", "noise",      "envelope", "env",   "abs",        "sum",
-         "diff",  "difference", "delta", "norm",  "int",      "integrated", "cum",      "cumul", "cumulative", "vel",
-         "disp",  "angular",    "pga",   "peak",  "max",      "min",        "mean",     "avg",   "ratio"});
+        {"inverted",   "reversed", "flipped",  "neg",   "negative",   "floor", "roof",  "error",      "err",
+         "std",        "sigma",    "residual", "noise", "envelope",   "env",   "abs",   "sum",        "diff",
+         "difference", "delta",    "norm",     "int",   "integrated", "cum",   "cumul", "cumulative", "vel",
+         "disp",       "angular",  "pga",      "peak",  "max",        "min",   "mean",  "avg",        "ratio"});
     return trimmed(name).starts_with('-') || std::ranges::any_of(words_of_name(name), [&](Text word) {
                return std::ranges::find(others, word) != others.end();
            });

@@ -91,6 +91,12 @@ TEST(ComponentMapping, TheTextDecidesInEveryOrder) {
     EXPECT_EQ(read_right, std::size(columns) * std::size(components) * forms.size() * 6);
 }
 
+// files of results from before are read as they were meant.
+TEST(ComponentMapping, ByPlaceTheTextDecidesNothing) {
+    RecordRequest request{.name = "f", .unit_mps2 = gal, .by_place = true};
+    EXPECT_EQ(read_placed(under("# x=NS y=UD z=EW", "t,x,y,z"), request).motion.vertical_mps2[0], 100 * gal);
+}
+
 TEST(ComponentMapping, IsTold) {
     auto const placed = read(under("# x=NS y=UD z=EW", "t,x,y,z"));
     EXPECT_EQ(placed.components, (std::vector<std::string>{"x", "z", "y"}));

@@ -234,7 +234,8 @@ TEST(TellingText, HazardCurvesAreRefused) {
 
 // names of what is made of motions are listed; a time in another unit is none in seconds.
 TEST(TellingText, NamesOfOtherValuesAreListed) {
-    for (char const* name : {"acc error [gal]", "acc_std [gal]", "envelope [gal]", "-acc [gal]", "PGA [gal]"}) {
+    for (char const* name : {"acc error [gal]", "acc_std [gal]", "envelope [gal]", "-acc [gal]", "PGA [gal]",
+                             "acc inverted [gal]", "floor acc [gal]"}) {
         auto const listed = read_placed(text("# X", fmt::format("time,{}", name)), {.name = "a"}).unread;
         ASSERT_FALSE(listed.empty()) << name;
         EXPECT_EQ(listed.front(), fmt::format("line 2: '{}'", name));

@@ -37,6 +37,7 @@ TEST(TimeWords, MillisecondsOfTheTextAreRead) {
         EXPECT_NEAR(placed.motion.time_step_s, 0.01, 1e-15) << line;
         EXPECT_TRUE(placed.unread.empty()) << line;
     }
+    EXPECT_EQ(testing::read_record(over("t", "# time in minutes"), {.name = "a"}).time_step_s, 600);
     for (char const* line : {"# trigger time: 12 ms", "# station X", "# start time 14:46:18", "# time in s", "# t h v",
                              "# arrival time in ms at station X"}) {
         EXPECT_EQ(testing::read_record(over("t", line), {.name = "a"}).time_step_s, 10) << line;

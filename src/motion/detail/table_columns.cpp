@@ -279,7 +279,9 @@ void place_columns(TextTable const& table, Claims const& claims, RecordRequest c
     if (!request.columns.empty()) {
         placing.as_stated();
     } else if (!columns.roles.empty()) {
-        take_mapped_components(table, claims, columns, request.name, how_to_state(request, table.columns()));
+        if (!request.by_place) {
+            take_mapped_components(table, claims, columns, request.name, how_to_state(request, table.columns()));
+        }
         placing.as_named();
     } else {
         placing.unnamed();
