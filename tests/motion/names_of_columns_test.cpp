@@ -59,8 +59,9 @@ TEST(NamesOfColumns, NumberedNamesAreNames) {
     expect_input_error([&] { (void)read("# Column 1: NS\n# Column 2: EW\n# Column 3: velocity\n" + rows); }, "a.csv:");
     expect_input_error([&] { (void)read("# Column 1: time\n# Column 2: UD\n# Column 3: NS\n# Column 4: EW\n" + rows); },
                        "a.csv:1: names of 4 columns above 3", "--columns");
-    for (char const* text : {"# Column 2: NS\n# Column 3: EW\n", "# Column 1: time\n# Column 2: NS\n# Column 2: UD\n",
-                             "# Column bases 1: fixed\n"}) {
+    for (char const* text :
+         {"# Column 2: NS\n# Column 3: EW\n", "# Column 1: time\n# Column 2: NS\n# Column 2: UD\n",
+          "# Column bases 1: fixed\n", "# Column 1: time\n# Column 2: NS\n# Column 2: UD\n# Column 3: EW\n"}) {
         expect_input_error([&] { (void)read(text + rows); }, "a.csv:", "--columns");
     }
 }

@@ -67,7 +67,7 @@ void check_axis_text(PairTable const& table, bool frequencies, double period_uni
         if (said.frequency == said.period) {
             continue;  // neither, or both: "frequency or period"
         }
-        if (said.frequency && !frequencies && !said.seconds) {
+        if (said.frequency && !frequencies) {
             contradict(line, "periods", file);
         }
         if (said.period && frequencies && !said.hertz) {
