@@ -56,7 +56,8 @@ TEST(VerticalTokens, LeaveTheComponentOpen) {
 
 TEST(VerticalTokens, BesideAHorizontalOneSayNothing) {
     for (char const* line : {"NS of the components NS, EW, UD", "gal, N, E, Z", "altitude Z: 300 m",
-                             "horizontal, corrected for vertical drift", "supper", "Mendoza"}) {
+                             "horizontal, corrected for vertical drift", "supper", "Mendoza", "fault dip 80",
+                             "strike 30, dip 90, rake 0", "dip 45"}) {
         EXPECT_NO_THROW((void)read_placed(under(line), {.name = "a"})) << line;
     }
     expect_input_error([] { (void)read_placed(under("Channel 3 UD", "time,NS [gal]"), {.name = "a"}); },

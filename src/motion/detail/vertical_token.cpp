@@ -56,8 +56,13 @@ bool is_height(Text token) {
     return std::ranges::find(heights, token) != heights.end();
 }
 
-/// "dip -90": upright, as SEED has it; empty otherwise.
+/// "dip -90": upright, as SEED has it, but of a fault none; empty otherwise.
 std::string dip_in(Text lower) {
+    for (Text const of_fault : {"fault", "strike", "rake", "rupture"}) {
+        if (lower.find(of_fault) != Text::npos) {
+            return {};
+        }
+    }
     auto const words = parted_at(lower, " \t,;:=()[]#%!*");
     for (std::size_t i = 0; i + 1 < words.size(); ++i) {
         double degrees = 0;
