@@ -270,9 +270,9 @@ void take_mapped_components(TextTable const& table, Claims const& claims, TableC
 void tell_mapped(TableColumns const& columns, std::vector<std::string>& claims, std::vector<std::string>& unread) {
     for (auto const& [column, line] : columns.mapped) {
         auto const& [direction, axis] = columns.roles[column].component;
-        auto const said = direction == Direction::down ? "downwards"
-                          : is_vertical(direction)     ? "vertical"
-                                                       : "horizontal";
+        auto const* const said = direction == Direction::down ? "downwards"
+                                 : is_vertical(direction)     ? "vertical"
+                                                              : "horizontal";
         claims.push_back(fmt::format("line {}: {} is {}", line, in_quotes(columns.roles[column].name), said));
         auto const begin = fmt::format("line {}: ", line);
         std::erase_if(unread, [&](std::string const& text) { return text.starts_with(begin); });
