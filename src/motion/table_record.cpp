@@ -172,7 +172,7 @@ Recording list_of(TextTable& table, TableColumns columns, RecordRequest const& r
     recording.unit_mps2 = unit_of(table, columns, claims, request);
     recording.time_step_s = step_of(table, columns, claims, request);
     for (std::size_t i = 0; i < table.columns(); ++i) {
-        check_gaps(table, i, request.name);
+        check_gaps(table, i, request);
     }
     check_are_packed(table, request);
     auto values = table.columns() == 1 ? std::move(table.column[0]) : table.in_rows();
@@ -196,7 +196,7 @@ Recording columns_of(TextTable& table, TableColumns columns, RecordRequest const
     recording.unit_mps2 = unit_of(table, columns, claims, request);
     recording.time_step_s = step_of(table, columns, claims, request);
     for (auto& [column, role] : columns.motions) {
-        check_gaps(table, column, request.name);
+        check_gaps(table, column, request);
         check_look(table.column[column], role, table.columns(), claims, request, {request.name, table.line[0]});
         for (double& value : table.column[column]) {
             value *= recording.unit_mps2;

@@ -265,5 +265,30 @@ TEST(NoMotion, ANamedOneMayBeAPulseOrUncorrected) {
     EXPECT_NO_THROW((void)read("time,acc\n" + strict, {.unit_mps2 = gal, .columns = "time,h1"}));
 }
 
+// a mark of what is missing is no acceleration, in columns and lists, and the message names its row; a number
+// that only looks like one, among others of its size, is read.
+TEST(NoMotion, AMarkOfAGapIsNamedByItsRow) {
+    for (auto const* mark : {"-999", "9999", "-999.99", "999999"}) {
+        auto const gap = fmt::format("time,acc\n0,1\n0.01,-2\n0.02,{}\n0.03,2\n0.04,-1\n", mark);
+        expect_input_error([&] { (void)read(gap); }, "a.csv:4: ", "a mark of a gap");
+        auto const list = fmt::format("1\n-2\n{}\n2\n-1\n", mark);
+        expect_input_error([&] { (void)read(list, {.unit_mps2 = gal, .time_step_s = 0.01}); },
+                           "a.csv:3: ", "a mark of a gap");
+    }
+    EXPECT_EQ(read("time,acc\n0,400\n0.01,-999\n0.02,500\n").samples(), 3U);
+}
+
+// what an old results file holds was run and is read again, whatever it looks like.
+TEST(NoMotion, OldFilesAreReadWhateverTheyLookLike) {
+    RecordRequest const old{.unit_mps2 = gal, .by_place = true};
+    EXPECT_EQ(read("time,acc\n0,1\n0.01,-2\n0.02,-999\n0.03,2\n0.04,-1\n", old).samples(), 5U);
+    std::string strict = "time,acc\n";
+    for (int i = 0; i <= 64; ++i) {
+        strict += fmt::format("{:.2f},{:.5f}\n", 0.01 * i, 1.5 + std::sin(0.7 * i));
+    }
+    EXPECT_EQ(read(strict, old).samples(), 65U);
+    expect_input_error([&] { (void)read(strict); }, "values of one sign");
+}
+
 }  // namespace
 }  // namespace overturn

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/digit.hpp"
 #include "core/units.hpp"
 #include "motion/detail/prose_words.hpp"
 #include "motion/text_lines.hpp"
@@ -15,7 +16,6 @@ namespace {
 
 using Text = std::string_view;
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_number(Text word) { return !word.empty() && std::ranges::all_of(word, is_digit); }
 
 std::string stem_of(Text name) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/digit.hpp"
 #include "core/units.hpp"
 #include "motion/column_unit.hpp"
 #include "motion/text_lines.hpp"
@@ -87,7 +88,6 @@ template <class Words> bool is_among(Text word, Words const& words) {
     return std::ranges::find(words, word) != words.end();
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_number(Text word) { return !word.empty() && std::ranges::all_of(word, is_digit); }
 
 std::string numbered(Text word, Text number) {

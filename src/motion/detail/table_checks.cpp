@@ -14,16 +14,19 @@ void check_look(std::span<double const> values, ColumnRole const& role, std::siz
     bool const named = role.quantity == Quantity::acceleration || role.component.direction != Direction::unknown
                        || claims.accelerations();
     auto const why = named ? no_named_motion(values, lowered(role.name).starts_with("a_")) : no_motion(values);
-    if (!why.empty() && request.columns.empty()) {
+    if (!why.empty() && request.columns.empty() && !(named && request.by_place)) {
         throw InputError(
             where, fmt::format("{} in column '{}' (no motion looks like that{}). If it is one: {}", why, role.name,
                                named ? "" : ", and nothing calls it an acceleration", how_to_state(request, columns)));
     }
 }
 
-void check_gaps(TextTable const& table, std::size_t column, std::string const& file) {
+void check_gaps(TextTable const& table, std::size_t column, RecordRequest const& request) {
+    if (request.by_place) {
+        return;
+    }
     if (auto const row = gap_in(table.column[column])) {
-        throw InputError({file, table.line[*row]},
+        throw InputError({request.name, table.line[*row]},
                          fmt::format("{:g} in column {}, far above all others (a mark of a gap, by its look). Fill the "
                                      "gap, or cut the record there",
                                      table.column[column][*row], column + 1));
@@ -31,7 +34,7 @@ void check_gaps(TextTable const& table, std::size_t column, std::string const& f
 }
 
 void check_are_packed(TextTable const& table, RecordRequest const& request) {
-    if (request.format != "list" && are_side_by_side(table.column)) {
+    if (!request.by_place && request.format != "list" && are_side_by_side(table.column)) {
         throw InputError({request.name, table.line.front()},
                          fmt::format("{} numbers to a line without names (packed values of one component, or as many "
                                      "columns? By their look each column swings on its own). State the format list, "

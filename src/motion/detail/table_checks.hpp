@@ -1,9 +1,9 @@
-/// What a column's numbers look like, against what they are taken for.
+/// What a column's numbers look like, against what they are taken for. What an old results file holds was run: of its
+/// named columns and lists (RecordRequest::by_place) nothing new is asked.
 #pragma once
 
 #include <cstddef>
 #include <span>
-#include <string>
 
 #include "core/error.hpp"
 #include "motion/claims.hpp"
@@ -18,7 +18,7 @@ void check_look(std::span<double const> values, ColumnRole const& role, std::siz
                 RecordRequest const& request, Location const& where);
 
 /// \throws InputError at the row where a column holds a mark of what is missing: -999 or 9999 far above all others
-void check_gaps(TextTable const& table, std::size_t column, std::string const& file);
+void check_gaps(TextTable const& table, std::size_t column, RecordRequest const& request);
 
 /// \throws InputError if rows without names look like columns rather than one series, unless the user says a list
 void check_are_packed(TextTable const& table, RecordRequest const& request);
