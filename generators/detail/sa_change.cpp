@@ -13,14 +13,14 @@ namespace overturn {
 
 namespace {
 
-constexpr double shortest_s = 0.3;
-constexpr double longest_s = 10;
+constexpr double shortest_compared_s = 0.3;
+constexpr double longest_compared_s = 10;
 
 /// [%]
 double largest_change(std::vector<double> const& from, double from_step_s, std::vector<double> const& to,
                       double to_step_s) {
     constexpr std::size_t count = 40;
-    auto const periods = log_periods(shortest_s, longest_s, count);
+    auto const periods = log_periods(shortest_compared_s, longest_compared_s, count);
     constexpr double damping = 0.05;
     auto const before = displacement_spectrum(from, from_step_s, periods, damping);
     auto const after = displacement_spectrum(to, to_step_s, periods, damping);
@@ -40,8 +40,8 @@ std::string sa_change_text(GroundMotion const& from, GroundMotion const& to) {
         return largest_change(from.*component, from.time_step_s, to.*component, to.time_step_s);
     };
     bool const several = !from.transverse_mps2.empty() || !from.vertical_mps2.empty();
-    auto text = fmt::format("{} Sa from {} to {} s by {:+.3g} % at most", several ? ";" : ",", shortest_s, longest_s,
-                            change(&GroundMotion::horizontal_mps2));
+    auto text = fmt::format("{} Sa from {} to {} s by {:+.3g} % at most", several ? ";" : ",", shortest_compared_s,
+                            longest_compared_s, change(&GroundMotion::horizontal_mps2));
     for (auto const& [name, component] :
          {std::pair{"transverse", &GroundMotion::transverse_mps2}, {"vertical", &GroundMotion::vertical_mps2}}) {
         if (!(from.*component).empty()) {

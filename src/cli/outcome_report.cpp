@@ -57,7 +57,8 @@ std::vector<std::int64_t> false_safe_trials(Specimen const& specimen, std::size_
 // Histories of them, shared fairly among the specimens, and in words which.
 void add_histories(Json& json, Outcomes const& outcomes, CampaignSpec const& spec, Plan const& plan,
                    store::ResultsReader const& file) {
-    Ends const ends{stored_verdicts(file), file.reals("trials/peak_rotation_ratio")};
+    auto const verdicts = stored_verdicts(file);
+    Ends const ends{verdicts, reals_or_unknown(file, "trials/peak_rotation_ratio", verdicts.size())};
     std::vector<std::vector<std::int64_t>> wrong;
     std::vector<std::size_t> counts;
     for (auto const& specimen : outcomes.specimens) {

@@ -30,8 +30,9 @@ std::vector<std::optional<std::int64_t>> nearest_misses(CampaignSpec const& spec
     std::vector<std::optional<std::int64_t>> nearest(spec.bodies.size());
     std::vector<double> highest(spec.bodies.size(), 0);
     auto const ends = stored_verdicts(file);
-    auto const peaks = file.reals("trials/peak_rotation_ratio");
-    auto const effects = file.integers("trials/effects");
+    auto const peaks = reals_or_unknown(file, "trials/peak_rotation_ratio", ends.size());
+    auto const effects =
+        file.has("trials/effects") ? file.integers("trials/effects") : std::vector<std::int64_t>(ends.size());
     for (std::size_t t = 0; t < ends.size(); ++t) {
         auto const& end = entry_of(ends[t]);
         auto const body = static_cast<std::size_t>(plan.trial(t).body);

@@ -1,8 +1,12 @@
 #include "runner/verify.hpp"
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include <fmt/ranges.h>
 
@@ -44,8 +48,23 @@ std::string differing(Verified const& found) {
                        found.first);
 }
 
+// Columns that stand in no comparison, and why.
+constexpr std::array<std::pair<char const*, char const*>, 2> not_compared{
+    {{"unknown_columns", "for this program does not know them"},
+     {"absent_columns", "for the file does not have them"}}};
+
+// Some of a list of the record, so many that a line holds them.
+std::string listed(output::Json const& json, char const* key) {
+    constexpr std::size_t most = 12;
+    auto const all = json.at(key).get<std::vector<std::string>>();
+    auto const shown = std::span(all).first(std::min(most, all.size()));
+    return fmt::format("{}{}", fmt::join(shown, ", "),
+                       all.size() > most ? fmt::format(" and {} more", all.size() - most) : "");
+}
+
 // What is filed of it.
-output::Json json_of(VerifyOptions const& options, store::ResultsReader const& file, Verified const& found, int ranks) {
+output::Json json_of(VerifyOptions const& options, store::ResultsReader const& file, CampaignSpec const& spec,
+                     Verified const& found, int ranks) {
     auto const& sample = options.wish.sample;
     return {{"passed", found.all_equal()},
             {"file", options.file},
@@ -63,7 +82,9 @@ output::Json json_of(VerifyOptions const& options, store::ResultsReader const& f
             {"differing_trials", found.differing_trials},
             {"differing_waves", found.differing_waves},
             {"differing_rare", found.differing_rare},
-            {"first", found.first}};
+            {"first", found.first},
+            {"unknown_columns", unknown_columns(file, spec)},
+            {"absent_columns", absent_columns(file, spec)}};
 }
 
 std::string page_of(output::Json const& json) {
@@ -89,6 +110,11 @@ std::string page_of(output::Json const& json) {
     if (!passed) {
         page.facts.emplace_back("first that differs", text("first"));
     }
+    for (auto const& [key, what] : not_compared) {
+        if (auto const columns = listed(json, key); !columns.empty()) {
+            page.facts.emplace_back(fmt::format("not compared, {}", what), columns);
+        }
+    }
     for (auto const* of : {"trials", "waves", "rare"}) {
         auto const differ = number((std::string("differing_") + of).c_str());
         page.rows.push_back(
@@ -98,8 +124,14 @@ std::string page_of(output::Json const& json) {
     return output::html_of(page);
 }
 
-int print_outcome(VerifyOptions const& options, store::ResultsReader const& file, Verified const& found, int ranks) {
-    auto const json = json_of(options, file, found, ranks);
+int print_outcome(VerifyOptions const& options, store::ResultsReader const& file, CampaignSpec const& spec,
+                  Verified const& found, int ranks) {
+    auto const json = json_of(options, file, spec, found, ranks);
+    for (auto const& [key, what] : not_compared) {
+        if (auto const columns = listed(json, key); !columns.empty()) {
+            print_note("overturn: {}: not compared, {}: {}\n", options.file, what, columns);
+        }
+    }
     if (options.page) {
         auto const page = page_of(json);
         store::write_durably(*options.page, std::as_bytes(std::span(page)));
@@ -107,7 +139,8 @@ int print_outcome(VerifyOptions const& options, store::ResultsReader const& file
     if (options.json) {
         fmt::print("{}\n", json.dump(2));
     } else if (found.all_equal()) {
-        fmt::print("{}: {} recomputed, all bit-equal to the stored rows\n", options.file, counted(found));
+        fmt::print("{}: {} recomputed, all bit-equal to the stored rows{}\n", options.file, counted(found),
+                   json.at("absent_columns").empty() ? "" : ", in the columns that the file has");
     } else {
         fmt::print("{}: {} recomputed, NOT all bit-equal: {}\n", options.file, counted(found), differing(found));
     }
@@ -116,14 +149,6 @@ int print_outcome(VerifyOptions const& options, store::ResultsReader const& file
     }
     print_note("overturn: {}: not what this program computes {}\n", options.file, why_bits_differ(file));
     return other_failure;
-}
-
-// Columns that nothing is known of are in the file and in no comparison.
-void note_unknown(VerifyOptions const& options, store::ResultsReader const& file, CampaignSpec const& spec) {
-    if (auto const columns = unknown_columns(file, spec); !columns.empty()) {
-        print_note("overturn: {}: not compared, for this program does not know them: {}\n", options.file,
-                   fmt::join(columns, ", "));
-    }
 }
 
 int verify(VerifyOptions const& options, parallel::Communicator const& comm) {
@@ -141,10 +166,8 @@ int verify(VerifyOptions const& options, parallel::Communicator const& comm) {
     fetch_withheld(input, options.file);
     auto const spec = parse_campaign(input);
     auto const found = verify_rows(file, spec, options.wish, comm);
-    return std::stoi(broadcast_from_root(comm, [&] {
-        note_unknown(options, file, spec);
-        return fmt::format("{}", print_outcome(options, file, found, comm.size()));
-    }));
+    return std::stoi(broadcast_from_root(
+        comm, [&] { return fmt::format("{}", print_outcome(options, file, spec, found, comm.size())); }));
 }
 
 }  // namespace

@@ -126,15 +126,15 @@ class Claims {
     Claim unit_, step_, count_, time_unit_;
     std::vector<Peak> peaks_;
     int vertical_line_ = 0;  ///< that may say so of the numbers; 0: none
+    int title_ = 0;          ///< its line; 0: none
     std::string vertical_said_;
-    int title_ = 0;  ///< its line; 0: none
     std::string doubt_;
-    bool doubted_ = false;  ///< is a unit of the line at hand among other words?
     std::string unknown_unit_;
     int unknown_unit_line_ = 0;
     int other_line_ = 0;  ///< that calls the numbers velocities, displacements or counts; 0: none
     std::string other_;
     bool other_of_several_ = false;  ///< in a line that names such a quantity, perhaps beside accelerations
+    bool doubted_ = false;           ///< is a unit of the line at hand among other words?
     bool other_unit_ = false;        ///< as that line's unit says, and it is not on where or when
     std::string other_said_;
     std::string plainly_other_;  ///< as a line of known words alone calls the numbers, without "accelerations"

@@ -51,10 +51,9 @@ bool Claims::take_components(std::string_view line, std::string const& lower, in
         vertical_said_ =
             fmt::format("{} (it names '{}', so the accelerations may be vertical)", in_quotes(trimmed(line)), token);
     }
-    for (std::string_view const key : {"components", "component", "comp", "direction", "dir", "channel", "orientation",
-                                       "componente", "composante", "komponente", "canal", "richtung", "direccion",
-                                       "bile\xC5\x9F"
-                                       "en"}) {
+    for (std::string_view const key :
+         {"components", "component", "comp", "direction", "dir", "channel", "orientation", "componente", "composante",
+          "komponente", "canal", "richtung", "direccion", "bile\u015Fen"}) {
         auto const at = lower.find(key);
         if (at == std::string::npos || !holds_word(lower, key)) {
             continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <string_view>
+#include <utility>
 
 #include "core/error.hpp"
 #include "response/registry.hpp"
@@ -27,6 +28,14 @@ Verdict meaning_of(store::ResultsReader const& file, std::string_view name) {
         return Verdict::contact_lost;
     }
     return is_listed(file, "moved", name) ? Verdict::rocked : Verdict::at_rest;
+}
+
+std::vector<store::TableSpec> tables_of_rows(CampaignSpec const& spec) {
+    std::vector<store::TableSpec> tables{trial_table(spec), wave_table(spec)};
+    for (std::size_t body = 0; body < spec.bodies.size(); ++body) {
+        tables.push_back(measure_table(spec, body));
+    }
+    return tables;
 }
 
 }  // namespace
@@ -63,10 +72,7 @@ std::vector<UnknownModel> unknown_models(store::ResultsReader const& file) {
 }
 
 std::vector<std::string> unknown_columns(store::ResultsReader const& file, CampaignSpec const& spec) {
-    std::vector<store::TableSpec> known{trial_table(spec), wave_table(spec)};
-    for (std::size_t body = 0; body < spec.bodies.size(); ++body) {
-        known.push_back(measure_table(spec, body));
-    }
+    auto const known = tables_of_rows(spec);
     std::vector<std::string> unknown;
     for (auto const& column : file.columns()) {
         auto const slash = column.path.rfind('/');
@@ -82,6 +88,20 @@ std::vector<std::string> unknown_columns(store::ResultsReader const& file, Campa
         }
     }
     return unknown;
+}
+
+std::vector<std::string> absent_columns(store::ResultsReader const& file, CampaignSpec const& spec) {
+    auto tables = tables_of_rows(spec);
+    std::ranges::move(own_tables(Ladder(spec.effects, spec.accuracy)), std::back_inserter(tables));
+    std::vector<std::string> absent;
+    for (auto const& table : tables) {
+        for (auto const& column : table.columns) {
+            if (auto path = table.group + "/" + column.name; !file.has(path)) {
+                absent.push_back(std::move(path));
+            }
+        }
+    }
+    return absent;
 }
 
 std::vector<double> reals_or_unknown(store::ResultsReader const& file, std::string const& column, std::size_t rows) {

@@ -31,6 +31,10 @@ struct UnknownModel {
 /// is made of them.
 [[nodiscard]] std::vector<std::string> unknown_columns(store::ResultsReader const& file, CampaignSpec const& spec);
 
+/// Columns of /trials, models' own among them, /waves and /waves/<body> that this program would write and the file does
+/// not have, by path.
+[[nodiscard]] std::vector<std::string> absent_columns(store::ResultsReader const& file, CampaignSpec const& spec);
+
 /// A column of numbers; NaN for each of so many rows where the file does not have it.
 [[nodiscard]] std::vector<double> reals_or_unknown(store::ResultsReader const& file, std::string const& column,
                                                    std::size_t rows);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_multimin.h>

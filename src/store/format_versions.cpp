@@ -95,7 +95,7 @@ std::int64_t first_format_of(std::string_view group, std::string_view column) {
     if (group.starts_with(of_limit) && !group.starts_with("limits/<limit>/stripes/")) {
         group.remove_prefix(of_limit.size());
     }
-    auto const row = std::ranges::find_if(came, [&](Came const& one) { return names(one, group, column); });
+    auto const* const row = std::ranges::find_if(came, [&](Came const& one) { return names(one, group, column); });
     return row == came.end() ? oldest_format_read : row->version;
 }
 

@@ -225,6 +225,21 @@ TEST_F(Format, AFileWithFewerColumnsIsRead) {
         auto const read = overturn(folder, joined(verb, {"c.h5", "--unverified"}));
         EXPECT_TRUE(read.code == 0 || read.code == 4) << verb.back() << read.err;
     }
+    // What is not there cannot be compared, and both the text and the record say so.
+    auto const verified = overturn(folder, {"verify", "c.h5", "--unverified", "--json"});
+    EXPECT_EQ(verified.code, 0) << verified.err;
+    EXPECT_NE(verified.err.find("not compared, for the file does not have them: trials/"), std::string::npos)
+        << verified.err;
+    auto const record = nlohmann::json::parse(verified.out);
+    auto const absent = record.at("absent_columns").get<std::vector<std::string>>();
+    EXPECT_EQ(absent.size(), 5U) << record.at("absent_columns");
+    EXPECT_NE(std::ranges::find(absent, "trials/peak_slip"), absent.end());
+    EXPECT_NE(overturn(folder, {"verify", "c.h5", "--unverified"}).out.find("in the columns that the file has"),
+              std::string::npos);
+    // A page and Python do without them too, beside a column of which nothing but its numbers is known.
+    edit("f['trials'].create_dataset('loud', data=f['trials/v_ereq'][()])");
+    auto const page = overturn(folder, {"report", "c.h5", "--unverified", "-o", "c.html"});
+    EXPECT_EQ(page.code, 0) << page.err;
     edit("del f['waves/id']");
     for (auto const* verb : {"fit", "status", "verify"}) {
         auto const read = overturn(folder, {verb, "c.h5", "--unverified"});

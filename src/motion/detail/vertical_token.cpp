@@ -92,7 +92,7 @@ std::vector<std::string> compass_words_in(std::string_view line) {
 
 std::string vertical_token_in(std::string_view lower) {
     auto const tokens = tokens_of_line(lower);
-    if (auto const dip = dip_in(lower); !dip.empty()) {
+    if (auto dip = dip_in(lower); !dip.empty()) {
         return dip;
     }
     Text found;

@@ -37,12 +37,14 @@ class Column:
         self.name = data.name.rsplit("/", 1)[1]
         self.attrs = {key: plain(value) for key, value in data.attrs.items()
                       if key not in ("DIMENSION_LIST", "REFERENCE_LIST", "CLASS", "NAME")}
-        self.units, self.meaning = self.attrs["units"], self.attrs["description"]
+        # A column that another program added may say neither, nor along which axis it lies.
+        self.units, self.meaning = self.attrs.get("units", ""), self.attrs.get("description", "")
         named = self._numbers_of_names()
         self.categories = tuple(named)
         self._numbers = np.array(list(named.values()))
-        scales = [data.dims[n] for n in range(data.ndim)]  # a column without one is an axis itself
-        self.axes = tuple(scale[0].name.rsplit("/", 1)[1] if len(scale) else self.name for scale in scales)
+        scales = [data.dims[n] for n in range(data.ndim)]
+        own = self.name if h5py.h5ds.is_scale(data.id) else ""  # an axis is its own
+        self.axes = tuple(scale[0].name.rsplit("/", 1)[1] if len(scale) else own for scale in scales)
 
     def _numbers_of_names(self):
         stored = h5py.check_enum_dtype(self._data.dtype)
@@ -79,6 +81,9 @@ class Column:
 
     def of(self, what):
         """True where a verdict is one that "moved", is "decided" or "fell", as the file says of its verdicts."""
+        if what not in self.attrs:
+            raise Error(f"{self._data.file.filename}: {self._data.name} does not say which verdicts are '{what}' (edited?). "
+                        "Restore the file or run the campaign again")
         return np.isin(self.names, self.attrs[what].split(", "))
 
 
@@ -89,8 +94,12 @@ class Table(Mapping):
         self.attrs = {key: plain(value) for key, value in group.attrs.items()}
         self._columns = {name: Column(data) for name, data in group.items()
                          if isinstance(data, h5py.Dataset) and (only is None or name in only)}
-        axes = [column.axes[0] for column in self._columns.values() if column.axes]
+        axes = [column.axes[0] for column in self._columns.values() if column.axes and column.axes[0]]
         self.axis = max(axes, key=axes.count) if axes else ""
+        lengths = {len(column) for column in self._columns.values() if column.axes == (self.axis,)}
+        for column in self._columns.values():
+            if column.axes == ("",):  # as long as the others: a row each
+                column.axes = (self.axis if len(column) in lengths else column.name,)
 
     def __getitem__(self, name):
         return self._columns[name]

@@ -172,7 +172,8 @@ class Report:
         row = [f"{low:.2f} to {high:.2f}" if high is not None else f"{low:.2f} and above"]
         for kind in ("without_slip", "with_slip"):
             count = bin_[f"{kind}_count"]
-            row += ["{:.3f} ({:.3f} to {:.3f})".format(*(bin_[f"{kind}_{q}"] for q in ("median", "p05", "p95"))) if count else "-", count]
+            quantiles = [bin_[f"{kind}_{q}"] for q in ("median", "p05", "p95")]
+            row += ["{:.3f} ({:.3f} to {:.3f})".format(*quantiles) if count and None not in quantiles else "–", count]
         return [*row, bin_["overturned"]]
 
     def rare(self):

@@ -18,11 +18,16 @@ class Body:
         self._mine = np.flatnonzero(trials["body"].names == self.name)
 
     def trials(self, column):
-        """A column of this body's trials, in the file's order."""
+        """A column of this body's trials, in the file's order; NaN where the file does not have it."""
+        if column not in self._trials:
+            return np.full(len(self._mine), np.nan)
         return self._trials[column].values[self._mine]
 
     def kinds(self, column):
-        """The names of a column's categories, in the order of their values, and which trials are of each."""
+        """The names of a column's categories, in the order of their values, and which trials are of each; none where the
+        file does not have it."""
+        if column not in self._trials:
+            return []
         codes = self._trials[column].codes[self._mine]
         return [(name, codes == code) for code, name in enumerate(self._trials[column].categories)]
 
