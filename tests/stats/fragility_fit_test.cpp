@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include <gsl/gsl_cdf.h>
+#include <gsl/gsl_rng.h>
 
+#include "core/random_stream.hpp"
 #include "stats/detail/profile_likelihood.hpp"
 #include "stats/fragility.hpp"
 #include "support/tolerance.hpp"
@@ -121,6 +123,38 @@ TEST(FitProbit, FindsOneMaximumFromAnywhere) {
                                      {best.intercept, best.slope - least}}) {
         EXPECT_LT(log_likelihood(points, beside), log_likelihood(points, best));
     }
+}
+
+// tables of few trials, as resampled data are: almost separated, steep, with empty levels. From the line of
+// other data the search ends where it ends by itself, and no line near by is more likely.
+TEST(FitProbit, ResampledTablesHaveTheMaximumOfTheirOwn) {
+    int fitted = 0;
+    for (std::uint64_t table = 0; table < 4000; ++table) {
+        RandomStream stream(7, table, Purpose::bootstrap, 0);
+        auto const next = [&](std::uint64_t below) { return gsl_rng_uniform_int(stream.gsl(), below); };
+        std::vector<FragilityPoint> points;
+        for (int level = 0; level < 8; ++level) {
+            auto const trials = static_cast<double>(next(5));
+            auto const most = static_cast<std::uint64_t>(trials) + 1;
+            double const fell = level < 3 ? (next(6) == 0 ? next(most) : 0) : level > 4 ? trials : next(most);
+            points.push_back({0.1 * level + 1e-4 * static_cast<double>(next(100)), trials, std::min(fell, trials), 0});
+        }
+        if (state_of(points) != FragilityState::fitted) {
+            continue;
+        }
+        auto const alone = fit_probit(points);
+        auto const from = fit_probit(points, {-3 + 0.01 * static_cast<double>(next(600)), 8});
+        ASSERT_TRUE(alone && from) << table;
+        ++fitted;
+        double const top = log_likelihood(points, *alone);
+        EXPECT_NEAR(log_likelihood(points, *from), top, 1e-9) << table;
+        EXPECT_NEAR(from->slope / alone->slope, 1, 1e-4) << table;
+        for (double const by : {0.999, 1.001}) {
+            EXPECT_LE(log_likelihood(points, {alone->intercept * by, alone->slope * by}), top + 1e-12) << table;
+            EXPECT_LE(log_likelihood(points, {alone->intercept, alone->slope * by}), top + 1e-12) << table;
+        }
+    }
+    EXPECT_GT(fitted, 500);
 }
 
 // Every bound that is reported is where its own likelihood-ratio test turns: the fit that is held there falls
