@@ -250,8 +250,7 @@ TEST(BlockRows, TravelUnchanged) {
 
 // R-1001: blocks computed together, in any choice, have the bytes that each has alone; with models' own records.
 TEST(BlockRows, OfSeveralBlocksAreThoseOfEachAlone) {
-    auto const spec = campaign_from(with_count(small_campaign, 5)
-                                    + "[effects]\ninclude=['vertical','contact']\n");
+    auto const spec = campaign_from(with_count(small_campaign, 5) + "[effects]\ninclude=['vertical','contact']\n");
     Plan const plan(spec);
     PhaseSeconds seconds;
     ASSERT_EQ(plan.blocks(), 5);

@@ -63,8 +63,7 @@ Alarms alarms(Design const& design, std::uint64_t tables) {
     Alarms found;
     for (std::uint64_t r = 0; r < tables; ++r) {
         auto const data = drawn(design, r);
-        auto const line =
-            state_of(data.points) == FragilityState::fitted ? fit_probit(data.points) : std::nullopt;
+        auto const line = state_of(data.points) == FragilityState::fitted ? fit_probit(data.points) : std::nullopt;
         auto const tests = test_shape(data, line, {.seed = r, .stream = 0, .replicates = 199});
         found.poor += tests.goodness && tests.goodness->least_p_value() < 0.05 ? 1 : 0;
         found.falling += tests.monotone.p_value < 0.05 ? 1 : 0;
