@@ -14,8 +14,8 @@ constexpr int ranks_worth_serving = 64;
 // Shares of what is left that each rank takes at once; ever smaller ones, so that all end together.
 constexpr std::int64_t shares_each = 4;
 constexpr double report_every_s = 1;
-constexpr double group_s = 0.25;         // blocks that are computed together: a SIGTERM leaves half a second
-constexpr double commit_every_s = 0.25;  // what a kill may lose beside the blocks in hand, which waits for one disk
+constexpr double soon_s = 0.1;                              // blocks computed together: a SIGTERM leaves half a second
+constexpr double commit_every_s = 0.05;                     // what a kill may lose beside the blocks in hand
 constexpr std::int64_t stop_mark = std::int64_t{1} << 40U;  // beside the blocks done, which never come near it
 
 class Worker {
@@ -54,12 +54,11 @@ class Worker {
             for (std::size_t i = 0; i < blocks.size() && !stopped_; ++i) {
                 computed_.push_back({blocks[i], (*rows)[i].pack()});
             }
+            adapt_group(seconds_since(begin));
             if (seconds_since(committed_) > commit_every_s) {
                 commit();
             }
-            auto const took = seconds_since(begin);
-            seconds_each_ = took / static_cast<double>(blocks.size());
-            stop_policy_.block_took(took);
+            stop_policy_.block_took(seconds_since(begin));
             if (!stopped_ && seconds_since(reported_) > report_every_s) {
                 report();
             }
@@ -83,15 +82,19 @@ class Worker {
         return next_ < count;
     }
 
-    // As many of the share as are worth computing together and, by what the last ones took, done soon: nothing is kept
-    // of a group that is broken off.
+    // Of the share.
     std::span<std::int64_t const> next_blocks() {
-        double const soon = seconds_each_ > 0 ? std::min(group_s / seconds_each_, 1e6) : 1;
-        auto const worth = std::clamp<std::int64_t>(static_cast<std::int64_t>(soon), 1, blocks_together(plan_));
-        auto const count = std::min(worth, std::min<std::int64_t>(end_, std::ssize(left_)) - next_);
+        auto const count = std::min(group_, std::min<std::int64_t>(end_, std::ssize(left_)) - next_);
         auto const blocks = std::span(left_).subspan(next_, count);
         next_ += count;
         return blocks;
+    }
+
+    // Groups grow from one block as far as they are worth it and done soon: nothing is kept of one that is broken off.
+    void adapt_group(double took_s) {
+        group_ = took_s > 2 * soon_s ? std::max<std::int64_t>(1, group_ / 2)
+                 : took_s < soon_s   ? std::min(2 * group_, blocks_together(plan_))
+                                     : group_;
     }
 
     // Adds what is done to all ranks' sum and hears whether one has stopped, which stops all.
@@ -143,7 +146,7 @@ class Worker {
     std::string failure_;
     std::int64_t next_ = 0, end_ = 0;           ///< this rank's share of `left_`
     std::vector<store::PackedBlock> computed_;  ///< and not on disk yet
-    double seconds_each_ = 0;                   ///< of the last blocks; 0: none yet
+    std::int64_t group_ = 1;                    ///< blocks to be computed together
     std::int64_t fresh_ = 0;                    ///< on disk and not reported yet
     Clock::time_point reported_ = Clock::now(), committed_ = reported_;
     bool stopped_ = false;
