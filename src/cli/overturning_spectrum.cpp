@@ -2,12 +2,12 @@
 
 #include <cmath>
 #include <filesystem>
-#include <string_view>
 
 #include <fmt/ranges.h>
 
 #include "body/rigid_body.hpp"
 #include "campaign/warnings.hpp"
+#include "cli/number_grid.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "generators/pulse_shape.hpp"
@@ -18,47 +18,6 @@ namespace overturn::cli {
 namespace {
 
 constexpr int samples_per_period = 2000;  // chords miss a sine by 1.2e-6 of its peak at most
-constexpr std::size_t most_frequencies = 2000;
-
-double positive(std::string_view text, char const* option) {
-    double value = 0;
-    validate(parse_number(trimmed(text), value) && value > 0,
-             "{} '{}' (not a number above 0). Write 1,2,5, or first:last:count for equal ratios", option, text);
-    return value;
-}
-
-std::vector<std::string_view> parts_of(std::string_view text, char between) {
-    std::vector<std::string_view> parts;
-    for (std::size_t from = 0; from <= text.size();) {
-        auto const to = std::min(text.find(between, from), text.size());
-        parts.push_back(text.substr(from, to - from));
-        from = to + 1;
-    }
-    return parts;
-}
-
-// "1,2,5" or "0.5:10:40".
-std::vector<double> grid_of(std::string_view text, char const* option) {
-    std::vector<double> grid;
-    auto const range = parts_of(text, ':');
-    if (range.size() == 1) {
-        for (auto const part : parts_of(text, ',')) {
-            grid.push_back(positive(part, option));
-        }
-        return grid;
-    }
-    validate(range.size() == 3, "{} '{}' (neither a list nor first:last:count). Write 1,2,5 or 0.5:10:40", option,
-             text);
-    double const first = positive(range[0], option);
-    double const last = positive(range[1], option);
-    double const count = positive(range[2], option);
-    validate(count >= 2 && count <= most_frequencies && count == std::floor(count),
-             "{} '{}' (its count is none from 2 to {}). Mend it", option, text, most_frequencies);
-    for (int i = 0; i < static_cast<int>(count); ++i) {
-        grid.push_back(first * std::pow(last / first, i / (count - 1)));
-    }
-    return grid;
-}
 
 RockingBlock stated_block(OverturningOptions const& options) {
     validate(options.p.has_value() && !options.alpha.empty() && options.restitution.has_value(),
@@ -104,8 +63,8 @@ void sweep(OverturningSpectrum& spectrum, OverturningOptions const& options) {
     auto const shape = shape_entry.value(parameters);
     double const hz_per_ratio = spectrum.block.p_radps / (2 * pi);
     bool const in_hz = !options.frequencies.empty();
-    auto const grid = in_hz ? grid_of(options.frequencies, "--frequencies")
-                            : grid_of(options.ratios.empty() ? "0.5:10:40" : options.ratios, "--ratios");
+    auto const grid = in_hz ? number_grid(options.frequencies, "--frequencies")
+                            : number_grid(options.ratios.empty() ? "0.5:10:40" : options.ratios, "--ratios");
     spectrum.shaking = options.pulse;
     for (double const value : grid) {
         double const frequency = in_hz ? value : value * hz_per_ratio;
@@ -147,11 +106,13 @@ void OverturningOptions::offered_by(Verb& verb) {
     verb.takes("--highest", highest, "where the scan ends, over the amplitude of uplift");
     verb.takes("--step", step, "ratio of tried amplitudes, less 1");
     verb.takes("--linearised", linearised, "of the linearised block, as in the papers");
-    verb.takes("-o,--output", output, "with --overturning: its ranges as csv");
+    verb.takes("-o,--output", output, "with --overturning or --rocking: the same as csv");
 }
 
-bool OverturningOptions::states_more() const {
-    return p || restitution || gamma || linearised || !(alpha + pulse + phase + ratios + frequencies + output).empty();
+bool OverturningOptions::states_more() const { return has_pulse_or_scan() || restitution || !(alpha + output).empty(); }
+
+bool OverturningOptions::has_pulse_or_scan() const {
+    return p || gamma || linearised || !(pulse + phase + ratios + frequencies).empty();
 }
 
 double OverturningSpectrum::omega_over_p(OverturningPoint const& point) const {

@@ -24,6 +24,8 @@ struct OverturningOptions {
     void offered_by(Verb& verb);
     /// Whether anything is stated that has no meaning without `asked`.
     [[nodiscard]] bool states_more() const;
+    /// Whether anything is stated that a rocking spectrum does not take.
+    [[nodiscard]] bool has_pulse_or_scan() const;
 };
 
 /// One frequency of a pulse, or the record.

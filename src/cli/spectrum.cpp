@@ -1,5 +1,6 @@
 #include <memory>
 #include <span>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -8,7 +9,9 @@
 #include "campaign/rocking_band.hpp"
 #include "campaign/warnings.hpp"
 #include "cli/figures.hpp"
+#include "cli/number_grid.hpp"
 #include "cli/overturning_spectrum.hpp"
+#include "cli/rocking_spectrum.hpp"
 #include "cli/scene_files.hpp"
 #include "cli/velocity_unit.hpp"
 #include "cli/verbs.hpp"
@@ -26,10 +29,11 @@ namespace {
 
 struct SpectrumOptions {
     RecordOptions record;
-    std::string body, plot;
+    std::string body, plot, periods;
     double damping = 0.05;
     VelocityUnit unit;
     OverturningOptions overturning;
+    RockingSpectrumOptions rocking;
     bool json = false;
 };
 
@@ -46,11 +50,14 @@ struct BodyEnergy {
     double v_ereq_mps;
 };
 
-Measures measure(GroundMotion const& motion, double damping) {
+std::vector<double> default_periods() {
     constexpr double shortest_s = 0.02;
     constexpr double longest_s = 20;
     constexpr std::size_t count = 200;
-    auto const periods = log_periods(shortest_s, longest_s, count);
+    return log_periods(shortest_s, longest_s, count);
+}
+
+Measures measure(GroundMotion const& motion, double damping, std::vector<double> const& periods) {
     auto const& a = motion.horizontal_mps2;
     double const dt = motion.time_step_s;
     return {intensity_of(a, dt), drift_of(motion), response_spectrum(a, dt, periods, damping),
@@ -111,7 +118,7 @@ void print_record_json(PlacedRecord const& record, Measures const& m, double dam
 }
 
 void print_record_text(PlacedRecord const& record, Measures const& m, double damping,
-                       std::optional<BodyEnergy> const& energy, VelocityUnit const& unit) {
+                       std::optional<BodyEnergy> const& energy, VelocityUnit const& unit, std::size_t every) {
     auto const& symbol = unit.symbol;
     fmt::print("read as {}\n", record.read_as());
     for (auto const& claim : record.claims) {
@@ -142,52 +149,77 @@ void print_record_text(PlacedRecord const& record, Measures const& m, double dam
     }
     fmt::print("\n{:>9} {:>12} {:>12} {:>12} {:>12} {:>12}\n", "period s", "Sa m/s2", "pSv " + symbol, "Sd m",
                "V_E " + symbol, "V_E0 " + symbol);
-    constexpr std::size_t every = 5;
     for (std::size_t i = 0; i < m.response.period_s.size(); i += every) {
         fmt::print("{:>9.4f} {:>12.5g} {:>12.5g} {:>12.5g} {:>12.5g} {:>12.5g}\n", m.response.period_s[i],
                    m.response.sa_mps2[i], unit.of(m.response.psv_mps[i]), m.response.sd_m[i], unit.of(m.v_e_mps[i]),
                    unit.of(m.v_e0_mps[i]));
     }
-    fmt::print("damping {:g}; all {} periods with --json\n", damping, m.response.period_s.size());
+    fmt::print("damping {:g}{}\n", damping,
+               every == 1 ? "" : fmt::format("; all {} periods with --json", m.response.period_s.size()));
 }
 
-int show_overturning(SpectrumOptions const& options) {
-    auto const& asked = options.overturning;
-    if (!options.plot.empty()) {
-        report::check_figure_name(options.plot);
-        validate(!asked.pulse.empty(), "--plot (a record's factors have no frequency to be drawn over). Leave it out");
-    }
-    auto const found = overturning_spectrum(asked, options.record, options.body);
+// As figure, csv, text or JSON, of a spectrum that has them all.
+template <class Found> int show(Found const& found, char const* figure, SpectrumOptions const& options) {
     auto const json = json_of(found);
     if (!options.plot.empty()) {
-        report::draw_figure("overturning_figure.py", json, options.plot);
+        report::draw_figure(figure, json, options.plot);
     }
-    if (!asked.output.empty()) {
+    if (!options.overturning.output.empty()) {
         auto const csv = csv_of(found);
-        store::write_durably(asked.output, std::as_bytes(std::span(csv)));
+        store::write_durably(options.overturning.output, std::as_bytes(std::span(csv)));
     }
     fmt::print("{}", options.json ? json.dump(2) + "\n" : text_of(found));
     return done;
 }
 
+int show_overturning(SpectrumOptions const& options) {
+    auto const& asked = options.overturning;
+    validate(options.plot.empty() || !asked.pulse.empty(),
+             "--plot (a record's factors have no frequency to be drawn over). Leave it out");
+    return show(overturning_spectrum(asked, options.record, options.body), "overturning_figure.py", options);
+}
+
+int show_rocking(SpectrumOptions const& options) {
+    validate(!options.overturning.has_pulse_or_scan(),
+             "--rocking beside --pulse, --p, --ratios or --linearised (they are of an overturning spectrum). Leave "
+             "them out");
+    return show(rocking_spectrum(options.rocking, options.record, options.overturning.alpha,
+                                 options.overturning.restitution, options.body),
+                "rocking_figure.py", options);
+}
+
 int spectrum(SpectrumOptions const& options) {
-    if (options.overturning.asked) {
+    auto const& [overturning, rocking] = std::tie(options.overturning, options.rocking);
+    if (!options.plot.empty()) {
+        report::check_figure_name(options.plot);
+    }
+    validate(!(overturning.asked || rocking.asked) || options.periods.empty(),
+             "--periods (of response spectra). Leave it out, or --overturning and --rocking");
+    validate(!overturning.asked || !rocking.asked, "--overturning beside --rocking (two answers). State one of them");
+    validate(rocking.asked || rocking.periods.empty(),
+             "--rocking-periods (of a rocking spectrum). State --rocking too");
+    if (overturning.asked) {
         return show_overturning(options);
     }
-    validate(!options.overturning.states_more(),
-             "--pulse, --p, --ratios and the like (they are of an overturning spectrum). State --overturning too");
+    if (rocking.asked) {
+        return show_rocking(options);
+    }
+    validate(!overturning.states_more(),
+             "--pulse, --p, --ratios and the like (they are of an overturning spectrum). State --overturning too, or "
+             "--rocking");
     validate(!options.record.wave.empty(), "--wave (missing). State a record, or --overturning with a pulse");
     validate(options.damping >= 0 && options.damping < 1,
              "--damping {} (a ratio, 0 to below 1: {} would be {:g} %). Write 0.05 for 5 %", options.damping,
              options.damping, 100 * options.damping);
     (void)options.unit.si();
-    if (!options.plot.empty()) {
-        report::check_figure_name(options.plot);
-    }
+    validate(options.plot.empty() || options.periods.empty(),
+             "--periods beside --plot (the figure has periods of its own). Leave one of them out");
     auto const record = load_motion(options.record);
     auto const& motion = record.motion;
     note_warnings(warnings_of(motion));
-    auto const measures = measure(motion, options.damping);
+    auto const measures =
+        measure(motion, options.damping,
+                options.periods.empty() ? default_periods() : number_grid(options.periods, "--periods"));
     std::optional<BodySpec> body;
     std::optional<BodyEnergy> energy;
     if (!options.body.empty()) {
@@ -202,7 +234,9 @@ int spectrum(SpectrumOptions const& options) {
     if (options.json) {
         print_record_json(record, measures, options.damping, energy);
     } else {
-        print_record_text(record, measures, options.damping, energy, options.unit);
+        constexpr std::size_t every_fifth = 5;
+        print_record_text(record, measures, options.damping, energy, options.unit,
+                          options.periods.empty() ? every_fifth : 1);
     }
     return done;
 }
@@ -210,17 +244,20 @@ int spectrum(SpectrumOptions const& options) {
 }  // namespace
 
 void add_spectrum(CommandLine& line) {
-    auto verb =
-        line.verb("spectrum", "response, energy and window energy spectra of one wave, or an overturning spectrum");
+    auto verb = line.verb(
+        "spectrum", "response, energy and window energy spectra of one wave, or an overturning or rocking spectrum");
     auto options = std::make_shared<SpectrumOptions>();
     verb.takes("--wave", options->record.wave, "record, or columns time,a_horizontal");
     add_record_options(verb, options->record);
     verb.takes("--body", options->body, "body file (TOML): adds its energy measures");
     verb.takes("--damping", options->damping, "damping ratio");
+    verb.takes("--periods", options->periods,
+               "of the response spectra [s]: 0.5,1,2 or first:last:count; default 0.02:20:200");
     verb.takes("--plot", options->plot, "draw it: out.svg, .png or .pdf");
     options->unit.offered_by(verb);
     verb.takes("--json", options->json, "as JSON");
     options->overturning.offered_by(verb);
+    options->rocking.offered_by(verb);
     verb.does([options] { return spectrum(*options); });
 }
 

@@ -1,0 +1,16 @@
+/// Several numbers as one option: "1,2,5", or "0.5:10:40" for so many in equal ratios.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace overturn::cli {
+
+/// At least one number, each above 0; at most 2000 by first:last:count. \param option names it in messages
+/// \throws InputError
+[[nodiscard]] std::vector<double> number_grid(std::string_view text, char const* option);
+
+/// What stands between marks; one empty part of an empty text.
+[[nodiscard]] std::vector<std::string_view> parts_of(std::string_view text, char between);
+
+}  // namespace overturn::cli

@@ -1,0 +1,166 @@
+// Requirement R-413: `spectrum --rocking` gives the largest rotation of blocks over 2 pi / p and alpha under a record,
+// as text, JSON, csv and a figure; `spectrum --periods` gives response spectra at stated periods.
+#include <cmath>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+#include "support/command.hpp"
+
+namespace overturn::testing {
+namespace {
+
+using nlohmann::json;
+
+constexpr double gravity = 9.80665;
+
+class RockingSpectrum : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        // Ground that moves at 1 m/s at once, to 0.2 ms.
+        std::string step = "time,a\n0,0\n0.0001,10000\n0.0002,0\n0.0003,0\n0.0004,0\n";
+        folder.write("step.csv", step);
+        std::string wave = "time,a\n";
+        for (int i = 0; i <= 300; ++i) {
+            wave += fmt::format("{:.2f},{:.9f}\n", 0.01 * i, 4 * std::sin(2 * M_PI * 0.01 * i));
+        }
+        folder.write("wave.csv", wave);
+    }
+    Ended done(std::vector<std::string> const& arguments) {
+        auto ended = overturn(folder, joined({"spectrum", "--unit", "m/s2"}, arguments));
+        EXPECT_EQ(ended.code, 0) << ended.err;
+        return ended;
+    }
+    void refused(std::vector<std::string> const& arguments, std::string const& why) {
+        auto const ended = overturn(folder, joined({"spectrum"}, arguments));
+        EXPECT_EQ(ended.code, 2) << why;
+        EXPECT_TRUE(is_one_error_line(ended.err)) << ended.err;
+        EXPECT_NE(ended.err.find(why), std::string::npos) << ended.err;
+    }
+
+    Folder folder;
+};
+
+// Closed form: the step gives p^2 v cos(alpha) / g, then energy decides, cos(alpha - theta) = cos(alpha) + (p v
+// cos(alpha) / g)^2 / 2; the step takes 2e-4 s of some seconds.
+TEST_F(RockingSpectrum, UnderAStepOfVelocityIsTheClosedForm) {
+    auto const shown = json::parse(
+        done({"--wave", "step.csv", "--rocking", "--alpha", "10 deg,0.25", "--rocking-periods", "1:20:12", "--json"})
+            .out);
+
+    ASSERT_EQ(shown["curves"].size(), 2U);
+    int fallen = 0;
+    int standing = 0;
+    for (auto const& curve : shown["curves"]) {
+        double const alpha = curve["alpha_rad"];
+        EXPECT_NEAR(curve["restitution"], 1 - 1.5 * std::pow(std::sin(alpha), 2), 1e-12);
+        ASSERT_EQ(curve["points"].size(), 12U);
+        for (auto const& point : curve["points"]) {
+            double const p = point["p_radps"];
+            EXPECT_NEAR(p * point["rocking_period_s"].get<double>(), 2 * M_PI, 1e-12);
+            double const cosine = std::cos(alpha) + 0.5 * std::pow(p * std::cos(alpha) / gravity, 2);
+            if (cosine >= 1) {
+                EXPECT_EQ(point["fate"], "overturns") << p;
+                EXPECT_TRUE(point["peak_rotation_rad"].is_null());
+                ++fallen;
+            } else {
+                double const theta = alpha - std::acos(cosine);
+                EXPECT_EQ(point["fate"], "stands") << p;
+                EXPECT_NEAR(point["peak_rotation_rad"], theta, 2e-3 * theta) << p;
+                EXPECT_NEAR(point["peak_rotation_over_alpha"].get<double>() * alpha, point["peak_rotation_rad"], 1e-12);
+                ++standing;
+            }
+        }
+    }
+    EXPECT_GE(fallen, 4);
+    EXPECT_GE(standing, 8);
+}
+
+TEST_F(RockingSpectrum, HoldsTheBodysOwnRotation) {
+    folder.write("body.toml",
+                 "name='slab'\nmass='12.6 t'\nbase_width='1.2 m'\ncentre_height='2 m'\ninertia='uniform-block'\n"
+                 "restitution=0.9\n");
+    std::vector<std::string> const of{"--wave", "wave.csv", "--body", "body.toml"};
+    auto const shown = json::parse(done(joined(of, {"--rocking", "--json"})).out);
+    auto const rock = overturn(
+        folder, joined(joined({"rock"}, of), {"--unit", "m/s2", "--scale", "1", "--effects", "none", "--json"}));
+
+    double const own = shown["body_rocking_period_s"];
+    EXPECT_NEAR(own, 2 * M_PI / std::sqrt(0.75 * gravity / std::hypot(0.6, 2)), 1e-9);
+    double const peak = json::parse(rock.out)["peak_rotation_rad"];
+    EXPECT_GT(peak, 0);
+    std::size_t seen = 0;
+    for (auto const& point : shown["curves"][0]["points"]) {
+        if (point["rocking_period_s"] == own) {
+            ++seen;
+            EXPECT_NEAR(point["peak_rotation_rad"], peak, 1e-12);
+        }
+    }
+    EXPECT_EQ(seen, 1U);
+    EXPECT_EQ(shown["curves"][0]["points"].size(), 37U);
+    EXPECT_NEAR(shown["curves"][0]["restitution"], 0.9, 1e-15);
+    EXPECT_NE(done(joined(of, {"--rocking"})).out.find("slab: 2 pi / p = "), std::string::npos);
+}
+
+TEST_F(RockingSpectrum, TextIsRoundedUpAndCsvIsExact) {
+    auto const ended = done({"--wave", "step.csv", "--rocking", "--alpha", "0.25", "--restitution", "0.8",
+                             "--rocking-periods", "1,6", "-o", "r.csv"});
+    double const p = 2 * M_PI / 6;
+    double const theta = 0.25 - std::acos(std::cos(0.25) + 0.5 * std::pow(p * std::cos(0.25) / gravity, 2));
+    EXPECT_NE(ended.out.find("overturns"), std::string::npos) << ended.out;
+    std::istringstream rows(folder.read("r.csv"));
+    std::string row;
+    std::getline(rows, row);
+    EXPECT_EQ(row, "alpha_rad,restitution,rocking_period_s,p_radps,fate,peak_rotation_rad,peak_rotation_over_alpha");
+    std::getline(rows, row);
+    EXPECT_NE(row.find(",overturns,,"), std::string::npos) << row;
+    std::getline(rows, row);
+    double const ratio = std::stod(row.substr(row.rfind(',') + 1));
+    EXPECT_NEAR(ratio, theta / 0.25, 2e-3 * theta / 0.25);
+    double const told = std::stod(ended.out.substr(ended.out.rfind(' ')));
+    EXPECT_GE(told, ratio);
+    EXPECT_LE(told, 1.01 * ratio);
+}
+
+TEST_F(RockingSpectrum, FigureIsDrawnFromTheSameNumbers) {
+    folder.write("interpreter", "#!/bin/sh\ncp \"$4\" \"$5\"\n");
+    std::filesystem::permissions(folder / "interpreter", std::filesystem::perms::owner_all);
+    ::setenv("OVERTURN_PYTHON", (folder / "interpreter").c_str(), 1);
+    auto const shown = done({"--wave", "wave.csv", "--rocking", "--plot", "r.svg", "--json"});
+    ::unsetenv("OVERTURN_PYTHON");
+
+    EXPECT_EQ(json::parse(folder.read("r.svg")), json::parse(shown.out));
+}
+
+TEST_F(RockingSpectrum, ResponseSpectraAreAtStatedPeriods) {
+    auto const all = json::parse(done({"--wave", "wave.csv", "--json"}).out);
+    auto const few = json::parse(done({"--wave", "wave.csv", "--json", "--periods", "0.02,20,1"}).out);
+
+    ASSERT_EQ(few["period_s"], (std::vector<double>{0.02, 20, 1}));
+    EXPECT_EQ(few["sa_mps2"][0], all["sa_mps2"].front());
+    EXPECT_NEAR(few["sa_mps2"][1], all["sa_mps2"].back().get<double>(), 1e-12);
+    EXPECT_EQ(few["v_e_mps"].size(), 3U);
+    auto const text = done({"--wave", "wave.csv", "--periods", "0.5:2:3"}).out;
+    EXPECT_NE(text.find("\n   1.0000 "), std::string::npos) << text;
+    EXPECT_EQ(text.find("all 3 periods"), std::string::npos) << text;
+}
+
+TEST_F(RockingSpectrum, RefusesWhatHasNoMeaning) {
+    std::vector<std::string> const of{"--wave", "wave.csv", "--unit", "m/s2"};
+    auto const with = [&](std::vector<std::string> const& more) { return joined(of, more); };
+    refused({"--rocking"}, "--wave (missing)");
+    refused(with({"--rocking", "--pulse", "ricker"}), "of an overturning spectrum");
+    refused(with({"--rocking", "--overturning"}), "State one of them");
+    refused(with({"--rocking", "--periods", "1"}), "of response spectra");
+    refused(with({"--rocking-periods", "1"}), "State --rocking too");
+    refused(with({"--rocking", "--alpha", "100 deg"}), "between 0 and 90 deg");
+    refused(with({"--rocking", "--alpha", "60 deg"}), "State --restitution");
+    refused(with({"--rocking", "--alpha", "20"}), "20");
+    refused(with({"--rocking", "--restitution", "1.2"}), "0 to 1");
+    refused(with({"--periods", "0"}), "not a number above 0");
+    refused(with({"--periods", "1:inf:4"}), "not a number above 0");
+    refused(with({"--periods", "1", "--plot", "o.svg"}), "periods of its own");
+}
+
+}  // namespace
+}  // namespace overturn::testing
