@@ -8,10 +8,10 @@
 
 #include "core/units.hpp"
 #include "generators/pulse_shape.hpp"
+#include "qualify/detail/published_parts.hpp"
 #include "qualify/known_answers.hpp"
 #include "rocking/overturning_search.hpp"
 #include "rocking/planar_rocking.hpp"
-#include "stats/capacity_fit.hpp"
 
 namespace overturn::qualify {
 namespace {
@@ -228,30 +228,6 @@ Check steady_rocking(Orbit const& o) {
         fmt::format("{}; ten cycles of 4000 samples", derived));
 }
 
-Checks baker() {
-    std::vector<double> const example{0.49, 0.62, 0.63, 0.63, 0.65, 0.70, 0.71, 0.72, 0.77, 0.79, 0.80, 0.84, 0.91,
-                                      0.92, 0.93, 0.97, 1.04, 1.04, 1.05, 1.08, 1.08, 1.09, 1.12, 1.13, 1.22, 1.32,
-                                      1.33, 1.34, 1.40, 1.40, 1.47, 1.72, 1.76, 2.15, 2.31, 2.42, 2.50};
-    constexpr double tried_to = 1.3;
-    std::vector<Capacity> capacities;
-    capacities.reserve(example.size());
-    for (double const capacity : example) {
-        capacities.push_back({std::min(capacity, tried_to), capacity <= tried_to});
-    }
-    auto const line = fit_capacities(capacities);
-    double const median = line ? std::exp(line->log_median()) : std::nan("");
-    double const beta = line ? line->beta() : std::nan("");
-    constexpr double half_a_digit = 5e-5;
-    auto rows =
-        Checks{relative("L-18", "median of 37 capacities tried up to 1.3", "Baker (2015), example", "1", median, 1.0582,
-                        0, "printed to four digits"),
-               relative("L-19", "their beta", "Baker (2015), example", "1", beta, 0.3821, 0, "printed to four digits")};
-    for (auto& one : rows) {
-        one.tolerance = half_a_digit;
-    }
-    return rows;
-}
-
 }  // namespace
 
 Checks published() {
@@ -264,7 +240,9 @@ Checks published() {
           Orbit{"L-17", 8, 4, 0.8, 0.07878169, 0.07896934}}) {
         all.push_back(steady_rocking(orbit));
     }
-    add(baker());
+    add(published_fits());
+    add(published_impulses());
+    add(published_round_bases());
     // What the qualification of an installation holds to published numbers anyway.
     static constexpr std::array<std::string_view, 8> known{"M-06", "M-07", "M-08", "M-10",
                                                            "M-12", "S-06", "S-07", "S-08"};

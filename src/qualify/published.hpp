@@ -6,8 +6,9 @@
 
 namespace overturn::qualify {
 
-/// Pulses that overturn, steady rocking and slip, initiation, a fitted example (L-..), and the published numbers among
-/// the known answers of an installation. The remark says what was derived again, and what the difference is of.
+/// Pulses that overturn, steady rocking and slip, initiation, impulses, landing, fitted examples, a round base (L-..),
+/// and the published numbers among the known answers of an installation. The remark says what was derived again, and
+/// what the difference is of.
 [[nodiscard]] Checks published();
 
 }  // namespace overturn::qualify
