@@ -36,11 +36,16 @@ class MainshockAndAftershock : public WaveSource {
         return joined(shocks_->make_unjudged(seed, wave), shocks_->make_unjudged(seed, of_aftershock(wave)));
     }
     [[nodiscard]] std::string pgd_drift() const override { return shocks_->pgd_drift(); }
+    [[nodiscard]] std::string text() const override { return shocks_->text() + text_of(second_); }
+    void prepare(ShareRows const& share) const override { shocks_->prepare(share); }
 
   private:
+    static std::string text_of(Aftershock const& second) {
+        return fmt::format("; then, after {:g} s of quiet, an independent one times {:g}", second.pause_s,
+                           second.scale);
+    }
     static WaveDescription both(WaveDescription about, Aftershock const& second) {
-        about.text +=
-            fmt::format("; then, after {:g} s of quiet, an independent one times {:g}", second.pause_s, second.scale);
+        about.text += text_of(second);
         about.stated_sigma.reset();  // of single shocks
         return about;
     }

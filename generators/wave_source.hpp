@@ -12,6 +12,7 @@
 
 #include "config/table.hpp"
 #include "core/input_files.hpp"
+#include "core/shared_rows.hpp"
 #include "generators/acceptance.hpp"
 #include "generators/drawn_target.hpp"
 #include "generators/normal_waves.hpp"
@@ -68,7 +69,7 @@ struct MeasuredWave {
 
 /// What is known of a source's waves before any is made.
 struct WaveDescription {
-    std::string text;         ///< one line on what it makes
+    std::string text;         ///< one line on what it makes, but for what WaveSource::text adds
     std::string variability;  ///< what makes its waves differ, in a line that goes beside every curve drawn from them
     std::optional<std::uint64_t> available = {};  ///< how many different waves there are; nothing: as many as one likes
     /// Of a source whose n-th wave is the n-th point of a grid of periods: these [s]. Its waves are no random sample,
@@ -101,6 +102,11 @@ class WaveSource {
     virtual ~WaveSource() = default;
 
     [[nodiscard]] WaveDescription const& about() const { return about_; }
+    /// One line on what it makes, with what has to be computed first, as `prepare` does.
+    [[nodiscard]] virtual std::string text() const { return about_.text; }
+    /// Does now what must be done once before the first wave, which else does it: dear where waves are matched in the
+    /// median. \param share who does it; of many, all must call this
+    virtual void prepare(ShareRows const& share) const { (void)share; }
     /// \throws InputError if `wave` is not below available.
     [[nodiscard]] virtual GeneratedWave make(std::uint64_t seed, std::uint64_t wave) const = 0;
     /// The motion that make gives, with no more said of it than costs no time: of waves that are not iterated no match,

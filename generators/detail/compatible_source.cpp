@@ -16,6 +16,7 @@ constexpr double compared_at_s = 1;  // targets of two components
 
 SpectrumCompatible::SpectrumCompatible(CompatibleRequest request, std::vector<FurtherTarget> const& further)
     : rule_(request.input.rule),
+      rule_name_(request.acceptance.rule),
       match_(request.match),
       time_step_s_(request.input.time_step_s),
       variability_(std::move(request.variability)),
@@ -29,7 +30,7 @@ SpectrumCompatible::SpectrumCompatible(CompatibleRequest request, std::vector<Fu
         input.longest_s = std::min(input.longest_s, std::max(own.last_period_s(), 1.0));
         add(kind, input, correlation, own.psa_mps2(compared_at_s) / target.psa_mps2(compared_at_s));
     }
-    describe({.text = summary(request.acceptance.rule),
+    describe({.text = summary(Median::untold),
               .variability = variability(),
               .available = seeds_.empty() ? std::nullopt : std::optional<std::uint64_t>(seeds_.size()),
               .acceptance = request.acceptance,
@@ -46,7 +47,7 @@ SpectrumCompatible::SpectrumCompatible(CompatibleRequest request, std::vector<Fu
               .began_with = seeds_});
 }
 
-std::string SpectrumCompatible::summary(std::string const& rule) const {
+std::string SpectrumCompatible::summary(Median median) const {
     auto const& input = parts_.front().input;
     auto const& target = input.target;
     constexpr std::array how{"each wave matched", "matched in the median", "not matched"};
@@ -54,14 +55,14 @@ std::string SpectrumCompatible::summary(std::string const& rule) const {
         fmt::format("{} samples of {} s, target {} at {} % damping to {:g} s, {}", input.samples, time_step_s_,
                     target.name(), 100 * target.damping(), input.longest_s, how.at(static_cast<std::size_t>(match_)));
     text += variability_ ? fmt::format(" to a target of its own: {}", variability_->describe()) : "";
-    text += rule_.enabled() ? " by " + rule : "";
+    text += rule_.enabled() ? " by " + rule_name_ : "";
     if (constexpr double rounding = 1e-9; input.longest_s > target.last_period_s() * (1 + rounding)) {
         text += fmt::format(", beyond its end at {:g} s on at constant displacement", target.last_period_s());
     }
     text += seeds_.empty() ? "" : fmt::format(", phases of {} records", seeds_.size());
-    if (auto const& median = parts_.front().matcher.median(); median.max_misfit > 0) {
-        text += fmt::format(" (to {:.1f} % on the mean, {:.1f} % at {:.3g} s)", 100 * median.mean_misfit,
-                            100 * median.max_misfit, median.max_misfit_period_s);
+    if (auto const* const reached = median == Median::told ? parts_.front().matcher.median() : nullptr) {
+        text += fmt::format(" (to {:.1f} % on the mean, {:.1f} % at {:.3g} s)", 100 * reached->mean_misfit,
+                            100 * reached->max_misfit, reached->max_misfit_period_s);
     }
     for (auto const& part : std::span(parts_).subspan(1)) {
         text += fmt::format(", {} target {}, {:.3g} of the horizontal one at {} s", part.kind.name,
@@ -69,6 +70,12 @@ std::string SpectrumCompatible::summary(std::string const& rule) const {
         text += part.correlation ? fmt::format(", correlation {:g}", *part.correlation) : "";
     }
     return text;
+}
+
+void SpectrumCompatible::prepare(ShareRows const& share) const {
+    for (auto const& part : parts_) {
+        part.matcher.prepare(share);
+    }
 }
 
 std::string SpectrumCompatible::variability() const {

@@ -55,6 +55,8 @@ class SpectrumCompatible : public WaveSource {
     [[nodiscard]] std::unique_ptr<NormalWaves> from_normals() const override;
     /// By some draws, or by the seeds: does what is slower than the wave is meant to be rule the displacement?
     [[nodiscard]] std::string pgd_drift() const override;
+    [[nodiscard]] std::string text() const override { return summary(Median::told); }
+    void prepare(ShareRows const& share) const override;
 
   private:
     using Judging = SpectrumMatcher::Judging;
@@ -70,7 +72,8 @@ class SpectrumCompatible : public WaveSource {
 
     void add(ComponentKind const& kind, SpectrumMatcherInput const& input, std::optional<double> correlation,
              double of_horizontal);
-    [[nodiscard]] std::string summary(std::string const& rule) const;
+    enum class Median { told, untold };  // how it follows the target: known once that is calibrated
+    [[nodiscard]] std::string summary(Median median) const;
     [[nodiscard]] std::string variability() const;
     [[nodiscard]] std::optional<StatedSigma> stated_sigma() const;
     [[nodiscard]] GeneratedWave make(std::uint64_t seed, std::uint64_t wave, Judging judging) const;
@@ -83,6 +86,7 @@ class SpectrumCompatible : public WaveSource {
     void add_clauses(Part const& part, MatchReport const& match, std::vector<Clause>& clauses) const;
 
     AcceptanceRule rule_;
+    std::string rule_name_;
     Match match_;
     double time_step_s_;
     std::optional<TargetVariability> variability_;

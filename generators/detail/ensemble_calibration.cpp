@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "generators/detail/high_pass_baseline.hpp"
 #include "spectra/input_energy.hpp"
@@ -29,16 +30,19 @@ class ThinnedDraws {
     }
 
     /// Per period, the median of computed over target of `draws` waves from the `first` on.
-    [[nodiscard]] std::vector<double> medians(std::uint64_t first, std::uint64_t draws) const {
-        std::vector<std::vector<double>> ratios(periods_s_.size());
-        for (std::uint64_t wave = first; wave < first + draws; ++wave) {
-            auto const computed = pseudo_velocities(draw(wave));
+    [[nodiscard]] std::vector<double> medians(std::uint64_t first, std::int64_t draws, ShareRows const& share) const {
+        auto const rows = share(draws, periods_s_.size(), [&](std::int64_t wave, std::span<double> ratios) {
+            auto const computed = pseudo_velocities(draw(first + wave));
             for (std::size_t i = 0; i < computed.size(); ++i) {
-                ratios[i].push_back(computed[i] / target_.psv_mps(periods_s_[i]));
+                ratios[i] = computed[i] / target_.psv_mps(periods_s_[i]);
             }
-        }
+        });
         std::vector<double> medians;
-        for (auto& values : ratios) {
+        for (std::size_t i = 0; i < periods_s_.size(); ++i) {
+            std::vector<double> values;
+            for (std::size_t at = i; at < rows.size(); at += periods_s_.size()) {
+                values.push_back(rows[at]);
+            }
             auto const middle = values.begin() + (values.size() / 2);
             std::nth_element(values.begin(), middle, values.end());
             medians.push_back(*middle);
@@ -114,24 +118,32 @@ std::vector<double> smoothed(std::span<double const> values, std::size_t fine_fr
 
 }  // namespace
 
-MatchFigures calibrate(NoiseLines& lines, TargetSpectrum const& target, std::span<double const> periods_s) {
+MatchFigures calibrate(NoiseLines& lines, TargetSpectrum const& target, std::span<double const> periods_s,
+                       ShareRows const& share) {
     constexpr double long_from_s = 3;
     // Neighbours blur what a line can do: at a bend of the target, first rounds ask for more than they see.
     struct Round {
-        std::uint64_t draws, long_draws;
+        std::int64_t draws, long_draws;
         double power;
     };
     constexpr std::array rounds{Round{48, 400, 2}, Round{48, 400, 2}, Round{64, 600, 2}, Round{64, 800, 1.5},
                                 Round{128, 4000, 1}};
     auto const split = std::lower_bound(periods_s.begin(), periods_s.end(), long_from_s);
-    auto const medians_of = [&](std::uint64_t first, std::uint64_t draws, std::uint64_t long_draws) {
+    std::optional<ThinnedDraws> brief;
+    std::optional<ThinnedDraws> slow;
+    if (split != periods_s.begin()) {
+        brief.emplace(lines, target, std::vector<double>{periods_s.begin(), split}, 1);
+    }
+    if (split != periods_s.end()) {
+        slow.emplace(lines, target, std::vector<double>{split, periods_s.end()}, widest_stride(lines, long_from_s));
+    }
+    auto const medians_of = [&](std::uint64_t first, std::int64_t draws, std::int64_t long_draws) {
         std::vector<double> medians;
-        if (split != periods_s.begin()) {
-            medians = ThinnedDraws(lines, target, {periods_s.begin(), split}, 1).medians(first, draws);
+        if (brief) {
+            medians = brief->medians(first, draws, share);
         }
-        if (split != periods_s.end()) {
-            auto const rest = ThinnedDraws(lines, target, {split, periods_s.end()}, widest_stride(lines, long_from_s))
-                                  .medians(first, long_draws);
+        if (slow) {
+            auto const rest = slow->medians(first, long_draws, share);
             medians.insert(medians.end(), rest.begin(), rest.end());
         }
         return medians;

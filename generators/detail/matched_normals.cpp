@@ -3,7 +3,7 @@
 namespace overturn {
 namespace {
 
-std::size_t normals_of(MatchedNormals::Part const& part) { return 2 * (part.matcher->noise().count() - 1); }
+std::size_t normals_of(MatchedNormals::Part const& part) { return 2 * (part.matcher->uncalibrated().count() - 1); }
 
 }  // namespace
 
@@ -28,10 +28,10 @@ GroundMotion MatchedNormals::make(std::span<double const> normals) const {
 
 std::optional<NormalWaves::LinearLines> MatchedNormals::linear() const {
     auto const& horizontal = *parts_.front().matcher;
-    if (horizontal.iterates() || !horizontal.noise().is_gaussian()) {
+    if (horizontal.iterates() || !horizontal.uncalibrated().is_gaussian()) {
         return std::nullopt;
     }
-    return LinearLines{horizontal.noise().count() - 1, horizontal.noise().spacing_radps()};
+    return LinearLines{horizontal.uncalibrated().count() - 1, horizontal.uncalibrated().spacing_radps()};
 }
 
 }  // namespace overturn

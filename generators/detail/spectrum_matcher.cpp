@@ -114,10 +114,30 @@ SpectrumMatcher::SpectrumMatcher(SpectrumMatcherInput input)
     }
     unprobed_.emplace(judged_.at(unprobed_places_), damping, dt);
     if (input_.calibrated) {
-        median_ = calibrate(noise_, input_.target,
-                            log_periods_per_decade(shortest, input_.longest_s, periods_per_decade / 2));
+        calibration_ = std::make_unique<Calibration>();
     }
 }
+
+SpectrumMatcher::Calibrated const& SpectrumMatcher::calibrated(ShareRows const& share) const {
+    std::call_once(calibration_->once, [&] {
+        auto noise = noise_;
+        auto const periods_s =
+            log_periods_per_decade(judged_.period_s.front(), input_.longest_s, periods_per_decade / 2);
+        auto const median = calibrate(noise, input_.target, periods_s, share);
+        calibration_->made.emplace(std::move(noise), median);
+    });
+    return *calibration_->made;
+}
+
+void SpectrumMatcher::prepare(ShareRows const& share) const {
+    if (calibration_) {
+        (void)calibrated(share);
+    }
+}
+
+NoiseLines const& SpectrumMatcher::noise() const { return calibration_ ? calibrated(rows_alone).noise : noise_; }
+
+MatchFigures const* SpectrumMatcher::median() const { return calibration_ ? &calibrated(rows_alone).median : nullptr; }
 
 // The energy spectrum over the target.
 std::vector<double> SpectrumMatcher::energy_ratios(std::span<double const> acceleration_mps2) const {
@@ -262,20 +282,21 @@ SpectrumMatcher::Component SpectrumMatcher::make(std::uint64_t seed, std::uint64
                                                  Judging judging) const {
     RandomStream phases(seed, wave, Purpose::wave_phase, component);
     RandomStream amplitudes(seed, wave, Purpose::wave_amplitude, component);
-    auto lines = noise_.draw(phases, amplitudes);
+    auto const& noise = this->noise();
+    auto lines = noise.draw(phases, amplitudes);
     if (judging == Judging::least && !iterates()) {
-        return {.acceleration_mps2 = noise_.synthesise(lines, noise_.envelope()), .match = {}, .ratios = {}};
+        return {.acceleration_mps2 = noise.synthesise(lines, noise.envelope()), .match = {}, .ratios = {}};
     }
     auto made = matched(std::move(lines), {0, EnvelopeStep::correct_once});
     if (judging == Judging::least) {
         return made;
     }
-    std::tie(made.match.psd_lowest_ratio, made.match.psd_lowest_hz) = noise_.lowest_power(made.acceleration_mps2);
+    std::tie(made.match.psd_lowest_ratio, made.match.psd_lowest_hz) = noise.lowest_power(made.acceleration_mps2);
     return made;
 }
 
 std::vector<double> SpectrumMatcher::of_normals(std::span<double const> normals) const {
-    auto lines = noise_.from_normals(normals);
+    auto lines = noise().from_normals(normals);
     if (!iterates()) {
         return noise_.synthesise(lines, noise_.envelope());
     }

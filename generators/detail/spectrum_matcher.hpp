@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
+#include "core/shared_rows.hpp"
 #include "generators/acceptance.hpp"
 #include "generators/detail/noise_lines.hpp"
 #include "generators/detail/spectrum_probe.hpp"
@@ -58,7 +61,9 @@ class SpectrumMatcher {
     /// The acceleration alone, of lines that pairs of normals give, matched as make does.
     [[nodiscard]] std::vector<double> of_normals(std::span<double const> normals) const;
     /// What normals are for; without iteration waves are linear in them if amplitudes are gaussian.
-    [[nodiscard]] NoiseLines const& noise() const { return noise_; }
+    [[nodiscard]] NoiseLines const& noise() const;
+    /// The same lines, but for amplitudes that a calibration changes; known at once.
+    [[nodiscard]] NoiseLines const& uncalibrated() const { return noise_; }
     [[nodiscard]] bool iterates() const { return input_.iterations > 0; }
 
     /// Matches a given motion, which keeps the phases of its own lines; cut or followed by silence to `samples`.
@@ -67,8 +72,10 @@ class SpectrumMatcher {
     /// Periods the match is judged at, 100 a decade [s].
     [[nodiscard]] std::vector<double> const& periods_s() const { return judged_.period_s; }
 
-    /// How the median of the calibrating draws follows the target; all 0 if not calibrated.
-    [[nodiscard]] MatchFigures const& median() const { return median_; }
+    /// Calibrates now, where that is asked for and was not done; else what needs it first does, alone.
+    void prepare(ShareRows const& share) const;
+    /// How the median of the calibrating draws follows the target; null if not calibrated.
+    [[nodiscard]] MatchFigures const* median() const;
 
   private:
     enum class EnvelopeStep { correct_once, leave };  // again and again it would run away
@@ -84,6 +91,15 @@ class SpectrumMatcher {
         std::vector<double> ratios = {};           // computed over target at periods_s()
         double shortfall = 0;
     };
+    struct Calibrated {
+        NoiseLines noise;
+        MatchFigures median;
+    };
+    struct Calibration {
+        std::once_flag once;
+        std::optional<Calibrated> made;
+    };
+    [[nodiscard]] Calibrated const& calibrated(ShareRows const& share) const;
     [[nodiscard]] static bool corrects_envelope(int iteration, Steps const& steps) {
         return iteration == 1 && steps.envelope == EnvelopeStep::correct_once;
     }
@@ -100,12 +116,12 @@ class SpectrumMatcher {
     void scale_lines(Lines& lines, std::span<double const> ratios) const;
 
     SpectrumMatcherInput input_;
-    NoiseLines noise_;
-    JudgedPeriods judged_;               // pseudo-velocity, or V_E
+    NoiseLines noise_;                          // as the target asks for them
+    std::unique_ptr<Calibration> calibration_;  // null where none is asked for
+    JudgedPeriods judged_;                      // pseudo-velocity, or V_E
     std::vector<SpectrumProbe> probes_;  // a rough one, and a close one: every second short period, every long one
     std::vector<std::size_t> unprobed_places_;  // periods of no probe
     std::optional<PeakResponse> unprobed_;
-    MatchFigures median_;
 };
 
 }  // namespace overturn

@@ -37,7 +37,7 @@ report::WaveFigure campaign_wave_figure(CampaignInput const& input, CampaignSpec
                                         GeneratedWave const& made) {
     report::WaveFigure figure;
     figure.title = spec.title.empty() ? input.name : spec.title;
-    auto const source = spec.source->about().text;
+    auto const source = spec.source->text();
     bool const named_there = source.find(made.label) != std::string::npos;  // records list their waves
     figure.subtitle = named_there ? made.label : fmt::format("{}: {}", made.label, source);
     figure.motion = made.motion;

@@ -93,7 +93,7 @@ void print_scene(CampaignSpec const& spec, Plan const& plan, PlanOptions const& 
     fmt::print("{} x {} x {} = {} trials\n", count(plan.waves(), "wave", "waves"),
                count(spec.bodies.size(), "body", "bodies"), count(spec.levels.levels.size(), "level", "levels"),
                plan.trials());
-    print_entry("waves", spec.source->about().text);
+    print_entry("waves", spec.source->text());
     print_entry("differ by", spec.source->about().variability);
     print_records(spec, options.full);
     fmt::print("{}", bodies_text(spec, options.unit, options.full ? spec.bodies.size() : most_bodies));

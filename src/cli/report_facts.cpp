@@ -44,7 +44,7 @@ Json facts_of(CampaignSpec const& spec, Plan const& plan, Statistics const& stat
     auto const add = [&](char const* name, std::string value) { facts.push_back({name, std::move(value)}); };
     auto const& levels = spec.levels.levels;
     auto const waves = statistics.waves().waves;
-    add("waves", fmt::format("{} ({})", ran_text(waves, plan.asked()), spec.source->about().text));
+    add("waves", fmt::format("{} ({})", ran_text(waves, plan.asked()), spec.source->text()));
     add("waves differ by", spec.source->about().variability);
     if (auto const sigma = statistics.achieved_sigma()) {
         add("by how much", output::sigma_text(*sigma));

@@ -12,6 +12,7 @@
 #include "core/elapsed.hpp"
 #include "core/print_note.hpp"
 #include "output/stripe_text.hpp"
+#include "parallel/rows_of_ranks.hpp"
 #include "runner/detail/extension.hpp"
 #include "runner/detail/part_plan.hpp"
 #include "runner/detail/rare_run.hpp"
@@ -85,9 +86,10 @@ class Run {
             return RunEnd::complete;
         }
         require_shared(shards_, input_.block_key(), comm_);
+        spec_.source->prepare(parallel::rows_of_ranks(comm_));
         committed_ = take_blocks(options_.output, shards_, plan_, wish, found.at("begun").get<bool>(), comm_);
         if (comm_.is_root()) {
-            print_note("waves: {}\n", spec_.source->about().text);
+            print_note("waves: {}\n", spec_.source->text());
             print_note("they differ by {}\n", spec_.source->about().variability);
             print_note("validated range: {}\n", validated_range_text(spec_));
             for (auto const& line : warnings_of(spec_)) {

@@ -13,6 +13,7 @@
 
 #include "campaign/block_rows.hpp"
 #include "campaign/plan.hpp"
+#include "parallel/rows_of_ranks.hpp"
 #include "results/rare_replayer.hpp"
 #include "results/rare_results.hpp"
 #include "results/recount.hpp"
@@ -246,6 +247,7 @@ Verified together(std::vector<std::string> const& ranks) {
 Verified verify_rows(store::ResultsReader const& file, CampaignSpec const& spec, VerifyWish const& wish,
                      parallel::Communicator const& comm) {
     Verifier verifier(file, spec, wish);
+    spec.source->prepare(parallel::rows_of_ranks(comm));
     {
         parallel::SharedCounter given(comm);
         parallel::SharedCounter done(comm);

@@ -64,6 +64,23 @@ TEST_F(Run, RanksDoNotMatterOnPoints) {
     }
 }
 
+// R-1001, R-103: nor on who shares the calibration of waves that are matched in the median.
+TEST_F(Run, RanksShareACalibration) {
+    auto campaign = small_campaign("shared", 3);
+    std::string const each = "match='each'\nmatch_iterations=3\n";
+    campaign.replace(campaign.find(each), each.size(), "match='ensemble'\n");
+    folder.write("c.toml", campaign);
+    auto const command = [](std::string const& output) {
+        return std::vector<std::string>{"run", "c.toml", "-o", output};
+    };
+    auto const alone = bytes(mpirun(1, command("1.h5")), "1.h5");
+    for (int const ranks : {2, 3}) {
+        auto const name = std::to_string(ranks) + ".h5";
+        expect_same(alone, bytes(mpirun(ranks, command(name)), name), name.c_str());
+    }
+    EXPECT_EQ(execute(folder, mpirun(2, {"verify", "3.h5"})).code, 0);
+}
+
 // R-1303: nor on there being far more ranks than cores, or than blocks.
 TEST_F(Run, SixteenRanksDoNotMatter) {
     folder.write("c.toml", small_campaign("shared", 20));

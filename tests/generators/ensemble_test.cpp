@@ -78,9 +78,51 @@ INSTANTIATE_TEST_SUITE_P(Targets, Ensemble,
 
 // Where the median cannot meet the target, the source says so.
 TEST(Ensemble, SaysHowWellItsMedianFits) {
-    auto const text = testing::source_of(keys("rg-1.60"))->about().text;
+    auto const text = testing::source_of(keys("rg-1.60"))->text();
     EXPECT_NE(text.find("matched in the median (to "), std::string::npos) << text;
     EXPECT_NE(text.find(" % at 0.03"), std::string::npos) << text;
+}
+
+// Done by the first who needs it, once; by as many as like to share it, to the same waves.
+TEST(Ensemble, IsCalibratedOnceAndByAnybody) {
+    auto const shared = testing::source_of(keys("mlit-sz1", 0.05));
+    std::int64_t items = 0;
+    ShareRows const backwards = [&](std::int64_t count, std::size_t length, RowWork const& work) {
+        std::vector<double> rows(count * length);
+        for (std::int64_t item = count - 1; item >= 0; --item) {
+            work(item, std::span(rows).subspan(item * length, length));
+        }
+        items += count;
+        return rows;
+    };
+    EXPECT_EQ(shared->about().text.find("(to "), std::string::npos) << shared->about().text;
+    shared->prepare(backwards);
+    EXPECT_GT(items, 5000);  // not done when it was read
+    items = 0;
+    shared->prepare(backwards);
+    EXPECT_EQ(items, 0);
+
+    auto const alone = testing::source_of(keys("mlit-sz1", 0.05));
+    EXPECT_EQ(shared->make(5, 7).motion.horizontal_mps2, alone->make(5, 7).motion.horizontal_mps2);
+    EXPECT_EQ(shared->text(), alone->text());
+    alone->prepare(backwards);
+    EXPECT_EQ(items, 0);  // its first wave did it
+}
+
+TEST(Ensemble, IsCalibratedBehindAnAftershockToo) {
+    std::int64_t items = 0;
+    ShareRows const counted = [&](std::int64_t count, std::size_t length, RowWork const& work) {
+        items += count;
+        return rows_alone(count, length, work);
+    };
+    auto text = keys("mlit-sz1", 0.05);
+    text.insert(text.find("[target]"), "aftershock={pause='5 s'}\n");
+    auto const source = testing::source_of(text);
+    source->prepare(counted);
+
+    EXPECT_GT(items, 5000);
+    EXPECT_NE(source->text().find("matched in the median (to "), std::string::npos) << source->text();
+    EXPECT_NE(source->text().find("after 5 s of quiet"), std::string::npos) << source->text();
 }
 
 // Every rank builds the source for itself: nothing but the text may decide.
