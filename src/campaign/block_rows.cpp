@@ -76,7 +76,7 @@ std::int64_t blocks_together(Plan const& plan) {
 
 std::optional<std::vector<BlockRows>> run_blocks(CampaignSpec const& spec, Plan const& plan,
                                                  std::span<std::int64_t const> blocks, PhaseSeconds& seconds,
-                                                 std::function<bool()> const& goes_on) {
+                                                 std::function<bool()> const& goes_on, KnownTrials const* known) {
     auto const together = static_cast<std::size_t>(waves_together(plan));
     auto const numbers = waves_of(plan, blocks);
     BlockRows all;
@@ -92,7 +92,7 @@ std::optional<std::vector<BlockRows>> run_blocks(CampaignSpec const& spec, Plan 
             all.waves.push_back(waves.back().row);
             all.measures.insert(all.measures.end(), waves.back().measures.begin(), waves.back().measures.end());
         }
-        if (!append_trials(spec, plan, waves, all.trials, seconds, goes_on)) {
+        if (!append_trials(spec, plan, waves, all.trials, seconds, goes_on, known)) {
             return std::nullopt;
         }
     }

@@ -1,5 +1,9 @@
 #include "campaign/campaign_input.hpp"
 
+#include <algorithm>
+#include <array>
+#include <set>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -57,18 +61,70 @@ void add_changes(std::vector<std::string>& found, StatedValues const& before, St
     }
 }
 
-void add_changed_files(std::vector<std::string>& found, CampaignInput const& before, CampaignInput const& now) {
+using Names = std::set<std::string>;
+
+// \param apart files that may come and go
+void add_changed_files(std::vector<std::string>& found, CampaignInput const& before, CampaignInput const& now,
+                       Names const& apart = {}) {
     for (auto const& [file, content] : before.files) {
         auto const there = now.files.find(file);
-        if (there == now.files.end() || there->second != content) {
-            found.push_back(fmt::format("file {} {}", file, there == now.files.end() ? "is gone" : "changed"));
+        bool const gone = there == now.files.end();
+        if (gone ? !apart.contains(file) : there->second != content) {
+            found.push_back(fmt::format("file {} {}", file, gone ? "is gone" : "changed"));
         }
     }
     for (auto const& [file, content] : now.files) {
-        if (!before.files.contains(file)) {
+        if (!before.files.contains(file) && !apart.contains(file)) {
             found.push_back(fmt::format("file {} is new", file));
         }
     }
+}
+
+Names body_names(CampaignInput const& input) {
+    auto const names = config::names_in_list(input.text, input.name, input.settings, "bodies");
+    return {names.begin(), names.end()};
+}
+
+// Which of the bodies a key is of; a name may hold a dot, and begin as another does.
+std::string body_of(std::string const& key, Names const& bodies) {
+    std::string found;
+    for (auto const& name : bodies) {
+        if (name.size() >= found.size() && is_below(key, "bodies." + name)) {
+            found = name;
+        }
+    }
+    return found;
+}
+
+// "'a.toml'" -> "a.toml"
+std::string unquoted(std::string const& stated) {
+    bool const quoted = stated.size() > 1 && stated.front() == stated.back() && (stated[0] == '\'' || stated[0] == '"');
+    return quoted ? stated.substr(1, stated.size() - 2) : stated;
+}
+
+// Takes out what only one of the campaigns has a body for. \return the files that are named there
+Names erase_bodies_apart(StatedValues& values, Names const& own, Names const& others) {
+    Names files;
+    values.erase("bodies");
+    std::erase_if(values, [&](auto const& each) {
+        auto const name = body_of(each.first, own);
+        bool const apart = !name.empty() && !others.contains(name);
+        if (apart && each.first == "bodies." + name + ".file") {
+            files.insert(unquoted(each.second));
+        }
+        return apart;
+    });
+    return files;
+}
+
+// What adds rows and moves none.
+void erase_extent(StatedValues& values) {
+    constexpr std::array extents{"limits", "statistics", "levels.values", "levels.design_basis",
+                                 "levels.beyond_design"};
+    std::erase_if(values, [&](auto const& each) {
+        return each.first == "waves.count"
+               || std::ranges::any_of(extents, [&](char const* table) { return is_below(each.first, table); });
+    });
 }
 
 }  // namespace
@@ -116,7 +172,7 @@ std::string CampaignInput::block_key() const {
     return store::sha256(std::string(bytes.begin(), bytes.end()) + program + machine + libraries);
 }
 
-std::vector<std::string> CampaignInput::differences(CampaignInput const& other) const {
+std::vector<std::string> CampaignInput::differences_of_program(CampaignInput const& other) const {
     std::vector<std::string> found;
     if (program != other.program) {
         found.push_back(fmt::format("begun by overturn {}, this is {}", program, other.program));
@@ -128,22 +184,28 @@ std::vector<std::string> CampaignInput::differences(CampaignInput const& other) 
         found.push_back(
             fmt::format("begun with {}, this has {}: their last bits may differ", libraries, other.libraries));
     }
+    return found;
+}
+
+std::vector<std::string> CampaignInput::differences(CampaignInput const& other) const {
+    auto found = differences_of_program(other);
     add_changes(found, decisive(*this), decisive(other));
     add_changed_files(found, *this, other);
     return found;
 }
 
 std::vector<std::string> CampaignInput::differences_of_rows(CampaignInput const& other) const {
-    auto const of_rows = [](CampaignInput const& input) {
-        auto values = decisive(input);
-        std::erase_if(values, [](auto const& each) {
-            return each.first == "waves.count" || is_below(each.first, "limits") || is_below(each.first, "statistics");
-        });
-        return values;
-    };
+    auto before = decisive(*this);
+    auto now = decisive(other);
+    auto const bodies = body_names(*this);
+    auto const others = body_names(other);
+    auto apart = erase_bodies_apart(before, bodies, others);
+    apart.merge(erase_bodies_apart(now, others, bodies));
+    erase_extent(before);
+    erase_extent(now);
     std::vector<std::string> found;
-    add_changes(found, of_rows(*this), of_rows(other));
-    add_changed_files(found, *this, other);
+    add_changes(found, before, now);
+    add_changed_files(found, *this, other, apart);
     return found;
 }
 

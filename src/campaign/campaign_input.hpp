@@ -42,9 +42,11 @@ struct CampaignInput {
     /// One line per difference between two inputs that block_key() knows: "bodies.b.friction was 0.5, is 0.6"; empty if
     /// there is none.
     [[nodiscard]] std::vector<std::string> differences(CampaignInput const& other) const;
-    /// Of these, those that bar the rows of a finished file from a campaign of more waves: all but waves.count, limits
-    /// and statistics.
+    /// Of these, those that bar the rows of this campaign from the other: all but the number of waves, which levels and
+    /// which bodies there are, limits and statistics. A body that both have must be the same.
     [[nodiscard]] std::vector<std::string> differences_of_rows(CampaignInput const& other) const;
+    /// Of these, those between the programs, the machines and the libraries.
+    [[nodiscard]] std::vector<std::string> differences_of_program(CampaignInput const& other) const;
 };
 
 /// Reads a campaign file and whatever it refers to, and checks all of it by building the campaign once.

@@ -15,14 +15,14 @@ constexpr bool is_level(IntensityMeasure const& entry) { return !entry.level.emp
 
 constexpr auto measure_entries = [] {
     constexpr std::size_t count = std::ranges::count_if(intensity_measures, is_level);
-    std::array<config::Entry<Measure>, count> entries{};
+    std::array<config::Entry<Measure>, count> all{};
     std::size_t next = 0;
     for (auto const& entry : intensity_measures) {
         if (is_level(entry)) {
-            entries.at(next++) = {entry.level, entry.meaning, &entry};
+            all.at(next++) = {entry.level, entry.meaning, &entry};
         }
     }
-    return entries;
+    return all;
 }();
 
 constexpr std::array independence{

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "campaign/intensity_measure.hpp"
 #include "generators/drawn_target.hpp"
@@ -81,6 +83,12 @@ struct TrialRow : Response {
     std::int64_t v_wes_safe = 0, ou_v_e_safe = 0;
     double least_clearance_m = never, edge_margin_m = never;                  ///< of [site]
     std::array<double, trial_measures> measured = unknown<trial_measures>();  ///< of the scaled wave, in that order
+};
+
+/// Rows of trials, and for each the record of what models have to say of their own (Ladder::own_parts).
+struct TrialRows {
+    std::vector<TrialRow> rows;
+    std::vector<std::byte> own;
 };
 
 template <> [[nodiscard]] Fields const& fields_of<WaveRow>();

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "campaign/detail/known_rows.hpp"
 #include "campaign/detail/wave_rows.hpp"
 #include "campaign/site_judge.hpp"
 #include "campaign/site_path.hpp"
@@ -237,7 +239,7 @@ TrialRows run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int
 }
 
 bool append_trials(CampaignSpec const& spec, Plan const& plan, std::span<PreparedWave const> waves, TrialRows& trials,
-                   PhaseSeconds& seconds, std::function<bool()> const& goes_on) {
+                   PhaseSeconds& seconds, std::function<bool()> const& goes_on, KnownTrials const* known) {
     struct Place {
         std::size_t row;
         PreparedWave const* wave;
@@ -253,13 +255,19 @@ bool append_trials(CampaignSpec const& spec, Plan const& plan, std::span<Prepare
     tried.reserve(most);
     scenes.reserve(waves.size() * plan.bodies());
     rows.reserve(rows.size() + most);
+    auto const each = ladder.own_bytes();
+    trials.own.resize((first_row + most) * each);
+    ladder.put_nothing(std::span(trials.own).subspan(first_row * each));
     for (auto const& wave : waves) {
         auto const first_level = plan.first_level(wave.number);
+        auto const first_of_wave = rows.size();
+        KnownRows const told(known != nullptr ? known->of(wave.number) : std::nullopt, wave.row);
         for (std::int64_t body = 0; body < plan.bodies(); ++body) {
             scenes.push_back(scene_of(spec, wave, body));
             for (auto level = first_level; level < first_level + plan.level_count(); ++level) {
                 rows.push_back(open_row(spec, wave, body, level));
-                if (failed(rows.back())) {
+                auto const own = std::span(trials.own).subspan((rows.size() - 1) * each, each);
+                if (failed(rows.back()) || told.take(rows.size() - 1 - first_of_wave, rows.back(), own)) {
                     continue;
                 }
                 places.push_back({rows.size() - 1, &wave});
@@ -267,9 +275,6 @@ bool append_trials(CampaignSpec const& spec, Plan const& plan, std::span<Prepare
             }
         }
     }
-    auto const each = ladder.own_bytes();
-    trials.own.resize(rows.size() * each);
-    ladder.put_nothing(std::span(trials.own).subspan(first_row * each));
     constexpr std::size_t most_at_once = 4096;  // a second's work or less: some waves have tens of thousands of levels
     std::vector<Response> responses(std::min(most_at_once, tried.size()));
     std::vector<std::byte> own(responses.size() * each);

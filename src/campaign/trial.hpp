@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "campaign/campaign_spec.hpp"
+#include "campaign/known_trials.hpp"
 #include "campaign/plan.hpp"
 #include "campaign/rows.hpp"
 #include "motion/intensity.hpp"
@@ -41,12 +42,6 @@ struct PreparedWave {
 /// Does the wave count, by the rule that waves are held to? What could not be made meets none.
 [[nodiscard]] bool is_tried(Acceptance const& acceptance, WaveRow const& row);
 
-/// Rows of trials, and for each the record of what models have to say of their own (Ladder::own_parts).
-struct TrialRows {
-    std::vector<TrialRow> rows;
-    std::vector<std::byte> own;
-};
-
 /// One trial on a prepared wave. \param observer sees the history if given, with its way through the room where there
 /// is a site (SitePath)
 [[nodiscard]] TrialRows run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t body,
@@ -54,9 +49,11 @@ struct TrialRows {
 
 /// All trials of prepared waves, side by side, appended in order: each is bit-equal to run_trial's.
 /// \param goes_on asked now and then \return false if it said no: then `trials` is of no use
+/// \param known trials that are not computed again, or null
 bool append_trials(
     CampaignSpec const& spec, Plan const& plan, std::span<PreparedWave const> waves, TrialRows& trials,
-    PhaseSeconds& seconds, std::function<bool()> const& goes_on = [] { return true; });
+    PhaseSeconds& seconds, std::function<bool()> const& goes_on = [] { return true; },
+    KnownTrials const* known = nullptr);
 
 /// How many waves' trials go side by side: enough to fill the vector lanes to the end, few enough waves to hold.
 [[nodiscard]] std::int64_t waves_together(Plan const& plan);

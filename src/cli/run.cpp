@@ -94,9 +94,8 @@ void add_run(CommandLine& line) {
     verb.needs("campaign", options->campaign, "campaign file (TOML)");
     verb.takes("-o,--output", options->output, "results file; default: the campaign's name with .h5, here");
     verb.takes("--resume", options->resume, "go on with what an earlier run left behind");
-    verb.takes(
-        "--extend", options->extend,
-        "more waves, other limits or statistics: rows of the finished file at -o are kept, the rest is computed");
+    verb.takes("--extend", options->extend,
+               "more waves, levels or bodies, other limits or statistics: rows of the finished file at -o are kept");
     verb.takes("--set", options->settings, "override a key: waves.count=50, bodies.0.friction=0.4");
     verb.takes("--max-walltime", options->max_walltime,
                "stop in time to be resumed, \"50 min\", 01:00:00, 1-00:00:00; a bare number is seconds");

@@ -36,11 +36,14 @@ std::string text_of(toml::node const& node) {
 
 void collect(toml::node const& node, std::string const& path, Values& values);
 
+std::string name_in(toml::array const& list, std::size_t place) {
+    return (*list.get_as<toml::table>(place))["name"].value<std::string>().value_or(fmt::format("{}", place + 1));
+}
+
 void collect_tables(toml::array const& list, std::string const& path, Values& values) {
     std::string order;
     for (std::size_t i = 0; i < list.size(); ++i) {
-        auto const name =
-            (*list.get_as<toml::table>(i))["name"].value<std::string>().value_or(fmt::format("{}", i + 1));
+        auto const name = name_in(list, i);
         order += (i > 0 ? ", " : "") + name;
         collect(*list.get(i), below(path, name), values);
     }
@@ -59,10 +62,7 @@ void collect(toml::node const& node, std::string const& path, Values& values) {
     }
 }
 
-}  // namespace
-
-std::map<std::string, std::string> stated_values(std::string_view text, std::string const& file,
-                                                 std::span<std::string const> settings) {
+toml::table document_of(std::string_view text, std::string const& file, std::span<std::string const> settings) {
     toml::table document;
     try {
         document = toml::parse(text, file);
@@ -74,9 +74,27 @@ std::map<std::string, std::string> stated_values(std::string_view text, std::str
     for (auto const& setting : settings) {
         apply_setting(document, setting);
     }
+    return document;
+}
+
+}  // namespace
+
+std::map<std::string, std::string> stated_values(std::string_view text, std::string const& file,
+                                                 std::span<std::string const> settings) {
     Values values;
-    collect(document, "", values);
+    collect(document_of(text, file, settings), "", values);
     return values;
+}
+
+std::vector<std::string> names_in_list(std::string_view text, std::string const& file,
+                                       std::span<std::string const> settings, std::string_view list) {
+    auto const document = document_of(text, file, settings);
+    auto const* const tables = document[list].as_array();
+    std::vector<std::string> names;
+    for (std::size_t i = 0; tables != nullptr && tables->is_array_of_tables() && i < tables->size(); ++i) {
+        names.push_back(name_in(*tables, i));
+    }
+    return names;
 }
 
 }  // namespace overturn::config

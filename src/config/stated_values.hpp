@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace overturn::config {
 
@@ -13,5 +14,10 @@ namespace overturn::config {
 /// if it is no TOML
 [[nodiscard]] std::map<std::string, std::string> stated_values(std::string_view text, std::string const& file,
                                                                std::span<std::string const> settings);
+
+/// The names by which stated_values() tells the tables of a list apart, in their order; none where there is no such
+/// list. \throws InputError likewise
+[[nodiscard]] std::vector<std::string> names_in_list(std::string_view text, std::string const& file,
+                                                     std::span<std::string const> settings, std::string_view list);
 
 }  // namespace overturn::config

@@ -94,7 +94,23 @@ std::vector<std::int64_t> committed_in(store::ShardFolder const& shards, Plan co
 
 // Whether it is as it was written is asked by can_be_extended and check_complete.
 bool is_same_campaign(std::filesystem::path const& output, CampaignInput const& input) {
-    return store::ResultsReader(output, store::Trust::unverified).text("input_sha256") == input.sha256();
+    store::ResultsReader const file(output, store::Trust::unverified);
+    return file.text("input_sha256") == input.sha256()
+           && file.text("campaign_name") == std::filesystem::path(input.name).filename().string();
+}
+
+// A whole run keeps what it can use of one that was begun with another campaign. \return whether there is such a thing
+bool take_over(store::ShardFolder const& shards, CampaignInput const& begun, CampaignInput const& input, Part part) {
+    if (!part.is_whole()) {
+        refuse_other(begun, input, shards.folder().string());
+        return false;
+    }
+    if (can_take_over(shards, begun, input)) {
+        shards.set_aside(begun.block_key());
+        shards.begin_again(input.serialise());
+        return true;
+    }
+    return false;
 }
 
 }  // namespace
@@ -155,7 +171,7 @@ void check_complete(std::filesystem::path const& output, CampaignInput const& in
              fmt::join(made_from.differences(stated), "; "));
     validate(has_withheld(input) || file.text("input_sha256") == input.sha256(),
              "output {} (made {}, or with other input files). {} with -o", output.string(),
-             only_more ? "with another number of waves, title, limits or statistics" : "with other settings",
+             only_more ? "with other waves, levels, bodies, limits, statistics or title" : "with other settings",
              only_more ? "Say --extend, which keeps its rows, or name another" : "Name another");
     store::ShardFolder const shards(output, input.block_key());
     if (!shards.exists() || !(claimed || becomes_free(shards))) {
@@ -192,6 +208,7 @@ OutputState claim_output(std::filesystem::path const& output, store::ShardFolder
         return {.complete = true};
     }
     auto const begun = sound_record(shards, input, wish.resume);
+    bool taken_over = false;
     if (!begun) {
         validate(wish.resume || !shards.holds_blocks() || begun_there(shards),
                  "{} (blocks of an unfinished run lie there). Go on with --resume, or remove it",
@@ -200,10 +217,11 @@ OutputState claim_output(std::filesystem::path const& output, store::ShardFolder
     } else {
         validate(wish.resume || !wish.part.is_whole(),
                  "{} (an unfinished run lies there). Go on with --resume, or remove it", shards.folder().string());
-        refuse_other(*begun, input, shards.folder().string());
+        taken_over = take_over(shards, *begun, input, wish.part);
     }
     shards.remove_unfinished(plan.blocks_of(wish.part));
-    return {.begun = begun.has_value(), .extends = extends};
+    bool const keeps = wish.part.is_whole() && (extends || !shards.aside().empty());
+    return {.begun = begun.has_value() && !taken_over, .keeps = keeps};
 }
 
 void require_shared(store::ShardFolder const& shards, std::string const& key, parallel::Communicator const& comm) {

@@ -19,13 +19,13 @@ namespace overturn {
 struct OutputState {
     bool complete = false;  ///< the finished file of this very campaign is there
     bool begun = false;     ///< there is a record of it that an earlier run left behind
-    bool extends = false;   ///< a finished file of fewer waves is there
+    bool keeps = false;     ///< rows of an earlier campaign are there: a finished file's, or blocks that were set aside
 };
 
 /// What a run wants to do there.
 struct OutputWish {
     bool resume = false;
-    bool extend = false;  ///< a finished file of fewer waves (can_be_extended) is no obstacle; with resume
+    bool extend = false;  ///< a finished file that can be extended is no obstacle; with resume
     Part part;
 };
 

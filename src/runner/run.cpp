@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <numeric>
 
 #include <nlohmann/json.hpp>
@@ -72,12 +73,16 @@ class Run {
         OutputWish const wish{options_.resume || options_.extend, options_.extend, options_.part};
         auto const found = nlohmann::json::parse(broadcast_from_root(comm_, [&] {
             auto const state = claim_output(options_.output, shards_, input_, plan_, wish, claim_);
-            if (state.extends) {
-                auto const taken = take_finished_rows(options_.output, spec_, plan_, shards_);
-                print_note("extending {}: {} of {} blocks are taken from it\n", options_.output.string(), taken,
-                           plan_.blocks());
+            auto const kept =
+                state.keeps ? take_known_blocks(options_.output, input_, spec_, plan_, shards_) : KeptPlaces{};
+            if (state.keeps) {
+                print_note("extending {}: {} of {} blocks are taken from what is there{}\n", options_.output.string(),
+                           kept.blocks, plan_.blocks(),
+                           kept.in_part > 0 ? fmt::format(", and trials of {} more", kept.in_part) : "");
             }
-            return nlohmann::json{{"complete", state.complete}, {"begun", state.begun}}.dump();
+            return nlohmann::json{
+                {"complete", state.complete}, {"begun", state.begun}, {"kept", kept.in_part > 0 ? kept.text : ""}}
+                .dump();
         }));
         if (found.at("complete").get<bool>()) {
             if (comm_.is_root()) {
@@ -87,6 +92,7 @@ class Run {
         }
         require_shared(shards_, input_.block_key(), comm_);
         spec_.source->prepare(parallel::rows_of_ranks(comm_));
+        kept_ = kept_rows(found.at("kept").get<std::string>(), spec_, plan_);
         committed_ = take_blocks(options_.output, shards_, plan_, wish, found.at("begun").get<bool>(), comm_);
         if (comm_.is_root()) {
             print_note("waves: {}\n", spec_.source->text());
@@ -177,7 +183,7 @@ class Run {
         std::int64_t const all = blocks.size();
         auto const before = all - std::ssize(left);
         Progress progress(all, before, static_cast<double>(plan_.trials()) / static_cast<double>(plan_.blocks()));
-        auto const done = work(spec_, plan_, left, shards_, stop_policy_, comm_, progress);
+        auto const done = work({spec_, plan_, shards_, kept_.get()}, left, stop_policy_, comm_, progress);
         if (comm_.is_root() && done.committed > 0) {
             progress.show(done.committed);
             progress.finish();
@@ -257,6 +263,7 @@ class Run {
     AcceptedWaves waves_;  ///< where a rule is asked known on rank 0 alone
     store::ShardFolder shards_;
     std::optional<store::Claim> claim_;
+    std::unique_ptr<KeptRows> kept_;  ///< of earlier campaigns, where blocks hold some of them
     WorkDone done_;
     std::optional<std::vector<RareBody>> rare_;
     std::vector<std::string> earlier_legs_;  ///< of blocks that are merged; known on rank 0

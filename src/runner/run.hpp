@@ -14,7 +14,7 @@ namespace overturn {
 struct RunOptions {
     std::filesystem::path output;
     bool resume = false;
-    bool extend = false;  ///< a finished file of fewer waves goes into this one; implies resume
+    bool extend = false;  ///< rows of a finished file go into this one; implies resume
     double max_walltime_s = std::numeric_limits<double>::infinity();
     Part part;                   ///< the whole, or one part of an array job, whose blocks wait for merge_parts
     bool quiet = false;          ///< no table on stdout

@@ -20,6 +20,23 @@ constexpr std::string_view magic = "overturn-block 1\n";
 constexpr std::string_view leg_ending = ".leg";
 constexpr std::string_view record_name = "campaign.record";
 constexpr std::size_t hash_length = 64;
+constexpr std::string_view folder_ending = ".parts";
+constexpr std::size_t aside_name_length = 16;  // of the key, in hexadecimal digits
+
+bool is_aside(ShardEntry const& entry) {
+    auto const& name = entry.name;
+    return name.size() == aside_name_length + folder_ending.size() && name.ends_with(folder_ending)
+           && name.find_first_not_of("0123456789abcdef") == aside_name_length && fs::is_directory(entry.path);
+}
+
+void move(fs::path const& from, fs::path const& to) {
+    std::error_code error;
+    fs::rename(from, to, error);
+    if (error) {
+        throw SystemError(fmt::format("cannot move {} to {} ({}). Make both writable, then go on with --resume",
+                                      from.string(), to.string(), error.message()));
+    }
+}
 
 std::span<std::byte const> bytes_of(std::string const& text) { return std::as_bytes(std::span(text)); }
 
@@ -41,7 +58,7 @@ constexpr BlockRange everything{0, std::numeric_limits<std::int64_t>::max()};
 
 ShardFolder::ShardFolder(fs::path output, std::string campaign)
     : folder_(std::move(output)), campaign_(std::move(campaign)) {
-    folder_ += ".parts";
+    folder_ += folder_ending;
 }
 
 bool ShardFolder::exists() const { return fs::is_directory(folder_); }
@@ -187,6 +204,44 @@ bool ShardFolder::holds_foreign_blocks() const {
 
 bool ShardFolder::holds_blocks() const { return !block_files(everything, nullptr).empty(); }
 
+// Folders of blocks go whole; where one is there already, from a time when it was set aside before, file by file.
+void ShardFolder::set_aside(std::string const& key) const {
+    ShardFolder const other(folder_ / key.substr(0, aside_name_length), key);
+    other.begin(begun_with());
+    std::vector<ShardEntry> entries;
+    each_beside_record(folder_, [&](ShardEntry const& entry) {
+        if (entry.is_group() || (entry.block() && !entry.is_unfinished())) {
+            entries.push_back(entry);
+        }
+    });
+    for (auto const& entry : entries) {
+        auto const place = other.folder_ / entry.name;
+        if (!entry.is_group() || !fs::exists(place)) {
+            move(entry.path, place);
+            continue;
+        }
+        each_in_group(entry, [&](ShardEntry const& file) {
+            if (file.block() && !file.is_unfinished()) {
+                move(file.path, place / file.name);
+            }
+        });
+        make_durable(place);
+    }
+    make_durable(other.folder_);
+    make_durable(folder_);
+}
+
+std::vector<fs::path> ShardFolder::aside() const {
+    std::vector<fs::path> outputs;
+    each_beside_record(folder_, [&](ShardEntry const& entry) {
+        if (is_aside(entry)) {
+            outputs.push_back(folder_ / entry.name.substr(0, aside_name_length));
+        }
+    });
+    std::sort(outputs.begin(), outputs.end());
+    return outputs;
+}
+
 void ShardFolder::keep_leg(std::string const& text) const {
     int number = 1;
     while (!create_durably(folder_ / fmt::format("{:06}{}", number, leg_ending), bytes_of(text))) {
@@ -223,6 +278,9 @@ void ShardFolder::remove_unfinished(BlockRange range) const {
 
 // The record goes after the blocks, so that what a kill leaves in between can still be told.
 void ShardFolder::remove() const {
+    for (auto const& output : aside()) {
+        ShardFolder(output, "").remove();
+    }
     std::error_code ignored;
     each_file(folder_, everything, [&](ShardEntry const& entry) {
         if (entry.block()) {

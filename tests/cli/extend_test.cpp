@@ -1,11 +1,44 @@
-// Requirement R-1107: a finished campaign takes more waves, other limits and other statistics: rows that are there are
-// kept, the rest is computed, and the file is that of the larger campaign run at once.
+// Requirement R-1107: a campaign takes more waves, levels and bodies, other limits and other statistics: rows that are
+// there are kept, the rest is computed, and the file is that of the larger campaign run at once.
+#include <charconv>
+#include <functional>
+
 #include "cli/campaign_files.hpp"
 #include "store/results_file.hpp"
 #include "support/command.hpp"
 
 namespace overturn::testing {
 namespace {
+
+constexpr char const* three_levels = "'300 gal','600 gal','1200 gal'";
+constexpr char const* five_levels = "'150 gal','300 gal','600 gal','900 gal','1200 gal'";
+constexpr char const* third_body =
+    "[[bodies]]\nname='type-c'\nmass='12.6 t'\nbase_width='1.1 m'\ncentre_height='1.045 m'\n"
+    "inertia='uniform-block'\nfriction={distribution='lognormal',median=0.5,beta=0.1}\n";
+
+std::string with(std::string text, std::string const& from, std::string const& to) {
+    return text.replace(text.find(from), from.size(), to);
+}
+
+std::string with_levels(std::string const& text) { return with(text, three_levels, five_levels); }
+std::string with_body_last(std::string const& text) {
+    return with(text, "[levels]", third_body + std::string("[levels]"));
+}
+std::string with_body_first(std::string const& text) {
+    return with(text, "[[bodies]]", third_body + std::string("[[bodies]]"));
+}
+
+/// Trials that a run answered: "cost: at-rest 12 trials, 1.5 us each; rocking 6 trials, ..."
+int trials_answered(std::string const& told) {
+    int sum = 0;
+    for (auto at = told.find("cost: "); (at = told.find(" trials, ", at)) != std::string::npos; ++at) {
+        int trials = 0;
+        auto const begin = told.rfind(' ', at - 1) + 1;
+        std::from_chars(told.data() + begin, told.data() + at, trials);
+        sum += trials;
+    }
+    return sum;
+}
 
 class Extend : public ::testing::Test {
   protected:
@@ -39,6 +72,113 @@ TEST_F(Extend, WavesAreAddedToTheSameBytes) {
         }
         std::filesystem::remove(folder / "c.h5");
     }
+}
+
+// R-1107: levels and bodies, and both beside waves, wherever they stand in their lists: of what is there no trial is
+// answered again, but for a body that scatters and is drawn by another place.
+TEST_F(Extend, LevelsAndBodiesAreAddedToTheSameBytes) {
+    struct Growth {
+        char const* what;
+        std::function<std::string(std::string const&)> grown;
+        int waves, answered;
+    };
+    std::vector<Growth> const growths{
+        {"levels", with_levels, 6, 6 * 2 * 2},
+        {"a body behind the others", with_body_last, 6, 6 * 3},
+        {"a body before them", with_body_first, 6, 6 * 3 * 2},
+        {"all", [](auto const& text) { return with_levels(with_body_last(text)); }, 9, 9 * 15 - 6 * 6},
+    };
+    int ranks = 1;
+    for (char const* waves : {"shared", "independent"}) {
+        for (auto const& growth : growths) {
+            SCOPED_TRACE(std::string(waves) + " waves, " + growth.what);
+            write(small_campaign(waves, 6));
+            ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
+            write(growth.grown(small_campaign(waves, growth.waves)));
+            auto const ended = extend(ranks);
+            ASSERT_EQ(ended.code, 0) << ended.err;
+            EXPECT_EQ(trials_answered(ended.err), growth.answered) << ended.err;
+            expect_as_at_once();
+            std::filesystem::remove(folder / "c.h5");
+            ranks = ranks % 3 + 1;
+        }
+    }
+}
+
+// R-1107: what is left out of a campaign is left out of its file, and nothing is computed.
+TEST_F(Extend, LevelsAndBodiesAreTakenAway) {
+    for (char const* waves : {"shared", "independent"}) {
+        write(with_levels(with_body_last(small_campaign(waves, 6))));
+        ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
+        write(small_campaign(waves, 4));
+        auto const ended = extend(2);
+        ASSERT_EQ(ended.code, 0) << ended.err;
+        EXPECT_EQ(trials_answered(ended.err), 0) << ended.err;
+        expect_as_at_once();
+        std::filesystem::remove(folder / "c.h5");
+    }
+}
+
+// R-1107: a body that a file describes comes with its file.
+TEST_F(Extend, ABodyFromAFile) {
+    write(small_campaign("shared", 4));
+    ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
+    folder.write("c-body.toml", with(third_body, "[[bodies]]\nname='type-c'\n", ""));
+    write(with(small_campaign("shared", 4), "[levels]", "[[bodies]]\nname='type-c'\nfile='c-body.toml'\n[levels]"));
+    auto const ended = extend(1);
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(trials_answered(ended.err), 4 * 3) << ended.err;
+    expect_as_at_once();
+}
+
+// R-1107: of a run that was not finished the blocks that fit are kept, whatever campaign comes next, and back again.
+TEST_F(Extend, UnfinishedRuns) {
+    auto const begun = small_campaign("independent", 100);
+    std::vector<std::string> const others{small_campaign("independent", 140), small_campaign("independent", 60),
+                                          with_levels(with_body_last(small_campaign("independent", 100)))};
+    int ranks = 1;
+    for (auto const& other : others) {
+        write(begun);
+        ASSERT_EQ(overturn(folder, {"run", "c.toml", "--max-walltime", "0.3 s"}).code, 3);
+        auto const blocks = blocks_done(folder, "c.h5");
+        write(other);
+        ASSERT_EQ(overturn(folder, {"run", "c.toml", "--resume", "--max-walltime", "0.05 s"}).code, 3);
+        write(begun);
+        auto const back = overturn(folder, {"run", "c.toml", "--resume", "--max-walltime", "0.05 s"});
+        ASSERT_EQ(back.code, 3);
+        EXPECT_GE(blocks_done(folder, "c.h5"), blocks) << back.err;
+        write(other);
+        auto const ended = execute(folder, mpirun(ranks, {"run", "c.toml", "--resume"}));
+        ASSERT_EQ(ended.code, 0) << ended.err;
+        EXPECT_EQ(ended.err.find(": 0 of 140"), std::string::npos) << ended.err;
+        expect_as_at_once();
+        std::filesystem::remove(folder / "c.h5");
+        ranks = ranks % 3 + 1;
+    }
+}
+
+// R-1107: a campaign that ends when it is precise enough takes what was computed without an end in sight.
+TEST_F(Extend, UnfinishedRunsWithATarget) {
+    write(small_campaign("shared", 300));
+    ASSERT_EQ(overturn(folder, {"run", "c.toml", "--max-walltime", "0.5 s"}).code, 3);
+    write(small_campaign("shared", 1000) + "[statistics]\ntarget_half_width=0.2\n");
+    auto const ended = extend(3);
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    EXPECT_NE(ended.err.find("precise enough after"), std::string::npos) << ended.err;
+    expect_as_at_once();
+}
+
+// R-1103: an unfinished run names what bars it, and of that alone.
+TEST_F(Extend, UnfinishedRunsOfAnotherCampaign) {
+    write(small_campaign("shared", 100));
+    ASSERT_EQ(overturn(folder, {"run", "c.toml", "--max-walltime", "0.3 s"}).code, 3);
+    auto const blocks = blocks_done(folder, "c.h5");
+    write(with(with_levels(small_campaign("shared", 200)), "friction=0.5", "friction=0.6"));
+    auto const ended = overturn(folder, {"run", "c.toml", "--resume"});
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_TRUE(is_one_error_line(ended.err)) << ended.err;
+    EXPECT_NE(ended.err.find("(bodies.type-a.friction was 0.5, is 0.6)"), std::string::npos) << ended.err;
+    EXPECT_EQ(blocks_done(folder, "c.h5"), blocks);
 }
 
 // R-1107: bodies on points have columns of their own models.
@@ -136,7 +276,7 @@ TEST_F(Extend, AnotherCampaignIsNamedByKeyAndValue) {
     };
     refuse("friction=0.5", "friction=0.6", "bodies.type-a.friction was 0.5, is 0.6)");
     refuse("seed  = 2013", "seed  = 2014", "seed was 2013, is 2014");
-    refuse("name='type-a'", "name='type-c'", "bodies was type-a, type-b, is type-c, type-b");
+    refuse("waves='shared'", "waves='independent'", "levels.waves was 'shared', is 'independent'");
     write(small_campaign("shared", 8));
     folder.write("target.csv", target_csv + "12,0.3\n");
     auto const file = extend(1);
@@ -144,8 +284,8 @@ TEST_F(Extend, AnotherCampaignIsNamedByKeyAndValue) {
     EXPECT_NE(file.err.find("file target.csv changed"), std::string::npos) << file.err;
 }
 
-// R-1107: bodies drawn in slices of all waves change with their number: the first row tells.
-TEST_F(Extend, SlicedBodiesAreNotMixed) {
+// R-1107: bodies drawn in slices of all waves change with their number, the others do not.
+TEST_F(Extend, SlicedBodiesAreDrawnAnew) {
     auto const sliced = [](int count) {
         return small_campaign("shared", count) + "[scatter]\nsampling='latin-hypercube'\n";
     };
@@ -154,9 +294,22 @@ TEST_F(Extend, SlicedBodiesAreNotMixed) {
     ASSERT_EQ(first.code, 0) << first.err;
     write(sliced(8));
     auto const ended = extend(1);
-    EXPECT_EQ(ended.code, 2) << ended.err;
-    EXPECT_NE(ended.err.find("has other rows in this campaign"), std::string::npos) << ended.err;
-    EXPECT_EQ(overturn(folder, {"status", "c.h5"}).code, 0);
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(trials_answered(ended.err), 8 * 6 - 4 * 3) << ended.err;
+    expect_as_at_once();
+}
+
+// R-1103: a limit on what only points tell has them run in every trial, and is named.
+TEST_F(Extend, ALimitThatCallsForEffects) {
+    write(small_campaign("shared", 4));
+    ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
+    write(small_campaign("shared", 4) + "[[limits]]\nname='bounces'\nquantity='peak_rise'\nabove='1 mm'\n");
+    auto const ended = extend(1);
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_NE(ended.err.find(
+                  "limits.bounces calls for sliding, contact in every trial, which its rows were computed without"),
+              std::string::npos)
+        << ended.err;
 }
 
 }  // namespace

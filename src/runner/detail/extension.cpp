@@ -1,94 +1,96 @@
 #include "runner/detail/extension.hpp"
 
 #include <algorithm>
-#include <map>
+#include <limits>
 #include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
-#include "campaign/block_rows.hpp"
 #include "campaign/version.hpp"
 #include "core/error.hpp"
 #include "results/recount.hpp"
-#include "results/stored_rows.hpp"
-#include "store/results_file.hpp"
+#include "results/schema.hpp"
 
 namespace overturn {
 namespace {
 
-// The rows of waves that a finished file holds, by the waves' identity.
-class FinishedRows {
-  public:
-    FinishedRows(store::ResultsReader const& file, CampaignSpec const& spec, Plan const& plan)
-        : plan_(plan), rows_(file, spec) {
-        auto const ids = file.integers("waves/id");
-        for (std::size_t i = 0; i < ids.size(); ++i) {
-            places_.emplace(ids[i], static_cast<std::int64_t>(i));
+using Json = nlohmann::json;
+
+// A limit on what only some models know has these run in every trial.
+void add_effects_apart(std::vector<std::string>& bars, CampaignInput const& before, CampaignInput const& now) {
+    auto const there = parse_campaign(before);
+    auto const here = parse_campaign(now);
+    auto const more = here.effects.include & ~there.effects.include;
+    auto const less = there.effects.include & ~here.effects.include;
+    for (auto const& [limits, mask, why] : {std::tuple{&here.limits, more, "which its rows were computed without"},
+                                            std::tuple{&there.limits, less, "and is gone"}}) {
+        auto const calls = std::ranges::find_if(*limits, [&](LimitState const& limit) {
+            return !limit.quantity.of_every_model && (limit.quantity.needs & mask) != 0;
+        });
+        if (mask != 0 && calls != limits->end()) {
+            bars.push_back(
+                fmt::format("limits.{} calls for {} in every trial, {}", calls->name, names_of_effects(mask), why));
         }
     }
+}
 
-    // All of a block, or nothing if the file lacks one of its waves.
-    [[nodiscard]] std::optional<BlockRows> block(std::int64_t number) const {
-        auto const [first, count] = plan_.waves_of_block(number);
-        std::vector<std::int64_t> rows;
-        for (auto wave = first; wave < first + count; ++wave) {
-            auto const found = places_.find(static_cast<std::int64_t>(plan_.wave_id(wave)));
-            if (found == places_.end()) {
-                return std::nullopt;
-            }
-            rows.push_back(found->second);
-        }
-        BlockRows block;
-        for (std::size_t begin = 0; begin < rows.size();) {
-            auto end = begin + 1;
-            while (end < rows.size() && rows[end] == rows[end - 1] + 1) {
-                ++end;
-            }
-            append(block, rows[begin], end - begin);
-            begin = end;
-        }
-        return block;
+std::vector<std::string> bars_between(CampaignInput const& before, CampaignInput const& now) {
+    auto bars = before.differences_of_rows(now);
+    if (bars.empty()) {
+        add_effects_apart(bars, before, now);
     }
+    return bars;
+}
 
-  private:
-    // Of waves that follow each other in the file.
-    void append(BlockRows& block, std::int64_t wave, std::int64_t count) const {
-        auto const waves = rows_.waves(wave, count);
-        auto const measures = rows_.measures(wave, count);
-        auto const each = plan_.trials_per_wave();
-        auto const trials = rows_.trials(wave * each, count * each);
-        block.waves.insert(block.waves.end(), waves.begin(), waves.end());
-        block.measures.insert(block.measures.end(), measures.begin(), measures.end());
-        block.trials.rows.insert(block.trials.rows.end(), trials.rows.begin(), trials.rows.end());
-        block.trials.own.insert(block.trials.own.end(), trials.own.begin(), trials.own.end());
-    }
-
-    Plan const& plan_;
-    StoredRows rows_;
-    std::map<std::int64_t, std::int64_t> places_;
-};
+void refuse_barred(std::string const& place, std::vector<std::string> const& bars) {
+    validate(bars.empty(), "{}: its rows are of another campaign ({}). Undo the change, or start anew with another -o",
+             place, fmt::join(bars, "; "));
+}
 
 // What a key decides that nobody thought of would show here.
-void check_against(BlockRows const& stored, store::ResultsReader const& file, CampaignSpec const& spec,
-                   Plan const& plan, std::int64_t block, std::string const& output) {
+void check_against(BlockRows const& stored, std::string const& place, CampaignSpec const& spec, Plan const& plan,
+                   std::int64_t block) {
     PhaseSeconds seconds;
     auto const wave = prepare_wave(spec, plan, plan.waves_of_block(block).first, seconds);
     TrialRows trials;
     (void)append_trials(spec, plan, std::span(&wave, 1), trials, seconds);
-    auto const own = trials.own.size() / trials.rows.size();
-    auto const one = [&](TrialRows const& all, std::size_t t) {
-        auto const part = std::span(all.own).subspan(t * own, own);
-        return TrialRows{{all.rows[t]}, {part.begin(), part.end()}};
-    };
+    auto const columns = trial_table(spec).columns;
     for (std::size_t t = 0; t < trials.rows.size(); ++t) {
-        auto const columns = differing_columns(file, spec, one(stored.trials, t), one(trials, t));
-        validate(
-            columns.empty(),
-            "{}: wave {} has other rows in this campaign, in {} (its bodies are drawn by the number of waves, or the "
-            "file is another program's). Start anew with another -o",
-            output, wave.row.id, fmt::join(columns, ", "));
+        auto const differ = differing(columns, bytes_of(stored.trials.rows[t]), bytes_of(trials.rows[t]));
+        validate(differ.empty(),
+                 "{}: wave {} has other rows in this campaign, in {} (another program's, or edited). Start anew with "
+                 "another -o",
+                 place, wave.row.id, fmt::join(differ, ", "));
     }
+}
+
+// Blocks that were set aside for a campaign whose rows can be used.
+Json usable_aside(store::ShardFolder const& shards, CampaignInput const& input) {
+    auto found = Json::array();
+    for (auto const& output : shards.aside()) {
+        auto const record = store::ShardFolder(output, "").begun_with();
+        if (record.empty()) {
+            continue;
+        }
+        auto const begun = CampaignInput::deserialise(record);
+        if (!begun.differences_of_program(input).empty() || !bars_between(begun, input).empty()) {
+            continue;
+        }
+        std::vector<std::string> notes;
+        Plan const plan(parse_campaign(begun));
+        auto const blocks =
+            store::ShardFolder(output, begun.block_key()).committed({0, plan.blocks()}, notes, [&](std::int64_t block) {
+                return BlockRows::packed_size(plan, block);
+            });
+        if (!blocks.empty()) {
+            found.push_back({{"output", output.string()}, {"blocks", blocks}});
+        }
+    }
+    return found;
 }
 
 }  // namespace
@@ -103,32 +105,55 @@ bool can_be_extended(std::filesystem::path const& output, CampaignInput const& i
              "{}: made by overturn {} with {} (rows of another program are not mixed with this one's). Start anew with "
              "another -o",
              output.string(), file.text("program_version"), file.text("library_versions"));
-    auto const bars = input_of(file).differences_of_rows(input);
-    validate(bars.empty(), "{}: its rows are of another campaign ({}). Undo the change, or start anew with another -o",
-             output.string(), fmt::join(bars, "; "));
+    refuse_barred(output.string(), bars_between(input_of(file), input));
     return true;
 }
 
-std::int64_t take_finished_rows(std::filesystem::path const& output, CampaignSpec const& spec, Plan const& plan,
-                                store::ShardFolder const& shards) {
-    validate(!spec.rare, "--extend of a campaign with [rare] (its stages need all waves). Start anew with another -o");
-    store::ResultsReader const file(output, store::Trust::unverified);  // can_be_extended held it to its seal
-    FinishedRows const rows(file, spec, plan);
+bool can_take_over(store::ShardFolder const& shards, CampaignInput const& begun, CampaignInput const& input) {
+    if (begun.differences(input).empty()) {
+        return false;
+    }
+    auto bars = begun.differences_of_program(input);
+    std::ranges::move(bars_between(begun, input), std::back_inserter(bars));
+    refuse_barred(shards.folder().string(), bars);
+    validate(!parse_campaign(begun).rare && !parse_campaign(input).rare,
+             "{}: another campaign with [rare] ({}; its stages need all waves). Undo the change, or start anew with "
+             "another -o",
+             shards.folder().string(), fmt::join(begun.differences(input), "; "));
+    return true;
+}
+
+KeptPlaces take_known_blocks(std::filesystem::path const& output, CampaignInput const& input, CampaignSpec const& spec,
+                             Plan const& plan, store::ShardFolder const& shards) {
+    bool const finished = std::filesystem::exists(output);
+    validate(!spec.rare || !finished,
+             "--extend of a campaign with [rare] (its stages need all waves). Start anew with another -o");
+    KeptPlaces kept;
+    auto const aside = usable_aside(shards, input);
+    if (!finished && aside.empty()) {
+        return kept;
+    }
+    kept.text = Json{{"file", finished ? output.string() : ""}, {"aside", aside}}.dump();
+    auto const rows = kept_rows(kept.text, spec, plan);
     std::vector<std::string> notes;
     auto const there = shards.committed({0, plan.blocks()}, notes,
                                         [&](std::int64_t block) { return BlockRows::packed_size(plan, block); });
-    std::int64_t taken = 0;
     std::vector<store::PackedBlock> fresh;
+    std::set<std::string> checked;
     for (std::int64_t block = 0; block < plan.blocks(); ++block) {
-        auto const found = std::ranges::binary_search(there, block) ? std::nullopt : rows.block(block);
-        if (!found) {
+        if (std::ranges::binary_search(there, block)) {
             continue;
         }
-        if (taken == 0) {
-            check_against(*found, file, spec, plan, block, output.string());
+        if (!rows->has_all(block)) {
+            kept.in_part += rows->has_some(block) ? 1 : 0;
+            continue;
         }
-        fresh.push_back({block, found->pack()});
-        ++taken;
+        auto const all = rows->block(block);
+        if (checked.insert(rows->origin(block)).second) {
+            check_against(all, rows->origin(block), spec, plan, block);
+        }
+        fresh.push_back({block, all.pack()});
+        ++kept.blocks;
         constexpr std::size_t at_once = 64;
         if (fresh.size() == at_once) {
             shards.commit(fresh);
@@ -136,7 +161,25 @@ std::int64_t take_finished_rows(std::filesystem::path const& output, CampaignSpe
         }
     }
     shards.commit(fresh);
-    return taken;
+    return kept;
+}
+
+std::unique_ptr<KeptRows> kept_rows(std::string const& text, CampaignSpec const& spec, Plan const& plan) {
+    if (text.empty()) {
+        return nullptr;
+    }
+    auto const places = Json::parse(text);
+    std::vector<std::unique_ptr<EarlierRows>> earlier;
+    if (auto const file = places.at("file").get<std::string>(); !file.empty()) {
+        earlier.push_back(std::make_unique<FinishedRows>(file));
+    }
+    for (auto const& each : places.at("aside")) {
+        std::filesystem::path const output = each.at("output").get<std::string>();
+        auto const begun = CampaignInput::deserialise(store::ShardFolder(output, "").begun_with());
+        earlier.push_back(std::make_unique<UnfinishedRows>(store::ShardFolder(output, begun.block_key()), begun,
+                                                           each.at("blocks").get<std::vector<std::int64_t>>()));
+    }
+    return std::make_unique<KeptRows>(spec, plan, std::move(earlier));
 }
 
 }  // namespace overturn

@@ -1,23 +1,46 @@
-/// Rows of a finished file for a campaign of more waves: what was computed is not computed again.
+/// A campaign that takes the rows of a smaller one, or of another cut of the same: what was computed is not computed
+/// again.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <memory>
+#include <string>
 
 #include "campaign/campaign_input.hpp"
 #include "campaign/campaign_spec.hpp"
 #include "campaign/plan.hpp"
+#include "runner/detail/earlier_rows.hpp"
 #include "store/shards.hpp"
 
 namespace overturn {
 
-/// Is there a finished file at `output`, of this campaign or of one with other waves.count, limits or statistics alone?
+/// Is there a finished file at `output`, of this campaign or of one whose rows this one can use?
 /// \throws InputError naming the keys that bar it, or the program and libraries if these are others
 [[nodiscard]] bool can_be_extended(std::filesystem::path const& output, CampaignInput const& input);
 
-/// Commits each block of the plan whose waves the file at `output` holds all, with their rows, unless it is committed.
-/// Before the first, the rows of one wave are computed again and held against the file's.
-/// \return how many blocks \throws InputError if these rows differ
-[[nodiscard]] std::int64_t take_finished_rows(std::filesystem::path const& output, CampaignSpec const& spec,
-                                              Plan const& plan, store::ShardFolder const& shards);
+/// Can this campaign use the blocks of a run that was begun with another? \throws InputError likewise
+/// \return false where nothing but what moves no block differs
+[[nodiscard]] bool can_take_over(store::ShardFolder const& shards, CampaignInput const& begun,
+                                 CampaignInput const& input);
+
+/// What is to be kept, and where it lies; a text that goes to all ranks.
+struct KeptPlaces {
+    std::string text;
+    std::int64_t blocks = 0;   ///< taken whole
+    std::int64_t in_part = 0;  ///< of whose trials some are known
+
+    [[nodiscard]] bool any() const { return blocks + in_part > 0; }
+};
+
+/// Commits each block of the plan all of whose rows are known, by the finished file or by blocks that were set aside,
+/// unless it is committed. Before the first of each place, the rows of one wave are computed again and held against it.
+/// \throws InputError if these rows differ
+[[nodiscard]] KeptPlaces take_known_blocks(std::filesystem::path const& output, CampaignInput const& input,
+                                           CampaignSpec const& spec, Plan const& plan,
+                                           store::ShardFolder const& shards);
+
+/// The rest of it, for whoever computes the other blocks. \param text of KeptPlaces; empty: nothing is known
+[[nodiscard]] std::unique_ptr<KeptRows> kept_rows(std::string const& text, CampaignSpec const& spec, Plan const& plan);
 
 }  // namespace overturn

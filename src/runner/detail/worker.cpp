@@ -20,13 +20,10 @@ constexpr std::int64_t stop_mark = std::int64_t{1} << 40U;  // beside the blocks
 
 class Worker {
   public:
-    Worker(CampaignSpec const& spec, Plan const& plan, std::vector<std::int64_t> const& left,
-           store::ShardFolder const& shards, StopPolicy& stop_policy, parallel::Communicator const& comm,
-           Progress& progress)
-        : spec_(spec),
-          plan_(plan),
+    Worker(Work const& what, std::vector<std::int64_t> const& left, StopPolicy& stop_policy,
+           parallel::Communicator const& comm, Progress& progress)
+        : what_(what),
           left_(left),
-          shards_(shards),
           stop_policy_(stop_policy),
           comm_(comm),
           progress_(progress),
@@ -49,7 +46,8 @@ class Worker {
         while (!stopped_ && has_next()) {
             auto const begin = Clock::now();
             auto const blocks = next_blocks();
-            auto rows = run_blocks(spec_, plan_, blocks, seconds_, [&] { return goes_on(); });
+            auto rows = run_blocks(
+                what_.spec, what_.plan, blocks, seconds_, [&] { return goes_on(); }, what_.known);
             stopped_ = !rows;
             for (std::size_t i = 0; i < blocks.size() && !stopped_; ++i) {
                 computed_.push_back({blocks[i], (*rows)[i].pack()});
@@ -93,7 +91,7 @@ class Worker {
     // Groups grow from one block as far as they are worth it and done soon: nothing is kept of one that is broken off.
     void adapt_group(double took_s) {
         group_ = took_s > 2 * soon_s ? std::max<std::int64_t>(1, group_ / 2)
-                 : took_s < soon_s   ? std::min(2 * group_, blocks_together(plan_))
+                 : took_s < soon_s   ? std::min(2 * group_, blocks_together(what_.plan))
                                      : group_;
     }
 
@@ -116,7 +114,7 @@ class Worker {
     void commit() {
         auto const begin = Clock::now();
         try {
-            shards_.commit(computed_);
+            what_.shards.commit(computed_);
             fresh_ += std::ssize(computed_);
         } catch (SystemError const& error) {
             failure_ = error.what();
@@ -134,10 +132,8 @@ class Worker {
         }
     }
 
-    CampaignSpec const& spec_;
-    Plan const& plan_;
+    Work const& what_;
     std::vector<std::int64_t> const& left_;
-    store::ShardFolder const& shards_;
     StopPolicy& stop_policy_;
     parallel::Communicator const& comm_;
     Progress& progress_;
@@ -171,13 +167,12 @@ void WorkDone::add(WorkDone const& more) {
     seconds.add(more.seconds);
 }
 
-WorkDone work(CampaignSpec const& spec, Plan const& plan, std::vector<std::int64_t> const& left,
-              store::ShardFolder const& shards, StopPolicy& stop_policy, parallel::Communicator const& comm,
-              Progress& progress) {
+WorkDone work(Work const& what, std::vector<std::int64_t> const& left, StopPolicy& stop_policy,
+              parallel::Communicator const& comm, Progress& progress) {
     WorkDone done;
     std::string failure;
     {
-        Worker worker(spec, plan, left, shards, stop_policy, comm, progress);
+        Worker worker(what, left, stop_policy, comm, progress);
         done = worker.work();
         failure = worker.failure();
     }

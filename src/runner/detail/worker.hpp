@@ -44,10 +44,17 @@ struct WorkDone {
     void add(WorkDone const& more);
 };
 
+/// What is computed, where it goes, and what of it is known.
+struct Work {
+    CampaignSpec const& spec;
+    Plan const& plan;
+    store::ShardFolder const& shards;
+    KnownTrials const* known = nullptr;
+};
+
 /// Computes and commits the blocks `left` until none is left or it is time to go. Collective.
 /// \throws CollectiveError on every rank if one cannot commit; the others commit what they have in hand first
-[[nodiscard]] WorkDone work(CampaignSpec const& spec, Plan const& plan, std::vector<std::int64_t> const& left,
-                            store::ShardFolder const& shards, StopPolicy& stop_policy,
+[[nodiscard]] WorkDone work(Work const& what, std::vector<std::int64_t> const& left, StopPolicy& stop_policy,
                             parallel::Communicator const& comm, Progress& progress);
 
 }  // namespace overturn

@@ -67,6 +67,10 @@ void each_beside_record(fs::path const& folder, std::function<void(ShardEntry co
     each_in(folder, 0, look);
 }
 
+void each_in_group(ShardEntry const& group, std::function<void(ShardEntry const&)> const& look) {
+    each_in(group.path, *group.number_of_group(), look);
+}
+
 void each_file(fs::path const& folder, BlockRange const& range, std::function<void(ShardEntry const&)> const& look) {
     std::vector<ShardEntry> groups;
     each_beside_record(folder, [&](ShardEntry const& entry) {

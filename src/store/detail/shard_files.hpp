@@ -37,7 +37,10 @@ struct ShardEntry {
 
 /// All that lies beside the record; nothing where there is no folder. \throws SystemError if it cannot be listed
 void each_beside_record(std::filesystem::path const& folder, std::function<void(ShardEntry const&)> const& look);
-/// The same but for folders of blocks, and all that lies in those of them that may hold some of the range.
+/// All that lies in a folder of blocks. \throws likewise
+void each_in_group(ShardEntry const& group, std::function<void(ShardEntry const&)> const& look);
+/// What lies beside the record but for folders of blocks, and all that lies in those of them that may hold some of the
+/// range.
 void each_file(std::filesystem::path const& folder, BlockRange const& range,
                std::function<void(ShardEntry const&)> const& look);
 

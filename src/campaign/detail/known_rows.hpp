@@ -1,0 +1,26 @@
+/// Known rows held against what was made anew.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "campaign/known_trials.hpp"
+
+namespace overturn {
+
+/// What is known of the trials of one wave that has been made.
+class KnownRows {
+  public:
+    /// \param wave as made: nothing is known of it where another motion was
+    KnownRows(std::optional<KnownWave> known, WaveRow const& wave);
+
+    /// Puts the known row in the place of one that is open yet, if they are of the same scale and the same drawn body.
+    /// \param place of the trial among the wave's \return whether it did
+    [[nodiscard]] bool take(std::size_t place, TrialRow& open, std::span<std::byte> own) const;
+
+  private:
+    std::optional<KnownWave> known_;
+};
+
+}  // namespace overturn

@@ -1,0 +1,36 @@
+/// Trials whose rows are known before their wave is made: of an earlier campaign, of which this one is a larger one.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "campaign/rows.hpp"
+
+namespace overturn {
+
+/// What is known of one wave.
+struct KnownWave {
+    WaveRow row;
+    TrialRows trials;         ///< as the plan orders them; those that are not known say nothing
+    std::vector<bool> known;  ///< which are
+};
+
+/// Whoever computes trials asks here first, and holds what is said against the wave and the body that it made: rows of
+/// another motion, scale or draw are not taken.
+class KnownTrials {
+  public:
+    virtual ~KnownTrials() = default;
+    KnownTrials(KnownTrials const&) = delete;
+    KnownTrials& operator=(KnownTrials const&) = delete;
+    KnownTrials(KnownTrials&&) = delete;
+    KnownTrials& operator=(KnownTrials&&) = delete;
+
+    /// Nothing where no trial of that wave of the plan is known. \throws SystemError if it cannot be read
+    [[nodiscard]] virtual std::optional<KnownWave> of(std::int64_t wave) const = 0;
+
+  protected:
+    KnownTrials() = default;
+};
+
+}  // namespace overturn
