@@ -15,7 +15,6 @@
 #include "cli/campaign_hazard.hpp"
 #include "cli/fit_options.hpp"
 #include "cli/fit_tables.hpp"
-#include "cli/other_bits.hpp"
 #include "cli/text_choice.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
@@ -23,6 +22,7 @@
 #include "output/campaign_tables.hpp"
 #include "output/curve_tables.hpp"
 #include "output/fit_json.hpp"
+#include "output/made_by.hpp"
 #include "output/results_tables.hpp"
 #include "output/sections.hpp"
 #include "output/summary_tables.hpp"
@@ -61,7 +61,7 @@ void check(FitOptions const& options) {
 // Curves are fitted by the program that runs; those that the file holds may be another's.
 int print_refit(FitOptions const& options, store::ResultsReader const& file, CampaignSpec const& spec,
                 Statistics const& statistics) {
-    if (is_of_this_program(file) && file.text("library_versions") == library_versions()) {
+    if (output::is_of_this_program(file) && file.text("library_versions") == library_versions()) {
         return done;
     }
     constexpr double same = 1e-9;
@@ -78,7 +78,7 @@ int print_refit(FitOptions const& options, store::ResultsReader const& file, Cam
     }
     bool const differs = largest.relative > same;
     print_note("overturn: {}: refitted by overturn {} (the file holds the fit of {}, {}). {}\n", options.file,
-               program_identity(), maker_of(file),
+               program_identity(), output::maker_of(file),
                differs ? fmt::format("another one: {} differs by {:.2g}", largest.column, largest.relative)
                        : std::string("all curves equal to 1e-9"),
                differs ? "Quote either with its program" : "Either may be quoted");

@@ -17,8 +17,8 @@
 #include "output/curve_text.hpp"
 #include "output/fit_json.hpp"
 #include "output/frequency_text.hpp"
-#include "output/interval_text.hpp"
 #include "output/stripe_tables.hpp"
+#include "output/stripe_text.hpp"
 #include "output/summary_tables.hpp"
 #include "results/analysis.hpp"
 #include "results/hazard_frequency.hpp"
@@ -26,24 +26,6 @@
 
 namespace overturn::cli {
 namespace {
-
-std::string stripes_text(StripeTable const& table, double confidence, bool full) {
-    constexpr std::size_t most = 40;
-    if (!full && table.stripes.size() > most) {
-        return fmt::format("{} of {:.4g} to {:.4g}, {} in all: --full shows each\n", table.amplitude,
-                           table.stripes.front().amplitude, table.stripes.back().amplitude, table.stripes.size());
-    }
-    auto text = fmt::format("{:>10} {:>7} {:>11} {:>7}  {:>8}  {:>20}\n", table.amplitude, "trials", "overturned",
-                            "failed", "P", fmt::format("{:g} % interval", 100 * confidence));
-    for (auto const& stripe : table.stripes) {
-        auto const interval = stripe.interval(confidence);
-        text += fmt::format("{:>10.4g} {:>7} {:>11} {:>7}  {:>8}  {}\n", stripe.amplitude, stripe.trials,
-                            stripe.overturned, stripe.failed,
-                            stripe.decided() > 0 ? fmt::format("{:.4f}", stripe.probability()) : std::string("-"),
-                            output::millionths_text(interval));
-    }
-    return text;
-}
 
 // In the table's unit: as stated, or converted.
 double design_basis_of(std::string const& text, StripeTable const& table) {
@@ -107,7 +89,7 @@ int fit_stripes(FitOptions const& options) {
     if (!options.json) {
         fmt::print("{}{}\n{}", output::fragility_table({measured}, request.confidence),
                    hazard ? output::frequency_text(frequencies, *hazard, request.confidence) : std::string(),
-                   stripes_text(table, request.confidence, options.text.full));
+                   output::table_stripes_text(table.amplitude, stripes, request.confidence, options.text.full));
         print_unread(table.unread);
         return done;
     }

@@ -7,7 +7,6 @@
 #include <numeric>
 #include <vector>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/json_values.hpp"
@@ -16,6 +15,7 @@
 #include "core/input_files.hpp"
 #include "core/print_note.hpp"
 #include "model/verdict.hpp"
+#include "output/page_text.hpp"
 #include "results/stored_names.hpp"
 #include "results/telling_trials.hpp"
 
@@ -74,9 +74,7 @@ void add_histories(Json& json, Outcomes const& outcomes, CampaignSpec const& spe
     }
     auto const all = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
     json["histories"] = histories_of(spec, plan, shown).drawn;
-    json["histories_of"] = fmt::format(
-        "{} of {} tests that fell though their trial stood, of each specimen the highest peak rotation first.",
-        json["histories"].size(), all);
+    json["histories_of"] = output::false_safe_histories_text(json["histories"].size(), all);
 }
 
 Json outcomes_json(Outcomes const& outcomes, CampaignSpec const& spec, Plan const& plan) {

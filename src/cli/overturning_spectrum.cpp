@@ -31,7 +31,7 @@ RockingBlock stated_block(OverturningOptions const& options) {
     return {.alpha_rad = alpha, .p_radps = *options.p, .restitution = *options.restitution};
 }
 
-void take_body(OverturningSpectrum& spectrum, OverturningOptions const& options, std::string const& body) {
+void take_body(output::OverturningSpectrum& spectrum, OverturningOptions const& options, std::string const& body) {
     if (body.empty()) {
         spectrum.block = stated_block(options);
         spectrum.body = "stated block";
@@ -48,7 +48,7 @@ void take_body(OverturningSpectrum& spectrum, OverturningOptions const& options,
     spectrum.body = spec.name;
 }
 
-void sweep(OverturningSpectrum& spectrum, OverturningOptions const& options) {
+void sweep(output::OverturningSpectrum& spectrum, OverturningOptions const& options) {
     auto const& shape_entry = config::find_entry(pulse_shapes(), options.pulse, "--pulse");
     bool const parametric = options.pulse == parametric_pulse;
     validate(parametric == (options.gamma.has_value() && !options.phase.empty())
@@ -74,7 +74,8 @@ void sweep(OverturningSpectrum& spectrum, OverturningOptions const& options) {
     }
 }
 
-void scale_record(OverturningSpectrum& spectrum, OverturningOptions const& options, RecordOptions const& record) {
+void scale_record(output::OverturningSpectrum& spectrum, OverturningOptions const& options,
+                  RecordOptions const& record) {
     validate(options.ratios.empty() && options.frequencies.empty() && !options.gamma && options.phase.empty(),
              "--ratios, --frequencies, --gamma or --phase (they are of pulses). State --pulse in place of --wave");
     auto const placed = load_motion(record);
@@ -115,19 +116,15 @@ bool OverturningOptions::has_pulse_or_scan() const {
     return p || gamma || linearised || !(pulse + phase + ratios + frequencies).empty();
 }
 
-double OverturningSpectrum::omega_over_p(OverturningPoint const& point) const {
-    return 2 * pi * point.frequency_hz / block.p_radps;
-}
-
-OverturningSpectrum overturning_spectrum(OverturningOptions const& options, RecordOptions const& record,
-                                         std::string const& body) {
+output::OverturningSpectrum overturning_spectrum(OverturningOptions const& options, RecordOptions const& record,
+                                                 std::string const& body) {
     validate(options.pulse.empty() != record.wave.empty(), "--overturning (of one pulse or one wave). State {}",
              options.pulse.empty() ? "--pulse or --wave" : "one of them");
     constexpr double finest = 1e-5;
     validate(options.highest > 1 && options.highest <= 1e4, "--highest {} (above 1, to 10000). Mend it",
              options.highest);
     validate(options.step >= finest && options.step <= 1, "--step {} ({} to 1). Mend it", options.step, finest);
-    OverturningSpectrum spectrum;
+    output::OverturningSpectrum spectrum;
     spectrum.scan = {.highest = options.highest,
                      .step = options.step,
                      .accuracy = {.restoring = options.linearised ? Restoring::linear : Restoring::nonlinear}};

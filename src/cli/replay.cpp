@@ -7,12 +7,13 @@
 
 #include "campaign/withheld_inputs.hpp"
 #include "cli/history.hpp"
-#include "cli/other_bits.hpp"
 #include "cli/trial_history.hpp"
 #include "cli/velocity_unit.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
 #include "core/print_note.hpp"
+#include "output/made_by.hpp"
+#include "output/rare_replay_text.hpp"
 #include "report/figure.hpp"
 #include "response/registry.hpp"
 #include "results/rare_replay.hpp"
@@ -39,7 +40,8 @@ int print_difference(ReplayOptions const& options, store::ResultsReader const& f
         return done;
     }
     fmt::print("NOT bit-equal to the stored row: {} differ\n", fmt::join(different, ", "));
-    print_note("overturn: {}: {} is not what this program computes {}\n", options.file, what, why_bits_differ(file));
+    print_note("overturn: {}: {} is not what this program computes {}\n", options.file, what,
+               output::why_bits_differ(file));
     return other_failure;
 }
 
@@ -55,7 +57,7 @@ int replay(ReplayOptions const& options) {
     auto const spec = parse_campaign(input);
     if (!options.rare.empty()) {
         auto const again = replay_rare(file, spec, options.rare, options.limit, options.trial);
-        fmt::print("{}", again.text);
+        fmt::print("{}", output::rare_replay_text(again, options.trial, options.rare, options.limit));
         return print_difference(options, file, again.different, fmt::format("row {}", options.trial));
     }
     auto const plan = plan_in(file, spec);

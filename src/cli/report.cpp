@@ -29,6 +29,7 @@
 #include "output/answer.hpp"
 #include "output/campaign_tables.hpp"
 #include "output/fit_json.hpp"
+#include "output/page_text.hpp"
 #include "output/stripe_text.hpp"
 #include "output/summary_tables.hpp"
 #include "output/waves_text.hpp"
@@ -82,8 +83,7 @@ Json waves_of(CampaignInput const& input, CampaignSpec const& spec, Plan const& 
         try {
             auto const made = spec.source->make(spec.seed, plan.wave_id(wave));
             auto figure = campaign_wave_figure(input, spec, made);
-            figure.title = fmt::format("Wave {}{}", plan.number(wave),
-                                       wave == 0 ? "" : ": overturned something at the lowest level of all");
+            figure.title = output::wave_title(plan.number(wave), wave != 0);
             figures.push_back(report::wave_data(figure));
         } catch (InputError const&) {
             continue;  // a wave that cannot be made is a failed row, and counted as such
@@ -113,10 +113,8 @@ Json cost_lines(Json const& runtime, fs::path const& path) {
     for (auto const& leg : legs) {
         most_ranks = std::max(most_ranks, leg.at("ranks").get<std::int64_t>());
     }
-    lines.push_back(fmt::format("Took {:.3g} s on {} ranks{}, {:.3g} trials a second (beside the results, in {}).",
-                                runtime.at("wall_s").get<double>(), most_ranks,
-                                legs.size() > 1 ? fmt::format(" in {} legs", legs.size()) : "",
-                                runtime.at("trials_per_s").get<double>(), path.filename().string()));
+    lines.push_back(output::cost_text(runtime.at("wall_s").get<double>(), most_ranks, legs.size(),
+                                      runtime.at("trials_per_s").get<double>(), path.filename().string()));
     std::vector<std::string> ranks;
     for (auto const& rank : runtime.at("ranks")) {
         ranks.push_back(rank.dump());
@@ -178,6 +176,16 @@ Json notes_of(CampaignSpec const& spec, Statistics const& statistics) {
     return notes;
 }
 
+// Every sentence of it.
+void add_words(output::Answered const& of, Json& data) {
+    data["headlines"] = output::headlines(of);
+    data["quote_remarks"] = output::quote_remarks(of);
+    data["cut_short"] = output::cut_short_lines(of);
+    data["notes"] = output::page_notes(of);
+    auto const& levels = of.spec.levels;
+    data["levels_unit"] = {{"symbol", levels.shown_units()}, {"si", 1 / levels.shown(1)}};
+}
+
 Json answer_of(output::Answered const& of) {
     constexpr std::size_t most_rows = 60;
     auto const sheet = output::answer_sheet(of, most_rows);
@@ -237,23 +245,25 @@ int write_report(ReportOptions const& options) {
     auto const telling = telling_trials(spec, file);
     data["fit"]["telling_trials"] = output::json_of(output::telling_trial_table(spec, telling));
     add_rare(file, spec, data);
-    data["unverified"] = changed;
+    data["changed"] = changed ? output::changed_file_text() : "";
     data["facts"] = facts_of(spec, plan, statistics);
     add_stated_facts(options, confidence, data);
     auto const frequencies = options.hazard.empty()
                                  ? std::vector<BodyFrequency>{}
                                  : add_frequencies(options.hazard, spec, statistics, analysis, confidence, data);
-    data["answer"] = answer_of({.spec = spec,
-                                .statistics = statistics,
-                                .analysis = analysis,
-                                .confidence = confidence,
-                                .frequencies = frequencies});
+    output::Answered const answered{.spec = spec,
+                                    .statistics = statistics,
+                                    .analysis = analysis,
+                                    .confidence = confidence,
+                                    .frequencies = frequencies};
+    data["answer"] = answer_of(answered);
+    add_words(answered, data);
     data["waves"] = waves_of(input, spec, plan, file);
     data["spectra"] = spectra_of(input, spec);
     data["wave_notes"] = notes_of(spec, statistics);
     auto const histories = shown_trials(spec, plan, telling, file);
     data["histories"] = histories.drawn;
-    data["histories_of"] = {histories.bodies, spec.bodies.size()};
+    data["histories_of"] = output::histories_text(histories.bodies, spec.bodies.size());
     data["outcomes"] = outcomes_data(options.outcomes, spec, plan, file);
     data["cost"] = cost_of(options.file);
     auto const page = report::figure_text("campaign_page.py", data, ".html");

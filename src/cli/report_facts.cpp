@@ -10,6 +10,7 @@
 #include "campaign/validated_range.hpp"
 #include "cli/json_values.hpp"
 #include "generators/acceptance.hpp"
+#include "output/page_text.hpp"
 #include "output/waves_text.hpp"
 
 namespace overturn::cli {
@@ -31,12 +32,6 @@ std::string effects_text(CampaignSpec const& spec) {
     return "forced: " + text_of(spec.effects);
 }
 
-// What was run: all that was planned, or less of a campaign that ended once it was precise enough.
-std::string ran_text(std::int64_t ran, std::int64_t planned) {
-    return ran == planned ? fmt::format("{}", ran)
-                          : fmt::format("{} of {} planned: it ended early, precise enough", ran, planned);
-}
-
 }  // namespace
 
 Json facts_of(CampaignSpec const& spec, Plan const& plan, Statistics const& statistics) {
@@ -44,7 +39,7 @@ Json facts_of(CampaignSpec const& spec, Plan const& plan, Statistics const& stat
     auto const add = [&](char const* name, std::string value) { facts.push_back({name, std::move(value)}); };
     auto const& levels = spec.levels.levels;
     auto const waves = statistics.waves().waves;
-    add("waves", fmt::format("{} ({})", ran_text(waves, plan.asked()), spec.source->text()));
+    add("waves", fmt::format("{} ({})", output::ran_text(waves, plan.asked()), spec.source->text()));
     add("waves differ by", spec.source->about().variability);
     if (auto const sigma = statistics.achieved_sigma()) {
         add("by how much", output::sigma_text(*sigma));
@@ -58,7 +53,7 @@ Json facts_of(CampaignSpec const& spec, Plan const& plan, Statistics const& stat
                               spec.levels.shown(levels.front().value), spec.levels.text(levels.back().value),
                               spec.levels.independent_waves ? ", each with waves of its own"
                                                             : ", the same waves scaled to each"));
-    add("trials", ran_text(waves * plan.trials_per_wave(), plan.asked() * plan.trials_per_wave()));
+    add("trials", output::ran_text(waves * plan.trials_per_wave(), plan.asked() * plan.trials_per_wave()));
     add("effects", effects_text(spec));
     for (std::size_t l = 1; l < spec.limits.size(); ++l) {
         add("limit state", fmt::format("{}: {}", spec.limits[l].name, definition_of(spec.limits[l], spec.limits)));

@@ -6,8 +6,9 @@
 
 #include "campaign/accepted_waves.hpp"
 #include "campaign/plan.hpp"
-#include "cli/failed_trials.hpp"
 #include "cli/verbs.hpp"
+#include "output/failed_trials.hpp"
+#include "output/status_text.hpp"
 #include "output/waves_text.hpp"
 #include "results/missed_clauses.hpp"
 #include "results/recount.hpp"
@@ -32,16 +33,19 @@ int status_of_file(std::string const& path, Unverified const& unverified) {
     auto const done_waves = counted.waves().waves;
     Plan const drawn(spec);
     auto const planned = spec.has_target() ? drawn.asked() : done_waves;
-    fmt::print("{}: complete{}, {} trials of '{}'{}{}{}\n", path, changed ? " but edited or damaged" : "",
-               verdicts.size(), file.text("title"), waves.empty() ? "" : "; ", waves,
-               done_waves < planned ? fmt::format("; precise enough after {} of {} waves", done_waves, planned)
-                                    : std::string());
+    fmt::print("{}: {}\n", path,
+               output::complete_text({.title = file.text("title"),
+                                      .trials = std::ssize(verdicts),
+                                      .waves = done_waves,
+                                      .planned = planned,
+                                      .waves_text = waves,
+                                      .changed = changed}));
     fmt::print("{}", output::missed_clauses_text(counted.missed_clauses()));
     auto const reasons =
         file.has("trials/failure")
             ? file.named("trials/failure", field_named(fields_of<TrialRow>(), "failure").categories)
             : std::vector<std::int64_t>(verdicts.size(), static_cast<std::int64_t>(FailureReason::none));
-    FailedTrials failed(spec);
+    output::FailedTrials failed(spec);
     auto const ids = file.integers("waves/id");
     bool const judged = spec.measures.wave_quality && file.has("waves/acceptance_failures");
     auto const clauses = judged ? file.integers("waves/acceptance_failures") : std::vector<std::int64_t>(ids.size());
@@ -71,7 +75,7 @@ void print_so_far(CampaignSpec const& spec, Plan const& plan, store::ShardFolder
                   std::vector<std::int64_t> const& committed) {
     WaveCounts waves;
     MissedClauses missed;
-    FailedTrials failed(spec);
+    output::FailedTrials failed(spec);
     auto const acceptance = spec.source->about().acceptance;
     auto const each = plan.trials_per_wave();
     for (auto const block : committed) {
@@ -92,7 +96,7 @@ void print_so_far(CampaignSpec const& spec, Plan const& plan, store::ShardFolder
         }
     }
     if (auto const text = output::waves_text(waves, acceptance, spec.confidence); !text.empty()) {
-        fmt::print("{} so far\n", text);
+        fmt::print("{}\n", output::so_far_text(text));
     }
     fmt::print("{}{}", output::missed_clauses_text(missed), failed.text());
 }
@@ -115,10 +119,8 @@ int status_of_extension(std::string const& path) {
     if (committed.empty() && !under_way) {  // begun and refused, or killed before its first block
         return done;
     }
-    fmt::print(
-        "an extension to {} waves is not complete: {} blocks are done beside what this file holds{}\n", plan.count(),
-        committed.size(),
-        under_way ? "; a run is under way" : fmt::format(". Go on with: {}", resume_command(larger, path, "--extend")));
+    fmt::print("{}\n", output::extension_text(plan.count(), committed.size(),
+                                              under_way ? "" : resume_command(larger, path, "--extend")));
     return resumable;
 }
 
@@ -139,19 +141,15 @@ int status(std::string const& path, Unverified const& unverified) {
     AcceptedWaves waves(spec, plan);
     take_rows(waves, plan, shards, committed);
     auto const left = waves.wanted(plan.count());
-    auto const progress = waves.needs_rows() ? fmt::format("{}: not complete, {} blocks are done, at least {} left",
-                                                           path, committed.size(), left.size())
-                                             : fmt::format("{}: not complete, {} of {} blocks are done, {} left", path,
-                                                           committed.size(), plan.blocks(), left.size());
-    if (store::Claim::held(shards.folder())) {
-        fmt::print("{}; a run is under way\n", progress);
-    } else if (left.empty() && spec.rare) {
-        fmt::print("{}; its rare events are not. Go on with: {}\n", progress, resume_command(input, path));
-    } else if (left.empty()) {
-        fmt::print("{}; not merged yet. Go on with: overturn merge {}\n", progress, path);
-    } else {
-        fmt::print("{} (waves {}). Go on with: {}\n", progress, plan.waves_text(left), resume_command(input, path));
-    }
+    bool const to_merge = left.empty() && !spec.rare;
+    fmt::print("{}: {}\n", path,
+               output::progress_text({.done = committed.size(),
+                                      .left = left.size(),
+                                      .all = waves.needs_rows() ? std::optional<std::int64_t>() : plan.blocks(),
+                                      .waves_left = left.empty() ? "" : plan.waves_text(left),
+                                      .rare = spec.rare.has_value(),
+                                      .under_way = store::Claim::held(shards.folder()),
+                                      .next = to_merge ? "overturn merge " + path : resume_command(input, path)}));
     return resumable;
 }
 

@@ -13,10 +13,10 @@
 #include "campaign/version.hpp"
 #include "campaign/withheld_inputs.hpp"
 #include "cli/collective.hpp"
-#include "cli/other_bits.hpp"
 #include "cli/verbs.hpp"
 #include "core/print_note.hpp"
 #include "output/json.hpp"
+#include "output/made_by.hpp"
 #include "output/record_page.hpp"
 #include "report/cost_page.hpp"
 #include "results/recount.hpp"
@@ -69,7 +69,7 @@ output::Json json_of(VerifyOptions const& options, store::ResultsReader const& f
     return {{"passed", found.all_equal()},
             {"file", options.file},
             {"sha256", store::sealed_digest(options.file)},
-            {"made_by", maker_of(file)},
+            {"made_by", output::maker_of(file)},
             {"program", program_identity()},
             {"machine", machine()},
             {"ranks", ranks},
@@ -147,7 +147,7 @@ int print_outcome(VerifyOptions const& options, store::ResultsReader const& file
     if (found.all_equal()) {
         return done;
     }
-    print_note("overturn: {}: not what this program computes {}\n", options.file, why_bits_differ(file));
+    print_note("overturn: {}: not what this program computes {}\n", options.file, output::why_bits_differ(file));
     return other_failure;
 }
 

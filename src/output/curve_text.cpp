@@ -10,6 +10,7 @@
 #include "output/detail/fit_names.hpp"
 #include "output/detail/fit_words.hpp"
 #include "output/detail/grid_map_text.hpp"
+#include "output/detail/quote_text.hpp"
 #include "output/interval_text.hpp"
 #include "output/waves_text.hpp"
 #include "results/analysis.hpp"
@@ -73,85 +74,6 @@ std::string split_line(MeasuredFragility const& m) {
         m.fit.beta_u > m.fit.beta_u_drawn ? fmt::format(", {:.3f} with what is stated", m.fit.beta_u) : "", shifts);
 }
 
-// Never a number that no sample of that size could hold.
-std::string curve_text(double least, double p) {
-    return p < least ? fmt::format("value below {:.2g}", least) : fmt::format("{:.2g}", p);
-}
-
-std::string where_text(MeasuredFragility const& m, SeenBound const& seen) {
-    return seen.from == seen.to ? m.told.text(seen.from)
-                                : fmt::format("{:.4g} to {}", m.told.of(seen.from), m.told.text(seen.to));
-}
-
-// The exact bound that is left where the curve speaks of less than the trials hold.
-std::string bound_text(MeasuredFragility const& m, QuotedProbability const& q) {
-    if (!q.bound && has(m.fit.flags, FragilityFlag::non_monotone)) {
-        return "no bound (P decreases with the level significantly, so that other levels bound nothing)";
-    }
-    auto const why = fmt::format("The fitted value is below 1/(10 n) = {:.2g} and is not reported", q.least);
-    if (!q.bound) {
-        return fmt::format("no bound (no trial there or above). {}", why);
-    }
-    return fmt::format("< {:.3g} ({} at {}{}). {}", rounded_up(q.bound->probability.upper), counts_text(*q.bound),
-                       where_text(m, *q.bound), q.bound->units > q.trials ? ", if P does not decrease" : "", why);
-}
-
-// Behind bounds by what was seen, there or elsewhere.
-std::string exact_text(QuotedProbability const& q, double alike) {
-    if (q.bounds.lower == 0 && q.bounds.upper == 1) {
-        return {};
-    }
-    auto const how = alike > 1 ? fmt::format(" counting {:g} trials as one", alike) : std::string(" exact");
-    return how + (q.pooled || q.source == QuotedProbability::Source::neighbours ? " if P does not decrease" : "");
-}
-
-std::string neighbours_text(MeasuredFragility const& m, Neighbours const& n) {
-    std::vector<std::string> seen;
-    for (auto const* side : {&n.below, &n.above}) {
-        if (side->units > 0) {
-            seen.push_back(
-                fmt::format("{} {}at {}", counts_text(*side), seen.empty() ? "seen " : "", where_text(m, *side)));
-        }
-    }
-    return fmt::format(", {}", fmt::join(seen, " and "));
-}
-
-// What was seen right there, and next above where nothing was either.
-std::string stripe_text(MeasuredFragility const& m, QuotedProbability const& q) {
-    auto const more = q.pooled ? fmt::format(", {:g} of {:g} up to {}", q.pooled->overturned, q.pooled->units,
-                                             m.told.text(q.pooled->to))
-                               : std::string();
-    return fmt::format(", {:g} of {:g} seen there{}", q.overturned, q.trials, more);
-}
-
-std::string quote_line(MeasuredFragility const& m, QuotedProbability const& q) {
-    using Source = QuotedProbability::Source;
-    auto const at = m.quote_base == "v_ereq" ? std::string("V_WES = V_Ereq")
-                                             : fmt::format("{:.3g} x design basis, {} {}", q.quote.multiple, m.name,
-                                                           m.told.text(q.quote.intensity));
-    if (q.curve && !q.probability && q.source != Source::neighbours) {
-        return fmt::format("  P at {}: {}\n", at, bound_text(m, q));
-    }
-    auto const p = q.probability ? fmt::format("{:.3g}", *q.probability)
-                   : q.curve     ? std::string("between")
-                                 : std::string("not identifiable");
-    bool const differs =
-        q.curve && (!q.probability || fmt::format("{:.2g}", *q.probability) != curve_text(q.least, *q.curve));
-    auto const rejected =
-        differs ? fmt::format(" (the fitted {} is not reported)", curve_text(q.least, *q.curve)) : std::string();
-    auto const seen = q.trials > 0                     ? stripe_text(m, q)
-                      : q.source == Source::neighbours ? neighbours_text(m, *q.neighbours)
-                                                       : std::string();
-    auto const bounds = q.source == Source::none ? std::string("no bound")
-                                                 : fmt::format("{}{}", interval_text(q.bounds),
-                                                               q.source != Source::curve ? exact_text(q, m.fit.alike)
-                                                               : has(m.fit.flags, FragilityFlag::poor_fit)
-                                                                   ? " by a curve that does not describe the data"
-                                                                   : std::string());
-    return fmt::format("  P at {}: {} {}{}{}{}{}\n", at, p, bounds, seen, rejected,
-                       q.outside_data ? ", outside the data" : "", q.in_tail ? ", in the tail" : "");
-}
-
 // Curves of all limit states.
 std::string body_text(BodyAnalysis const& body, double confidence) {
     auto const& levels = body.over_levels().fit;
@@ -185,9 +107,7 @@ std::string fragility_table(std::vector<MeasuredFragility> const& fits, double c
         }
     }
     if (std::any_of(fits.begin() + 1, fits.end(), [](auto const& m) { return m.fit.identifiable(); })) {
-        text += fmt::format(
-            "  note: curves over measures other than {} depend on the scaling levels and the number of waves at each\n",
-            fits.front().label);
+        text += fmt::format("  note: {}\n", other_measures_text(fits.front().label));
     }
     text += split_line(fits.front());
     for (auto const& m : fits) {

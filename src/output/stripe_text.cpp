@@ -53,22 +53,6 @@ std::string left_out(CampaignSpec const& spec, BodySpec const& body, BodyStatist
     return text;
 }
 
-// The record ended while these still rocked: what a longer one would have made of them nobody knows.
-std::string cut_short(BodyStatistics const& s) {
-    auto const sum = [](std::vector<std::int64_t> const& levels) {
-        return std::accumulate(levels.begin(), levels.end(), std::int64_t{0});
-    };
-    auto const fell = sum(s.fell_after_record);
-    auto const peaked = sum(s.peaked_after_record);
-    return fell + peaked == 0
-               ? ""
-               : fmt::format(
-                   "note: {} trials still rocked when the record ended ({} fell and {} rose to their peak "
-                   "only after it; followed without shaking). State a longer duration, or quiet_after of a "
-                   "pulse, if the motion goes on\n",
-                   fell + peaked, fell, peaked);
-}
-
 void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& body, BodyStatistics const& s,
                  std::optional<IntensityUnit> const& velocities) {
     double const limit = body.body.limit_velocity_mps();
@@ -112,7 +96,9 @@ void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& bo
     }
     text += '\n';
     text += left_out(spec, body, s);
-    text += cut_short(s);
+    if (auto const note = cut_short_text(s); !note.empty()) {
+        text += fmt::format("note: {}\n", note);
+    }
 }
 
 }  // namespace
@@ -128,6 +114,40 @@ std::string stripes_text(CampaignSpec const& spec, Statistics const& statistics,
         }
     }
     return text;
+}
+
+std::string table_stripes_text(std::string const& amplitude, std::span<Stripe const> stripes, double confidence,
+                               bool full) {
+    constexpr std::size_t most = 40;
+    if (!full && stripes.size() > most) {
+        return fmt::format("{} of {:.4g} to {:.4g}, {} in all: --full shows each\n", amplitude,
+                           stripes.front().amplitude, stripes.back().amplitude, stripes.size());
+    }
+    auto text = fmt::format("{:>10} {:>7} {:>11} {:>7}  {:>8}  {:>20}\n", amplitude, "trials", "overturned", "failed",
+                            "P", fmt::format("{:g} % interval", 100 * confidence));
+    for (auto const& stripe : stripes) {
+        text += fmt::format("{:>10.4g} {:>7} {:>11} {:>7}  {:>8}  {}\n", stripe.amplitude, stripe.trials,
+                            stripe.overturned, stripe.failed,
+                            stripe.decided() > 0 ? fmt::format("{:.4f}", stripe.probability()) : std::string("-"),
+                            millionths_text(stripe.interval(confidence)));
+    }
+    return text;
+}
+
+// What a longer record would have made of them nobody knows.
+std::string cut_short_text(BodyStatistics const& counted) {
+    auto const sum = [](std::vector<std::int64_t> const& levels) {
+        return std::accumulate(levels.begin(), levels.end(), std::int64_t{0});
+    };
+    auto const fell = sum(counted.fell_after_record);
+    auto const peaked = sum(counted.peaked_after_record);
+    return fell + peaked == 0
+               ? ""
+               : fmt::format(
+                   "{} trials still rocked when the record ended ({} fell and {} rose to their peak only after it; "
+                   "followed without shaking). State a longer duration, or quiet_after of a pulse, if the motion goes "
+                   "on",
+                   fell + peaked, fell, peaked);
 }
 
 std::string rung_costs(PhaseSeconds const& seconds) {

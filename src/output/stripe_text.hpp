@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "campaign/campaign_spec.hpp"
@@ -14,6 +15,13 @@ namespace overturn::output {
 /// Trials of every body and limit state by level. \param velocities in which V_Ereq is told; none: m/s
 [[nodiscard]] std::string stripes_text(CampaignSpec const& spec, Statistics const& statistics,
                                        std::optional<IntensityUnit> const& velocities = {});
+
+/// Stripes of a table that is nobody's campaign. \param amplitude what heads its column \param full all of them
+[[nodiscard]] std::string table_stripes_text(std::string const& amplitude, std::span<Stripe const> stripes,
+                                             double confidence, bool full);
+
+/// "12 trials still rocked when the record ended (3 fell and ...)"; empty where none did.
+[[nodiscard]] std::string cut_short_text(BodyStatistics const& counted);
 
 /// "at-rest 512 trials, 0.1 us each; ..." of what was measured.
 [[nodiscard]] std::string rung_costs(PhaseSeconds const& seconds);

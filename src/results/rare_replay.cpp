@@ -2,9 +2,6 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include "core/error.hpp"
 #include "results/rare_replayer.hpp"
 
@@ -25,19 +22,11 @@ RareReplay replay_rare(store::ResultsReader const& file, CampaignSpec const& spe
     auto const again = replayer.again(stored, row);
     RareReplay replay;
     replay.different = replayer.differing(stored, again);
-    std::vector<std::string> ends;
-    auto const factors = replayer.factors(stored);
-    for (std::size_t f = 0; f < factors.size(); ++f) {
-        bool const fell = (static_cast<std::uint64_t>(again.failed) >> f & 1U) != 0;
-        ends.push_back(fmt::format("{} at {:.6g}",
-                                   !fell                     ? "stood"
-                                   : state->is_overturning() ? "overturned"
-                                                             : "passed",
-                                   factors[f]));
+    replay.stored = stored;
+    replay.factors = replayer.factors(stored);
+    for (std::size_t f = 0; f < replay.factors.size(); ++f) {
+        replay.passed.push_back((static_cast<std::uint64_t>(again.failed) >> f & 1U) != 0);
     }
-    replay.text = fmt::format("row {} of {}: {}, replicate {}, stage {}, index {}, weight {:.6g}\n{}\n", row, body,
-                              name_of(static_cast<rare::Method>(stored.method)), stored.replicate, stored.stage,
-                              stored.index, stored.weight, fmt::join(ends, ", "));
     return replay;
 }
 

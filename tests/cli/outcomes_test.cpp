@@ -83,7 +83,7 @@ TEST_F(Outcomes, WhatFellThoughSaidToStandIsCountedNamedAndDrawn) {
     int const wave = write_outcomes(3);
     auto const text = page();
     EXPECT_NE(text.find("<section id=\"outcomes\""), std::string::npos);
-    // told by, false safe, false alarm
+    // predicted by, false safe, false alarm
     EXPECT_NE(text.find("<td class=short>time history</td><td class=short>3</td><td class=short>0</td>"),
               std::string::npos)
         << text.substr(text.find("<section id=\"outcomes\""), 4000);
@@ -102,8 +102,8 @@ TEST_F(Outcomes, APerfectPredictionHasNoFalseSafe) {
     EXPECT_NE(text.find("<td class=short>time history</td><td class=short>0</td><td class=short>0</td>"),
               std::string::npos);
     EXPECT_NE(text.find("agrees with 1.00 of them"), std::string::npos);
-    EXPECT_EQ(text.find("Fell, though said to stand"), std::string::npos);
-    EXPECT_NE(text.find("No test fell that the time history or a criterion called safe"), std::string::npos);
+    EXPECT_EQ(text.find("Fell, though predicted to stand"), std::string::npos);
+    EXPECT_NE(text.find("No test fell that the time history or a criterion predicted to stand"), std::string::npos);
 }
 
 TEST_F(Outcomes, APageWithoutThemHasNoSuchSection) {
@@ -121,7 +121,7 @@ TEST_F(Outcomes, APageWithoutThemHasNoSuchSection) {
     }
     ASSERT_GT(fell + peaked, 0);
     EXPECT_NE(text.find(fmt::format(
-                  "block-1: {} trials still rocked when the record ended; {} fell and {} rose to their peak",
+                  "block-1: {} trials still rocked when the record ended ({} fell and {} rose to their peak",
                   fell + peaked, fell, peaked)),
               std::string::npos);
 }

@@ -180,7 +180,7 @@ TEST_F(Page, SharesItsHistoriesAmongBodies) {
     }
     run(campaign, {"--set", "waves.count=8"});
     auto const data = data_of({"report", "c.h5", "-o"}, "c.html");
-    EXPECT_EQ(data.at("histories_of"), json({15, 15}));
+    EXPECT_EQ(data.at("histories_of"), "");
     EXPECT_EQ(data.at("histories").size(), 15U);
 }
 

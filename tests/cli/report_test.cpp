@@ -64,6 +64,24 @@ TEST_F(Report, IsOnePageThatNeedsNoNetwork) {
     }
 }
 
+// Its sentences are the program's, in one place with those of the terminal.
+TEST_F(Report, HoldsNoSentenceOfItsOwn) {
+    auto const sentences_in = [](std::string const& place) {
+        auto const ended = execute(*folder, {OVERTURN_PYTHON, "-B", OVERTURN_SENTENCES_SCRIPT, place});
+        EXPECT_EQ(ended.code, 0) << ended.err;
+        return ended.out;
+    };
+    EXPECT_EQ(sentences_in(OVERTURN_PACKAGE "/overturn/report"), "");
+    folder->write("wrong_sections.py",
+                  "\"Documentation of more than six words may stand in it.\"\n"
+                  "head = 'one body'\n"
+                  "note = f'the page alone says what {head} did under all waves'\n");
+    for (auto const* name : {"campaign_page.py", "grid_map.py", "page_parts.py"}) {
+        folder->write(name, "");
+    }
+    EXPECT_EQ(sentences_in("."), "wrong_sections.py:3: the page alone says what   did under all waves\n");
+}
+
 TEST_F(Report, IsTheSameForTheSameFileButForItsCost) {
     skip_without_packages();
     if (IsSkipped()) {

@@ -18,8 +18,8 @@ def input_row(stated):
     return [key, f"{value} ({ends})" if ends else value, basis, "; ".join(text for text in (source, place) if text)]
 
 
-def model_row(one):
-    limited = "; bears on trials that call for no more" if one["bears"] == "where-not-called-for" else ""
+def model_row(one, notes):
+    limited = f"; {notes['no_more_effects']}" if one["bears"] == "where-not-called-for" else ""
     effect = one["effect"] if one["effect"] == "not measured" else f"{one['effect']} ({one['evidence']})"
     source = f" ({one['evidence']})" if one["effect"] == "not measured" and one["evidence"] != "none" else ""
     return [one["name"], one["assumed"] + source + limited, one["direction"], effect, one["key"]]
@@ -27,19 +27,16 @@ def model_row(one):
 
 def add(report):
     stated = report.fit["assumptions"]
-    counts, inputs = stated["counts"], stated["inputs"]
+    inputs, notes = stated["inputs"], report.notes
     report.csv("inputs", ["key", "value", "basis", "source", "range", "place"], map(of_input, inputs))
     model = [one for one in stated["model"] if one["bears"] != "none"]
     model.sort(key=lambda one: ("unsafe", "unknown", "safe").index(one["direction"]))
     keys = ["name", "assumed", "direction", "key", "effect", "evidence", "bears"]
     report.csv("assumptions", keys, ([one[key] for key in keys] for one in model))
-    words = (f"{counts['assumed']} of {counts['inputs']} inputs are assumed, {counts['published']} published, "
-             f"{counts['measured']} measured, {counts['not_stated']} not stated, {counts['default']} defaults of this program.")
     drawn = table(["input", "value (range)", "basis", "source, and where it is said"], map(input_row, inputs[:MOST]),
-                  f"{len(inputs) - MOST} more: overturn fit --json lists all." if len(inputs) > MOST else "")
-    report.section("assumptions", "Assumptions", paragraphs([words]),
+                  notes["more_inputs"].format(more=len(inputs) - MOST) if len(inputs) > MOST else "")
+    report.section("assumptions", "Assumptions", paragraphs([notes["assumptions"]]),
                    fold("inputs, by their own word", drawn) if len(inputs) > MOST_OPEN else drawn,
                    "<h3>What the model assumes</h3>",
                    table(["assumption", "what is", "misjudged", "effect without it", "without it"],
-                         map(model_row, model), "Misjudged, unsafe: where it does not hold, more overturns than is computed. "
-                                                "Effects were found by studies of this project, under their own waves."))
+                         (model_row(one, notes) for one in model), notes["model_assumptions"]))

@@ -1,6 +1,8 @@
 """The report of a campaign: one page that needs no network, and the same figures and tables as files.
 
-Data: file, figures, fit, facts, waves, wave_notes, cost. Without a folder of their own the figures pass through
+Every sentence on it is in its data (src/output/page_text.hpp); here are headings and labels.
+
+Data: file, figures, fit, facts, headlines, notes, waves, wave_notes, cost. Without a folder of their own the figures pass through
 the page's."""
 
 import csv
@@ -27,14 +29,15 @@ def path_of(hexadecimal):
 
 class Report:
     def __init__(self, data, scratch):
-        self.data, self.fit, self.confidence = data, data["fit"], data["confidence"]
+        self.data, self.fit, self.notes = data, data["fit"], data["notes"]
         self.stripes = {limit["name"]: [s for s in self.fit["stripes"] if s["limit"] == limit["name"]]
                         for limit in self.fit["limit_states"]}
-        self.results = CampaignResults(path_of(data["file"]), self.fit["bodies"], self.stripes[OVERTURNING])
+        self.results = CampaignResults(path_of(data["file"]), self.fit["bodies"], self.stripes[OVERTURNING], data["levels_unit"])
         self.said = {limit["name"]: limit["said"] for limit in self.fit["limit_states"]}  # as lines call them
         self.ends = [end for end in self.results.ends if end in self.fit["stripes"][0]]  # of those that the program knows
-        parts = {part: rows_by(self.fit[part], "body", "limit", "measure")
-                 for part in ("probabilities", "band", "isotonic", "drawn", "warnings")}
+        tables = {part: self.fit[part] for part in ("probabilities", "band", "isotonic", "drawn", "warnings")}
+        parts = {part: rows_by(rows, "body", "limit", "measure")
+                 for part, rows in {**tables, "quote_remarks": data["quote_remarks"]}.items()}
         self.curves = [{**fit, **{part: of.get((fit["body"], fit["limit"], fit["measure"]), []) for part, of in parts.items()}}
                        for fit in self.fit["fragility"]]  # each with what is of it
         for curve in self.curves:
@@ -118,8 +121,7 @@ class Report:
                              "bodies to one scale")
                  for part, shown in in_pages(self.results.bodies, body_figure.MOST_ON_A_PAGE)]
         self.section("bodies", "The bodies", *drawn,
-            table(head, rows, "Outline: the parts it is assembled from, or, dashed, a block about the centre of gravity, for "
-                              "scale. Only base, centre and inertia enter the equations."), paragraphs(self.data["placements"]))
+            table(head, rows, self.notes["bodies"]), paragraphs(self.data["placements"]))
 
     def waves(self):
         parts = []
@@ -130,7 +132,7 @@ class Report:
         if spectra:
             parts.append(self.figure("spectra", lambda path: spectra_figure.draw(spectra, path), "spectra of many waves"))
         quality = self.figure("wave-quality", lambda path: trial_figures.wave_quality(self.results, path),
-                              "how well the waves meet their target")
+                              "waves held against their target")
         notes = list(self.data["wave_notes"])
         self.section("waves", "The waves", *parts, quality, paragraphs(notes))
 
@@ -151,8 +153,7 @@ class Report:
             answers = [r for r in self.fit["response"] if r["body"] == body.name]
             if answers:
                 parts.append(table(["V_WES / V_Ereq", "without slip", "trials", "with slip", "trials", "overturned"],
-                                   [self.answer(r) for r in answers],
-                                   "V_resp / V_Ereq of the trials that moved and stood: median (5 % to 95 %)."))
+                                   [self.answer(r) for r in answers], self.notes["response"]))
             said = next((v for v in self.fit.get("verdict", []) if v["body"] == body.name), None)
             if said:
                 for kind, title in (("supports", "Speaks for the criterion"), ("against", "Speaks against it"),
@@ -163,7 +164,7 @@ class Report:
         compared = "" if self.fit["grid"] else self.figure(
             "measures", lambda path: fragility_figures.measures(self.results, self.fits, path), "intensity measures compared")
         self.section("criterion", "The energy criterion on trial", table(
-            head, rows, "False safe: measure below V_Ereq, yet overturned. False alarm: above it, yet stood."),
+            head, rows, self.notes["criterion"]),
             *parts, *(("<h3>Which measure predicts best</h3>", compared, limit_sections.of_the_levels(self)) if compared else ()))
 
     @staticmethod
@@ -200,8 +201,7 @@ class Report:
         health = [[c["body"], self.said[c["limit"]], value_of(self.rare_level(c)["amplitude"]), c["check"], value_of(c["value"], 3), value_of(c["limit_value"], 3),
                    "passed" if c["passed"] else "failed"] for c in self.fit["rare_health"]]
         self.rows("rare", rare)
-        self.section("rare", "Rare events", *parts, table(head, rows, "What is not trusted or not resolved has a bound "
-                     "that plain trials alone give, and no number."),
+        self.section("rare", "Rare events", *parts, table(head, rows, self.notes["rare"]),
                      fold("health of the estimators", table(["body", "limit", "factor", "check", "found", "limit", ""], health))
                      if health else "")
 
@@ -228,16 +228,7 @@ class Report:
                  value_of(t["peak_rotation_ratio"]), value_of(t["peak_slip_m"], 3), self.amplitude(t["overturned_at"])]
                 for t in trials]
         head = ["body", "kind", "trial", "wave", "level", "verdict", "peak rotation / α", "slip [m]", "overturned at"]
-        return "<h3>Trials to inspect</h3>" + table(
-            head, rows, "Nearest miss and largest slip are of trials that stood. A verdict changes back where a wave "
-                        "that overturned the body stood at a higher level.")
-
-    def cut_short(self, body):
-        """What a longer record would have made of trials that still rocked at its end nobody knows."""
-        mine = [stripe for stripe in self.stripes[OVERTURNING] if stripe["body"] == body.name]
-        fell, peaked = (sum(stripe.get(key, 0) for stripe in mine) for key in ("fell_after_record", "peaked_after_record"))
-        return (f"{body.name}: {fell + peaked} trials still rocked when the record ended; {fell} fell and {peaked} rose to their peak "
-                "only after it, followed without shaking.") if fell + peaked else ""
+        return "<h3>Trials to inspect</h3>" + table(head, rows, self.notes["telling_trials"])
 
     def trials(self):
         parts = []
@@ -250,18 +241,15 @@ class Report:
                 parts.append(self.figure(f"{name}-{body.name}",
                                          lambda path, draw=draw, body=body: draw(self.results, body, path),
                                          f"{name} of {body.name}"))
-        parts.append(paragraphs(filter(None, map(self.cut_short, self.results.bodies))))
+        parts.append(paragraphs(self.data["cut_short"]))
         parts.append(self.telling())
-        shown, bodies = self.data["histories_of"]
-        if len(self.results.bodies) > shown:
-            parts.append(paragraphs([f"Histories are of {shown} of {bodies} bodies; overturn replay --plot draws any trial's."],
-                                    " class=quiet"))
+        parts.append(paragraphs(filter(None, [self.data["histories_of"]]), " class=quiet"))
         for shown in self.data["histories"]:
             parts.append(self.figure(f"history-{shown['body']}-{shown['trial']}",
                                      lambda path, shown=shown: history_figure.draw(shown, path), f"history of {shown['title']}"))
         parts.append(self.figure("axes", lambda path: trial_figures.axes_compared(self.results, path),
-                                 "V_resp over V_WES under one, two and three components"))
-        self.section("trials", "What the trials did, and what was simulated", *parts, paragraphs(self.data["cost"]))
+                                 "V_resp over V_WES by components"))
+        self.section("trials", "Trials", *parts, paragraphs(self.data["cost"]))
 
     def provenance(self):
         keys = ("campaign_name", "seed", "program_version", "git_revision", "library_versions", "input_sha256",
@@ -275,10 +263,9 @@ class Report:
                      lambda: assumption_sections.add(self), self.provenance):
             part()
         title = escape(self.results.title)
-        answers = limit_sections.answer_table(self.data["answer"]) + paragraphs(limit_sections.answers(self))
-        if self.data["unverified"]:
-            answers = paragraphs(["The results file is NOT as it was written: edited, damaged or never sealed. It was read as it is."],
-                                 " class=warning") + answers
+        answers = limit_sections.answer_table(self.data["answer"]) + paragraphs(self.data["headlines"])
+        if self.data["changed"]:
+            answers = paragraphs([self.data["changed"]], " class=warning") + answers
         contents = " · ".join(self.contents)
         return (f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">\n'
                 f'<meta name="viewport" content="width=device-width, initial-scale=1">\n<title>{title}</title>\n'

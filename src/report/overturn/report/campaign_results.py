@@ -41,12 +41,12 @@ def values_of(table):
 
 
 class CampaignResults:
-    def __init__(self, path, bodies, stripes):
-        """bodies, stripes: rows of those tables, of overturning. The program has held the file against its seal."""
+    def __init__(self, path, bodies, stripes, unit):
+        """bodies, stripes: rows of those tables, of overturning. unit: in which levels were written. The program has held the file against its seal."""
         file = package.Results(path, unverified=True)
         trials = file.trials
         self.about, self.waves = file.about, values_of(file.waves)
-        self.measure, self.amplitude_units = stripes[0]["measure"], stripes[0]["units"]
+        self.measure, self._unit = stripes[0]["measure"], unit
         self.bodies = [Body(file, body, [row for row in stripes if row["body"] == body["name"]], trials) for body in bodies]
         self.ends = [name.replace("-", "_") for name in trials["verdict"].categories]  # the columns of stripes that count them
         self.measured_energy = "v_wes" in trials  # whether V_WES and ouV_E were wanted
@@ -56,9 +56,9 @@ class CampaignResults:
         return self.about.get("title") or self.about["campaign_name"]
 
     def in_units(self, amplitude):
-        """Amplitudes as people in the field read them, and the unit's name."""
-        unit = {"m/s2": "gal", "m/s": "kine", "m": "cm"}.get(self.amplitude_units, "")
-        return np.asarray(amplitude) * (100 if unit else 1), unit
+        """Amplitudes in the unit that the levels were written in, and its name; empty: a pure number."""
+        symbol = self._unit["symbol"]
+        return np.asarray(amplitude) / self._unit["si"], "" if symbol == "1" else symbol
 
     def design_basis(self, body):
         """The design-basis amplitude, or None."""

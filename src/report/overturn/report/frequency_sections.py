@@ -1,17 +1,8 @@
 """How often in a year each limit state is passed, by the hazard curve that the report was given."""
 
-from .page_parts import high_of, interval, low_of, paragraphs, table, value_of
+from .page_parts import interval, paragraphs, table, value_of
 
 DIGITS = 3
-
-
-def answer(report, body, limit):
-    """The headline's part on it, upper end first; empty without a hazard curve."""
-    row = next((f for f in report.fit.get("frequency", []) if (f["body"], f["limit"]) == (body.name, limit)), None)
-    if row is None:
-        return ""
-    low, high = low_of(row["frequency_lower_per_year"], DIGITS), high_of(row["frequency_upper_per_year"], DIGITS)
-    return f"at most {high} times a year ({100 * report.confidence:g} %: {low} to {high})"
 
 
 def row_of(report, f):
@@ -30,9 +21,7 @@ def add(report):
     if not rows:
         return
     report.rows("frequency", rows)
-    head = ["body", "limit state", f"{100 * report.confidence:g} % interval", "by the curve", "extrapolated",
+    head = ["body", "limit state", f"{100 * report.data['confidence']:g} % interval", "by the curve", "extrapolated",
             "confidence 5, 50, 95 %", "stripes alone"]
-    note = ("Times a year. The interval is the answer: it bounds what lies outside of levels and hazard curve. Beside it "
-            "stand the mean by the curve and how much of that mean is extrapolated.")
-    report.section("frequency", "Annual frequency", table(head, [row_of(report, f) for f in rows], note),
+    report.section("frequency", "Annual frequency", table(head, [row_of(report, f) for f in rows], report.notes["frequency"]),
                    paragraphs(report.data["frequency_notes"], " class=warning"))

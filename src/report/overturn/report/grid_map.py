@@ -141,26 +141,6 @@ def reached(report, value, line):
     return ("at most " if value <= tried[0] else "") + report.amplitude(value)
 
 
-def answer(report, body):
-    """One sentence on a body: from which level on it overturns, and where."""
-    lines = [line for line in report.grid if line["body"] == body.name]
-    why = report.fits[(body.name, report.results.measure)]["warnings"][0]
-    parts = [passed(report, body, lines, "overturns", lambda line: line["overturning"])]
-    parts += [passed(report, body, lines, f"exceeds {limit}", lambda line, limit=limit: line[f"limit_{limit}"])
-              for limit in limits_of(lines)]
-    return "; ".join([*parts, why])
-
-
-def passed(report, body, lines, what, level):
-    """From which level on a limit state is passed, and at how many frequencies."""
-    those = [line for line in lines if level(line) is not None]
-    if not those:
-        return f"{what} at no frequency up to {report.amplitude(float(body.stripes['amplitude'][-1]))}"
-    first = min(those, key=level)
-    return (f"{what} from {report.amplitude(level(first))} on at {plain(first['frequency_hz'], 3)} Hz, at "
-            f"{len(those)} of {len(lines)} frequencies in all")
-
-
 def section(report):
     lines = report.grid
     limits = limits_of(lines)
@@ -171,14 +151,13 @@ def section(report):
             *(f"{limit} from" for limit in limits), "undecided"]
     report.rows("grid", report.fit["grid"])
     report.rows("stripes", report.stripes["overturning"])
-    why = report.fits[(report.results.bodies[0].name, report.results.measure)]["warnings"][0]
     report.section(
-        "grid", "What overturns at which frequency and level",
-        paragraphs([why[0].upper() + why[1:] + ", no probability and no quantile."]),
+        "grid", "Outcomes by frequency and level",
+        paragraphs([report.notes["grid"]]),
         *(report.figure("grid" + part, lambda path, shown=shown: draw(report.results, shown, lines, path),
                         "outcomes over frequency and level")
           for part, shown in in_pages(report.results.bodies, MOST_ON_A_PAGE)),
         *(report.figure("steady" + part, lambda path, shown=shown: steady(report.results, shown, lines, path),
                         "rotation over frequency beside Eq. 1")
           for part, shown in in_pages(report.results.bodies, MOST_ON_A_PAGE)),
-        table(head, rows, "Stood up to: the highest level at which it stood; it may lie above the least that overturned it."))
+        table(head, rows, report.notes["grid_standing"]))

@@ -1,8 +1,7 @@
 """What a report says of the limit states: overturning and those of the user's own, and how far bodies slide and rock."""
 
-from . import fragility_figures, frequency_sections, grid_map
+from . import fragility_figures, grid_map
 from .page_parts import ends, escape, fold, high_of, in_pages, interval, low_of, paragraphs, table, value_of
-from .style import plain
 
 OVERTURNING = "overturning"  # the limit state that every campaign has
 MOST_PAIRS = 6  # of bodies, columns of a table
@@ -28,44 +27,9 @@ def answer_table(sheet):
             + paragraphs(filter(None, [sheet["left_out"], sheet["depends"]])))
 
 
-def answer(report, body, limit):
-    """The design basis, the median, what may be relied on: one sentence."""
-    parts = []
-    fits, did = report.fits_of(limit), passed(limit)
-    basis = report.results.design_basis(body)
-    if basis is not None:
-        stripe = next(s for s in report.stripes[limit] if s["body"] == body.name and s["amplitude"] == basis)
-        parts.append(f"at the design basis ({report.amplitude(basis)}) {stripe[did]} of {stripe['trials']} trials "
-                     f"{did}{'' if limit == OVERTURNING else ' it'}, P between {low_of(stripe['lower'], 2)} and "
-                     f"{high_of(stripe['upper'], 2)}")
-    fit = fits.get((body.name, report.results.measure))
-    if fit and fit["identifiable"]:
-        parts.append(f"half {'overturn' if limit == OVERTURNING else 'exceed it'} at {report.amplitude(fit['median'], 3)} "
-                     f"({report.amplitudes(ends(fit, 'median'), 3)}), beta {plain(fit['beta'], 2)}, "
-                     + (f"5 % point {report.capacity(fit['five_percent_point'], 3)}"
-                        if fit["five_percent_point"] is not None else "no 5 % point")
-                     + (f", HCLPF {report.capacity(fit['hclpf'], 3)}" if fit["hclpf"] is not None else "")
-                     + (f" (flagged: {', '.join(fit['flags'])})" if fit["flags"] else ""))
-    elif fit:
-        parts.append("no curve: " + "; ".join(fit["warnings"][:1] or [fit["state"]]))
-    parts.append(frequency_sections.answer(report, body, limit))
-    return "; ".join(filter(None, parts))
-
-
 def response(row, key):
     """A percentile of a response; a trial that overturned lies above every value."""
     return "overturned" if row[key] is None and row["overturned"] else value_of(row[key], 3)
-
-
-def answers(report):
-    lines = []
-    if report.fit["grid"]:
-        return [f"{body.name}: {grid_map.answer(report, body)}." for body in report.results.bodies]
-    for body in report.results.bodies:
-        lines.append(f"{body.name}: {answer(report, body, OVERTURNING)}.")
-        for limit in report.fit["limit_states"][1:]:
-            lines.append(f"{body.name}, {limit['said']} ({limit['definition']}): {answer(report, body, limit['name'])}.")
-    return lines
 
 
 # The sections.
@@ -88,31 +52,6 @@ def probability(quoted):
     return value_of(quoted["probability"], 2)
 
 
-def between(report, quoted, limit):
-    """What was seen on both sides, or on the one where anything was tried, where that bounds P."""
-    if quoted["bounds_from"] != "neighbours":
-        return ""
-    def seen(side):
-        count, of, low, high = (quoted[f"{side}_{key}"] for key in (passed(limit), "trials", "from", "to"))
-        return f"{count:g} of {of:g} at {report.amplitude(low)}" + (f" to {report.amplitude(high)}" if high > low else "")
-    return " and ".join(seen(side) for side in ("below", "above") if quoted[f"{side}_from"] is not None) + " seen"
-
-
-def above(report, quoted, limit):
-    """What further stripes next above saw that bound P better than the one right there."""
-    if bounded(quoted) or quoted["pooled_from"] is None:
-        return ""
-    return (f"{quoted[f'pooled_{passed(limit)}']:g} of {quoted['pooled_trials']:g} up to {report.amplitude(quoted['pooled_to'])}")
-
-
-def remarks(report, quoted, limit):
-    words = [between(report, quoted, limit), above(report, quoted, limit),
-             f"{quoted[f'bound_{passed(limit)}']:g} of {quoted['bound_trials']:g} seen; the fitted value is "
-             f"below {value_of(quoted['least'], 2)} = 1/(10 n) and is not reported" if bounded(quoted) else "",
-             "outside the data" if quoted["outside_data"] else "", "tail: may err to either side" if quoted["in_tail"] else ""]
-    return ", ".join(word for word in words if word)
-
-
 def together(report, limit):
     """Any of the bodies under one wave, and the correlation of their ends; nothing where there is one body."""
     of = [t for t in report.fit["together"] if t["limit"] == limit]
@@ -128,15 +67,13 @@ def together(report, limit):
              *(value_of(levels[level]["phi"], 2) for _, levels in shown)] for level, any_ in enumerate(of)]
     head = ["level", "waves", f"any {passed(limit)}", "undecided", "P(any)", "lower", "upper", "if independent",
             *(f"φ {' / '.join(pair)}" for pair, _ in shown)]
-    pooled = "; ".join(f"{' / '.join(pair)} {value_of(levels[0]['phi_pooled'], 2)}" for pair, levels in shown)
-    return [fold("any of the bodies under one wave, and how they fall together (φ)",
-                 table(head, rows) + paragraphs([f"φ pooled over levels: {pooled}"]))]
+    rows.append(["all levels"] + [""] * 7 + [value_of(levels[0]["phi_pooled"], 2) for _, levels in shown])
+    return [fold("any body; φ: correlation of two", table(head, rows))]
 
 
 def of_the_levels(report):
     """What curves over other measures than the levels' are of."""
-    return paragraphs([f"Over measures other than {report.results.measure}, curves and ranks are those of this campaign's scaled waves given the "
-                       "measure: they depend on which levels were run, and on how many waves each."])
+    return paragraphs([report.notes["other_measures"]])
 
 
 def curves(report, limit):
@@ -151,8 +88,8 @@ def curves(report, limit):
               ", ".join(f"{d['quantity']} {d['log_median_per_deviation']:+.3f} ± {d['standard_error']:.3f}"
                         for d in f["drawn"])] for f in mine if f["drawn"] and f["identifiable"]]
     quoted = [[f["body"], f"{q['multiple']:.3g} × {q['of']}", report.amplitude(q["amplitude"]), probability(q),
-               low_of(q["lower"], 2), high_of(q["upper"], 2), remarks(report, q, limit)]
-              for f in mine for q in f["probabilities"]]
+               low_of(q["lower"], 2), high_of(q["upper"], 2), remark["text"]]
+              for f in mine for q, remark in zip(f["probabilities"], f["quote_remarks"])]
     kinds = report.ends if limit == OVERTURNING else ["undecided", "failed"]
     head = ["body", "level", "trials", *([] if limit == OVERTURNING else [did]), *(e.replace("_", " ") for e in kinds),
             "P", "lower", "upper"]
@@ -170,17 +107,17 @@ def curves(report, limit):
             f"measures-{limit}", lambda path: fragility_figures.measures(report.results, fits, path),
             f"intensity measures compared by {what}"),
         of_the_levels(report),
-        fold("curves over every measure, and how each ranks the trials (AUC)",
+        fold("every measure, with its rank (AUC)",
              table(["body", "over", "median", "", "beta", "interval", "rank", "interval", "flags"], ranked))]
-    return [paragraphs([f"{bodies} bodies: no more than {fragility_figures.MOST_COMPARED} are drawn in one picture."]) if many else "",
+    return [paragraphs([report.notes["many_bodies"].format(bodies=bodies, most=fragility_figures.MOST_COMPARED)]) if many else "",
             report.figure(f"{name}-compared", lambda path: fragility_figures.compared(report.results, fits, stripes, what, path),
                           f"probability of {what} of all bodies"),
             *(report.figure(name + part, lambda path, shown=shown: fragility_figures.fragility(
                 report.results, shown, fits, stripes, what, path), f"probability of {what} against amplitude")
               for part, shown in in_pages(report.results.bodies, fragility_figures.MOST_ON_A_PAGE)),
             table(["body", "median", "interval", "beta", "interval", "5 % point", "interval", "HCLPF", "interval",
-                   "1 % point", "flags"], fitted, f"Waves differ by {report.fit['variability']}."),
-            table(["body", "beta", "beta_R (waves)", "beta_U (body)", "change of ln median per deviation of"], split)
+                   "1 % point", "flags"], fitted, report.notes["variability"]),
+            table(["body", "beta", "beta_R (waves)", "beta_U (body)", "ln median per deviation of"], split)
             if split else "",
             table(["body", "at", "amplitude", "P", "lower", "upper", ""], quoted) if quoted else "",
             *together(report, limit), *over_all,
@@ -230,9 +167,7 @@ def responses(report):
                             [[report.amplitude(q["amplitude"]), *(spread(q, key) for key, _ in QUANTILES), q["trials"]]
                              for q in mine])]
     if parts:
-        said = ("In brackets: distribution-free interval between two order statistics of the trials; open where there are "
-                "too few. A body that fell lies above every slip, and counts as π/2 over α.")
-        report.section("responses", "How far they slide and rock", *parts, paragraphs([said], " class=quiet"))
+        report.section("responses", "Slip and tilt", *parts, paragraphs([report.notes["quantiles"]], " class=quiet"))
 
 
 def add(report):

@@ -8,6 +8,7 @@ from .page_parts import escape, fold, interval, paragraphs, table, value_of
 
 SEED = 1  # of resampled motions: equal files give equal pages
 OTHER_UNIT = "_other_unit"
+MOST_VOTERS = 8  # named
 
 
 class Specimen:
@@ -60,35 +61,36 @@ def of_predictor(name, counted, tests):
             value_of(counted["false_safe"] / tests, 2)]
 
 
-def predictors(specimen, unit):
+def predictors(specimen, unit, notes):
     said = specimen.said
     rows = [("time history", said["by_time_history"])]
     rows += [(f"{name_of(measure, unit)} < V_Ereq", counted) for measure, counted in said["criteria"].items()]
-    rows += [(f"threshold on {measure.upper()}, of the other motions", said[key]) for measure in ("pgv", "pga")
+    rows += [(notes["threshold"].format(measure=measure.upper()), said[key]) for measure in ("pgv", "pga")
              for key in [f"by_threshold_on_{measure}"] if key in said]
     return rows
 
 
-def summary(specimen):
+def summary(specimen, notes):
     said = specimen.said
-    lines = [f"{said['falls']} falls in {said['tests']} tests of {said['motions']} motions. The time history agrees with "
-             f"{value_of(said['by_time_history']['agreement'], 3)} of them (95 %: {interval(said['agreement_interval'], 3)}) and calls "
-             f"{value_of(said['by_time_history']['false_safe'] / said['tests'], 2)} safe that fell "
-             f"({interval(said['false_safe_interval'], 2)}); intervals resample motions with all their tests."]
-    lines.append(f"Brier score {value_of(said['brier']['time_history'], 3)}; the share of falls, told of every test alike, has "
-                 f"{value_of(said['brier']['always_the_share'], 3)}.")
+    wrong = said["by_time_history"]["false_safe"] / said["tests"]
+    lines = [notes["agreement"].format(
+        falls=said["falls"], tests=said["tests"], motions=said["motions"],
+        agreement=value_of(said["by_time_history"]["agreement"], 3), agreement_interval=interval(said["agreement_interval"], 3),
+        false_safe=value_of(wrong, 2), false_safe_interval=interval(said["false_safe_interval"], 2))]
+    lines.append(notes["brier"].format(score=value_of(said["brier"]["time_history"], 3),
+                                       share=value_of(said["brier"]["always_the_share"], 3)))
     if len(specimen.bodies) > 1:
         voters = sorted(said["votes"].items(), key=lambda item: -item[1])
-        lines.append(f"{len(specimen.bodies)} bodies stand for it. " + (
-            "Of every motion those vote that agree with the others' outcomes within a standard error of the best" if said["motions"] > 1
-            else "All vote, as there is no other motion to choose by") + " (half of the votes call a test safe): " + ", ".join(
-                         f"{specimen.bodies[b].name} ({count} of {said['motions']})" for b, count in voters[:8])
-                     + (f" and {len(voters) - 8} more" if len(voters) > 8 else "") + ".")
+        votes = [notes["vote"].format(body=specimen.bodies[b].name, count=count, motions=said["motions"])
+                 for b, count in voters[:MOST_VOTERS]]
+        if len(voters) > MOST_VOTERS:
+            votes.append(notes["more_votes"].format(count=len(voters) - MOST_VOTERS))
+        lines.append(notes["several"].format(bodies=len(specimen.bodies), votes=", ".join(votes),
+                                             rule=notes["rule_left_out" if said["motions"] > 1 else "rule_all"]))
     else:
-        lines.append("One body stands for it, the same for every motion: whether its numbers were chosen by these very outcomes "
-                     "only its file can say (Assumptions).")
+        lines.append(notes["one"])
     if specimen.undecided:
-        lines.append(f"{specimen.undecided} of {specimen.tested} tests are left out: their trials have no verdict.")
+        lines.append(notes["undecided"].format(undecided=specimen.undecided, tested=specimen.tested))
     return lines
 
 
@@ -109,22 +111,20 @@ def shown_test(row):
 
 
 def part_of(report, specimen, unit):
-    parts = [f"<h3>{escape(specimen.name)}</h3>\n"]
+    notes, parts = report.notes["outcomes"], [f"<h3>{escape(specimen.name)}</h3>\n"]
     if specimen.said is None:
-        return [*parts, paragraphs(["None of its tests has a trial with a verdict." if specimen.tested else "It was not tested."])]
+        return [*parts, paragraphs([notes["no_verdict" if specimen.tested else "not_tested"]])]
     said = specimen.said
-    parts.append(paragraphs(summary(specimen)))
-    head = ["told by", "false safe", "false alarm", "safe, stood", "unsafe, fell", "agreement", "called safe, yet fell", "exact interval",
+    parts.append(paragraphs(summary(specimen, notes)))
+    head = ["predicted by", "false safe", "false alarm", "safe, stood", "unsafe, fell", "agreement", "false safe of safe", "exact interval",
             "false safe / tests"]
-    parts.append(table(head, [of_predictor(name, counted, said["tests"]) for name, counted in predictors(specimen, unit)],
-                       "False safe: it fell, and was said to stand. The exact interval takes tests as independent, which those of "
-                       "one motion are not: it is too narrow."))
+    parts.append(table(head, [of_predictor(name, counted, said["tests"]) for name, counted in predictors(specimen, unit, notes)],
+                       notes["counts"]))
     if said["areas"]:
         parts.append(table(["orders tests by", "area under the curve", "95 %, motions resampled"],
                            [[name_of(measure, unit), value_of(value, 3), interval([low, high], 3)]
                             for measure, (value, low, high) in said["areas"].items()],
-                           "Chance that a test which fell has more of it than one which stood: 0.5 is chance, 1 a perfect order."
-                           + (" Ratios are geometric means over the bodies that agree best with all tests." if len(specimen.bodies) > 1 else "")))
+                           " ".join([notes["areas"], *([notes["areas_of_several"]] if len(specimen.bodies) > 1 else [])])))
     plain = specimen.name.replace("*", "any")  # for names of files
     parts.append(report.figure(f"outcomes-{plain}",
                                lambda path: outcome_figure.draw(specimen, lambda m: name_of(m, unit), path),
@@ -135,9 +135,9 @@ def part_of(report, specimen, unit):
     mean = ", mean" if len(specimen.bodies) > 1 else ""
     head = ["wave", "record", "motion", "PGA [gal]", f"PGV [{style.speed_unit()}]", f"peak rotation / α{mean}", "predicted chance",
             *(f"{name_of(measure, unit)} / V_Ereq{mean}" for measure in measures)]
-    parts.append(fold("fell, though the time history or a criterion called it safe; least rotation first",
+    parts.append(fold(notes["false_safe_tests"],
                       table(head, map(shown_test, rows))) if rows
-                 else paragraphs(["No test fell that the time history or a criterion called safe."]))
+                 else paragraphs([notes["no_false_safe"]]))
     return parts
 
 
@@ -154,7 +154,7 @@ def add(report):
     parts = [part for specimen in specimens for part in part_of(report, specimen, unit)]
     shown = told["histories"]
     if shown:
-        parts.append(f"<h3>Fell, though said to stand</h3>\n{paragraphs([told['histories_of']], ' class=quiet')}")
+        parts.append(f"<h3>{escape(report.notes['outcomes']['histories'])}</h3>\n{paragraphs([told['histories_of']], ' class=quiet')}")
         parts += [report.figure(f"false-safe-{one['body']}-{one['trial']}", lambda path, one=one: history_figure.draw(one, path),
                                 f"history of {one['title']}") for one in shown]
     report.section("outcomes", "Held against real outcomes", *parts)

@@ -1,10 +1,10 @@
-#include "cli/other_bits.hpp"
+#include "output/made_by.hpp"
 
 #include <fmt/format.h>
 
 #include "campaign/version.hpp"
 
-namespace overturn::cli {
+namespace overturn::output {
 
 bool is_of_this_program(store::ResultsReader const& file) {
     return file.text("program_version") == program_version() && file.text("sources_sha256") == sources_sha256();
@@ -31,4 +31,4 @@ std::string why_bits_differ(store::ResultsReader const& file) {
                            : "it was edited, or another kind of machine than " + machine() + " decides last bits");
 }
 
-}  // namespace overturn::cli
+}  // namespace overturn::output

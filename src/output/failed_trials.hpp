@@ -9,7 +9,7 @@
 #include "campaign/campaign_spec.hpp"
 #include "campaign/rows.hpp"
 
-namespace overturn::cli {
+namespace overturn::output {
 
 /// Collects them in order; keeps the first few and counts the rest.
 class FailedTrials {
@@ -34,4 +34,4 @@ class FailedTrials {
     std::int64_t count_ = 0;
 };
 
-}  // namespace overturn::cli
+}  // namespace overturn::output

@@ -5,7 +5,7 @@
 
 #include "store/results_file.hpp"
 
-namespace overturn::cli {
+namespace overturn::output {
 
 /// Compiled from the sources that made the file?
 [[nodiscard]] bool is_of_this_program(store::ResultsReader const& file);
@@ -16,4 +16,4 @@ namespace overturn::cli {
 /// "(made by overturn 1.0.0, revision abc; this is def). Ask that program": as the end of a message.
 [[nodiscard]] std::string why_bits_differ(store::ResultsReader const& file);
 
-}  // namespace overturn::cli
+}  // namespace overturn::output

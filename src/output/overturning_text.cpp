@@ -1,3 +1,5 @@
+#include "output/overturning_text.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -6,12 +8,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/json_values.hpp"
-#include "cli/overturning_spectrum.hpp"
 #include "core/outward.hpp"
 #include "core/units.hpp"
 
-namespace overturn::cli {
+namespace overturn::output {
 namespace {
 
 constexpr int digits = 5;
@@ -93,7 +93,11 @@ std::string least_text(OverturningRanges const& found, double per) {
 
 }  // namespace
 
-nlohmann::ordered_json json_of(OverturningSpectrum const& spectrum) {
+double OverturningSpectrum::omega_over_p(OverturningPoint const& point) const {
+    return 2 * pi * point.frequency_hz / block.p_radps;
+}
+
+Json json_of(OverturningSpectrum const& spectrum) {
     auto points = Json::array();
     for (auto const& point : spectrum.points) {
         double const least = point.found.overturning() * spectrum.peak_mps2;
@@ -104,11 +108,11 @@ nlohmann::ordered_json json_of(OverturningSpectrum const& spectrum) {
             one["frequency_hz"] = point.frequency_hz;
             one["period_s"] = 1 / point.frequency_hz;
         }
-        one["uplift_mps2"] = or_null(std::isfinite(uplift), uplift);
+        one["uplift_mps2"] = json_of(Cell(uplift));
         double const stands = point.found.stands_to() * spectrum.peak_mps2;
-        one["stands_to_mps2"] = or_null(std::isfinite(stands), stands);
-        one["overturning_mps2"] = or_null(std::isfinite(least), least);
-        one["overturning_over_alpha_g"] = or_null(std::isfinite(least), least / spectrum.alpha_g_mps2());
+        one["stands_to_mps2"] = json_of(Cell(stands));
+        one["overturning_mps2"] = json_of(Cell(least));
+        one["overturning_over_alpha_g"] = json_of(Cell(least / spectrum.alpha_g_mps2()));
         one["ranges"] = ranges_json(spectrum, point);
         points.push_back(std::move(one));
     }
@@ -175,4 +179,4 @@ std::string text_of(OverturningSpectrum const& spectrum) {
     return text;
 }
 
-}  // namespace overturn::cli
+}  // namespace overturn::output

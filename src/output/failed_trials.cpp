@@ -1,11 +1,11 @@
-#include "cli/failed_trials.hpp"
+#include "output/failed_trials.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "generators/acceptance.hpp"
 
-namespace overturn::cli {
+namespace overturn::output {
 namespace {
 
 constexpr std::size_t most_listed = 20;
@@ -82,4 +82,4 @@ std::string FailedTrials::text() const {
     return more > 0 ? text + fmt::format("  and {} more: the rows of /trials with verdict failed\n", more) : text;
 }
 
-}  // namespace overturn::cli
+}  // namespace overturn::output

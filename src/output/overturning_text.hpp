@@ -1,0 +1,37 @@
+/// Which amplitudes of a pulse overturn a body, over its frequency, or which factors on a record do: as text, JSON and
+/// csv.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "output/json.hpp"
+#include "rocking/overturning_search.hpp"
+
+namespace overturn::output {
+
+/// One frequency of a pulse, or the record.
+struct OverturningPoint {
+    double frequency_hz = 0;  ///< 0: of a record
+    OverturningRanges found;  ///< factors on a peak of 1 m/s2, or on the record
+};
+
+struct OverturningSpectrum {
+    std::string body, shaking;
+    RockingBlock block;
+    OverturningScan scan;
+    double peak_mps2 = 1;  ///< that a factor of 1 stands for: PGA of the record
+    bool of_record = false;
+    std::vector<OverturningPoint> points;
+
+    [[nodiscard]] double omega_over_p(OverturningPoint const& point) const;
+    [[nodiscard]] double alpha_g_mps2() const { return block.alpha_rad * block.gravity_mps2; }
+};
+
+[[nodiscard]] Json json_of(OverturningSpectrum const& spectrum);
+/// A row per range.
+[[nodiscard]] std::string csv_of(OverturningSpectrum const& spectrum);
+/// Ends are rounded so that ranges that overturn only grow.
+[[nodiscard]] std::string text_of(OverturningSpectrum const& spectrum);
+
+}  // namespace overturn::output

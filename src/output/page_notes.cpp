@@ -1,0 +1,85 @@
+#include <fmt/format.h>
+
+#include "campaign/assumptions.hpp"
+#include "output/detail/fit_words.hpp"
+#include "output/detail/quote_text.hpp"
+#include "output/page_text.hpp"
+
+namespace overturn::output {
+namespace {
+
+// Of real outcomes, which the page counts itself: it fills the numbers in.
+Json outcome_notes() {
+    return {
+        {"agreement",
+         "{falls} falls in {tests} tests of {motions} motions. The time history agrees with {agreement} of them (95 %: "
+         "{agreement_interval}). {false_safe} of the tests are false safe ({false_safe_interval}). The intervals "
+         "resample motions with all their tests."},
+        {"brier",
+         "Brier score {score}; the score of a prediction that gives every test the share of falls is {share}."},
+        {"several", "{bodies} bodies stand for it. {rule} Half of the votes call a test safe. Votes: {votes}."},
+        {"rule_left_out",
+         "On each motion those bodies vote that agree with the outcomes of the other motions within a standard error "
+         "of "
+         "the best."},
+        {"rule_all", "All bodies vote, as there is no other motion to choose by."},
+        {"vote", "{body} ({count} of {motions})"},
+        {"more_votes", "and {count} more"},
+        {"one",
+         "One body stands for it, the same for every motion. Whether its numbers were chosen by these outcomes only "
+         "its "
+         "file can say (Assumptions)."},
+        {"undecided", "{undecided} of {tested} tests are left out: their trials have no verdict."},
+        {"counts",
+         "False safe: predicted to stand, yet fell. The exact interval takes tests as independent. Tests of one motion "
+         "are not, so it is too narrow."},
+        {"areas", "Chance that a test that fell has more of it than one that stood: 0.5 is chance, 1 a perfect order."},
+        {"areas_of_several", "Ratios are geometric means over the bodies that agree best with all tests."},
+        {"threshold", "threshold on {measure}, of the other motions"},
+        {"false_safe_tests",
+         "Fell, though the time history or a criterion predicted that it stands; least rotation first"},
+        {"no_false_safe", "No test fell that the time history or a criterion predicted to stand."},
+        {"no_verdict", "None of its tests has a trial with a verdict."},
+        {"not_tested", "It was not tested."},
+        {"histories", "Fell, though predicted to stand"}};
+}
+
+}  // namespace
+
+Json page_notes(Answered const& of) {
+    Json notes{
+        {"bodies",
+         "Outline: the parts it is assembled from, or, dashed, a block about the centre of gravity, for scale. Only "
+         "base, centre and inertia enter the equations."},
+        {"criterion", "False safe: measure below V_Ereq, yet overturned. False alarm: above it, yet stood."},
+        {"response", "V_resp / V_Ereq of the trials that moved and stood: median (5 % to 95 %)."},
+        {"rare", "What is not trusted or not resolved has no number, only a bound that plain trials alone give."},
+        {"telling_trials",
+         "Nearest miss and largest slip are of trials that stood. A verdict changes back where a wave that overturned "
+         "the body stood at a higher level."},
+        {"frequency",
+         "Times a year. The interval is the answer: it bounds what lies outside of levels and hazard curve. Beside it "
+         "stand the mean by the curve and how much of that mean is extrapolated."},
+        {"variability", fmt::format("Waves differ by {}.", of.spec.source->about().variability)},
+        {"other_measures", "The " + other_measures_text(of.spec.levels.measure_label()) + "."},
+        {"many_bodies", "{bodies} bodies: no more than {most} are drawn in one picture."},
+        {"quantiles",
+         "In brackets: distribution-free interval between two order statistics of the trials; open where there are too "
+         "few. A body that fell lies above every slip, and counts as π/2 over α."},
+        {"assumptions", text_of(tally_of(physical_inputs(of.spec))) + "."},
+        {"more_inputs", "{more} more: overturn fit --json lists all."},
+        {"no_more_effects", "bears on trials that call for no more"},
+        {"model_assumptions",
+         "Misjudged, unsafe: where it does not hold, more overturns than is computed. Effects were found by studies of "
+         "this project, under their own waves."},
+        {"outcomes", outcome_notes()}};
+    if (!of.analysis.empty() && of.analysis.front().grid) {
+        auto why = grid_text(of.analysis.front().over_levels().fit.waves);
+        notes["grid"] = "A" + why.substr(1) + ", no probability and no quantile.";
+        notes["grid_standing"] =
+            "Stood up to: the highest level at which it stood; it may lie above the least that overturned it.";
+    }
+    return notes;
+}
+
+}  // namespace overturn::output

@@ -1,0 +1,194 @@
+#include "output/page_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/outward.hpp"
+#include "output/detail/answer_parts.hpp"
+#include "output/detail/fit_names.hpp"
+#include "output/detail/fit_words.hpp"
+#include "output/detail/quote_text.hpp"
+#include "output/stripe_text.hpp"
+
+namespace overturn::output {
+namespace {
+
+constexpr int headline_digits = 3;
+
+std::string median_end(double value) { return std::isfinite(value) ? fmt::format("{:g}", value) : "open"; }
+
+// An amplitude that the body withstands, rounded down.
+std::string withstood_text(MeasuredFragility const& curve, double intensity) {
+    return curve.told.text(curve.told.si * rounded_down(curve.told.of(intensity), headline_digits));
+}
+
+std::string basis_text(Answered const& of, std::size_t body, std::size_t limit) {
+    auto const& levels = of.spec.levels.levels;
+    auto const basis = std::ranges::find(levels, LevelClass::design_basis, &Level::purpose);
+    if (basis == levels.end()) {
+        return {};
+    }
+    auto const& stripe =
+        of.statistics.bodies()[body].stripes_of(limit)[static_cast<std::size_t>(basis - levels.begin())];
+    auto const ends = stripe.interval(of.confidence);
+    return fmt::format("at the design basis ({}) {} of {} trials {}, P between {:.2g} and {:.2g}",
+                       of.spec.levels.text(basis->value), stripe.overturned, stripe.trials,
+                       limit == 0 ? "overturned" : "exceeded it", rounded_down(ends.lower, 2),
+                       rounded_up(ends.upper, 2));
+}
+
+std::string curve_words(MeasuredFragility const& curve, double confidence) {
+    auto const& fit = curve.fit;
+    if (!fit.identifiable()) {
+        auto const why = warnings_of(fit, curve.told, confidence);
+        return why.empty() ? "no curve: " + name_of(fit.state, fit.passing) : why.front();
+    }
+    auto const& ends = fit.intervals().median;
+    auto text = fmt::format("half {} at {} ({} to {}), beta {:.2g}",
+                            fit.passing == Passing::exceeded ? "exceed it" : "overturn",
+                            curve.told.text(std::exp(fit.line->log_median())),
+                            median_end(rounded_down(curve.told.of(ends.lower), headline_digits)),
+                            median_end(rounded_up(curve.told.of(ends.upper), headline_digits)), fit.line->beta());
+    auto const five = fit.five_percent_point();
+    text += five ? ", 5 % point " + withstood_text(curve, *five) : ", no 5 % point";
+    if (auto const hclpf = fit.hclpf()) {
+        text += ", HCLPF " + withstood_text(curve, *hclpf);
+    }
+    auto const flags = names_of(fit.flags, fit.passing);
+    return text + (flags.empty() ? std::string() : fmt::format(" (flagged: {})", fmt::join(flags, ", ")));
+}
+
+std::string frequency_line(Answered const& of, std::string const& body, std::string const& limit) {
+    auto const* const f = frequency_at(of, body, limit);
+    if (f == nullptr) {
+        return {};
+    }
+    auto const& ends = f->mean ? f->interval : f->seen;
+    auto const low = rounded_down(ends.lower, headline_digits);
+    auto const high = rounded_up(ends.upper, headline_digits);
+    return fmt::format("at most {:.{}g} times a year ({:g} %: {:.{}g} to {:.{}g})", high, headline_digits,
+                       100 * of.confidence, low, headline_digits, high, headline_digits);
+}
+
+// From which level on a limit state is passed, and at how many frequencies.
+std::string grid_passed(GridMap const& map, std::size_t limit) {
+    auto const what = limit == 0 ? std::string("overturns") : "exceeds " + map.limits[limit];
+    GridLine const* first = nullptr;
+    std::size_t passed = 0;
+    for (auto const& line : map.lines) {
+        if (line.least[limit]) {
+            ++passed;
+            first = first == nullptr || *line.least[limit] < *first->least[limit] ? &line : first;
+        }
+    }
+    if (first == nullptr) {
+        return fmt::format("{} at no frequency up to {}", what, map.told.text(map.levels.back()));
+    }
+    return fmt::format("{} from {} on at {:.3g} Hz, at {} of {} frequencies in all", what,
+                       map.told.text(map.value(first->least[limit])), 1 / first->period_s, passed, map.lines.size());
+}
+
+std::string grid_headline(BodyAnalysis const& body) {
+    std::vector<std::string> parts;
+    for (std::size_t limit = 0; limit < body.grid->limits.size(); ++limit) {
+        parts.push_back(grid_passed(*body.grid, limit));
+    }
+    parts.push_back(grid_text(body.over_levels().fit.waves));
+    return fmt::format("{}: {}.", body.body, fmt::join(parts, "; "));
+}
+
+std::string headline(Answered const& of, std::size_t b, std::size_t limit) {
+    auto const& body = of.analysis[b];
+    auto const& stated = of.spec.limits[limit];
+    std::vector<std::string> parts;
+    for (auto& part : {basis_text(of, b, limit), curve_words(body.curves_of(limit).front(), of.confidence),
+                       frequency_line(of, body.body, stated.name)}) {
+        if (!part.empty()) {
+            parts.push_back(part);
+        }
+    }
+    auto const who = limit == 0 ? body.body
+                                : fmt::format("{}, {} ({})", body.body, said_name(stated, of.spec.limits),
+                                              definition_of(stated, of.spec.limits));
+    return fmt::format("{}: {}.", who, fmt::join(parts, "; "));
+}
+
+}  // namespace
+
+std::vector<std::string> headlines(Answered const& of) {
+    std::vector<std::string> lines;
+    for (std::size_t b = 0; b < of.analysis.size(); ++b) {
+        if (of.analysis[b].grid) {
+            lines.push_back(grid_headline(of.analysis[b]));
+            continue;
+        }
+        for (std::size_t limit = 0; limit < of.spec.limits.size(); ++limit) {
+            lines.push_back(headline(of, b, limit));
+        }
+    }
+    return lines;
+}
+
+Json quote_remarks(Answered const& of) {
+    auto list = Json::array();
+    for (auto const& body : of.analysis) {
+        for (std::size_t limit = 0; limit < of.spec.limits.size(); ++limit) {
+            for (auto const& curve : body.curves_of(limit)) {
+                for (auto const& quoted : curve.fit.quotes) {
+                    list.push_back({{"body", body.body},
+                                    {"limit", curve.limit},
+                                    {"measure", curve.name},
+                                    {"text", quote_remark(curve, quoted)}});
+                }
+            }
+        }
+    }
+    return list;
+}
+
+std::vector<std::string> cut_short_lines(Answered const& of) {
+    std::vector<std::string> lines;
+    for (auto const& body : of.statistics.bodies()) {
+        if (auto const text = cut_short_text(body); !text.empty()) {
+            lines.push_back(fmt::format("{}: {}.", body.body, text));
+        }
+    }
+    return lines;
+}
+
+std::string cost_text(double wall_s, std::int64_t ranks, std::size_t runs, double trials_per_s,
+                      std::string const& place) {
+    return fmt::format("Took {:.3g} s on {} ranks{}, {:.3g} trials a second (beside the results, in {}).", wall_s,
+                       ranks, runs > 1 ? fmt::format(" in {} runs", runs) : "", trials_per_s, place);
+}
+
+std::string false_safe_histories_text(std::size_t shown, std::size_t all) {
+    return fmt::format(
+        "{} of {} tests that fell though their trial stood, of each specimen the highest peak rotation "
+        "first.",
+        shown, all);
+}
+
+std::string wave_title(std::int64_t number, bool telling) {
+    return fmt::format("Wave {}{}", number, telling ? ": overturned something at the lowest level of all" : "");
+}
+
+std::string histories_text(std::size_t shown, std::size_t bodies) {
+    return shown >= bodies ? std::string()
+                           : fmt::format("Histories are of {} of {} bodies; overturn replay --plot draws any trial's.",
+                                         shown, bodies);
+}
+
+std::string ran_text(std::int64_t ran, std::int64_t planned) {
+    return ran == planned ? fmt::format("{}", ran)
+                          : fmt::format("{} of {} planned: it ended early, precise enough", ran, planned);
+}
+
+std::string changed_file_text() {
+    return "The results file is NOT as it was written: edited, damaged or never sealed. It was read as it is.";
+}
+
+}  // namespace overturn::output

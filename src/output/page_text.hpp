@@ -1,0 +1,45 @@
+/// What a report's page says in sentences, as its data: the page itself holds headings and labels alone.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "output/answer.hpp"
+#include "output/json.hpp"
+
+namespace overturn::output {
+
+/// A line for each body and limit state below the answer: the design basis, the curve, how often in a year. Of waves on
+/// a grid: from which level on, at how many frequencies.
+[[nodiscard]] std::vector<std::string> headlines(Answered const& of);
+
+/// What stands beside each row of `probabilities`, in their order: {body, limit, measure, text}.
+[[nodiscard]] Json quote_remarks(Answered const& of);
+
+/// Of each body with such trials: how many still rocked when the record ended.
+[[nodiscard]] std::vector<std::string> cut_short_lines(Answered const& of);
+
+/// Notes on tables and figures, by name; those with {places} are filled in with the numbers that the page computes.
+[[nodiscard]] Json page_notes(Answered const& of);
+
+/// The lines on how long the campaign took. \param place the file that says so
+[[nodiscard]] std::string cost_text(double wall_s, std::int64_t ranks, std::size_t runs, double trials_per_s,
+                                    std::string const& place);
+
+/// "12 of 15 tests that fell though their trial stood, ..."
+[[nodiscard]] std::string false_safe_histories_text(std::size_t shown, std::size_t all);
+
+/// The title of a drawn wave. \param telling it overturned something at the lowest level of all
+[[nodiscard]] std::string wave_title(std::int64_t number, bool telling);
+
+/// Of how many bodies histories are drawn; empty: of all.
+[[nodiscard]] std::string histories_text(std::size_t shown, std::size_t bodies);
+
+/// "40"; "32 of 64 planned: it ended early, precise enough".
+[[nodiscard]] std::string ran_text(std::int64_t ran, std::int64_t planned);
+
+/// Above everything, where the file is not as it was written.
+[[nodiscard]] std::string changed_file_text();
+
+}  // namespace overturn::output

@@ -1,0 +1,24 @@
+#include "output/rare_replay_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace overturn::output {
+
+std::string rare_replay_text(RareReplay const& replay, std::int64_t row, std::string const& body,
+                             std::string const& limit) {
+    std::vector<std::string> ends;
+    for (std::size_t f = 0; f < replay.factors.size(); ++f) {
+        ends.push_back(fmt::format("{} at {:.6g}",
+                                   !replay.passed[f]            ? "stood"
+                                   : limit == overturning_limit ? "overturned"
+                                                                : "passed",
+                                   replay.factors[f]));
+    }
+    auto const& stored = replay.stored;
+    return fmt::format("row {} of {}: {}, replicate {}, stage {}, index {}, weight {:.6g}\n{}\n", row, body,
+                       name_of(static_cast<rare::Method>(stored.method)), stored.replicate, stored.stage, stored.index,
+                       stored.weight, fmt::join(ends, ", "));
+}
+
+}  // namespace overturn::output

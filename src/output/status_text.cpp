@@ -1,0 +1,34 @@
+#include "output/status_text.hpp"
+
+#include <fmt/format.h>
+
+namespace overturn::output {
+
+std::string complete_text(Complete const& of) {
+    return fmt::format("complete{}, {} trials of '{}'{}{}{}", of.changed ? " but edited or damaged" : "", of.trials,
+                       of.title, of.waves_text.empty() ? "" : "; ", of.waves_text,
+                       of.waves < of.planned
+                           ? fmt::format("; precise enough after {} of {} waves", of.waves, of.planned)
+                           : std::string());
+}
+
+std::string progress_text(Progress const& of) {
+    auto const done = of.all ? fmt::format("not complete, {} of {} blocks are done, {} left", of.done, *of.all, of.left)
+                             : fmt::format("not complete, {} blocks are done, at least {} left", of.done, of.left);
+    if (of.under_way) {
+        return done + "; a run is under way";
+    }
+    auto const what = of.left > 0 ? fmt::format(" (waves {})", of.waves_left)
+                      : of.rare   ? std::string("; its rare events are not")
+                                  : std::string("; not merged yet");
+    return fmt::format("{}{}. Go on with: {}", done, what, of.next);
+}
+
+std::string extension_text(std::int64_t waves, std::size_t done, std::string const& next) {
+    return fmt::format("an extension to {} waves is not complete: {} blocks are done beside what this file holds{}",
+                       waves, done, next.empty() ? "; a run is under way" : ". Go on with: " + next);
+}
+
+std::string so_far_text(std::string const& waves_text) { return waves_text + " so far"; }
+
+}  // namespace overturn::output
