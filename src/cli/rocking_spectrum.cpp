@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -25,8 +26,9 @@ std::vector<RockingBlock> stated_blocks(std::string const& alphas, std::optional
     validate(!restitution || (*restitution >= 0 && *restitution <= 1),
              "--restitution {} (angular velocity behind an impact over that before it, 0 to 1). Mend it",
              restitution.value_or(0));
+    std::string_view const stated = alphas.empty() ? "10 deg,15 deg,20 deg" : std::string_view(alphas);
     std::vector<RockingBlock> blocks;
-    for (auto const part : parts_of(alphas.empty() ? "10 deg,15 deg,20 deg" : alphas, ',')) {
+    for (auto const part : parts_of(stated, ',')) {
         double const alpha = parse_quantity(std::string(trimmed(part)), Dimension::angle);
         validate(alpha > 0 && alpha < pi / 2, "--alpha {} (must lie between 0 and 90 deg). Mend it", part);
         double const e = restitution.value_or(housner_restitution(alpha));
