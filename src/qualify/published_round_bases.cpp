@@ -29,7 +29,8 @@ SpatialBlock on_its_rim(Pad const& pad, double friction) {
 struct LastPose : SpatialObserver {
     double tilt_rad = 0, azimuth_rad = 0, turned_rad = 0;
     void at(SpatialInstant const& instant) override {
-        turned_rad += std::remainder(instant.azimuth_rad() - azimuth_rad, 2 * pi);
+        double const step_rad = instant.azimuth_rad() - azimuth_rad;
+        turned_rad += step_rad > pi ? step_rad - 2 * pi : step_rad < -pi ? step_rad + 2 * pi : step_rad;
         tilt_rad = instant.tilt_rad();
         azimuth_rad = instant.azimuth_rad();
     }

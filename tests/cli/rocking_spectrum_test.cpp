@@ -17,9 +17,8 @@ constexpr double gravity = 9.80665;
 class RockingSpectrum : public ::testing::Test {
   protected:
     void SetUp() override {
-        // Ground that moves at 1 m/s at once, to 0.2 ms.
-        std::string step = "time,a\n0,0\n0.0001,10000\n0.0002,0\n0.0003,0\n0.0004,0\n";
-        folder.write("step.csv", step);
+        // Ground that moves at 0.45 m/s after 10 ms.
+        folder.write("step.csv", "time,a\n0,0\n0.005,90\n0.01,0\n0.015,0\n0.02,0\n0.025,0\n");
         std::string wave = "time,a\n";
         for (int i = 0; i <= 300; ++i) {
             wave += fmt::format("{:.2f},{:.9f}\n", 0.01 * i, 4 * std::sin(2 * M_PI * 0.01 * i));
@@ -38,14 +37,33 @@ class RockingSpectrum : public ::testing::Test {
         EXPECT_NE(ended.err.find(why), std::string::npos) << ended.err;
     }
 
+    // Of a block after the step: what turns it while the ground moves, then energy, cos(alpha - theta) = cos(alpha -
+    // theta1) + omega^2 / (2 p^2). Its own tilt meanwhile is left out of what rights it: p T squared of it, 1e-3.
+    static double cosine_after_step(double alpha, double p) {
+        constexpr int pieces = 20'000;
+        constexpr double whole = 0.01;
+        constexpr double d = whole / pieces;
+        double omega = 0;
+        double theta = 0;
+        for (int i = 0; i < pieces; ++i) {
+            double const t = (i + 0.5) * d;
+            double const a = 90 * (1 - std::abs(t - 0.005) / 0.005);
+            double const turning = p * p * (a * std::cos(alpha) / gravity - std::sin(alpha));
+            if (omega > 0 || turning > 0) {
+                theta += d * (omega + 0.5 * d * turning);
+                omega += d * turning;
+            }
+        }
+        return std::cos(alpha - theta) + omega * omega / (2 * p * p);
+    }
+
     Folder folder;
 };
 
-// Closed form: the step gives p^2 v cos(alpha) / g, then energy decides, cos(alpha - theta) = cos(alpha) + (p v
-// cos(alpha) / g)^2 / 2; the step takes 2e-4 s of some seconds.
+// The step, then the closed form of energy.
 TEST_F(RockingSpectrum, UnderAStepOfVelocityIsTheClosedForm) {
     auto const shown = json::parse(
-        done({"--wave", "step.csv", "--rocking", "--alpha", "10 deg,0.25", "--rocking-periods", "1:20:12", "--json"})
+        done({"--wave", "step.csv", "--rocking", "--alpha", "10 deg,0.25", "--rocking-periods", "0.8:20:12", "--json"})
             .out);
 
     ASSERT_EQ(shown["curves"].size(), 2U);
@@ -58,7 +76,8 @@ TEST_F(RockingSpectrum, UnderAStepOfVelocityIsTheClosedForm) {
         for (auto const& point : curve["points"]) {
             double const p = point["p_radps"];
             EXPECT_NEAR(p * point["rocking_period_s"].get<double>(), 2 * M_PI, 1e-12);
-            double const cosine = std::cos(alpha) + 0.5 * std::pow(p * std::cos(alpha) / gravity, 2);
+            double const cosine = cosine_after_step(alpha, p);
+            ASSERT_GT(std::abs(cosine - 1), 1e-4) << "too near to balance to be told";
             if (cosine >= 1) {
                 EXPECT_EQ(point["fate"], "overturns") << p;
                 EXPECT_TRUE(point["peak_rotation_rad"].is_null());
@@ -66,14 +85,14 @@ TEST_F(RockingSpectrum, UnderAStepOfVelocityIsTheClosedForm) {
             } else {
                 double const theta = alpha - std::acos(cosine);
                 EXPECT_EQ(point["fate"], "stands") << p;
-                EXPECT_NEAR(point["peak_rotation_rad"], theta, 2e-3 * theta) << p;
+                EXPECT_NEAR(point["peak_rotation_rad"], theta, 5e-3 * theta) << p;
                 EXPECT_NEAR(point["peak_rotation_over_alpha"].get<double>() * alpha, point["peak_rotation_rad"], 1e-12);
                 ++standing;
             }
         }
     }
-    EXPECT_GE(fallen, 4);
-    EXPECT_GE(standing, 8);
+    EXPECT_GE(fallen, 2);
+    EXPECT_GE(standing, 12);
 }
 
 TEST_F(RockingSpectrum, HoldsTheBodysOwnRotation) {
@@ -104,9 +123,9 @@ TEST_F(RockingSpectrum, HoldsTheBodysOwnRotation) {
 
 TEST_F(RockingSpectrum, TextIsRoundedUpAndCsvIsExact) {
     auto const ended = done({"--wave", "step.csv", "--rocking", "--alpha", "0.25", "--restitution", "0.8",
-                             "--rocking-periods", "1,6", "-o", "r.csv"});
+                             "--rocking-periods", "0.8,6", "-o", "r.csv"});
     double const p = 2 * M_PI / 6;
-    double const theta = 0.25 - std::acos(std::cos(0.25) + 0.5 * std::pow(p * std::cos(0.25) / gravity, 2));
+    double const theta = 0.25 - std::acos(cosine_after_step(0.25, p));
     EXPECT_NE(ended.out.find("overturns"), std::string::npos) << ended.out;
     std::istringstream rows(folder.read("r.csv"));
     std::string row;
@@ -116,7 +135,7 @@ TEST_F(RockingSpectrum, TextIsRoundedUpAndCsvIsExact) {
     EXPECT_NE(row.find(",overturns,,"), std::string::npos) << row;
     std::getline(rows, row);
     double const ratio = std::stod(row.substr(row.rfind(',') + 1));
-    EXPECT_NEAR(ratio, theta / 0.25, 2e-3 * theta / 0.25);
+    EXPECT_NEAR(ratio, theta / 0.25, 5e-3 * theta / 0.25);
     double const told = std::stod(ended.out.substr(ended.out.rfind(' ')));
     EXPECT_GE(told, ratio);
     EXPECT_LE(told, 1.01 * ratio);
