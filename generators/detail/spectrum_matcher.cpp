@@ -124,7 +124,7 @@ SpectrumMatcher::Calibrated const& SpectrumMatcher::calibrated(ShareRows const& 
         auto const periods_s =
             log_periods_per_decade(judged_.period_s.front(), input_.longest_s, periods_per_decade / 2);
         auto const median = calibrate(noise, input_.target, periods_s, share);
-        calibration_->made.emplace(std::move(noise), median);
+        calibration_->made.emplace(Calibrated{std::move(noise), median});
     });
     return *calibration_->made;
 }

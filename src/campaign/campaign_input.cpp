@@ -103,12 +103,12 @@ std::string unquoted(std::string const& stated) {
 }
 
 // Takes out what only one of the campaigns has a body for. \return the files that are named there
-Names erase_bodies_apart(StatedValues& values, Names const& own, Names const& others) {
+Names erase_bodies_apart(StatedValues& values, Names const& own, Names const& of_other) {
     Names files;
     values.erase("bodies");
     std::erase_if(values, [&](auto const& each) {
         auto const name = body_of(each.first, own);
-        bool const apart = !name.empty() && !others.contains(name);
+        bool const apart = !name.empty() && !of_other.contains(name);
         if (apart && each.first == "bodies." + name + ".file") {
             files.insert(unquoted(each.second));
         }
@@ -198,9 +198,9 @@ std::vector<std::string> CampaignInput::differences_of_rows(CampaignInput const&
     auto before = decisive(*this);
     auto now = decisive(other);
     auto const bodies = body_names(*this);
-    auto const others = body_names(other);
-    auto apart = erase_bodies_apart(before, bodies, others);
-    apart.merge(erase_bodies_apart(now, others, bodies));
+    auto const bodies_now = body_names(other);
+    auto apart = erase_bodies_apart(before, bodies, bodies_now);
+    apart.merge(erase_bodies_apart(now, bodies_now, bodies));
     erase_extent(before);
     erase_extent(now);
     std::vector<std::string> found;

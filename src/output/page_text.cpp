@@ -104,8 +104,8 @@ std::string headline(Answered const& of, std::size_t b, std::size_t limit) {
     auto const& body = of.analysis[b];
     auto const& stated = of.spec.limits[limit];
     std::vector<std::string> parts;
-    for (auto& part : {basis_text(of, b, limit), curve_words(body.curves_of(limit).front(), of.confidence),
-                       frequency_line(of, body.body, stated.name)}) {
+    for (auto const& part : {basis_text(of, b, limit), curve_words(body.curves_of(limit).front(), of.confidence),
+                             frequency_line(of, body.body, stated.name)}) {
         if (!part.empty()) {
             parts.push_back(part);
         }

@@ -42,6 +42,7 @@ struct Group {
 
 template <std::size_t count> ProbitLine fitted(std::array<Group, count> const& groups) {
     std::vector<FragilityPoint> points;
+    points.reserve(count);
     for (auto const& group : groups) {
         points.push_back(
             {.log_intensity = std::log(group.intensity), .trials = group.tried, .overturned = group.passed});

@@ -102,7 +102,9 @@ Check ishiyama() {
     constexpr int per_cycle = 400;
     constexpr int cycles = 10;
     int fallen = 0;
-    for (double frequency = 0.1; frequency < 10; frequency *= 1.1) {
+    constexpr int frequencies = 48;
+    for (int n = 0; n <= frequencies; ++n) {
+        double const frequency = 0.1 * std::pow(100, static_cast<double>(n) / frequencies);
         std::vector<double> wave(per_cycle * cycles + 1);
         for (std::size_t i = 0; i < wave.size(); ++i) {
             wave[i] = 2 * pi * frequency * bound * std::cos(2 * pi * static_cast<double>(i) / per_cycle);

@@ -56,7 +56,7 @@ constexpr std::string_view any_shaking = "any shaking passes it";
 constexpr std::string_view any_give = "a pad that gives way a little passes it";
 constexpr std::string_view bodies_slide = "bodies slide by millimetres to metres";
 
-constexpr std::array entries{
+constexpr std::array usual_limits{
     Entry{"peak_rotation", &none, &none, &flat, 1e-5, &alpha, any_give, falls_by_itself},
     Entry{"peak_rotation_ratio", &none, &none, &flat_ratio, 1e-5, &one, any_give, falls_by_itself},
     Entry{"peak_energy_ratio", &none, &none, &unbounded, 1e-8, &one, any_give,
@@ -82,9 +82,10 @@ constexpr std::array entries{
     Entry{"1", &none, &none, &unbounded, 0, &unbounded, {}, {}}};
 
 Entry const& entry_of(LimitQuantity const& quantity) {
-    auto const* const named = std::ranges::find(entries, quantity.name, &Entry::of);
-    auto const* const found = named == entries.end() ? std::ranges::find(entries, quantity.units, &Entry::of) : named;
-    return found == entries.end() ? entries.back() : *found;
+    auto const* const named = std::ranges::find(usual_limits, quantity.name, &Entry::of);
+    auto const* const found =
+        named == usual_limits.end() ? std::ranges::find(usual_limits, quantity.units, &Entry::of) : named;
+    return found == usual_limits.end() ? usual_limits.back() : *found;
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ void add_effects_apart(std::vector<std::string>& bars, CampaignInput const& befo
     auto const less = there.effects.include & ~here.effects.include;
     for (auto const& [limits, mask, why] : {std::tuple{&here.limits, more, "which its rows were computed without"},
                                             std::tuple{&there.limits, less, "and is gone"}}) {
-        auto const calls = std::ranges::find_if(*limits, [&](LimitState const& limit) {
+        auto const calls = std::ranges::find_if(*limits, [mask = mask](LimitState const& limit) {
             return !limit.quantity.of_every_model && (limit.quantity.needs & mask) != 0;
         });
         if (mask != 0 && calls != limits->end()) {
